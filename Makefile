@@ -126,6 +126,7 @@ python_tools = pytest mypy numpy pandas polars pyarrow duckdb scipy matplotlib t
 # SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
 python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
 	test -x $(python_env)/bin/pytest || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
+	$(python_env)/bin/pip install --quiet openseespy || echo "no openseespy: the export of its models is not tested"
 	cargo clippy --locked --package slipgap-python -- -D warnings
 	PYO3_BUILD_EXTENSION_MODULE=1 cargo build --locked --workspace --lib --bins --tests
 	cp $(debug)/lib_slipgap.so python/slipgap/_slipgap.abi3.so

@@ -2,10 +2,11 @@
 
     write_matrices("tower", M=M, K=K)      tower.M.mtx, tower.K.mtx
     write_dofs("tower.dofs.csv", dofs)
+    write_ties("tower.ties.csv", all_dofs, T, kept)      if constraints tie dofs
 
 The matrices are symmetric arrays or scipy.sparse matrices. dofs has one row for each row of the matrices: (node, direction) or
 (node, direction, X, Y, Z). The direction is x, y, z, rx, ry or rz. `supports`, {node: name}, has the nodes that move as supports
-of the study do. Needs scipy.
+of the study do. With u = T u[kept] of all dofs, the matrices are T'MT, and dofs the kept ones; the others are the ties. Needs scipy.
 """
 
 import scipy.sparse
@@ -25,3 +26,17 @@ def write_dofs(path, dofs, supports=None):
     with open(path, "w", encoding="utf-8") as file:
         for row in rows:
             file.write(",".join(map(str, row)) + "\n")
+
+
+def write_ties(path, dofs, T, kept):
+    """Writes the dofs that are not kept and move as sums `dof:factor` of kept ones; without such dofs, no file."""
+    kept, T = list(kept), scipy.sparse.csr_array(T)
+    lines = []
+    for i in sorted(set(range(len(dofs))) - set(kept)):
+        terms = range(T.indptr[i], T.indptr[i + 1])
+        cells = [f"{{}}.{{}}:{float(T.data[t])!r}".format(*dofs[kept[T.indices[t]]]) for t in terms]
+        if cells:
+            lines.append(",".join([*map(str, dofs[i][:2]), *cells]))
+    if lines:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("\n".join(["node,direction,terms", *lines]) + "\n")

@@ -81,6 +81,10 @@ fn exchanged_nodes(contact: &Contact, names: &Names) -> Option<String> {
     let [first, second] = &contact.along[..] else {
         return None;
     };
+    // A tied dof is elsewhere than its row.
+    if first.tied || second.tied {
+        return None;
+    }
     let (i, j) = match (factor(first)?, factor(second)?) {
         (-1.0, 1.0) => (first, second),
         (1.0, -1.0) => (second, first),

@@ -84,6 +84,10 @@ pub(crate) const MATRICES: Keys = &[
         "CSV file with the header node,direction, if wanted support and X,Y,Z, and a row for each row of the matrices; or a list of [node, direction] or [node, direction, X, Y, Z]",
     ),
     (
+        "ties",
+        "CSV file with lines node,direction and cells dof:factor, or its content: dofs that are no rows but sums of rows, as rigid links and floors make them; named as nodes are, but not in start",
+    ),
+    (
         "reduce",
         "keeps the dofs that the study names, and the lowest modes with these held (Craig and Bampton)",
     ),

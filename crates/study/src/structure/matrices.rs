@@ -2,6 +2,7 @@
 
 use super::files;
 use super::keys::{MATRICES, REDUCE};
+use super::matrix_rows::{listed, supported, tied};
 use super::parts::Part;
 use super::reader::{Reader, open};
 use crate::source::faults::{Faults, join, quoted};
@@ -21,7 +22,7 @@ use slipgap_solver::system::structure::Symmetric;
 use std::sync::Arc;
 
 /// Most bytes of a file: 10^6 rows with 80 entries each.
-const LARGEST: u64 = 2 << 30;
+pub(super) const LARGEST: u64 = 2 << 30;
 
 /// The matrices, each with its name.
 pub(super) fn matrices(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Matrices> {
@@ -153,6 +154,10 @@ fn variants(
         let file = text(node, &path, faults)?;
         files::read(&file, (node, &path), LARGEST, reader, faults, parse)
     });
+    let dofs = match (dofs, object.get("ties")) {
+        (Some(dofs), Some(node)) => tied(dofs, (node, &object.path("ties")), reader, faults),
+        (dofs, _) => dofs,
+    };
     let of_key = |key: &str, faults: &mut Faults| -> Option<Vec<File>> {
         let node = object.need(key, meaning(key), faults)?;
         let path = object.path(key);
@@ -205,7 +210,7 @@ fn variants(
 }
 
 /// The content of a file that stands in the study itself, as notebooks give it.
-fn inline<T>(
+pub(super) fn inline<T>(
     content: &str,
     (node, path): (&Node, &str),
     faults: &mut Faults,
@@ -215,59 +220,6 @@ fn inline<T>(
     parsed
         .map_err(|why| faults.add(node.at, path, why.to_string()))
         .ok()
-}
-
-/// The text of a file of rows from lists of node and direction, or of node, direction, X, Y and Z.
-fn listed(rows: &[Node]) -> String {
-    let cell = |node: &Node| match &node.tree {
-        Tree::Text(text) => text.clone(),
-        Tree::Number(number) => number.clone(),
-        _ => String::new(),
-    };
-    let row = |node: &Node| match &node.tree {
-        Tree::List(cells) => cells.iter().map(cell).collect::<Vec<_>>().join(","),
-        _ => String::new(),
-    };
-    let places = rows
-        .first()
-        .is_some_and(|first| matches!(&first.tree, Tree::List(cells) if cells.len() == 5));
-    let header = if places {
-        "node,direction,X,Y,Z"
-    } else {
-        "node,direction"
-    };
-    let lines = std::iter::once(header.to_owned()).chain(rows.iter().map(row));
-    lines.collect::<Vec<_>>().join("\n")
-}
-
-/// Rows whose supports the study gives.
-fn supported(dofs: Dofs, reader: &Reader) -> Result<Dofs, ImportFault> {
-    let given = &reader.names.supports;
-    let is_given = |support: usize| {
-        let name = &dofs.supports[support];
-        given.iter().any(|own| own.0 == *name)
-    };
-    let mut rows = dofs.rows().iter();
-    let unknown = rows.find_map(|dof| Some((dof, dof.support.filter(|own| !is_given(*own))?)));
-    let Some((dof, support)) = unknown else {
-        return Ok(dofs);
-    };
-    let names: Vec<&str> = given.iter().map(|own| own.0.as_str()).collect();
-    let message = match names.is_empty() {
-        true => format!(
-            "the study has no \"supports\", which give the motion of support {}",
-            dofs.supports[support]
-        ),
-        false => format!(
-            "no support {} under \"supports\"; there are {}",
-            dofs.supports[support],
-            names.join(", ")
-        ),
-    };
-    Err(ImportFault {
-        line: dof.line,
-        message,
-    })
 }
 
 /// A matrix that fits the rows and has no negative pivot.

@@ -1,5 +1,6 @@
 //! Structures in studies: the key `structure`, the names of parameters, and the metrics and channels that a study uses.
 
+mod along;
 mod contacts;
 mod delays;
 mod doubts;
@@ -8,6 +9,7 @@ pub(super) mod keys;
 mod labels;
 mod loads;
 mod matrices;
+mod matrix_rows;
 pub(super) mod measured;
 mod named_metrics;
 pub(super) mod names;

@@ -10,7 +10,7 @@ use crate::value::text;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::Amount;
 use slipgap_solver::problem::structure::template::{
-    Bar, Mass, Spring, SpringNumbers, Start, StaticLoad,
+    Bar, Mass, Moved, Spring, SpringNumbers, Start, StaticLoad,
 };
 use slipgap_solver::system::structure::Direction;
 use std::collections::HashSet;
@@ -220,6 +220,11 @@ pub(super) fn start(object: &Object, reader: &Reader, faults: &mut Faults) -> Ve
     let one = |member: &crate::source::tree::Member| {
         let path = join(&path, &member.key);
         let of = reader.moved(&member.key, member.at, &path, faults)?;
+        if let Moved::Tied(_) = of {
+            let message = "a tied dof starts as the dofs of which it is the sum; name these";
+            faults.add(member.at, &path, message);
+            return None;
+        }
         let object = open(&member.node, &path, START, faults)?;
         if let (true, Some(node)) = (has_static, object.get("u")) {
             let message = "the static loads give the displacements at t = 0; a start may give v";

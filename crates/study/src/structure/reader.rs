@@ -4,14 +4,14 @@ use super::keys::{Keys, names};
 use crate::source::faults::{Faults, in_words, quoted, unknown};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::value::{name, number, text, with_unit};
+use crate::value::{name, number, with_unit};
 use slipgap_solver::expression::Formula;
 use slipgap_solver::problem::ParameterExpression;
 use slipgap_solver::problem::parameter::{Parameter, Range};
 use slipgap_solver::problem::structure::amount::{Amount, Source};
 use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::template::{Moved, Term};
+use slipgap_solver::problem::structure::template::Moved;
 use slipgap_solver::system::structure::Direction;
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashSet};
@@ -99,28 +99,24 @@ impl Reader<'_> {
         self.amount(node, &object.path(key), range, faults)
     }
 
-    /// A node by its name.
-    pub fn node(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<NodeName> {
-        let name = text(node, path, faults)?;
-        self.named_node(&name, node.at, path, faults)
-    }
-
-    /// The node with a name that stands at a place of the study.
-    pub fn named_node(
+    /// The nodes of which the motion of a name at a place of the study is the sum, each with its factor.
+    pub fn named_nodes(
         &self,
         name: &str,
         at: usize,
         path: &str,
         faults: &mut Faults,
-    ) -> Option<NodeName> {
+    ) -> Option<Vec<(f64, NodeName)>> {
+        let Some(nodes) = self.names.nodes(name) else {
+            faults.add(at, path, self.no_node(name));
+            return None;
+        };
         let path = path.to_owned();
-        match self.names.node(name) {
-            Some(node) => Some(NodeName { node, at, path }),
-            None => {
-                faults.add(at, &path, self.no_node(name));
-                None
-            }
-        }
+        let named = nodes.into_iter().map(|(factor, node)| {
+            let path = path.clone();
+            (factor, NodeName { node, at, path })
+        });
+        Some(named.collect())
     }
 
     /// Why there is no node with this name.
@@ -154,8 +150,8 @@ impl Reader<'_> {
             && let Some(matrices) = self.names.matrices(part)
             && let Some(direction) = Direction::named(direction)
         {
-            let rows = self.names.matrices[matrices].1.dofs.rows();
-            if !rows.iter().any(|dof| dof.direction == direction) {
+            let forces = self.names.matrices[matrices].1.dofs.forces(direction);
+            if forces.iter().all(|force| *force == 0.0) {
                 let message = format!("{part} has no dof of direction {}", direction.name());
                 faults.add(at, path, message);
                 return None;
@@ -167,92 +163,16 @@ impl Reader<'_> {
             faults.add(at, path, message);
             return None;
         }
-        let name = self.named_node(name, at, path, faults)?;
-        if name.node == NodeRef::Ground {
+        let mut nodes = self.named_nodes(name, at, path, faults)?;
+        if nodes.iter().all(|(_, name)| name.node == NodeRef::Ground) {
             let message = "the ground does not move; give its acceleration under \"ground\"";
             faults.add(at, path, message);
             return None;
         }
-        Some(Moved::Node(name))
-    }
-
-    /// The nodes of a spring or a contact with their factors: two nodes under `between`, -1 and 1, or nodes with factors under
-    /// `along`.
-    pub fn along(&self, object: &Object, what: &str, faults: &mut Faults) -> Option<Vec<Term>> {
-        if let Some(node) = object.get("along") {
-            if object.get("between").is_some() {
-                let message = "give between or along, not both";
-                faults.add(node.at, &object.path("along"), message);
-                return None;
-            }
-            return self.factors(node, &object.path("along"), what, faults);
+        match self.names.node(name) {
+            Some(_) => nodes.pop().map(|(_, node)| Moved::Node(node)),
+            None => Some(Moved::Tied(nodes)),
         }
-        let [first, second] = self.between(object, what, faults)?;
-        let term = |node: NodeName, factor: f64| Term {
-            factor: Amount {
-                source: Source::Number(factor),
-                range: Range::Any,
-                at: node.at,
-                path: node.path.clone(),
-            },
-            node,
-        };
-        Some(vec![term(first, -1.0), term(second, 1.0)])
-    }
-
-    /// The members of an object of nodes and factors.
-    fn factors(
-        &self,
-        node: &Node,
-        path: &str,
-        what: &str,
-        faults: &mut Faults,
-    ) -> Option<Vec<Term>> {
-        let Tree::Object(members) = &node.tree else {
-            faults.must_be(node, path, "an object with a factor for each node");
-            return None;
-        };
-        let before = faults.count();
-        let members = members.iter().filter(|member| member.key != "//");
-        let terms = members.filter_map(|member| {
-            let path = crate::source::faults::join(path, &member.key);
-            let factor = self.amount(&member.node, &path, Range::Any, faults);
-            let node = self.named_node(&member.key, member.at, &path, faults);
-            Some(Term {
-                node: node?,
-                factor: factor?,
-            })
-        });
-        let terms: Vec<Term> = terms.collect();
-        if faults.count() == before && terms.iter().all(|term| term.node.node == NodeRef::Ground) {
-            faults.add(node.at, path, format!("{what} needs a node that moves"));
-        }
-        (faults.count() == before).then_some(terms)
-    }
-
-    /// Two different nodes.
-    fn between(&self, object: &Object, what: &str, faults: &mut Faults) -> Option<[NodeName; 2]> {
-        let wanted = "two nodes; or along, nodes with their factors";
-        let node = object.need("between", wanted, faults)?;
-        let path = object.path("between");
-        let Tree::List(items) = &node.tree else {
-            faults.must_be(node, &path, "a list of two nodes");
-            return None;
-        };
-        let [i, j] = &items[..] else {
-            faults.must_be(node, &path, "a list of two nodes");
-            return None;
-        };
-        // Both are decoded, so that every fault is reported.
-        let first = self.node(i, &format!("{path}[0]"), faults);
-        let second = self.node(j, &format!("{path}[1]"), faults);
-        let (first, second) = (first?, second?);
-        if first.node == second.node {
-            let message = format!("{what} needs two different nodes, got one twice");
-            faults.add(node.at, &path, message);
-            return None;
-        }
-        Some([first, second])
     }
 
     /// The direction under `direction`; x without it.

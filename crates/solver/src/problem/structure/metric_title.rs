@@ -56,7 +56,8 @@ fn described(channel: &Channel) -> String {
             format!("relative {word} {name}")
         }
         [_] => format!("{word} {name}"),
-        _ if channel.terms.iter().any(|(sign, _)| *sign < 0.0) => {
+        // By the name, as a tied dof may have factors below 0.
+        _ if name.contains(" - ") => {
             format!("relative {word} {name}")
         }
         _ => format!("{word} {name}"),

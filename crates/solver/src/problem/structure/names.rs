@@ -190,6 +190,19 @@ impl Names {
         }
     }
 
+    /// The nodes of which the motion of a name is the sum, each with its factor: of a dof of matrices that is tied to rows, or one node.
+    pub fn nodes(&self, name: &str) -> Option<Vec<(f64, NodeRef)>> {
+        if let Some(node) = self.node(name) {
+            return Some(vec![(1.0, node)]);
+        }
+        let (part, place) = name.split_once('.')?;
+        let matrices = self.matrices(part)?;
+        let tie = self.matrices[matrices].1.dofs.tie(place)?;
+        let terms = tie.along.iter();
+        let terms = terms.map(|(row, factor)| (*factor, NodeRef::Dof(matrices, *row)));
+        Some(terms.collect())
+    }
+
     /// The place of the bar with this name.
     pub fn bar(&self, name: &str) -> Option<usize> {
         match self.parts.get(name) {

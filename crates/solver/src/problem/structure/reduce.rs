@@ -68,9 +68,10 @@ pub fn named_rows(
     });
     let moved = loads.chain(at_rest);
     let moved = moved.chain(template.start.iter().map(|start| &start.of));
-    let moved = moved.filter_map(|moved| match moved {
-        Moved::Node(name) => Some(name.node),
-        Moved::Bar(_) | Moved::Rows(..) => None,
+    let moved = moved.flat_map(|moved| match moved {
+        Moved::Node(name) => vec![name.node],
+        Moved::Tied(terms) => terms.iter().map(|(_, name)| name.node).collect(),
+        Moved::Bar(_) | Moved::Rows(..) => Vec::new(),
     });
     let channels = metrics.iter().filter_map(|metric| metric.channel.as_ref());
     let channels = channels.chain(drawn.iter().map(|drawn| &drawn.channel));

@@ -216,6 +216,8 @@ pub struct Term {
     pub node: NodeName,
     /// Its factor.
     pub factor: Amount,
+    /// Whether the study names a tied dof instead, of which this is a part.
+    pub tied: bool,
 }
 
 /// A uniform bar of n two-node elements with lumped masses.
@@ -420,4 +422,6 @@ pub enum Moved {
     Bar(usize),
     /// All rows of matrices of a direction, by the place of the matrices in the list.
     Rows(usize, Direction),
+    /// A tied dof of matrices: the rows of which it is the sum, with their factors.
+    Tied(Vec<(f64, NodeName)>),
 }

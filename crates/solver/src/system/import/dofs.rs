@@ -1,5 +1,6 @@
 //! The rows of matrices: a node and a direction for each.
 
+use super::ties::Tie;
 use super::{ImportFault, cells, fault, is_plain, lines, number, shown};
 use crate::system::structure::Direction;
 use std::collections::HashMap;
@@ -26,6 +27,10 @@ pub struct Dofs {
     /// Names of supports, in the order of their first lines.
     pub supports: Vec<String>,
     places: HashMap<(String, Direction), usize>,
+    /// The degrees of freedom that are sums of rows.
+    pub(super) ties: Vec<Tie>,
+    /// Their places by node and direction.
+    pub(super) tied: HashMap<(String, Direction), usize>,
 }
 
 /// The columns that a file may have, the first two always.
@@ -164,6 +169,18 @@ impl Dofs {
         self.places.get(&key).copied()
     }
 
+    /// The forces on the rows of a force 1 on each row and each tie of a direction.
+    pub fn forces(&self, direction: Direction) -> Vec<f64> {
+        let rows = self.rows.iter();
+        let one = rows.map(|dof| f64::from(u8::from(dof.direction == direction)));
+        let mut forces: Vec<f64> = one.collect();
+        let ties = self.ties.iter().filter(|tie| tie.direction == direction);
+        for (row, factor) in ties.flat_map(|tie| &tie.along) {
+            forces[*row] += factor;
+        }
+        forces
+    }
+
     /// The name of a row, such as `7.x`.
     pub fn name(&self, row: usize) -> String {
         let dof = &self.rows[row];
@@ -172,8 +189,10 @@ impl Dofs {
 
     /// The directions of a node; none if it is not there.
     pub fn directions(&self, node: &str) -> Vec<Direction> {
-        let all = Direction::ALL.into_iter();
-        all.filter(|direction| self.places.contains_key(&(node.to_owned(), *direction)))
-            .collect()
+        let is_there = |direction: &Direction| {
+            let key = (node.to_owned(), *direction);
+            self.places.contains_key(&key) || self.tied.contains_key(&key)
+        };
+        Direction::ALL.into_iter().filter(is_there).collect()
     }
 }

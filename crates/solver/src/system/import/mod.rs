@@ -5,10 +5,12 @@ mod matrix_market;
 mod pairs;
 #[cfg(test)]
 mod tests;
+mod ties;
 
 pub use dofs::{Dof, Dofs};
 pub use matrix_market::Matrix;
 pub use pairs::{Pair, pairs};
+pub use ties::Tie;
 
 use crate::system::structure::Symmetric;
 use std::fmt;

@@ -50,7 +50,7 @@ pub(super) enum Damping {
 pub(super) struct OfDirection {
     /// The direction.
     pub(super) direction: Direction,
-    /// Y^T 1.
+    /// Y^T of a force 1 on each row, and on each tie.
     pub(super) unit: Vec<f64>,
     /// Y^T M 1.
     pub(super) inertia: Vec<f64>,
@@ -100,9 +100,11 @@ impl Basis {
             of.mass.add_product(&free, &mut of_free);
             let products =
                 |of: &[&[f64]], with: &[f64]| of.iter().map(|own| dot(own, with)).collect();
-            one.contains(&1.0).then(|| OfDirection {
+            let forces = imported.dofs.forces(direction);
+            let is_there = forces.iter().any(|force| *force != 0.0);
+            is_there.then(|| OfDirection {
                 direction,
-                unit: products(&all, &one),
+                unit: products(&all, &forces),
                 inertia: products(&all, &inertia),
                 modal: products(&shapes, &of_free),
             })

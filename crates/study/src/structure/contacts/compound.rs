@@ -106,6 +106,7 @@ fn in_series(
             path: path.to_owned(),
         },
         factor: number(factor, at, path),
+        tied: false,
     };
     let inner: Option<Vec<NodeRef>> = (1..count)
         .map(|i| reader.names.node(&format!("{name}.node{i}")))

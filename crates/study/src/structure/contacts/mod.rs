@@ -17,7 +17,7 @@ use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::{self, Amount};
 use slipgap_solver::problem::structure::contacts::{NAMES, NUMBERS, law_named};
 use slipgap_solver::problem::structure::loads::{Kind, Source};
-use slipgap_solver::problem::structure::node::NodeName;
+use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
 use slipgap_solver::problem::structure::template::{Chosen, Contact, Normal, OtherContact, Term};
 use slipgap_solver::system::import::{self, ImportFault, Pair};
 
@@ -167,26 +167,29 @@ fn pairs(
     files::read(&file, (node, &path), LARGEST, reader, faults, |bytes| {
         let pairs = import::pairs(bytes)?.into_iter();
         let contact = |pair: Pair| {
-            let term = |(name, factor): (String, f64)| {
-                let found = reader.names.node(&name).ok_or_else(|| ImportFault {
+            let of_dof = |(name, factor): (String, f64)| {
+                let found = reader.names.nodes(&name).ok_or_else(|| ImportFault {
                     line: pair.line,
                     message: reader.no_node(&name),
                 });
-                Ok(Term {
+                let tied = reader.names.node(&name).is_none();
+                let term = |(own, found): (f64, NodeRef)| Term {
                     node: NodeName {
-                        node: found?,
+                        node: found,
                         at: node.at,
                         path: path.clone(),
                     },
-                    factor: amount(factor),
-                })
+                    factor: amount(factor * own),
+                    tied,
+                };
+                Ok(found?.into_iter().map(term).collect::<Vec<Term>>())
             };
             let terms = pair
                 .along
                 .into_iter()
-                .map(term)
-                .collect::<Result<_, ImportFault>>()?;
-            Ok((format!("{face}.{}", pair.name), terms))
+                .map(of_dof)
+                .collect::<Result<Vec<_>, ImportFault>>()?;
+            Ok((format!("{face}.{}", pair.name), terms.concat()))
         };
         pairs.map(contact).collect()
     })

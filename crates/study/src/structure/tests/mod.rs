@@ -10,6 +10,7 @@ mod measured;
 mod own_records;
 mod parts;
 mod supports;
+mod ties;
 mod titles;
 
 use crate::{Study, parse};

@@ -125,7 +125,26 @@ impl Draft<'_> {
                 .filter_map(|(node, force)| Some((node?, force)))
                 .collect();
         }
-        self.moved(of).into_iter().map(|node| (node, 1.0)).collect()
+        // Those behind the nodes are supports.
+        let nodes_in_case = self.numbering.nodes();
+        match of {
+            Moved::Rows(matrices, direction) => {
+                let forces = self.template.matrices[*matrices]
+                    .imported
+                    .dofs
+                    .forces(*direction);
+                let forces = forces.into_iter().enumerate().filter(|own| own.1 != 0.0);
+                let nodes = forces
+                    .filter_map(|(row, force)| Some((self.numbering.row(*matrices, row)?, force)));
+                nodes.filter(|own| own.0 < nodes_in_case).collect()
+            }
+            Moved::Tied(terms) => {
+                let nodes = terms.iter();
+                let nodes = nodes.filter_map(|(factor, name)| Some((self.node(name)?, *factor)));
+                nodes.filter(|own| own.0 < nodes_in_case).collect()
+            }
+            _ => self.moved(of).into_iter().map(|node| (node, 1.0)).collect(),
+        }
     }
 
     /// Adds a load; returns its signal and factor.

@@ -42,10 +42,12 @@ impl Draft<'_> {
         }
     }
 
-    /// The nodes that a start moves, or on which a load acts; of reduced matrices the kept ones.
+    /// The nodes that a start moves; of reduced matrices the kept ones.
     pub(super) fn moved(&mut self, of: &Moved) -> Vec<usize> {
         match of {
             Moved::Node(name) => self.node(name).into_iter().collect(),
+            // It starts as its rows do.
+            Moved::Tied(_) => Vec::new(),
             Moved::Bar(bar) => {
                 let first = self.numbering.first(*bar);
                 (first..first + self.numbering.elements()[*bar] as usize + 1).collect()

@@ -12,12 +12,12 @@ use super::names::Names;
 use super::node::Numbering;
 use crate::problem::unit::Dimension;
 
-/// A sum of quantities, each with its sign.
+/// A sum of quantities, each with its factor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Channel {
     /// The text in the study, with single blanks.
     pub name: String,
-    /// The quantities with +1 or -1.
+    /// The quantities with their factors: +1 or -1, or those of tied dofs.
     pub terms: Vec<(f64, Term)>,
 }
 
@@ -80,11 +80,12 @@ impl Channel {
                 ("-" | "+", true) => return Err(format!("expected a channel before '{word}'")),
                 (_, false) => return Err(format!("expected - or + before '{word}'")),
                 (_, true) => {
-                    let term = Term::parse(word, names)?;
-                    if let Some((_, first)) = terms.first() {
-                        of_one_dimension(text, *first, term)?;
+                    for (factor, term) in Term::parse(word, names)? {
+                        if let Some((_, first)) = terms.first() {
+                            of_one_dimension(text, *first, term)?;
+                        }
+                        terms.push((sign * factor, term));
                     }
-                    terms.push((sign, term));
                     shown += word;
                     expects_term = false;
                 }

@@ -55,12 +55,13 @@ const ENERGIES: [(&str, Energy); 6] = [
 type Found = Option<Result<Term, String>>;
 
 impl Term {
-    /// The quantity with this name.
-    pub(super) fn parse(word: &str, names: &Names) -> Result<Term, String> {
+    /// The quantities of which the one with this name is the sum, with their factors: one, or several of a tied dof.
+    pub(super) fn parse(word: &str, names: &Names) -> Result<Vec<(f64, Term)>, String> {
+        let alone = |term| vec![(1.0, term)];
         if let Some((contact, quantity)) = word.rsplit_once('.')
             && let Some(contact) = names.contact(contact)
         {
-            return of_contact(contact, quantity);
+            return of_contact(contact, quantity).map(alone);
         }
         if names.contact(word).is_some() {
             return Err(format!(
@@ -68,7 +69,7 @@ impl Term {
             ));
         }
         if let Some(found) = ground(word, names) {
-            return found;
+            return found.map(alone);
         }
         if let Some(found) = of_node(word, names) {
             return Ok(found);
@@ -79,7 +80,8 @@ impl Term {
         let found = force(word, names)
             .or_else(|| energy(word))
             .or_else(|| base(word, names));
-        found.unwrap_or_else(|| Err(describe::unknown(word, names)))
+        let found = found.unwrap_or_else(|| Err(describe::unknown(word, names)));
+        found.map(alone)
     }
 
     /// What it measures.
@@ -171,20 +173,25 @@ fn of_contact(contact: usize, quantity: &str) -> Result<Term, String> {
     })
 }
 
-/// u, v or an acceleration of a node or support.
-fn of_node(word: &str, names: &Names) -> Option<Term> {
-    if let Some(found) = names.node(word) {
-        return Some(Term::Displacement(found));
+/// u, v or an acceleration of a node or support; of a tied dof the sum of those of its rows.
+fn of_node(word: &str, names: &Names) -> Option<Vec<(f64, Term)>> {
+    let of_all = |nodes: Vec<(f64, NodeRef)>, quantity: fn(NodeRef) -> Term| {
+        let terms = nodes.into_iter();
+        let terms = terms.map(|(factor, node)| (factor, quantity(node)));
+        terms.collect()
+    };
+    if let Some(nodes) = names.nodes(word) {
+        return Some(of_all(nodes, Term::Displacement));
     }
     let (name, quantity) = word.rsplit_once('.')?;
-    let node = names.node(name)?;
-    match quantity {
-        "u" => Some(Term::Displacement(node)),
-        "v" => Some(Term::Velocity(node)),
-        "a" => Some(Term::Acceleration(node)),
-        "a_abs" => Some(Term::Absolute(node)),
-        _ => None,
-    }
+    let quantity = match quantity {
+        "u" => Term::Displacement,
+        "v" => Term::Velocity,
+        "a" => Term::Acceleration,
+        "a_abs" => Term::Absolute,
+        _ => return None,
+    };
+    Some(of_all(names.nodes(name)?, quantity))
 }
 
 /// The motion of the ground: `ground`, `ground.v`, `ground.y.a`.

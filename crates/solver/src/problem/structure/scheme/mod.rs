@@ -118,8 +118,10 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
     links.retain(|link| link.between[0] != link.between[1]);
     let mut loads: Vec<End> = Vec::new();
     for load in &template.loads {
-        let Moved::Node(name) = &load.at else {
-            continue;
+        let name = match &load.at {
+            Moved::Node(name) => name,
+            Moved::Tied(terms) if !terms.is_empty() => &terms[0].1,
+            _ => continue,
         };
         let loaded = draft.end(name.node);
         if !loads.contains(&loaded) {
@@ -209,7 +211,7 @@ impl<'a> Draft<'a> {
     }
 
     /// A link whose r or extension is the sum of these terms. Its ends are the first point that moves against it, and the first
-    /// that moves with it, by the largest factor of each point.
+    /// that moves with it, by the largest factor of each point; the factors of rotations are levers, and count alone.
     fn link(&mut self, kind: LinkKind, name: String, along: &[Term], case: &Case) -> Option<Link> {
         let mut points: Vec<Point> = Vec::new();
         for term in along {
@@ -243,10 +245,12 @@ impl<'a> Draft<'a> {
     fn add(&self, node: NodeRef, factor: f64, points: &mut Vec<Point>) {
         let mut direction = [0.0; 3];
         let mut key = node;
+        let mut turns = false;
         if let NodeRef::Dof(matrices, row) = node {
             let (dofs, nodes) = &self.rows[matrices];
             key = NodeRef::Dof(matrices, nodes[row]);
             let own = dofs.rows()[row].direction;
+            turns = !Direction::TRANSLATIONS.contains(&own);
             let axes = Direction::TRANSLATIONS.iter().zip(&mut direction);
             for (_, x) in axes.filter(|(axis, _)| **axis == own) {
                 *x = factor;
@@ -257,14 +261,16 @@ impl<'a> Draft<'a> {
                 key,
                 node,
                 factor,
+                turns,
                 direction,
             }),
             Some(point) => {
                 for (sum, x) in point.direction.iter_mut().zip(direction) {
                     *sum += x;
                 }
-                if factor.abs() > point.factor.abs() {
-                    (point.node, point.factor) = (node, factor);
+                let is_larger = factor.abs() > point.factor.abs();
+                if point.turns && !turns || point.turns == turns && is_larger {
+                    (point.node, point.factor, point.turns) = (node, factor, turns);
                 }
             }
         }
@@ -279,6 +285,8 @@ struct Point {
     node: NodeRef,
     /// This factor.
     factor: f64,
+    /// Whether this is a rotation.
+    turns: bool,
     /// Sum of factors by X, Y, Z.
     direction: [f64; 3],
 }

@@ -1,0 +1,112 @@
+//! Degrees of freedom that move as sums of rows of matrices, as rigid links and floors make them.
+
+use super::{Dofs, ImportFault, cells, fault, is_plain, lines, number, shown};
+use crate::system::structure::Direction;
+
+/// A degree of freedom that is no row of matrices.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tie {
+    /// Its direction.
+    pub direction: Direction,
+    /// The rows of which it is the sum, each with its factor.
+    pub along: Vec<(usize, f64)>,
+    /// Line of the file, from 1.
+    pub line: usize,
+}
+
+impl Dofs {
+    /// The same rows with the ties of a CSV file: a header that begins with `node,direction`, then lines of a node, a direction and
+    /// cells `dof:factor`.
+    ///
+    /// # Errors
+    /// The first line that is wrong.
+    pub fn with_ties(mut self, bytes: &[u8]) -> Result<Dofs, ImportFault> {
+        let lines = lines(bytes)?;
+        let header: Vec<&str> = lines.iter().take(1).flat_map(|line| cells(line)).collect();
+        if !header.starts_with(&["node", "direction"]) {
+            return Err(fault(0, "the header must begin with node,direction"));
+        }
+        let rows = lines.iter().enumerate().skip(1);
+        for (index, line) in rows.filter(|(_, line)| !line.trim().is_empty()) {
+            let (name, tie) = self.tie_of(line, index)?;
+            let direction = tie.direction.name();
+            if let Some(row) = self.row(&format!("{name}.{direction}")) {
+                let line = self.rows()[row].line;
+                let message = format!("{name}.{direction} is a row, in line {line} of the dofs");
+                return Err(fault(index, message));
+            }
+            let key = (name, tie.direction);
+            if let Some(first) = self.tied.get(&key) {
+                let (name, line) = (key.0, self.ties[*first].line);
+                let message = format!("{name}.{direction} is there twice, first in line {line}");
+                return Err(fault(index, message));
+            }
+            self.tied.insert(key, self.ties.len());
+            self.ties.push(tie);
+        }
+        match self.ties.is_empty() {
+            true => Err(fault(
+                lines.len().saturating_sub(1),
+                "the file has no ties; leave out \"ties\"",
+            )),
+            false => Ok(self),
+        }
+    }
+
+    /// The tie with a name such as `7.x`.
+    pub fn tie(&self, name: &str) -> Option<&Tie> {
+        let (node, direction) = name.rsplit_once('.')?;
+        let key = (node.to_owned(), Direction::named(direction)?);
+        self.tied.get(&key).map(|place| &self.ties[*place])
+    }
+
+    /// The node and the tie of a line.
+    fn tie_of(&self, line: &str, index: usize) -> Result<(String, Tie), ImportFault> {
+        let mut own = cells(line);
+        let name = own.next().unwrap_or_default();
+        if name.is_empty() || !is_plain(name) {
+            let message = format!(
+                "a node is named by letters, digits and _, got {}",
+                shown(name)
+            );
+            return Err(fault(index, message));
+        }
+        let direction = own.next().unwrap_or_default();
+        let Some(direction) = Direction::named(direction) else {
+            let message = format!(
+                "a direction is x, y, z, rx, ry or rz, got {}",
+                shown(direction)
+            );
+            return Err(fault(index, message));
+        };
+        let mut along: Vec<(usize, f64)> = Vec::new();
+        for cell in own.filter(|cell| !cell.is_empty()) {
+            let Some((dof, factor)) = cell.rsplit_once(':') else {
+                let message = format!("must be dof:factor, got {}", shown(cell));
+                return Err(fault(index, message));
+            };
+            let factor = number(factor.trim()).map_err(|message| fault(index, message))?;
+            let Some(row) = self.row(dof.trim()) else {
+                let message = format!("no row {} in the dofs", shown(dof.trim()));
+                return Err(fault(index, message));
+            };
+            if along.iter().any(|(known, _)| *known == row) {
+                return Err(fault(index, format!("{} is there twice", shown(dof))));
+            }
+            along.push((row, factor));
+        }
+        if along.iter().all(|(_, factor)| *factor == 0.0) {
+            let direction = direction.name();
+            let message = format!("{name}.{direction} has no dof:factor that moves it");
+            return Err(fault(index, message));
+        }
+        along.retain(|(_, factor)| *factor != 0.0);
+        let line = index + 1;
+        let tie = Tie {
+            direction,
+            along,
+            line,
+        };
+        Ok((name.to_owned(), tie))
+    }
+}

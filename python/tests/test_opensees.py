@@ -1,0 +1,267 @@
+"""Export of models of OpenSees with constraints, against OpenSees itself: examples/models/opensees.py."""
+
+import json
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+linalg = pytest.importorskip("scipy.linalg")
+io = pytest.importorskip("scipy.io")
+try:
+    import openseespy.opensees as ops
+except Exception as why:  # It raises errors of several types where a library of the system is missing.
+    pytest.skip(f"no openseespy: {why}", allow_module_level=True)
+
+MODELS = Path(__file__).resolve().parents[2] / "examples" / "models"
+
+
+@pytest.fixture
+def export(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., None]]:
+    monkeypatch.syspath_prepend(str(MODELS))
+    from opensees import export
+
+    yield export
+    ops.wipe()
+
+
+def column(rotary: float = 20.0) -> None:
+    """A cantilever with its top at node 2, and node 3 above it, in a plane; mass at 3."""
+    ops.wipe()
+    ops.model("basic", "-ndm", 2, "-ndf", 3)
+    ops.geomTransf("Linear", 1)
+    for node, x, y in [(1, 0.0, 0.0), (2, 0.0, 5.0), (3, 0.5, 7.0)]:
+        ops.node(node, x, y)
+    ops.fix(1, 1, 1, 1)
+    ops.element("elasticBeamColumn", 1, 1, 2, 1.0, 3e7, 0.1, 1)
+    ops.mass(2, 10.0, 10.0, 2.0)
+    ops.mass(3, 100.0, 90.0, rotary)
+
+
+def linked(kind: str) -> None:
+    column()
+    if kind == "bar":
+        # A link without rotation leaves that of node 3 to a column of its own.
+        ops.node(4, 0.5, 10.0)
+        ops.fix(4, 1, 1, 1)
+        ops.element("elasticBeamColumn", 2, 3, 4, 1.0, 3e7, 0.01, 1)
+    ops.rigidLink(kind, 2, 3)
+
+
+def equal(dofs: list[int]) -> None:
+    column()
+    if 3 not in dofs:
+        ops.node(4, 0.5, 10.0)
+        ops.fix(4, 1, 1, 1)
+        ops.element("elasticBeamColumn", 2, 3, 4, 1.0, 3e7, 0.01, 1)
+    ops.equalDOF(2, 3, *dofs)
+
+
+def chain(of_first: bool) -> None:
+    """Node 4 follows node 3, which follows node 2; or both follow node 2, which is the same."""
+    column()
+    ops.node(4, 1.5, 8.0)
+    ops.mass(4, 30.0, 30.0, 3.0)
+    ops.rigidLink("beam", 2, 3)
+    ops.rigidLink("beam", 2 if of_first else 3, 4)
+
+
+def storeys(floors: int, middle: bool) -> None:
+    """A frame in space with rigid floors; each has a node in its middle, or follows a column. Masses differ from node to node."""
+    ops.wipe()
+    ops.model("basic", "-ndm", 3, "-ndf", 6)
+    ops.geomTransf("Linear", 1, 1, 0, 0)
+    ops.geomTransf("Linear", 2, 0, 0, 1)
+    plan, element = [(0, 0), (6, 0), (6, 4), (0, 4)], 0
+    for floor in range(floors + 1):
+        for i, (x, y) in enumerate(plan, 1):
+            node = 10 * floor + i
+            ops.node(node, x, y, 3.2 * floor)
+            if floor == 0:
+                ops.fix(node, 1, 1, 1, 1, 1, 1)
+                continue
+            ops.mass(node, 25 + i, 25 + i, 20, 0, 0, 0)
+            element += 1
+            ops.element("elasticBeamColumn", element, node - 10, node, 0.09, 3e7, 1.25e7, 1e-3, 6.75e-4, 6.75e-4, 1)
+        if floor == 0:
+            continue
+        for i in range(1, 5):
+            element += 1
+            ends = 10 * floor + i, 10 * floor + i % 4 + 1
+            ops.element("elasticBeamColumn", element, *ends, 0.01, 3e7, 1.25e7, 1e-5, 1e-5, 1e-5, 2)
+        if middle:
+            own = 10 * floor + 9
+            ops.node(own, 2.9, 2.1, 3.2 * floor)
+            ops.mass(own, 10, 10, 0, 0, 0, 60)
+            ops.fix(own, 0, 0, 1, 1, 1, 0)
+            ops.rigidDiaphragm(3, own, *(10 * floor + i for i in range(1, 5)))
+        else:
+            ops.rigidDiaphragm(3, *(10 * floor + i for i in range(1, 5)))
+
+
+def arm(of_first: bool) -> None:
+    """A rigid arm in space from a column, and one from its end, with masses without rotary inertia."""
+    ops.wipe()
+    ops.model("basic", "-ndm", 3, "-ndf", 6)
+    ops.geomTransf("Linear", 1, 1, 0, 0)
+    for node, at in [(1, (0, 0, 0)), (2, (0, 0, 4)), (3, (1, 0.5, 4.5)), (4, (1, 2, 5))]:
+        ops.node(node, *map(float, at))
+    ops.fix(1, 1, 1, 1, 1, 1, 1)
+    ops.element("elasticBeamColumn", 1, 1, 2, 0.09, 3e7, 1.25e7, 1e-3, 6.75e-4, 5e-4, 1)
+    ops.mass(3, 5.0, 5.0, 5.0, 0.0, 0.0, 0.0)
+    ops.mass(4, 8.0, 8.0, 8.0, 0.0, 0.0, 0.0)
+    ops.rigidLink("beam", 2, 3)
+    ops.rigidLink("beam", 2 if of_first else 3, 4)
+
+
+def theirs(count: int) -> list[float]:
+    """Squares of the lowest circular frequencies by the Transformation handler of OpenSees."""
+    ops.wipeAnalysis()
+    for command, name in [("constraints", "Transformation"), ("numberer", "RCM"), ("system", "BandGeneral")]:
+        getattr(ops, command)(name)
+    return sorted(ops.eigen("-fullGenLapack", count))
+
+
+def ours(prefix: Path, count: int) -> list[float]:
+    """The same of the exported matrices, with the rows without mass condensed."""
+    M, K = (io.mmread(f"{prefix}.{name}.mtx").toarray() for name in "MK")
+    r, s = M.any(axis=1), ~M.any(axis=1)
+    K = K[np.ix_(r, r)] - K[np.ix_(r, s)] @ np.linalg.solve(K[np.ix_(s, s)], K[np.ix_(s, r)])
+    return list(linalg.eigh(K, M[np.ix_(r, r)], eigvals_only=True)[:count])
+
+
+# A model, the same without chains of constraints, which the Transformation handler does not know, and the number of modes.
+CASES: dict[str, tuple[Callable[[], None], Callable[[], None], int]] = {
+    "beam": (lambda: linked("beam"),) * 2 + (3,),
+    "bar": (lambda: linked("bar"),) * 2 + (3,),
+    "equal": (lambda: equal([1, 2, 3]),) * 2 + (3,),
+    "equal in x": (lambda: equal([1]),) * 2 + (4,),
+    "chain": (lambda: chain(False), lambda: chain(True), 3),
+    "arm": (lambda: arm(False), lambda: arm(True), 5),
+    "floor at a column": (lambda: storeys(1, False),) * 2 + (6,),
+    "floors with a middle": (lambda: storeys(3, True),) * 2 + (9,),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_periods_are_those_of_the_transformation_handler(case: str, export: Callable[..., None], tmp_path: Path) -> None:
+    model, unchained, count = CASES[case]
+    unchained()
+    expected = theirs(count)
+    model()
+    export(tmp_path / "m")
+    # Squares of frequencies, so that periods agree to half of it.
+    assert ours(tmp_path / "m", count) == pytest.approx(expected, rel=1e-9, abs=0)
+
+
+def test_a_model_without_constraints_has_no_ties(export: Callable[..., None], tmp_path: Path) -> None:
+    column()
+    ops.element("elasticBeamColumn", 2, 2, 3, 1.0, 3e7, 0.1, 1)
+    export(tmp_path / "m")
+    assert not (tmp_path / "m.ties.csv").exists()
+    assert len((tmp_path / "m.dofs.csv").read_text().splitlines()) == 7
+
+
+def test_mass_at_a_tied_end_stays_where_it_is(export: Callable[..., None], tmp_path: Path) -> None:
+    column(rotary=0.0)
+    ops.mass(2, 0.0, 0.0, 0.0)
+    ops.rigidLink("beam", 2, 3)
+    export(tmp_path / "m")
+    # At node 2 the matrix of the mass at node 3 would be singular without a row of zeros.
+    M = io.mmread(tmp_path / "m.M.mtx").toarray()
+    assert sorted(M.diagonal()) == [0.0, 90.0, 100.0] and not (M - np.diag(M.diagonal())).any()
+
+
+def negative(mass: float) -> None:
+    column()
+    ops.element("elasticBeamColumn", 2, 2, 3, 1.0, 3e7, 0.1, 1)
+    ops.uniaxialMaterial("Elastic", 1, -1e9)
+    ops.mass(2, mass, 10.0, 2.0)
+    if mass > 0:
+        ops.element("zeroLength", 3, 1, 2, "-mat", 1, "-dir", 1)
+
+
+def pinned() -> None:
+    column()
+    ops.remove("sp", 1, 3)
+    ops.fix(2, 1, 1, 0)
+    ops.rigidLink("beam", 2, 3)
+
+
+@pytest.mark.parametrize(
+    ("model", "supports", "part"),
+    [
+        (lambda: negative(10.0), {}, r"K has an eigenvalue below 0 .* at 2\.x"),
+        (lambda: negative(-1.0), {}, r"M has an eigenvalue below 0 .* at 2\.x"),
+        (lambda: linked("beam"), {3: "top"}, r"3\.x is fixed or tied"),
+        (pinned, {}, r"ground in x .* 2\.rz"),
+    ],
+)
+def test_what_is_no_structure_is_named(model: Callable[[], None], supports: dict[int, str], part: str, export: Callable[..., None], tmp_path: Path) -> None:
+    model()
+    with pytest.raises(ValueError, match=part):
+        export(tmp_path / "m", supports=supports)
+
+
+DT, STEPS = 0.005, 600
+METRICS = [f"{reduction}(mast.4.{direction})" for direction in "xy" for reduction in ("peak", "last", "rms")]
+
+
+def excitation() -> Any:
+    return np.sin(np.linspace(0.0, 40.0, STEPS + 1)) * np.linspace(0.0, 1.0, STEPS + 1)
+
+
+def their_motion() -> Any:
+    """u of node 4 in x and y, by Newmark's method, with a gap of 4 mm at node 4, a load on node 3 and a motion of the ground."""
+    chain(True)
+    ops.rayleigh(0.3, 0.0, 0.001, 0.0)
+    ops.node(5, 1.5, 8.0)
+    ops.fix(5, 1, 1, 1)
+    ops.uniaxialMaterial("ElasticPPGap", 7, 4e4, -1e20, -0.004)
+    ops.element("zeroLength", 7, 4, 5, "-mat", 7, "-dir", 1)
+    ops.timeSeries("Path", 1, "-dt", DT, "-values", *excitation(), "-factor", 4.0)
+    ops.timeSeries("Path", 2, "-dt", DT, "-values", *excitation() ** 2, "-factor", 50.0)
+    ops.pattern("UniformExcitation", 1, 1, "-accel", 1)
+    ops.pattern("Plain", 2, 2)
+    ops.load(3, 0.0, 1.0, 0.0)
+    ops.constraints("Transformation")
+    ops.numberer("RCM")
+    ops.system("FullGeneral")
+    ops.test("NormUnbalance", 1e-10, 50)
+    ops.algorithm("Newton")
+    ops.integrator("Newmark", 0.5, 0.25)
+    ops.analysis("Transient")
+    rows = [[0.0, 0.0]]
+    for _ in range(STEPS):
+        assert ops.analyze(1, DT) == 0
+        rows.append([ops.nodeDisp(4, 1), ops.nodeDisp(4, 2)])
+    return np.array(rows)
+
+
+def test_contacts_loads_and_channels_name_tied_dofs(export: Callable[..., None], program: str, tmp_path: Path) -> None:
+    chain(False)
+    ops.rayleigh(0.3, 0.0, 0.001, 0.0)
+    export(tmp_path / "mast")
+    times = (DT * np.arange(STEPS + 1)).tolist()
+    study = {
+        "problem": "structure",
+        "parameters": {"dt": DT, "duration": STEPS * DT},
+        "structure": {
+            "matrices": {"mast": {**{key: f"mast.{key}.mtx" for key in "MKC"}, "dofs": "mast.dofs.csv", "ties": "mast.ties.csv"}},
+            "contacts": {"stop": {"law": "impact", "between": ["mast.4.x", "ground"], "gap": 0.004, "k": 4e4}},
+            "loads": [{"at": "mast.3.y", "table": {"t": times, "f": (excitation() ** 2).tolist()}, "scale": 50}],
+            "ground": {"table": {"t": times, "f": excitation().tolist()}, "scale": 4},
+        },
+        "metrics": ["impacts(stop)", *METRICS],
+    }
+    (tmp_path / "study.json").write_text(json.dumps(study))
+    subprocess.run([program, "run", str(tmp_path / "study.json"), "--out", str(tmp_path / "out")], check=True, capture_output=True)
+    header, results = (line.split(",") for line in (tmp_path / "out" / "study" / "results.csv").read_text().splitlines())
+    found = dict(zip(header, results, strict=True))
+    assert float(found["impacts(stop)"]) > 1
+    expected = [value for u in their_motion().T for value in (np.abs(u).max(), u[-1], np.sqrt((u**2).mean()))]
+    # Round-off: both solve the same equations, and OpenSees stops at an unbalanced force of 1e-10.
+    assert [float(found[metric]) for metric in METRICS] == pytest.approx(expected, rel=1e-8, abs=0)
