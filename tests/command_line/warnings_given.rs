@@ -185,6 +185,8 @@ fn bars_have_the_wave_speed_of_a_material() {
     };
     assert_eq!(bench.kinds(&study(UNITS)), some(&[("wave-speed", 2, 0)]));
     assert_eq!(bench.kinds(&study("")), []);
+    let rigid = study(UNITS).replace(r#""n": 2"#, r#""n": 1"#);
+    assert_eq!(bench.kinds(&rigid), some(&[("wave-speed", 1, 0)]));
 }
 
 #[test]

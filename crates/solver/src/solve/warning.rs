@@ -84,7 +84,7 @@ warnings! {
         "`gravity` other than 0 has a direction that no mass, bar or row of matrices has.",
     WaveSpeed "wave-speed"
         "have a bar with a wave speed below 500 m/s or above 8000 m/s: look at the units of EA, mass and length"
-        "With `units`, sqrt(EA L/mass) of a bar is below 500 m/s or above 8000 m/s; steel has 5000 m/s, concrete 3500 m/s.",
+        "With `units`, sqrt(EA L/mass) of a bar is below 500 m/s or above 8000 m/s; steel has 5000 m/s, concrete 3500 m/s. A bar of one element may be stiffer: it is rigid.",
     EndsInContact "ends-in-contact"
         "end while the bars touch; `contact_duration` and `contact_steps` are undefined: take a longer `duration`"
         "The bars of bar-impact touch at the last step.",
