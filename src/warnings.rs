@@ -1,4 +1,5 @@
-//! The warnings of a study, collected part by part: those of its cases, and checks that are not met.
+//! The warnings of a study, collected part by part: those of its cases, and checks that are not met. What is a result in some cases
+//! is a warning only if all cases have it.
 
 use crate::batch::{PartResult, WarnedCases, WarningCounts};
 use crate::checks::{self, ReducedChecks};
@@ -11,6 +12,8 @@ use std::collections::BTreeSet;
 pub struct StudyWarnings<'a> {
     study: &'a Study,
     cases: u64,
+    /// Those without a solution, which have no warnings.
+    unsolved: u64,
     counts: WarningCounts,
     reduced: ReducedChecks<'a>,
     /// Cases with a check that is not met.
@@ -23,6 +26,7 @@ impl<'a> StudyWarnings<'a> {
         StudyWarnings {
             study,
             cases: 0,
+            unsolved: 0,
             counts: WarningCounts::default(),
             reduced: ReducedChecks::new(study),
             not_met: BTreeSet::new(),
@@ -32,6 +36,7 @@ impl<'a> StudyWarnings<'a> {
     /// Adds the cases of a part, computed or from the store.
     pub fn add(&mut self, part: &PartResult) {
         self.cases += part.len() as u64;
+        self.unsolved += part.metrics.failures().count() as u64;
         for (row, warnings) in part.metrics.warned() {
             let number = part.number(row);
             warnings
@@ -64,6 +69,9 @@ impl<'a> StudyWarnings<'a> {
         for case in &self.not_met {
             self.counts.add(Warning::CheckNotMet, *case);
         }
-        self.counts.list(self.study, self.cases)
+        let mut all = self.counts.list(self.study, self.cases);
+        let solved = self.cases - self.unsolved;
+        all.retain(|own| !own.kind.is_of_all_cases() || own.cases == solved);
+        all
     }
 }

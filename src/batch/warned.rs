@@ -20,6 +20,8 @@ pub struct WarnedCases {
     pub case: u64,
     /// The parameters of it that vary in the study, by name.
     pub parameters: Vec<(String, Value)>,
+    /// What it is of in this case, such as a contact; `None` if only the motion says it.
+    pub detail: Option<String>,
 }
 
 impl WarnedCases {
@@ -38,10 +40,14 @@ impl WarnedCases {
         let parameters = self.parameters.iter();
         let values = parameters.map(|(name, value)| format!("{name} = {value}"));
         let values: Vec<String> = values.collect();
-        match values.is_empty() {
-            true => format!("case {}", self.case),
-            false => format!("case {}: {}", self.case, values.join(", ")),
+        let mut text = format!("case {}", self.case);
+        if !values.is_empty() {
+            text += &format!(": {}", values.join(", "));
         }
+        if let Some(detail) = &self.detail {
+            text += &format!("; {detail}");
+        }
+        text
     }
 
     /// The entry of manifest.json.
@@ -67,8 +73,8 @@ impl WarnedCases {
 
 impl fmt::Display for WarnedCases {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (sentence, kind) = (self.sentence(), self.kind.name());
-        write!(f, "{sentence} (warning {kind}; {})", self.example())
+        let (sentence, word, kind) = (self.sentence(), self.kind.word(), self.kind.name());
+        write!(f, "{sentence} ({word} {kind}; {})", self.example())
     }
 }
 
@@ -98,6 +104,10 @@ impl WarningCounts {
             parameters: study
                 .case(case)
                 .map_or(Vec::new(), |own| varying(study, case, &own)),
+            detail: study.case(case).and_then(|own| {
+                let mut doubts = study.problem.doubts(&own).into_iter();
+                doubts.find(|doubt| doubt.0 == kind).map(|doubt| doubt.1)
+            }),
         });
         warned.collect()
     }

@@ -133,17 +133,25 @@ const SOLVED: u64 = 100_000_000;
 
 /// The warnings of the case, as a run reports them.
 fn warnings(study: &Study, case: &Case) -> String {
-    let work = study.work(case);
-    if work > SOLVED {
-        return "warnings: not looked for, the case takes long; `run` reports them\n".into();
+    let doubts = study.problem.doubts(case);
+    let line = |kind: Warning| {
+        let mut text = format!("{}: {}: cases {}", kind.word(), kind.name(), kind.message());
+        if let Some((_, detail)) = doubts.iter().find(|doubt| doubt.0 == kind) {
+            text += &format!("; {detail}");
+        }
+        if kind.is_of_all_cases() && study.len() > 1 {
+            text += "; `run` says it if it is so in all cases";
+        }
+        text + "\n"
+    };
+    if study.work(case) > SOLVED {
+        let known: String = doubts.iter().map(|doubt| line(doubt.0)).collect();
+        return known
+            + "warnings: those of the motion are not looked for, the case takes long; `run` reports them\n";
     }
     match solution(study, case) {
         Err(why) => format!("warnings: none, the case could not be solved: {why}\n"),
-        Ok(solution) => {
-            let line =
-                |kind: Warning| format!("warning: {}: cases {}\n", kind.name(), kind.message());
-            solution.warnings.iter().map(line).collect()
-        }
+        Ok(solution) => solution.warnings.iter().map(line).collect(),
     }
 }
 

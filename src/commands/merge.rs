@@ -58,7 +58,7 @@ fn merge(
                 if !written.solved {
                     unsolved = Some(UNSOLVED);
                 }
-                if args.deny_warnings && !written.warnings.is_empty() {
+                if args.deny_warnings && written.has_warnings() {
                     warned = Some(NOT_MET);
                 }
             }

@@ -91,7 +91,7 @@ fn run(
         let written = run_study(source, folder, Store::open(&path)?, options, &mut terminal)?;
         args.print_files(&written)?;
         solved &= written.solved;
-        warned |= !written.warnings.is_empty();
+        warned |= written.has_warnings();
     }
     args.print_folder(sources, out)?;
     Ok(match (solved, args.deny_warnings && warned) {

@@ -75,7 +75,8 @@ fn write_warnings(out: &mut impl Write, sections: &[Section]) -> io::Result<()> 
         };
         writeln!(
             out,
-            "<details><summary>! Warning {} in {studies}: cases {}.</summary>",
+            "<details><summary>! {} {} in {studies}: cases {}.</summary>",
+            if kind.is_note() { "Note" } else { "Warning" },
             kind.name(),
             code(&escape(kind.message()))
         )?;

@@ -79,6 +79,11 @@ pub struct Written {
 }
 
 impl Written {
+    /// Whether there is a warning that is not a note.
+    pub fn has_warnings(&self) -> bool {
+        self.warnings.iter().any(|warning| !warning.kind.is_note())
+    }
+
     /// The paths, one in each line.
     pub fn list(&self) -> String {
         let paths = self.paths.iter();

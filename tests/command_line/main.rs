@@ -21,6 +21,7 @@ mod kept;
 mod large;
 mod pictures;
 mod reductions;
+mod restitution;
 mod same_bytes;
 mod settings;
 mod shards;
@@ -29,6 +30,7 @@ mod units;
 mod untouched;
 mod verbs;
 mod warnings;
+mod warnings_given;
 
 // What reads a report, of which only a part is used here.
 #[allow(dead_code)]

@@ -44,6 +44,15 @@ pub fn closings(force: &[f64]) -> usize {
     force.windows(2).filter(closes).count() + usize::from(starts_closed)
 }
 
+/// -rdot after the first impact over rdot before it, each at the step next to it with S = 0; `None` without a whole impact.
+pub fn restitution(force: &[f64], velocity: &[f64]) -> Option<f64> {
+    let closed = force.iter().position(|s| *s != 0.0)?;
+    let before = *velocity.get(closed.checked_sub(1)?)?;
+    let open = force[closed..].iter().position(|s| *s == 0.0)?;
+    let after = *velocity.get(closed + open)?;
+    (before < 0.0).then(|| -after / before)
+}
+
 /// Integral of abs(S) over time by trapezoids, steps of `dt` apart.
 pub fn impulse(force: &[f64], dt: f64) -> f64 {
     let pairs = force.windows(2);
@@ -107,6 +116,21 @@ mod tests {
         let s: Vec<f64> = sine.iter().map(|x| -x).collect();
         assert!((work(&s, &r) - 3.0 * PI).abs() < 1e-7);
         assert_eq!(extent(&[2.0, -1.0, 0.5]), [-1.0, 2.0]);
+    }
+
+    #[test]
+    fn the_restitution_is_of_the_first_whole_impact() {
+        let v = [-2.0, -2.0, 0.5, 1.0, -1.0, 3.0];
+        assert_eq!(restitution(&[0.0, 0.0, -9.0, 0.0, 0.0, 0.0], &v), Some(0.5));
+        assert_eq!(
+            restitution(&[0.0, 0.0, -9.0, 0.0, -1.0, 0.0], &v),
+            Some(0.5)
+        );
+        // None, one that starts closed, one that ends closed, one of bodies that do not close.
+        assert_eq!(restitution(&[0.0; 6], &v), None);
+        assert_eq!(restitution(&[-1.0, 0.0, -1.0, 0.0, 0.0, 0.0], &v), None);
+        assert_eq!(restitution(&[0.0, 0.0, -9.0, -9.0, -9.0, -9.0], &v), None);
+        assert_eq!(restitution(&[0.0, 0.0, 0.0, 0.0, -1.0, 0.0], &v), None);
     }
 
     #[test]

@@ -27,7 +27,7 @@ use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::metrics::steps;
 use crate::solve::sweep::{LONGEST, LaneCase};
-use crate::solve::{MetricTable, Unsolvable};
+use crate::solve::{MetricTable, Unsolvable, Warning};
 use cases::Cases;
 use parameter::Parameter;
 use std::ops::Range;
@@ -131,6 +131,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     /// Lines that describe a completed case, for `explain`.
     fn description(&self, _case: &Case) -> Option<String> {
         None
+    }
+    /// The warnings of a completed case that need no motion, each with what it is of.
+    fn doubts(&self, _case: &Case) -> Vec<(Warning, String)> {
+        Vec::new()
     }
     /// Whether a change of 1e-10 in start and loads of a completed case reaches 1 % of the peak of a channel that metrics are of;
     /// `None` if it cannot be solved, and for a problem without such a change.

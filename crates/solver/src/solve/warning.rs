@@ -57,13 +57,46 @@ warnings! {
         "A metric uses the force of a friction contact that resists velocity, and over 6 steps its change alternates by more than 1 % of its peak.",
     UnheldPart "unheld-part"
         "have a part that nothing holds (a rigid-body mode): without contact and load it moves on freely"
-        "Neither springs nor contacts that are elastic or stick at t = 0 connect a part with the ground.",
+        "Neither springs nor contacts that are elastic at t = 0 nor friction connect a part with the ground. Without loads, a part that starts with a velocity or has an impact may move freely.",
     RecordPeak "record-peak"
-        "have a record with a peak above 3 g or below 1e-4 g: look at its unit and its scale"
-        "A ground acceleration times its scale has a peak above 3 g or below 1e-4 g, and its scale is not 0.",
+        "have a record with a peak above 2 g or below 1e-4 g: look at its unit and its scale"
+        "With `units`, a ground acceleration times its scale has a peak above 2 g or below 1e-4 g, and its scale is not 0.",
+    DeepOverlap "deep-overlap"
+        "have an impact that overlaps by more than its gap: it is soft, look at the units of k and of the masses"
+        "With `units`, the largest overlap of an impact is larger than its gap, which is above 0, and than half of what r rises above the gap; not of a law that yields.",
+    SpringMass "spring-mass"
+        "have a spring whose `mass` is not that of its nodes"
+        "`mass` of a spring with a period is 1 % or more below the mass of its node (of two nodes, m1 m2/(m1 + m2)), or above the mass of all nodes that springs and bars connect with it. Rows of matrices are not looked at.",
+    DampingRatio "damping-ratio"
+        "have a damping ratio above 1: 0.05 is 5 %"
+        "`ratio` of a spring or `modal_damping` is above 1.",
+    FrictionCoefficient "friction-coefficient"
+        "have a coefficient of friction above 2: 0.05 is 5 %"
+        "`nu` of a contact is above 2.",
+    CollidingMass "colliding-mass"
+        "have an impact whose `colliding_mass` is far from m1 m2/(m1 + m2): its restitution is another one"
+        "`colliding_mass` is below half of m1 m2/(m1 + m2) of the nodes of the contact, or above twice that of all that springs and bars connect with them. Rows of matrices are not looked at.",
+    MatrixPeriods "matrix-periods"
+        "have matrices whose longest period is below 0.05 s or above 10 s: M and K may be exchanged, or not be in `units`"
+        "With `units`, the longest natural period of a structure with matrices is below 0.05 s or above 10 s. Contacts are not counted.",
+    IdleGravity "idle-gravity"
+        "have `gravity` in a direction in which no node moves"
+        "`gravity` other than 0 has a direction that no mass, bar or row of matrices has.",
+    WaveSpeed "wave-speed"
+        "have a bar with a wave speed below 500 m/s or above 8000 m/s: look at the units of EA, mass and length"
+        "With `units`, sqrt(EA L/mass) of a bar is below 500 m/s or above 8000 m/s; steel has 5000 m/s, concrete 3500 m/s. A bar of one element may be stiffer: it is rigid.",
+    EndsInContact "ends-in-contact"
+        "end while the bars touch; `contact_duration` and `contact_steps` are undefined: take a longer `duration`"
+        "The bars of bar-impact touch at the last step.",
+    Restitution "restitution"
+        "have an impact whose law gives a restitution that is not its target"
+        "A note: two rigid bodies of `colliding_mass` or, without it, of the masses of the nodes part with a restitution that differs from `restitution` by more than 0.05.",
+    NeverSlides "never-slides"
+        "have friction that never slides: look at the units of N or of the limit"
+        "The force of a friction contact is below 95 % of its limit (of nu_min N, if it has nu_min) at every step, in every case of the study.",
     NoContact "no-contact"
         "have no contact before `duration`; their contact metrics are undefined or 0"
-        "No impact touches before `duration`.",
+        "No impact touches before `duration`, in every case of the study: a gap that stays open in some cases is a result.",
     CheckNotMet "check-not-met"
         "do not meet a check; `slipgap check` lists all checks"
         "A check of the study is not met.",
@@ -118,6 +151,24 @@ impl Warnings {
 }
 
 impl Warning {
+    /// Whether it is a warning only if every case of the study has it: in some cases it is a result.
+    pub const fn is_of_all_cases(self) -> bool {
+        matches!(self, Warning::NoContact | Warning::NeverSlides)
+    }
+
+    /// Whether it is a note, which is not denied with the warnings.
+    pub const fn is_note(self) -> bool {
+        matches!(self, Warning::Restitution)
+    }
+
+    /// The word for it.
+    pub const fn word(self) -> &'static str {
+        match self.is_note() {
+            true => "note",
+            false => "warning",
+        }
+    }
+
     const fn bit(self) -> u32 {
         1 << self as u32
     }
@@ -158,7 +209,11 @@ mod tests {
                     .all(|other| other.name() != kind.name())
             );
             let first = kind.message().split(' ').next();
-            assert!(matches!(first, Some("have" | "do")), "{}", kind.message());
+            assert!(
+                matches!(first, Some("have" | "do" | "end")),
+                "{}",
+                kind.message()
+            );
         }
         assert!(Warning::ShortContact.message().ends_with(TOO_FEW_STEPS));
     }

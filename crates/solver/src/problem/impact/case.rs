@@ -136,6 +136,10 @@ impl LaneCase<LANES> for ImpactCase {
                 Warning::BarGain,
                 gains(ENERGY_DRIFT_MAX) || gains(ENERGY_DRIFT_FINAL),
             )
+            .with(
+                Warning::EndsInContact,
+                metrics(CONTACT_STEPS).is_nan() && !metrics(MAX_OVERLAP).is_nan(),
+            )
             .with(Warning::NoContact, metrics(MAX_OVERLAP).is_nan())
     }
 }

@@ -5,17 +5,25 @@ use crate::system::structure::{Contact, Direction, Structure};
 /// Time for which the nodes of an impact touch as two free masses without other forces; `None` for friction, links and rigid impacts.
 /// For a law with delta^1.5 it depends on the largest overlap, and is `None` without it.
 pub fn time(structure: &Structure, contact: &Contact, overlap: Option<f64>) -> Option<f64> {
+    let law = contact.law.law(0.0);
+    law.properties()
+        .touching_time(inverse(structure, contact)?, overlap)
+}
+
+/// m1 m2/(m1 + m2) of the nodes of a contact; `None` if none of them bounces.
+pub fn mass_along(structure: &Structure, contact: &Contact) -> Option<f64> {
+    inverse(structure, contact).map(|inverse| 1.0 / inverse)
+}
+
+/// 1/m1 + 1/m2.
+fn inverse(structure: &Structure, contact: &Contact) -> Option<f64> {
     // Between nodes of their own masses, as if other masses were not coupled to them.
     let nodes = contact.along.iter();
     let inverse: f64 = nodes
         .map(|(node, factor)| factor * factor / mass(structure, *node))
         .sum();
     // Supports alone, which do not bounce, have none.
-    if !inverse.is_finite() || inverse == 0.0 {
-        return None;
-    }
-    let law = contact.law.law(0.0);
-    law.properties().touching_time(inverse, overlap)
+    (inverse.is_finite() && inverse != 0.0).then_some(inverse)
 }
 
 /// The mass of a node without what the modes of a reduction move with it: M_bb - M_bm M_mb, M_mm = 1.

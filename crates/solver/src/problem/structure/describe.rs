@@ -3,6 +3,7 @@
 use super::contact_duration;
 use super::damping::modes;
 use super::models::Models;
+use super::warn::Restitution;
 use crate::contact::{ContactKind, ContactLaw};
 use crate::problem::parameter::shortest;
 use crate::solve::{FEWEST_STEPS, TOO_FEW_STEPS};
@@ -21,6 +22,7 @@ pub fn describe(
     models: &Models,
     [dt, end]: [f64; 2],
     units: &str,
+    restitutions: &[Option<Restitution>],
 ) -> String {
     let mass = match &models.total {
         Some(total) => by_direction(total),
@@ -74,8 +76,10 @@ pub fn describe(
                 gap => format!(", gap {}", short(gap)),
             };
             let touch = touch(structure, contact, dt);
+            let restitution = restitutions.get(place).copied().flatten();
+            let restitution = restitution.map_or(String::new(), |own| format!(", {own}"));
             format!(
-                "{}: {}{gap}, {law}{touch}{}",
+                "{}: {}{gap}, {law}{restitution}{touch}{}",
                 contact.name,
                 ends(structure, place),
                 closes(structure, contact),

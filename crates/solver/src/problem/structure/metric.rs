@@ -70,6 +70,7 @@ reductions! {
     OpenTime "open_time" Contact "time without contact: for an impact the steps that end with S = 0, for friction those with limit 0",
     Work "work" Contact "work of the contact force on the structure's motion, integral of S dr by trapezoids; positive where the contact takes energy",
     ResidualSlip "residual_slip" Contact "slip at the last step minus slip at t = 0",
+    Restitution "restitution" Contact "restitution of the first impact of a contact: -rdot at the first step with S = 0 after it over rdot at the last step with S = 0 before it, so that other forces on the nodes count as well; empty without impact, where the contact is closed at t = 0 or at the last step, and for a contact that is no impact",
     EnergyError "energy_error" Nothing "largest work of unbalanced forces up to any step, over the largest energy (kinetic, strain, and stored in contacts); numerical dissipation does not count",
     NumericalDissipation "numerical_dissipation" Nothing "energy that the method takes from the structure up to the last step, over the largest energy (kinetic, strain, and stored in contacts); below 0 where it adds energy; 0 to round-off for average-acceleration",
     RmsError "rms_error" ChannelOrMeasured "sqrt(mean (c - e)^2) over the steps; e is the exact motion of contacts_reference",

@@ -80,6 +80,7 @@ pub fn needed(metric: &StructureMetric, numbering: &Numbering, contacts: usize) 
             Reduction::OpenTime => &[Quantity::Force, Quantity::Limit],
             Reduction::Work => &[Quantity::Force, Quantity::Displacement, Quantity::Velocity],
             Reduction::ResidualSlip => &[Quantity::Slip],
+            Reduction::Restitution => &[Quantity::Force, Quantity::Velocity],
             Reduction::EnergyPerCycle => &[Quantity::Force, Quantity::Displacement],
             _ => &[Quantity::Force],
         };
@@ -211,6 +212,7 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         | Reduction::OpenTime
         | Reduction::Work
         | Reduction::ResidualSlip
+        | Reduction::Restitution
         | Reduction::SpragueGeersMagnitude
         | Reduction::SpragueGeersPhase
         | Reduction::SpragueGeersCombined
@@ -259,6 +261,9 @@ fn of_contact(
                 true => reduce::work_of_impulses(force, series(Quantity::Velocity), of.dt),
                 false => reduce::work(force, series(Quantity::Displacement)),
             })
+        }
+        Reduction::Restitution if kind == ContactKind::Impact => {
+            reduce::restitution(force, series(Quantity::Velocity))
         }
         Reduction::EnergyPerCycle => energy_per_cycle(series(Quantity::Displacement), force),
         Reduction::ResidualSlip => {

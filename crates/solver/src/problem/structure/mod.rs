@@ -56,7 +56,7 @@ use super::{
 use crate::history::History;
 use crate::methods::Method;
 use crate::solve::structure::{balance, settle};
-use crate::solve::{MetricTable, Unsolvable};
+use crate::solve::{MetricTable, Unsolvable, Warning};
 use crate::system::structure::Structure;
 use assemble::{Model, assemble};
 use channel::{Channel, Number};
@@ -402,11 +402,20 @@ impl Problem for StructureProblem {
         ground::ground_motion(&self.template, case, duration)
     }
 
+    fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
+        let whole = self.structure(case, Model::Study);
+        whole.map_or(Vec::new(), |(structure, numbering)| {
+            self.doubts_of(case, &structure, &numbering)
+        })
+    }
+
     fn description(&self, case: &Case) -> Option<String> {
         let (structure, numbering) = self.structure(case, Model::Study).ok()?;
         let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
         let models = models::Models::of(&self.template, case, &structure, &numbering);
-        let mut text = describe::describe(&structure, &models, times, &self.template.units);
+        let restitutions = warn::restitutions(&self.template, case, &structure);
+        let units = &self.template.units;
+        let mut text = describe::describe(&structure, &models, times, units, &restitutions);
         text += &channel::listed(&self.template, numbering.elements());
         text += &ground::described(&self.template, case);
         text += &reduce::described(&self.template, case, describe::short);

@@ -87,6 +87,7 @@ impl UnitNames<'_> {
             | Reduction::SpragueGeersPhase
             | Reduction::SpragueGeersCombined
             | Reduction::LoopDistance
+            | Reduction::Restitution
             | Reduction::Impacts
             | Reduction::ImpactsBeforeDivergence
             | Reduction::Difference

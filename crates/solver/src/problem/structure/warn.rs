@@ -1,5 +1,14 @@
 //! The warnings of a case of structures.
 
+mod doubts;
+mod given;
+mod masses;
+mod matrices;
+mod restitution;
+mod unheld;
+
+pub use restitution::{Restitution, restitutions};
+
 use super::channel::{Number, Quantity};
 use super::contact_duration;
 use super::loads::Kind;
@@ -7,7 +16,7 @@ use super::metric::{Reduction, StructureMetric};
 use super::metric_values::{self, Recorded};
 use super::motion::{self, Recording};
 use super::sweep::Ready;
-use super::template::{Normal, Scaled};
+use super::template::{self, Normal, Scaled};
 use super::{StructureProblem, solve::distinct};
 use crate::contact::ContactKind;
 use crate::problem::Case;
@@ -23,7 +32,13 @@ pub const EVERY: usize = 16;
 const GAIN: f64 = 0.01;
 
 /// Peaks of a record in g, beyond which its unit is wrong.
-const PEAKS: [f64; 2] = [1e-4, 3.0];
+const PEAKS: [f64; 2] = [1e-4, 2.0];
+
+/// Share of its limit that a friction contact reaches where it slides; smooth laws come near to it only.
+const SLIDES: f64 = 0.95;
+
+/// Share of the motion away from each other by which two bodies that collide do not overlap.
+const DEEP: f64 = 0.5;
 
 /// Steps in a row in which a force must turn back, and the share of its peak by which it must, to alternate.
 const TURNS: usize = 6;
@@ -50,16 +65,45 @@ impl StructureProblem {
             contacts().filter(|(contact, _)| contact.law.kind() == ContactKind::Impact);
         let touches = |(_, seen): (&Contact, &WatchedContact)| seen.force < 0.0;
         let some = impacts.clone().next().is_some();
-        Ok(Warnings::NONE
+        let overlaps = |(contact, seen): (&Contact, &WatchedContact)| {
+            !self.template.units.is_empty()
+                && contact.law.kind() == ContactKind::Impact
+                && contact.gap > 0.0
+                && -seen.displacement > contact.gap
+                && -seen.displacement > DEEP * (seen.opening - contact.gap)
+                && !yields(&contact.law)
+        };
+        let given = self.doubts_of(&ready.case, structure, &ready.numbering);
+        let given = given
+            .iter()
+            .fold(Warnings::NONE, |set, doubt| set.with(doubt.0, true));
+        Ok(given
+            .with(Warning::DeepOverlap, contacts().any(overlaps))
+            .with(Warning::NeverSlides, self.never_slides(ready, watched))
             .with(Warning::ShortContact, contacts().any(short))
             .with(Warning::ContactGain, self.gains(ready, watched)?)
             .with(
                 Warning::AlternatingForce,
                 self.force_alternates(ready, computed),
             )
-            .with(Warning::UnheldPart, !structure.unheld_parts().is_empty())
+            .with(Warning::UnheldPart, unheld::has_idle_part(structure))
             .with(Warning::RecordPeak, self.has_strange_record(&ready.case))
             .with(Warning::NoContact, some && !impacts.any(touches)))
+    }
+
+    /// Whether a friction contact never slides.
+    fn never_slides(&self, ready: &Ready, watched: Option<&Watched>) -> bool {
+        let watched = watched.map_or(&[][..], |watched| &watched.contacts);
+        let contacts = self.template.contacts.iter().zip(&ready.structure.contacts);
+        let sticks = |((given, own), seen): ((&template::Contact, &Contact), &WatchedContact)| {
+            let value = |key| given.value(key, &ready.case).ok().flatten();
+            // At rest the coefficient is nu_min.
+            let least = value("nu_min")
+                .zip(value("nu"))
+                .map_or(1.0, |(min, nu)| min / nu);
+            own.law.kind() == ContactKind::Friction && seen.of_limit < SLIDES * least.min(1.0)
+        };
+        contacts.zip(watched).any(sticks)
     }
 
     /// Whether a contact makes more than 1 % of the largest energy.
@@ -90,7 +134,10 @@ impl StructureProblem {
         let of_force = |metric: &&StructureMetric| {
             !matches!(
                 metric.reduction,
-                Reduction::Work | Reduction::OpenTime | Reduction::ImpactsBeforeDivergence
+                Reduction::Work
+                    | Reduction::OpenTime
+                    | Reduction::Restitution
+                    | Reduction::ImpactsBeforeDivergence
             )
         };
         let metrics = self.metrics.iter().filter(of_force);
@@ -106,6 +153,10 @@ impl StructureProblem {
     /// Whether a record has a peak that no earthquake has.
     fn has_strange_record(&self, case: &Case) -> bool {
         let template = &self.template;
+        // A study without units may be dimensionless, and a note says how it is read.
+        if template.units.is_empty() {
+            return false;
+        }
         let vertical = template
             .contacts
             .iter()
@@ -136,6 +187,11 @@ impl StructureProblem {
             .filter_map(|own| own.acceleration());
         ground.chain(supports).chain(vertical).any(strange)
     }
+}
+
+/// Whether an impact law has a largest force: what lies behind the gap may give way by more than the gap.
+fn yields(law: &StructureLaw) -> bool {
+    matches!(law, StructureLaw::CurvedImpact { law, .. } if !law.properties().has_rigid_form())
 }
 
 /// Whether a law of friction or of a damper without elastic displacement: its force may jump from step to step.

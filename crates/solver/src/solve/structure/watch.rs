@@ -10,6 +10,8 @@ use crate::system::structure::{Structure, StructureLaw};
 pub struct Watch<const L: usize> {
     /// Those that may make energy, by their places.
     contacts: Vec<(usize, Contact<L>)>,
+    /// The friction contacts by their places, each with the largest abs(S) over its limit.
+    friction: Vec<(usize, Lane<L>)>,
     /// Work of the last step, for methods whose state has both ends of it.
     works: Vec<Lane<L>>,
     /// Energy that the contacts store at t = 0.
@@ -28,6 +30,8 @@ struct Contact<const L: usize> {
     last: [Lane<L>; 2],
     /// Smallest r and S.
     smallest: [Lane<L>; 2],
+    /// Largest r.
+    largest: Lane<L>,
     /// Work up to the last step, and the smallest work up to any step.
     work: [Lane<L>; 2],
 }
@@ -43,15 +47,19 @@ pub struct Watched {
     pub energy: f64,
 }
 
-/// What a run shows of a contact; zeros for one that cannot make energy.
+/// What a run shows of a contact; but for `of_limit`, zeros for one that cannot make energy.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct WatchedContact {
     /// Smallest relative displacement r.
     pub displacement: f64,
+    /// Largest relative displacement r.
+    pub opening: f64,
     /// Smallest force S; below 0 if an impact touches.
     pub force: f64,
     /// Smallest work of the structure on the contact, the integral of S dr, up to any step.
     pub work: f64,
+    /// Largest abs(S) of a friction contact over its limit; 1 or more also where the limit is 0, without N.
+    pub of_limit: f64,
 }
 
 impl<const L: usize> Watch<L> {
@@ -68,13 +76,21 @@ impl<const L: usize> Watch<L> {
             let contact = Contact {
                 last: now,
                 smallest: now,
+                largest: now[0],
                 work: [zero; 2],
             };
             (c, contact)
         });
         let stored = start.stored_energy();
+        let is_friction = |c: &usize| {
+            structures
+                .iter()
+                .any(|of| of.contacts[*c].law.limit().is_some())
+        };
+        let friction = (0..start.contacts()).filter(is_friction);
         Watch {
             contacts: contacts.collect(),
+            friction: friction.map(|c| (c, zero)).collect(),
             works: vec![zero; start.contacts()],
             stored,
             energy: start.energy() + stored,
@@ -95,6 +111,10 @@ impl<const L: usize> Watch<L> {
                     let [r, s] = contact.last;
                     contact.add(now, (s + now[1]) * 0.5 * (now[0] - r));
                 }
+                for (c, most) in &mut self.friction {
+                    let [_, limit] = state.forces.bounds(*c);
+                    *most = most.larger(of_limit(state.contacts[*c].force, limit));
+                }
             }
             Kind::General(general) => {
                 self.works.fill(Lane::splat(0.0));
@@ -102,6 +122,10 @@ impl<const L: usize> Watch<L> {
                 for (c, contact) in &mut self.contacts {
                     let now = state.contact(*c);
                     contact.add([now.displacement, now.force], self.works[*c]);
+                }
+                for (c, most) in &mut self.friction {
+                    let now = state.contact(*c);
+                    *most = most.larger(of_limit(now.force, now.limit));
                 }
             }
         }
@@ -116,9 +140,14 @@ impl<const L: usize> Watch<L> {
         for (c, contact) in &self.contacts {
             contacts[*c] = WatchedContact {
                 displacement: contact.smallest[0].0[l],
+                opening: contact.largest.0[l],
                 force: contact.smallest[1].0[l],
                 work: contact.work[1].0[l],
+                of_limit: 0.0,
             };
+        }
+        for (c, most) in &self.friction {
+            contacts[*c].of_limit = most.0[l];
         }
         Watched {
             contacts,
@@ -126,6 +155,15 @@ impl<const L: usize> Watch<L> {
             energy: self.energy.0[l],
         }
     }
+}
+
+/// abs(S) over the limit; 1 without a limit.
+#[inline(always)]
+fn of_limit<const L: usize>(force: Lane<L>, limit: Lane<L>) -> Lane<L> {
+    force.zip(limit, |s, limit| match limit > 0.0 {
+        true => s.abs() / limit,
+        false => 1.0,
+    })
 }
 
 /// Whether no step of constant average acceleration has negative dissipation. For a force f(rdot) that rises and is odd,
@@ -153,6 +191,7 @@ impl<const L: usize> Contact<L> {
         self.work = [sum, least.smaller(sum)];
         let [r, s] = self.smallest;
         self.smallest = [r.smaller(now[0]), s.smaller(now[1])];
+        self.largest = self.largest.larger(now[0]);
         self.last = now;
     }
 }

@@ -20,11 +20,11 @@ impl Contact {
         }
     }
 
-    /// Whether it holds its nodes together at rest: it is elastic, or Coulomb friction that sticks.
+    /// Whether it holds its nodes together at rest: it is elastic, or friction, which resists every motion. Friction that another
+    /// contact presses has a limit at rest, too.
     pub(super) fn holds(&self) -> bool {
-        let sticks = |limit: &super::Limit| limit.at(0.0) > 0.0;
-        self.initial_stiffness() > 0.0
-            || matches!(&self.law, StructureLaw::Coulomb { limit } if sticks(limit))
+        let resists = |limit: &super::Limit| limit.at(0.0) > 0.0 || limit.pressed_by.is_some();
+        self.initial_stiffness() > 0.0 || self.law.limit().is_some_and(resists)
     }
 }
 
@@ -41,11 +41,23 @@ impl Structure {
         stiffness
     }
 
-    /// The parts that nothing holds at rest, by the names of their nodes: neither springs nor contacts that are elastic or stick
+    /// The part of each node, by a node of it: the nodes that K connects.
+    pub fn parts(&self) -> Vec<usize> {
+        let mut part: Vec<usize> = (0..self.len()).collect();
+        for ((i, j), _) in self.stiffness.entries() {
+            join(&mut part, i, j);
+        }
+        for i in 0..part.len() {
+            part[i] = root(&part, i);
+        }
+        part
+    }
+
+    /// The parts that nothing holds at rest, by their nodes: neither springs nor contacts that are elastic or friction
     /// connect them with the ground.
-    pub fn unheld_parts(&self) -> Vec<String> {
+    pub fn unheld_nodes(&self) -> Vec<Vec<usize>> {
         let size = self.len();
-        let mut part: Vec<usize> = (0..size).collect();
+        let mut part = self.parts();
         let mut held = vec![0.0; size];
         let mut diagonal = vec![0.0; size];
         // A spring to the ground is what is left of the sum of a row of K.
@@ -53,7 +65,6 @@ impl Structure {
             held[i] += k;
             if i != j {
                 held[j] += k;
-                join(&mut part, i, j);
             } else {
                 diagonal[i] = k;
             }
@@ -81,7 +92,13 @@ impl Structure {
         let free = members
             .into_values()
             .filter(|members| !members.iter().any(|i| grounded[*i]));
+        free.collect()
+    }
+
+    /// Their names.
+    pub fn unheld_parts(&self) -> Vec<String> {
         let name = |i: &usize| self.nodes[*i].name.as_str();
+        let free = self.unheld_nodes().into_iter();
         let names = free.filter_map(|members| match members[..] {
             [one] => Some(name(&one).to_owned()),
             [one, .., last] => Some(format!("{} to {}", name(&one), name(&last))),
@@ -224,5 +241,6 @@ mod tests {
             contact([Some(3), Some(2)], 0.0, coulomb),
         ];
         assert_eq!(structure(held).unheld_parts(), ["a"]);
+        assert_eq!(structure(Vec::new()).parts(), [0, 1, 1, 3]);
     }
 }

@@ -1,0 +1,38 @@
+//! The warnings of a case that need no motion.
+
+use super::super::StructureProblem;
+use super::super::node::Numbering;
+use super::masses::Masses;
+use super::{given, matrices, restitution};
+use crate::problem::Case;
+use crate::solve::Warning;
+use crate::system::structure::Structure;
+
+/// A warning with what it is of.
+pub type Doubt = (Warning, String);
+
+impl StructureProblem {
+    /// Those of a case with this structure, one of each kind.
+    pub(in crate::problem::structure) fn doubts_of(
+        &self,
+        case: &Case,
+        structure: &Structure,
+        numbering: &Numbering,
+    ) -> Vec<Doubt> {
+        let template = &self.template;
+        let masses = Masses::new(structure, numbering);
+        [
+            given::spring_mass(template, case, &masses),
+            given::damping_ratio(template, case),
+            given::friction_coefficient(template, case),
+            given::colliding_mass(template, case, &masses),
+            matrices::periods(template, structure),
+            given::idle_gravity(template, case),
+            given::wave_speed(template, case),
+            restitution::missed(template, case, structure),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+}

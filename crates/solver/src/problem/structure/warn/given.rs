@@ -1,0 +1,128 @@
+//! Numbers of a study that are allowed and unlikely.
+
+use super::super::amount::Amount;
+use super::super::contacts::law_named;
+use super::super::describe::short;
+use super::super::template::{SpringNumbers, StaticLoad, Template};
+use super::super::unit_consistency::size_of;
+use super::super::units::UnitNames;
+use super::doubts::Doubt;
+use super::masses::Masses;
+use crate::problem::Case;
+use crate::problem::unit::Dimension;
+use crate::solve::Warning;
+
+/// Part of a mass by which a spring's may differ from it: masses are rounded.
+const ROUNDED: f64 = 0.01;
+
+/// Factor by which `colliding_mass` is far from a mass.
+const FAR: f64 = 2.0;
+
+/// Above it, a coefficient of friction is one in percent.
+const COEFFICIENT: f64 = 2.0;
+
+/// Wave speeds of materials of bars in m/s.
+const SPEEDS: [f64; 2] = [500.0, 8000.0];
+
+/// A spring whose mass is not that of its nodes.
+pub fn spring_mass(template: &Template, case: &Case, masses: &Masses) -> Option<Doubt> {
+    let mut springs = template.springs.iter();
+    springs.find_map(|spring| {
+        let SpringNumbers::Period { mass, .. } = &spring.numbers else {
+            return None;
+        };
+        let own = mass.value(case).ok()?;
+        let [low, _, high] = masses.along(&spring.along, case)?;
+        let fits = ((1.0 - ROUNDED) * low..=(1.0 + ROUNDED) * high).contains(&own);
+        let text = format!("{} is {}, {}", mass.path, short(own), between([low, high]));
+        (!fits).then_some((Warning::SpringMass, text))
+    })
+}
+
+/// `the nodes have 5` or `the nodes have 5 to 7`.
+fn between([low, high]: [f64; 2]) -> String {
+    match short(low) == short(high) {
+        true => format!("the nodes have {}", short(low)),
+        false => format!("the nodes have {} to {}", short(low), short(high)),
+    }
+}
+
+/// A damping ratio above 1.
+pub fn damping_ratio(template: &Template, case: &Case) -> Option<Doubt> {
+    let ratios = template
+        .springs
+        .iter()
+        .filter_map(|spring| match &spring.numbers {
+            SpringNumbers::Period { ratio, .. } => ratio.as_ref(),
+            SpringNumbers::Stiffness { .. } => None,
+        });
+    let mut ratios = ratios.chain(&template.modal_damping);
+    ratios.find_map(|ratio| {
+        let own = ratio.value(case).ok().filter(|own| *own > 1.0)?;
+        let text = format!("{} is {}", ratio.path, short(own));
+        Some((Warning::DampingRatio, text))
+    })
+}
+
+/// A coefficient of friction above 2.
+pub fn friction_coefficient(template: &Template, case: &Case) -> Option<Doubt> {
+    let mut contacts = template.contacts.iter();
+    contacts.find_map(|contact| {
+        law_named(contact.law.name(case)).filter(|law| law.has("nu"))?;
+        let nu = contact.number("nu")?;
+        let own = nu.value(case).ok().filter(|own| *own > COEFFICIENT)?;
+        let text = format!("{} is {}", nu.path, short(own));
+        Some((Warning::FrictionCoefficient, text))
+    })
+}
+
+/// A colliding mass that is far from that of the nodes.
+pub fn colliding_mass(template: &Template, case: &Case, masses: &Masses) -> Option<Doubt> {
+    let mut contacts = template.contacts.iter();
+    contacts.find_map(|contact| {
+        law_named(contact.law.name(case)).filter(|law| law.has("colliding_mass"))?;
+        let mass = contact.number("colliding_mass")?;
+        let own = mass.value(case).ok()?;
+        let [low, high, _] = masses.along(&contact.along, case)?;
+        let fits = (low / FAR..=high * FAR).contains(&own);
+        let text = format!("{} is {}, {}", mass.path, short(own), between([low, high]));
+        (!fits).then_some((Warning::CollidingMass, text))
+    })
+}
+
+/// Gravity in a direction in which no node moves.
+pub fn idle_gravity(template: &Template, case: &Case) -> Option<Doubt> {
+    let masses = template.masses.iter().map(|own| own.direction);
+    let bars = template.bars.iter().map(|own| own.direction);
+    let rows = template.matrices.iter();
+    let rows = rows.flat_map(|own| own.imported.dofs.rows().iter().map(|dof| dof.direction));
+    let moving: Vec<_> = masses.chain(bars).chain(rows).collect();
+    template.at_rest.iter().find_map(|load| match load {
+        StaticLoad::Gravity(direction, amount) => {
+            let acts = amount.value(case).is_ok_and(|own| own != 0.0);
+            let text = format!("no node moves in {}", direction.name());
+            (acts && !moving.contains(direction)).then_some((Warning::IdleGravity, text))
+        }
+        StaticLoad::Force(..) => None,
+    })
+}
+
+/// A bar of no known material, if the units say so.
+pub fn wave_speed(template: &Template, case: &Case) -> Option<Doubt> {
+    let units = UnitNames::of(&template.units)?;
+    let unit = size_of(
+        &units.of_dimension(Dimension::Velocity),
+        Dimension::Velocity,
+    )?;
+    let mut bars = template.bars.iter();
+    bars.find_map(|bar| {
+        let value = |amount: &Amount| amount.value(case).ok();
+        let (stiffness, mass) = (value(&bar.stiffness)?, value(&bar.mass)?);
+        let speed = (stiffness * value(&bar.length)? / mass).sqrt() * unit;
+        let text = format!("bar {} has {} m/s", bar.name, short(speed));
+        // A rigid bar is one stiff element.
+        let is_rigid = value(&bar.elements)? == 1.0 && speed > SPEEDS[1];
+        let fits = is_rigid || (SPEEDS[0]..=SPEEDS[1]).contains(&speed);
+        (!fits).then_some((Warning::WaveSpeed, text))
+    })
+}

@@ -1,0 +1,72 @@
+//! The restitution that a law of impact gives, beside its target.
+
+use super::super::contact_duration;
+use super::super::contacts::law_named;
+use super::super::describe::short;
+use super::super::template::{self, Template};
+use super::doubts::Doubt;
+use crate::problem::Case;
+use crate::solve::Warning;
+use crate::system::structure::{Contact, Structure};
+use std::fmt;
+
+/// Difference from the target that is worth a note.
+const MISSED: f64 = 0.05;
+
+/// The restitution of two rigid bodies without other forces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Restitution {
+    /// The target.
+    pub target: f64,
+    /// What the law gives.
+    pub given: f64,
+}
+
+impl fmt::Display for Restitution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [target, given] = [self.target, self.given].map(|e| (e * 1e3).round() / 1e3);
+        write!(f, "restitution {} (target {})", short(given), short(target))
+    }
+}
+
+/// Of each contact; `None` without a target.
+pub fn restitutions(
+    template: &Template,
+    case: &Case,
+    structure: &Structure,
+) -> Vec<Option<Restitution>> {
+    let contacts = template.contacts.iter().zip(&structure.contacts);
+    let of = |(given, own)| of_contact(given, own, case, structure);
+    contacts.map(of).collect()
+}
+
+/// Of a contact: of bodies of its `colliding_mass` or, without it, of the masses of its nodes.
+fn of_contact(
+    given: &template::Contact,
+    contact: &Contact,
+    case: &Case,
+    structure: &Structure,
+) -> Option<Restitution> {
+    let law = law_named(given.law.name(case)).filter(|law| law.has("restitution"))?;
+    let target = given.value("restitution", case).ok()??;
+    let colliding = given.value("colliding_mass", case).ok()?;
+    let colliding = colliding.filter(|_| law.has("colliding_mass"));
+    // Without dashpots of a mass, the restitution is the same for every mass and every speed.
+    let mass = colliding.or_else(|| contact_duration::mass_along(structure, contact));
+    let collision = contact.law.law(0.0).collision(mass.unwrap_or(1.0), 1.0)?;
+    Some(Restitution {
+        target,
+        given: collision.restitution,
+    })
+}
+
+/// The first contact that misses its target.
+pub fn missed(template: &Template, case: &Case, structure: &Structure) -> Option<Doubt> {
+    let all = restitutions(template, case, structure);
+    let mut all = template.contacts.iter().zip(all);
+    all.find_map(|(contact, own)| {
+        let own = own.filter(|own| (own.given - own.target).abs() > MISSED)?;
+        let text = format!("contact {}: {own}", contact.name);
+        Some((Warning::Restitution, text))
+    })
+}
