@@ -6,16 +6,23 @@ use super::{Calibration, Fit, Numerical, State, Verdict};
 use slipgap_recommend::format::digits;
 use slipgap_solver::problem::parameter::shortest;
 
+/// Why an alternative has no misfit, by the first of its tests at the last point that was tried.
+fn without_solution(fit: &Fit) -> String {
+    let why = fit.tests.iter().find_map(|test| test.why.as_deref());
+    let why = why.unwrap_or("the misfit has no value");
+    format!(
+        "{}: no case has a solution with a misfit; one of them: {why}",
+        label(fit)
+    )
+}
+
 /// What the numbers do not say.
 pub fn sentences(found: &Calibration) -> Vec<String> {
     let mut all = Vec::new();
     for at in &found.order {
         let fit = &found.fits[*at];
         match fit.misfit().is_finite() {
-            false => all.push(format!(
-                "{}: no case has a solution with a misfit",
-                label(fit)
-            )),
+            false => all.push(without_solution(fit)),
             true => all.extend(of_fit(found, fit)),
         }
     }

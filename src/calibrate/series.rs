@@ -12,6 +12,8 @@ pub struct Test {
     pub case: Case,
     /// The computed motion; `None` if it has no solution.
     pub solution: Option<Solution>,
+    /// Why it has none.
+    pub why: Option<String>,
     /// What was measured.
     pub measured: Vec<MeasuredChannel>,
 }
@@ -23,12 +25,15 @@ pub fn tests(study: &Study, cases: &PointCases, values: &[f64]) -> Vec<Test> {
     let each: Vec<(Case, bool)> = (0..all.len())
         .map(|row| (shown.at(row).clone(), all.may_be_solved(row)))
         .collect();
-    let test = |(case, solvable): (Case, bool)| Test {
-        solution: solvable
-            .then(|| study.problem.solve(&case, &study.metrics).ok())
-            .flatten(),
-        measured: study.problem.measured(&case),
-        case,
+    let test = |(case, solvable): (Case, bool)| {
+        let solved = study.problem.solve(&case, &study.metrics);
+        let why = solved.as_ref().err().map(ToString::to_string);
+        Test {
+            solution: solved.ok().filter(|_| solvable),
+            why,
+            measured: study.problem.measured(&case),
+            case,
+        }
     };
     each.into_par_iter().map(test).collect()
 }

@@ -7,7 +7,7 @@ use super::names::member;
 use super::parts::Part;
 use super::reader::{Reader, open};
 use super::shape::baseline;
-use crate::source::faults::{Faults, join};
+use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::problem::parameter::Range;
@@ -192,6 +192,18 @@ fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
     for file in files {
         let Test { time, values } = test(file, (node, &path), (&time, &[&u]), reader, faults)?;
         let u = values.into_iter().next()?;
+        if u.len() < 2 {
+            let message = format!(
+                "{}: the file has {}; the displacements of a support need at least 2 rows",
+                quoted(file),
+                match u.len() {
+                    0 => "no row of numbers",
+                    _ => "1 row of numbers",
+                }
+            );
+            faults.add(node.at, &path, message);
+            return None;
+        }
         // The support is at rest at its first point.
         let first = *u.first()?;
         let u = u.iter().map(|x| x - first).collect();

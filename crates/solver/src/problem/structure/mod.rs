@@ -119,7 +119,9 @@ impl StructureProblem {
         if let Some(ratio) = &self.template.modal_damping {
             let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
             let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
-            damping::add_modal(&mut structure, &stiffness, ratio).ok_or(Unsolvable::NoModes)?;
+            if damping::add_modal(&mut structure, &stiffness, ratio).is_none() {
+                return Err(self.no_modes(&structure, case));
+            }
         }
         match structure.preload.load.is_empty() {
             true => massless::place(&mut structure),
@@ -129,6 +131,22 @@ impl StructureProblem {
             balance(&mut structure, dt)?;
         }
         Ok((structure, numbering))
+    }
+
+    /// Why a structure has no modes for its modal damping.
+    fn no_modes(&self, structure: &Structure, case: &Case) -> Unsolvable {
+        let method = self.method(case);
+        let fault = method.and_then(|method| massless::fault(structure, &method));
+        match fault {
+            _ if structure.len() > damping::MOST_MODES => Unsolvable::NoModes,
+            Some((node, why)) => {
+                let name = &structure.nodes[node].name;
+                Unsolvable::BrokenRules(format!("node {name} {why}"))
+            }
+            None => Unsolvable::BrokenRules(
+                "modal damping needs a positive definite M, and a K that holds the nodes without mass".into(),
+            ),
+        }
     }
 
     /// A case ready to be stepped; `place` is its place in the table of results.
