@@ -12,10 +12,10 @@
 
 use super::curved::Curved;
 use super::curved_step::Motion;
-use crate::contact::ContactKind;
+use crate::contact::{ContactKind, ContactLaw, Viscous};
 use crate::solve::Unsolvable;
 use crate::system::structure::factor::Factor;
-use crate::system::structure::{Structure, Symmetric};
+use crate::system::structure::{Structure, StructureLaw, Symmetric};
 
 /// Pivots of K below this part of the diagonal are round-off: contacts hold something.
 const SINGULAR: f64 = 1e-10;
@@ -30,6 +30,9 @@ const SLOW: f64 = 0.1;
 
 /// Change of forces and displacements, over the largest ones, from which on one step more leaves round-off only.
 const TARGET: f64 = 1e-11;
+
+/// Round-off of a solution and of its contact forces, some fifty times the unit round-off.
+const ROUND_OFF: f64 = 1e-14;
 
 /// Most steps for a load. With q 100 times smaller after each slow one, a dozen reach round-off.
 const STEPS: usize = 100;
@@ -54,7 +57,8 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
         true => PARTS,
         false => 1,
     };
-    let mut equilibrium = Equilibrium::new(structure)?;
+    let still = without_dampers(structure);
+    let mut equilibrium = Equilibrium::new(still.as_ref().unwrap_or(structure))?;
     for part in 1..=parts {
         equilibrium.find(part as f64 / parts as f64)?;
     }
@@ -81,14 +85,17 @@ struct Equilibrium<'a> {
     curved: Curved,
     u: Vec<f64>,
     forces: Vec<f64>,
+    /// Largest change of u in a step without the contact forces, of whose round-off no change tells anything.
+    free: f64,
 }
 
 impl<'a> Equilibrium<'a> {
     fn new(structure: &'a Structure) -> Result<Equilibrium<'a>, Unsolvable> {
         let mass = structure.mass();
-        let q = match Factor::regular(&structure.stiffness, SINGULAR) {
-            Ok(_) => 0.0,
-            Err(_) => first_q(structure),
+        let stiffened = stiffened(structure);
+        let q = match holds(&structure.stiffness, &stiffened) {
+            true => 0.0,
+            false => first_q(structure, &stiffened),
         };
         let (factor, columns) = linear(structure, q)?;
         let curved = curved(structure, &columns);
@@ -101,6 +108,7 @@ impl<'a> Equilibrium<'a> {
             curved,
             u: structure.displacement.clone(),
             forces: vec![0.0; structure.contacts.len()],
+            free: 0.0,
         })
     }
 
@@ -125,7 +133,8 @@ impl<'a> Equilibrium<'a> {
             let residual = self.q * largest(&left);
             let differences = forces.iter().zip(&self.forces).map(|(a, b)| (a - b).abs());
             let moved = differences.fold(0.0, f64::max);
-            let still = largest(&change) <= TARGET * largest(&self.u);
+            let round_off = ROUND_OFF * self.free;
+            let still = largest(&change) <= (TARGET * largest(&self.u)).max(round_off);
             let reached = still && moved <= TARGET * size;
             if reached && near {
                 return Ok(());
@@ -159,6 +168,7 @@ impl<'a> Equilibrium<'a> {
             .map(|(p, inner)| p - inner)
             .collect();
         self.factor.solve(&mut change);
+        self.free = self.free.max(largest(&change));
         for (c, contact) in self.structure.contacts.iter().enumerate() {
             if let Some(limit) = contact.law.limit().filter(|own| own.pressed_by.is_some()) {
                 let limit = limit.pressed(0.0, |other| self.forces[other]);
@@ -193,17 +203,67 @@ impl<'a> Equilibrium<'a> {
     }
 }
 
-/// q for which q M is a small part of K with the elastic contacts.
-fn first_q(structure: &Structure) -> f64 {
-    let (stiffness, mass) = (structure.initial_stiffness(), structure.mass());
-    let of = |matrix: &Symmetric| {
-        let mut diagonal = vec![0.0; structure.len()];
-        for ((i, j), x) in matrix.entries().filter(|((i, j), _)| i == j) {
-            diagonal[i.max(j)] += x;
-        }
-        diagonal
+/// The structure with its dampers at rest, if it has any: a damper has no static force, however slowly the equilibrium is reached.
+fn without_dampers(structure: &Structure) -> Option<Structure> {
+    let is_damper = |law: &StructureLaw| match law {
+        StructureLaw::Link { law } => law.of_velocity(),
+        _ => false,
     };
-    let ratios = of(&stiffness).into_iter().zip(of(&mass));
+    let mut contacts = structure.contacts.iter();
+    contacts.any(|contact| is_damper(&contact.law)).then(|| {
+        let mut still = structure.clone();
+        for contact in &mut still.contacts {
+            if is_damper(&contact.law) {
+                let law = ContactLaw::Viscous(Viscous {
+                    viscosity: 0.0,
+                    exponent: 1.0,
+                });
+                contact.law = StructureLaw::Link { law };
+            }
+        }
+        still
+    })
+}
+
+/// K with the contacts at their largest stiffness, as far as that is finite: what their forces are compared with.
+fn stiffened(structure: &Structure) -> Symmetric {
+    let mut stiffness = structure.initial_stiffness();
+    for contact in &structure.contacts {
+        let limit = contact.law.limit().map_or(0.0, |limit| limit.at(0.0));
+        let overlap = contact.gap.abs();
+        let law = contact.law.law(limit);
+        let k = law.properties().largest_stiffness(overlap);
+        if k > 0.0 && k.is_finite() {
+            stiffness.add_along(&contact.along, k);
+        }
+    }
+    stiffness
+}
+
+/// Whether K holds all nodes beside the contacts: no pivot is round-off of the stiffness with them.
+fn holds(stiffness: &Symmetric, stiffened: &Symmetric) -> bool {
+    let size = stiffness.size();
+    let Ok(factor) = Factor::new(stiffness, &vec![false; size]) else {
+        return false;
+    };
+    let diagonal = diagonal(stiffened);
+    let mut pivots = factor.order().iter().zip(factor.reciprocals());
+    pivots.all(|(row, reciprocal)| 1.0 >= SINGULAR * diagonal[*row] * *reciprocal)
+}
+
+fn diagonal(matrix: &Symmetric) -> Vec<f64> {
+    let mut diagonal = vec![0.0; matrix.size()];
+    for ((i, _), x) in matrix.entries().filter(|((i, j), _)| i == j) {
+        diagonal[i] += x;
+    }
+    diagonal
+}
+
+/// q for which q M is a small part of K with the contacts.
+fn first_q(structure: &Structure, stiffened: &Symmetric) -> f64 {
+    let ratios = diagonal(stiffened)
+        .into_iter()
+        .zip(diagonal(&structure.mass()));
     let ratios = ratios
         .filter(|(k, m)| *k > 0.0 && *m > 0.0)
         .map(|(k, m)| k / m);
