@@ -77,6 +77,8 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
 /// The steps to equilibrium.
 struct Equilibrium<'a> {
     structure: &'a Structure,
+    massless: Vec<bool>,
+    /// M, and a weight of nodes without mass beside it, which contacts alone may hold, too.
     mass: Symmetric,
     q: f64,
     factor: Factor,
@@ -91,16 +93,22 @@ struct Equilibrium<'a> {
 
 impl<'a> Equilibrium<'a> {
     fn new(structure: &'a Structure) -> Result<Equilibrium<'a>, Unsolvable> {
-        let mass = structure.mass();
+        let mut mass = structure.mass();
+        let massless = structure.massless();
         let stiffened = stiffened(structure);
         let q = match holds(&structure.stiffness, &stiffened) {
             true => 0.0,
             false => first_q(structure, &stiffened),
         };
-        let (factor, columns) = linear(structure, q)?;
+        for node in (0..structure.len()).filter(|node| massless[*node]) {
+            let k = diagonal(&stiffened)[node];
+            mass.add(node, node, if q > 0.0 { k / (LARGE * q) } else { 0.0 });
+        }
+        let (factor, columns) = linear(structure, &mass, q)?;
         let curved = curved(structure, &columns);
         Ok(Equilibrium {
             structure,
+            massless,
             mass,
             q,
             factor,
@@ -134,7 +142,11 @@ impl<'a> Equilibrium<'a> {
             let differences = forces.iter().zip(&self.forces).map(|(a, b)| (a - b).abs());
             let moved = differences.fold(0.0, f64::max);
             let round_off = ROUND_OFF * self.free;
-            let still = largest(&change) <= (TARGET * largest(&self.u)).max(round_off);
+            // Nodes without mass have a place of their own only where contacts press; `balance` finds it.
+            let of_masses = change.iter().zip(&self.massless);
+            let changes = of_masses.filter(|(_, massless)| !**massless);
+            let largest_change = changes.fold(0.0, |most: f64, (x, _)| most.max(x.abs()));
+            let still = largest_change <= (TARGET * largest(&self.u)).max(round_off);
             let reached = still && moved <= TARGET * size;
             if reached && near {
                 return Ok(());
@@ -143,7 +155,7 @@ impl<'a> Equilibrium<'a> {
             if !reached && residual > SLOW * before {
                 self.q *= LESS;
                 let curved = std::mem::replace(&mut self.curved, {
-                    (self.factor, self.columns) = linear(self.structure, self.q)?;
+                    (self.factor, self.columns) = linear(self.structure, &self.mass, self.q)?;
                     curved(self.structure, &self.columns)
                 });
                 self.curved.remember(&curved);
@@ -275,9 +287,9 @@ fn first_q(structure: &Structure, stiffened: &Symmetric) -> f64 {
 }
 
 /// The factor of K + q M, and (K + q M)^-1 B by columns.
-fn linear(structure: &Structure, q: f64) -> Result<(Factor, Vec<Vec<f64>>), Unsolvable> {
+fn linear(structure: &Structure, mass: &Symmetric, q: f64) -> Result<(Factor, Vec<Vec<f64>>), Unsolvable> {
     let mut matrix = structure.stiffness.clone();
-    structure.add_mass(q, &mut matrix);
+    matrix.add_matrix(mass, q);
     let factor = Factor::new(&matrix, &vec![false; structure.len()]);
     let factor = factor.map_err(|why| Unsolvable::NoEquilibrium {
         node: structure.nodes[why.row].name.clone(),
