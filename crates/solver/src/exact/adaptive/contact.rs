@@ -1,7 +1,7 @@
 //! A contact in continuous time.
 
 use crate::contact::{
-    AnyRunningLaw, ContactLaw, ContactResponse, Flexibility, StepFlexibility, Trial,
+    AnyRunningLaw, ContactLaw, ContactResponse, Evolution, Flexibility, StepFlexibility, Trial,
 };
 use crate::lane::Lane;
 
@@ -222,10 +222,14 @@ impl Contact {
         force.abs() + changes[0] + changes[1]
     }
 
-    /// The size of z below which it is round-off of r over the tolerance: the force of an elastic contact for an r as large as its terms.
+    /// The size of z below which it is round-off of r over the tolerance: the force of an elastic contact for an r as large as its terms,
+    /// up to the bound.
     pub fn least_state(&self) -> f64 {
-        let law = self.law.evolution();
-        law.map_or(0.0, |own| own.rate(0.0, 1.0).abs() * self.largest[0])
+        let least = |own: &dyn Evolution| {
+            let elastic = own.rate(0.0, 1.0).abs() * self.largest[0];
+            elastic.min(own.bound())
+        };
+        self.law.evolution().map_or(0.0, least)
     }
 
     /// Takes a state as the last one; returns z there.

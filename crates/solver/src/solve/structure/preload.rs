@@ -287,7 +287,11 @@ fn first_q(structure: &Structure, stiffened: &Symmetric) -> f64 {
 }
 
 /// The factor of K + q M, and (K + q M)^-1 B by columns.
-fn linear(structure: &Structure, mass: &Symmetric, q: f64) -> Result<(Factor, Vec<Vec<f64>>), Unsolvable> {
+fn linear(
+    structure: &Structure,
+    mass: &Symmetric,
+    q: f64,
+) -> Result<(Factor, Vec<Vec<f64>>), Unsolvable> {
     let mut matrix = structure.stiffness.clone();
     matrix.add_matrix(mass, q);
     let factor = Factor::new(&matrix, &vec![false; structure.len()]);

@@ -1,0 +1,182 @@
+//! Starts of the exact motions: the motion by events against the integrated one, closed forms, and forces in equilibrium at t = 0.
+
+use serde_json::{Value as Json, json};
+use slipgap::problem::{Problem, Solution};
+use slipgap::study::{self, Study};
+
+fn read(study: &Json) -> Study {
+    study::parse("study.json", &study.to_string()).unwrap_or_else(|why| panic!("{why}"))
+}
+
+fn solve(study: &Study) -> Solution {
+    let case = study.case(0).unwrap();
+    let solution = study.problem.solve(&case, &study.metrics);
+    solution.unwrap_or_else(|why| panic!("{why}"))
+}
+
+/// A mass on a spring with a contact to the ground or a support, with `more` beside it; its parameters have dt.
+fn oscillator(contact: &Json, more: &Json, dt: f64, metrics: &[&str]) -> Json {
+    let mut study = json!({
+        "problem": "structure", "parameters": {"dt": dt, "duration": 0.4},
+        "structure": {
+            "masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 100}], "contacts": {"c": contact}
+        },
+        "metrics": metrics,
+        "figures": [{"name": "h", "kind": "history", "y": ["m", "c.S"]}]
+    });
+    for (key, value) in more.as_object().unwrap() {
+        study["structure"][key] = value.clone();
+    }
+    study
+}
+
+/// The laws whose motion is known by events, between straight lines.
+fn laws() -> Vec<Json> {
+    vec![
+        json!({"law": "displacement-control", "k": 2000, "limit": 2}),
+        json!({"law": "velocity-control", "c": 30, "limit": 2}),
+        json!({"law": "pendulum", "k": 2000, "nu": 0.1, "N": 20, "R": 1}),
+        json!({"law": "bilinear", "k1": 2000, "Fy": 2, "k2": 100}),
+        json!({"law": "multilinear", "table": {"r": [0.001, 0.004, 0.01], "S": [2, 4, 5]}}),
+        json!({"law": "impact", "k": 3000}),
+        json!({"law": "gap-yield", "k": 3000, "Fy": 3, "hardening": 0.1}),
+        json!({"law": "impact-yield", "k1": 3000, "k2": 500, "delta_y": 0.001}),
+        json!({"law": "restrainer", "slack": 0.005, "k": 3000, "Fy": 3}),
+    ]
+}
+
+#[test]
+fn an_idle_contact_changes_no_exact_motion() {
+    // A contact of Hertz's law makes the exact motion an integrated one; it stays open.
+    let idle = json!({"law": "hertz", "between": ["ground", "m"], "k_h": 1e4, "gap": 5});
+    let starts = [
+        json!({"start": {"m": {"u": -0.01}}}),
+        json!({"start": {"m": {"u": 0.008, "v": 0.3}}}),
+        json!({"start": {"m": {"v": 0.3}}, "static": {"m": 3}}),
+        json!({"static": {"m": 3}, "supports": {"s": {"sine": {"amplitude": 4, "omega": 20, "phase": 1}}}}),
+    ];
+    for law in laws() {
+        for gap in [0.0, 0.004] {
+            for more in &starts {
+                let mut contact = law.clone();
+                let moves = more.get("supports").is_some();
+                contact["between"] = json!([if moves { "s" } else { "ground" }, "m"]);
+                contact["gap"] = json!(gap);
+                let study = |with_idle: bool| {
+                    let mut study = oscillator(&contact, more, 0.002, &["rms_error(m)"]);
+                    if with_idle {
+                        study["structure"]["contacts"]["idle"] = idle.clone();
+                    }
+                    solve(&read(&study)).exact
+                };
+                let [events, integrated] = [study(false), study(true)];
+                for (channel, scale) in [(0, 0.02), (1, 5.0)] {
+                    let pairs = events.channel(channel).iter().zip(integrated.channel(channel));
+                    let error = pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+                    // The integration has 1e-12 a step. A force of a stiffness of 3000 magnifies the error of r, and jumps of the force of
+                    // a law of velocity are none here.
+                    let most = if channel == 0 { 1e-10 } else { 1e-7 };
+                    assert!(error <= most * scale, "{contact} {more} {channel}: {error}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_lugre_contact_that_leaves_its_equilibrium_has_bent_bristles() {
+    // Integrated by the method of Runge and Kutta in the form of the authors: z, not S, is the state, and z(0) is that of the equilibrium
+    // k u + sigma0 z = p with z = u, since the load has bent it from rest, where S = sigma0 z < limit.
+    let [k, c, p, sigma0, sigma1, limit, v0] = [150.0, 0.4, 0.6, 800.0, 40.0, 1.0, -0.5];
+    let contact = json!({"law": "lugre", "between": ["ground", "m"], "sigma0": sigma0, "sigma1": sigma1, "limit": limit});
+    let more = json!({
+        "springs": [{"between": ["ground", "m"], "k": k, "c": c}], "static": {"m": p}, "start": {"m": {"v": v0}}
+    });
+    let metrics = ["rms_error(m)", "rms_error(c.S)"];
+    let dt = 0.4 / 3200.0;
+    let solution = solve(&read(&oscillator(&contact, &more, dt, &metrics)));
+    let u = solution.exact.channel(0);
+    let z0 = (p - k * u[0]) / sigma0;
+    let bristle = |v: f64, z: f64| v - sigma0 * v.abs() * z / limit;
+    let rates = |[u, v, z]: [f64; 3]| {
+        let force = sigma0 * z + sigma1 * bristle(v, z);
+        [v, p - k * u - c * v - force, bristle(v, z)]
+    };
+    let mut state = [u[0], v0, z0];
+    let (inner, mut most) = (8, 0.0_f64);
+    let h = dt / f64::from(inner);
+    for expected in &u[1..] {
+        for _ in 0..inner {
+            let at = |by: f64, rate: [f64; 3]| [0, 1, 2].map(|i| state[i] + by * rate[i]);
+            let first = rates(state);
+            let second = rates(at(0.5 * h, first));
+            let third = rates(at(0.5 * h, second));
+            let fourth = rates(at(h, third));
+            state = [0, 1, 2].map(|i| {
+                state[i] + h / 6.0 * (first[i] + 2.0 * (second[i] + third[i]) + fourth[i])
+            });
+        }
+        most = most.max((state[0] - expected).abs());
+    }
+    // Displacements up to 0.02; at a reversal the method of fourth order has a corner of the rates inside of a step of 1.6e-5.
+    assert!(most < 1e-9, "{most}");
+    // S(0) has the damping of the bristles, in both motions.
+    let force = sigma0 * z0 + sigma1 * bristle(v0, z0);
+    let found = [&solution.computed, &solution.exact].map(|motion| motion.channel(1)[0]);
+    for found in found {
+        assert!((found / force - 1.0).abs() < 1e-12, "{found} {force}");
+    }
+    // Of second order, so that half the step has a quarter of the error.
+    let errors = [dt, 0.5 * dt].map(|dt| {
+        let solution = solve(&read(&oscillator(&contact, &more, dt, &metrics)));
+        solution.metrics[0].unwrap()
+    });
+    assert!((errors[0] / errors[1] - 4.0).abs() < 0.5, "{errors:?}");
+}
+
+#[test]
+fn contacts_in_series_have_one_force_from_the_start() {
+    // Friction that slides at its limit and a spring, pressed at t = 0: the spring has no more than the limit. The place of the node
+    // between them is kept by a spring of 1e-7 of the softer one.
+    let series = |laws: Json| json!({"between": ["ground", "m"], "series": laws});
+    let more = json!({"start": {"m": {"u": -0.02, "v": -0.5}}});
+    let both = [
+        json!([{"law": "dahl", "k": 1182, "limit": 0.6, "exponent": 1.5}, {"law": "impact-spring", "k": 6738}]),
+        json!([{"law": "displacement-control", "k": 900, "limit": 0.6}, {"law": "bilinear", "k1": 2e4, "Fy": 3, "k2": 400}]),
+        json!([{"law": "viscous", "c": 3, "a": 1}, {"law": "impact-spring", "k": 6738}]),
+    ];
+    for laws in both {
+        let mut study = oscillator(&series(laws.clone()), &more, 0.0005, &["energy_error"]);
+        study["figures"][0]["y"] = json!(["c.1.S", "c.2.S"]);
+        let solution = solve(&read(&study));
+        let [first, second] = [0, 1].map(|channel| solution.computed.channel(channel));
+        let largest = first.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
+        for (a, b) in first.iter().zip(second) {
+            assert!((a - b).abs() < 1e-4 * largest, "{laws}: {a} {b}");
+        }
+        // The books begin with the energy of these forces.
+        let energy_error = solution.metrics[0].unwrap();
+        assert!(energy_error < 1e-12, "{laws}: {energy_error}");
+    }
+}
+
+#[test]
+fn a_spring_on_a_contact_without_mass_shares_its_compression() {
+    // k1 k2/(k1 + k2) u = 500 * 0.01 at t = 0, and errors of second order from there on.
+    let contact = json!({"law": "impact-spring", "k": 1000, "between": ["ground", "z"]});
+    let study = |dt: f64| {
+        let more = json!({
+            "masses": {"m": 1, "z": 0}, "start": {"m": {"u": -0.01}},
+            "springs": [{"between": ["ground", "m"], "k": 100}, {"between": ["m", "z"], "k": 1000}]
+        });
+        oscillator(&contact, &more, dt, &["rms_error(m)", "peak(c.S)", "energy_error"])
+    };
+    let errors = [0.002, 0.001, 0.0005].map(|dt| {
+        let metrics = solve(&read(&study(dt))).metrics;
+        // Round-off.
+        assert!((metrics[1].unwrap() - 5.0).abs() < 1e-12, "{metrics:?}");
+        assert!(metrics[2].unwrap() < 1e-12, "{metrics:?}");
+        metrics[0].unwrap()
+    });
+    assert!(errors[2] < 0.3 * errors[1] && errors[1] < 0.4 * errors[0], "{errors:?}");
+}
