@@ -19,7 +19,8 @@ fn oscillator(contact: &Json, more: &Json, dt: f64, metrics: &[&str]) -> Json {
     let mut study = json!({
         "problem": "structure", "parameters": {"dt": dt, "duration": 0.4},
         "structure": {
-            "masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 100}], "contacts": {"c": contact}
+            "masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 100}], "contacts": {"c": contact},
+            "contacts_reference": "softened"
         },
         "metrics": metrics,
         "figures": [{"name": "h", "kind": "history", "y": ["m", "c.S"]}]
@@ -70,12 +71,16 @@ fn an_idle_contact_changes_no_exact_motion() {
                     solve(&read(&study)).exact
                 };
                 let [events, integrated] = [study(false), study(true)];
+                assert_eq!((events.len(), integrated.len()), (201, 201));
                 for (channel, scale) in [(0, 0.02), (1, 5.0)] {
-                    let pairs = events.channel(channel).iter().zip(integrated.channel(channel));
+                    let pairs = events
+                        .channel(channel)
+                        .iter()
+                        .zip(integrated.channel(channel));
                     let error = pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-                    // The integration has 1e-12 a step. A force of a stiffness of 3000 magnifies the error of r, and jumps of the force of
-                    // a law of velocity are none here.
-                    let most = if channel == 0 { 1e-10 } else { 1e-7 };
+                    // The integration has 1e-12 a step, and a static equilibrium 1e-11 of u. A stiffness of 3000 magnifies the error of r
+                    // in S.
+                    let most = if channel == 0 { 1e-9 } else { 1e-7 };
                     assert!(error <= most * scale, "{contact} {more} {channel}: {error}");
                 }
             }
@@ -148,6 +153,11 @@ fn contacts_in_series_have_one_force_from_the_start() {
     for laws in both {
         let mut study = oscillator(&series(laws.clone()), &more, 0.0005, &["energy_error"]);
         study["figures"][0]["y"] = json!(["c.1.S", "c.2.S"]);
+        // No exact motion of these laws is known at nodes without mass.
+        study["structure"]
+            .as_object_mut()
+            .unwrap()
+            .remove("contacts_reference");
         let solution = solve(&read(&study));
         let [first, second] = [0, 1].map(|channel| solution.computed.channel(channel));
         let largest = first.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
@@ -169,7 +179,12 @@ fn a_spring_on_a_contact_without_mass_shares_its_compression() {
             "masses": {"m": 1, "z": 0}, "start": {"m": {"u": -0.01}},
             "springs": [{"between": ["ground", "m"], "k": 100}, {"between": ["m", "z"], "k": 1000}]
         });
-        oscillator(&contact, &more, dt, &["rms_error(m)", "peak(c.S)", "energy_error"])
+        oscillator(
+            &contact,
+            &more,
+            dt,
+            &["rms_error(m)", "peak(c.S)", "energy_error"],
+        )
     };
     let errors = [0.002, 0.001, 0.0005].map(|dt| {
         let metrics = solve(&read(&study(dt))).metrics;
@@ -178,5 +193,8 @@ fn a_spring_on_a_contact_without_mass_shares_its_compression() {
         assert!(metrics[2].unwrap() < 1e-12, "{metrics:?}");
         metrics[0].unwrap()
     });
-    assert!(errors[2] < 0.3 * errors[1] && errors[1] < 0.4 * errors[0], "{errors:?}");
+    assert!(
+        errors[2] < 0.3 * errors[1] && errors[1] < 0.4 * errors[0],
+        "{errors:?}"
+    );
 }
