@@ -24,6 +24,7 @@ mod records;
 mod reduction;
 mod regularised;
 mod spring;
+mod statics;
 mod structures;
 mod structures_exact;
 mod structures_laws;

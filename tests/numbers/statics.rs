@@ -1,0 +1,135 @@
+//! Static equilibria that contacts alone hold, and bodies that rest until an earthquake moves them.
+
+use serde_json::{Value as Json, json};
+use slipgap::problem::{Problem, Solution};
+use slipgap::study::{self, Study};
+
+fn read(study: &Json) -> Study {
+    study::parse("study.json", &study.to_string()).unwrap_or_else(|why| panic!("{why}"))
+}
+
+fn solve(study: &Study, case: u64) -> Solution {
+    let case = study.case(case).unwrap();
+    let solution = study.problem.solve(&case, &study.metrics);
+    solution.unwrap_or_else(|why| panic!("{why}"))
+}
+
+/// A mass of 1 on a spring of 100 under a static load, with these contacts to the ground.
+fn loaded(contacts: &Json, load: f64) -> Study {
+    read(&json!({
+        "problem": "structure", "parameters": {"dt": 0.002, "duration": 0.1},
+        "structure": {
+            "masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 100}], "static": {"m": load},
+            "contacts": contacts
+        },
+        "metrics": ["min(m)", "max(m)"]
+    }))
+}
+
+#[test]
+fn a_damper_has_no_static_force() {
+    for a in [0.1, 0.3, 1.0, 2.0] {
+        let contacts = json!({"c": {"law": "viscous", "between": ["ground", "m"], "c": 5, "a": a}});
+        let metrics = solve(&loaded(&contacts, 1.0), 0).metrics;
+        // u = F/k, and it stays there. Round-off.
+        for u in metrics {
+            assert!((u.unwrap() - 0.01).abs() < 1e-16, "{a} {u:?}");
+        }
+    }
+}
+
+#[test]
+fn friction_that_holds_all_of_the_load_leaves_no_displacement() {
+    let contacts = json!({
+        "c": {"law": "coulomb", "between": ["m", "ground"], "limit": 4.747},
+        "d": {"law": "bouc-wen", "between": ["m", "ground"], "k": 6282, "limit": 1.286}
+    });
+    for u in solve(&loaded(&contacts, -0.156), 0).metrics {
+        // Round-off of F/k = 0.0016.
+        assert!(u.unwrap().abs() < 1e-17, "{u:?}");
+    }
+}
+
+#[test]
+fn a_gap_in_series_that_stays_open_carries_nothing() {
+    let contacts = json!({"c": {"between": ["ground", "m"], "series": [
+        {"law": "impact-spring", "k": 5000, "gap": 0.05}, {"law": "bilinear", "k1": 2000, "Fy": 3, "k2": 100}]}});
+    for u in solve(&loaded(&contacts, 1.0), 0).metrics {
+        // The place of the node between them is kept by 1e-7 of their softer stiffness, 2e-6 of the spring.
+        assert!((u.unwrap() / 0.01 - 1.0).abs() < 1e-5, "{u:?}");
+    }
+}
+
+/// A rigid deck on two bearings at -b and b that only press, with friction by their force, on a soft spring k0 in each direction.
+fn deck(b: f64, k0: f64) -> Study {
+    let matrix = |diagonal: [f64; 4]| {
+        let entries = diagonal.iter().enumerate().filter(|(_, x)| **x != 0.0);
+        let lines: Vec<String> = entries
+            .map(|(i, x)| format!("{} {} {x}", i + 1, i + 1))
+            .collect();
+        format!(
+            "%%MatrixMarket matrix coordinate real symmetric\n4 4 {}\n{}\n",
+            lines.len(),
+            lines.join("\n")
+        )
+    };
+    let bearing = |x: f64| json!({"law": "impact", "along": {"s.d.y": 1, "s.d.rz": x}, "k": 8e5});
+    let slide = |of: &str| {
+        json!({"law": "displacement-control", "along": {"s.d.x": 1, "s.d.rz": 4, "s.cap.x": -1}, "k": 1e5, "nu": 0.3,
+               "N": {"contact": of}})
+    };
+    read(&json!({
+        "problem": "structure", "parameters": {"dt": 0.001, "duration": 0.01},
+        "structure": {
+            "units": "t, kN, m, s",
+            "matrices": {"s": {"M": matrix([600.0, 600.0, 7200.0, 120.0]), "K": matrix([k0, k0, k0, 4e4]),
+                               "dofs": [["d", "x"], ["d", "y"], ["d", "rz"], ["cap", "x"]]}},
+            "contacts": {"left": bearing(-b), "right": bearing(b), "slide_left": slide("left"), "slide_right": slide("right")},
+            "static": {"gravity": -9.81}
+        },
+        "metrics": ["last(left.S)", "last(right.S)"]
+    }))
+}
+
+#[test]
+fn a_deck_rests_on_its_bearings_whatever_their_digits() {
+    for k0 in [0.0, 1e-6, 1.0, 100.0] {
+        for step in 0..30 {
+            let b = 0.5 + 0.1 * f64::from(step);
+            let forces = solve(&deck(b, k0), 0).metrics;
+            // W/2 in each, less what the soft spring carries of it: k0/(2 k).
+            let expected = -600.0 * 9.81 / 2.0 / (1.0 + k0 / 1.6e6);
+            for force in forces {
+                // Steps end at changes of 1e-11; what is left is the sum of smaller ones.
+                let force = force.unwrap();
+                assert!(
+                    (force / expected - 1.0).abs() < 1e-10,
+                    "{k0} {b} {force} {expected}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn bodies_at_rest_have_an_exact_motion_under_an_earthquake() {
+    // Both move alike at first, so that r and rdot between them are round-off of u and v.
+    let study = read(&json!({
+        "problem": "structure",
+        "parameters": {"law": ["dahl", "bouc-wen", "lugre", "viscous", "hertz"], "dt": [0.002, 0.001], "duration": 0.4},
+        "structure": {
+            "units": "t, kN, m, s", "masses": {"a": 1, "b": 2},
+            "springs": [{"between": ["ground", "a"], "k": 150, "c": 0.4}, {"between": ["ground", "b"], "k": 250, "c": 0.5}],
+            "contacts": {"c": {"law": "law", "between": ["a", "b"], "k": 2000, "limit": 2, "sigma0": 2000, "sigma1": 20, "c": 5,
+                               "a": 0.5, "k_h": 1e5}},
+            "ground": {"pulse": {"ricker": {"amplitude": 3, "frequency": 2, "at": 0.3, "sampled": 0.01}}}
+        },
+        "metrics": ["rms_error(a)"]
+    }));
+    let error = |case: u64| solve(&study, case).metrics[0].unwrap();
+    for law in 0..5 {
+        let [coarse, fine] = [2 * law, 2 * law + 1].map(error);
+        // The steps converge to it with the second order.
+        assert!((coarse / fine - 4.0).abs() < 1.5, "{law}: {coarse} {fine}");
+    }
+}
