@@ -1,5 +1,5 @@
 //! The warnings of a study, collected part by part: those of its cases, and checks that are not met. What is a result in some cases
-//! is a warning only if all cases have it.
+//! is a warning only if all cases have it, and else a note or nothing.
 
 use crate::batch::{PartResult, WarnedCases, WarningCounts};
 use crate::checks::{self, ReducedChecks};
@@ -71,7 +71,11 @@ impl<'a> StudyWarnings<'a> {
         }
         let mut all = self.counts.list(self.study, self.cases);
         let solved = self.cases - self.unsolved;
-        all.retain(|own| !own.kind.is_of_all_cases() || own.cases == solved);
+        for own in all.iter_mut().filter(|own| own.kind.is_of_all_cases()) {
+            own.is_note = own.cases != solved;
+        }
+        // Friction that slides in some cases needs no word; how many cases have no contact is always said.
+        all.retain(|own| !own.is_note || own.kind != Warning::NeverSlides);
         all
     }
 }

@@ -22,6 +22,8 @@ pub struct WarnedCases {
     pub parameters: Vec<(String, Value)>,
     /// What it is of in this case, such as a contact; `None` if only the motion says it.
     pub detail: Option<String>,
+    /// Whether it is a note, which is not denied with the warnings.
+    pub is_note: bool,
 }
 
 impl WarnedCases {
@@ -73,7 +75,8 @@ impl WarnedCases {
 
 impl fmt::Display for WarnedCases {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (sentence, word, kind) = (self.sentence(), self.kind.word(), self.kind.name());
+        let word = if self.is_note { "note" } else { "warning" };
+        let (sentence, kind) = (self.sentence(), self.kind.name());
         write!(f, "{sentence} ({word} {kind}; {})", self.example())
     }
 }
@@ -101,6 +104,7 @@ impl WarningCounts {
             cases,
             of,
             case,
+            is_note: kind.is_note(),
             parameters: study
                 .case(case)
                 .map_or(Vec::new(), |own| varying(study, case, &own)),

@@ -68,6 +68,8 @@ fn write_warnings(out: &mut impl Write, sections: &[Section]) -> io::Result<()> 
             let own = warnings.clone().find(|warning| warning.kind == *kind);
             own.map(|own| format!("{} of {} cases", own.cases, own.of))
         };
+        let mut warnings = sections.iter().flat_map(|section| &section.counts.warnings);
+        let is_note = warnings.all(|own| own.kind != *kind || own.is_note);
         let studies = match sections.iter().filter_map(of).count() {
             0 => continue,
             1 => "1 study".to_owned(),
@@ -76,7 +78,7 @@ fn write_warnings(out: &mut impl Write, sections: &[Section]) -> io::Result<()> 
         writeln!(
             out,
             "<details><summary>! {} {} in {studies}: cases {}.</summary>",
-            if kind.is_note() { "Note" } else { "Warning" },
+            if is_note { "Note" } else { "Warning" },
             kind.name(),
             code(&escape(kind.message()))
         )?;

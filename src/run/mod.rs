@@ -81,7 +81,7 @@ pub struct Written {
 impl Written {
     /// Whether there is a warning that is not a note.
     pub fn has_warnings(&self) -> bool {
-        self.warnings.iter().any(|warning| !warning.kind.is_note())
+        self.warnings.iter().any(|warning| !warning.is_note)
     }
 
     /// The paths, one in each line.

@@ -198,7 +198,8 @@ fn a_small_study_with_more_values_computes_only_the_new_cases() {
             "s: {kept} of {cases} cases from the store, {} cases run: different parameters\n",
             cases - kept
         );
-        assert!(kept == 0 || output == expected, "{output}");
+        // A warning of bars that still touch may follow.
+        assert!(kept == 0 || output.starts_with(&expected), "{output}");
         let new = Bench::new();
         new.file("s.json", &text);
         run(&new);

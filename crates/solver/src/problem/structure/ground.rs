@@ -1,5 +1,6 @@
 //! The acceleration of the ground in a case, for response spectra.
 
+use super::computed_ground::{Steps, measured};
 use super::describe::short;
 use super::loads::Kind;
 use super::template::{Scaled, Template};
@@ -24,8 +25,9 @@ const POINTS: f64 = 400.0;
 /// Most points of a sine.
 const MOST: f64 = 1e6;
 
-/// The recorded and changed motions of the ground in a case, one line each: the file, the factor of its strength, and its measures.
-pub fn described(template: &Template, case: &Case) -> String {
+/// The recorded and changed motions of the ground in a case, one line each: the file, the factor of its strength, and the measures of
+/// its computed part.
+pub fn described(template: &Template, case: &Case, steps: Steps) -> String {
     let line = |(direction, ground): &(Direction, Scaled)| {
         let file = match ground.source.kind() {
             Kind::Record { name, .. } => format!(" {},", name.name(case)),
@@ -33,7 +35,7 @@ pub fn described(template: &Template, case: &Case) -> String {
             _ => String::new(),
         };
         let (_, factor) = ground.in_case(case, template.metre).ok()?;
-        let measure = |measure| ground.measure(measure, case, template.metre).ok()?;
+        let measure = |measure| measured(ground, measure, case, template.metre, steps);
         let pga = measure(Measure::PeakAcceleration)?;
         let pgv = measure(Measure::PeakVelocity)?;
         let duration = measure(Measure::Duration)?;

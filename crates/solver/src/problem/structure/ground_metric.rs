@@ -1,6 +1,7 @@
 //! Intensity measures of the ground as metrics, such as `ground.pga` or `ground.y.Sa(T, 0.05)`.
 
 use super::amount::Amount;
+use super::computed_ground::{self, Steps};
 use super::metric::Reduction;
 use super::scale_to::RATIO;
 use super::template::{Scaled, Template};
@@ -116,10 +117,16 @@ impl GroundMetric {
         Ok(Some(measure))
     }
 
-    /// Its value in a case; none if the motion has no such measure.
-    pub fn value(&self, reduction: Reduction, template: &Template, case: &Case) -> Option<f64> {
+    /// Its value in a case, for the accelerations at its steps; none if they have no such measure.
+    pub fn value(
+        &self,
+        reduction: Reduction,
+        template: &Template,
+        case: &Case,
+        steps: Steps,
+    ) -> Option<f64> {
         let measure = self.measure(reduction, case).ok()??;
         let scaled = self.of(template).ok()?;
-        scaled.measure(measure, case, template.metre).ok()?
+        computed_ground::measured(scaled, measure, case, template.metre, steps)
     }
 }

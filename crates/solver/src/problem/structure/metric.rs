@@ -89,12 +89,12 @@ reductions! {
     SpragueGeersCombined "sprague_geers_combined" MeasuredChannel "sqrt(M^2 + P^2) of sprague_geers_magnitude and sprague_geers_phase",
     EnergyPerCycle "energy_per_cycle" ContactOrMeasured "mean over the whole cycles of the integral of S dr; a cycle begins where r rises through the middle of its extremes after it was clearly below it; empty without a whole cycle",
     LoopDistance "loop_distance" MeasuredLoop "distance of the computed loop of two channels from the measured one, whatever the time: each over half its measured range, then the larger of the mean distances from the points of one loop to the lines of the other",
-    GroundPga "ground.pga" Ground "largest acceleration of the ground as the structure gets it",
+    GroundPga "ground.pga" Ground "largest acceleration of the ground at the steps, as the structure gets it: all measures of `ground` are of the part that is computed",
     GroundPgv "ground.pgv" Ground "largest velocity of the ground: its acceleration, straight between the points, integrated from rest; also between the points",
     GroundPgd "ground.pgd" Ground "largest displacement of the ground: its acceleration integrated twice from rest; a baseline changes it much",
     GroundArias "ground.arias" Ground "Arias intensity, pi/(2 g) times the integral of a^2 by trapezoids",
     GroundDuration "ground.d5_95" Ground "time from 5 to 95 % of the Arias intensity",
-    GroundSpectral "ground.Sa" GroundAndOscillator "(2 pi/T)^2 times the largest displacement of an oscillator on the ground: ground.Sa(T, ratio), ratio 0.05 if left out; exact for straight lines, also between the points",
+    GroundSpectral "ground.Sa" GroundAndOscillator "(2 pi/T)^2 times the largest displacement of an oscillator on the ground: ground.Sa(T, ratio), ratio 0.05 if left out; exact for straight lines between the steps",
     GroundMeanPeriod "ground.Tm" Ground "mean of 1/f weighted by the squared Fourier amplitudes from 0.25 to 20 Hz (Rathje et al. 1998)",
 }
 

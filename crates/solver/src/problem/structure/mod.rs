@@ -4,6 +4,7 @@ pub mod amount;
 mod assemble;
 pub mod channel;
 mod columns;
+mod computed_ground;
 pub mod contact_duration;
 pub mod contacts;
 mod damping;
@@ -131,6 +132,13 @@ impl StructureProblem {
             balance(&mut structure, dt)?;
         }
         Ok((structure, numbering))
+    }
+
+    /// The steps of a case.
+    fn computed_steps(&self, case: &Case) -> Option<computed_ground::Steps> {
+        let dt = case.at(self.schema.step)?;
+        let last = usize::try_from(self.steps(case)).ok()?;
+        Some(computed_ground::Steps { dt, last })
     }
 
     /// Why a structure has no modes for its modal damping.
@@ -435,7 +443,7 @@ impl Problem for StructureProblem {
         let units = &self.template.units;
         let mut text = describe::describe(&structure, &models, times, units, &restitutions);
         text += &channel::listed(&self.template, numbering.elements());
-        text += &ground::described(&self.template, case);
+        text += &ground::described(&self.template, case, self.computed_steps(case)?);
         text += &reduce::described(&self.template, case, describe::short);
         let dt = case.at(self.schema.step)?;
         if let Some(measured) = &self.template.measured

@@ -3,6 +3,7 @@
 use super::StructureProblem;
 use super::assemble::{self, Model};
 use super::channel::Number;
+use super::computed_ground::Steps;
 use super::metric::{Reduction, StructureMetric};
 use super::metric_values::{self, MetricContext, Motions, Recorded};
 use super::motion::{self, Recording, Run};
@@ -261,7 +262,13 @@ impl StructureProblem {
             impulses: method.has_impulses(),
         };
         let value = |metric: &StructureMetric| match &metric.ground {
-            Some(ground) => ground.value(metric.reduction, &self.template, &ready.case),
+            Some(ground) => {
+                let steps = Steps {
+                    dt: ready.dt,
+                    last: ready.last as usize,
+                };
+                ground.value(metric.reduction, &self.template, &ready.case, steps)
+            }
             None => metric_values::value(metric, of, &motions).filter(|x| x.is_finite()),
         };
         let values = self.metrics.iter().map(value).collect();

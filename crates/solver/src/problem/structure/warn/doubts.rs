@@ -1,7 +1,7 @@
 //! The warnings of a case that need no motion.
 
-use super::super::StructureProblem;
 use super::super::node::Numbering;
+use super::super::{StructureProblem, computed_ground};
 use super::masses::Masses;
 use super::{given, matrices, restitution};
 use crate::problem::Case;
@@ -29,6 +29,8 @@ impl StructureProblem {
             matrices::periods(template, structure),
             given::idle_gravity(template, case),
             given::wave_speed(template, case),
+            self.computed_steps(case)
+                .and_then(|steps| computed_ground::cut(template, case, steps)),
             restitution::missed(template, case, structure),
         ]
         .into_iter()
