@@ -135,7 +135,12 @@ const SOLVED: u64 = 100_000_000;
 fn warnings(study: &Study, case: &Case) -> String {
     let doubts = study.problem.doubts(case);
     let line = |kind: Warning| {
-        let mut text = format!("{}: {}: cases {}", if kind.is_note() { "note" } else { "warning" }, kind.name(), kind.message());
+        let mut text = format!(
+            "{}: {}: cases {}",
+            if kind.is_note() { "note" } else { "warning" },
+            kind.name(),
+            kind.message()
+        );
         if let Some((_, detail)) = doubts.iter().find(|doubt| doubt.0 == kind) {
             text += &format!("; {detail}");
         }

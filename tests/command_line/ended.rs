@@ -144,6 +144,14 @@ fn files_of_the_user_remain_and_links_are_not_followed() {
     for name in ["results.csv", "failures.csv.partial"] {
         symlink(bench.path("mine"), bench.path(&format!("figures/s/{name}"))).unwrap();
     }
+    // A link is neither followed nor replaced.
+    let done = bench.expect(1, &["run", "s.json"]);
+    assert!(
+        done.err.contains("figures/s/results.csv: there is a link"),
+        "{done:?}"
+    );
+    assert_eq!(bench.text("mine"), "mine");
+    fs::remove_file(bench.path("figures/s/results.csv")).unwrap();
     bench.expect(0, &["run", "s.json"]);
     assert_eq!(bench.text("mine"), "mine");
     for name in own {

@@ -217,7 +217,7 @@ fn a_small_study_with_more_values_computes_only_the_new_cases() {
         "s.json",
         study("[2, 1, 0.3, 0.4, 0.5]", "[8, 1, 2, 4, 5, 6, 7]"),
     );
-    assert_eq!(run(&bench), "s: 70 of 70 cases from the store\n");
+    assert!(run(&bench).starts_with("s: 70 of 70 cases from the store\n"));
     same_rows(&bench, 70);
     // The cases of a damaged part are not used.
     let [name] = &parts(&bench)[..] else {

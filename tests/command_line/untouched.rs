@@ -55,7 +55,10 @@ fn cases_are_counted_also_without_tables_and_figures() {
     let done = bench.expect(0, &["run", "many.json", "all.json", "--format", "parquet"]);
     let note = "many.json: 10201 of 20401 cases have no contact before `duration`";
     assert!(done.err.contains(note), "{done:?}");
-    let mut of_all = done.err.lines().filter(|line| line.starts_with("all.json:"));
+    let mut of_all = done
+        .err
+        .lines()
+        .filter(|line| line.starts_with("all.json:"));
     assert!(of_all.all(|line| !line.contains("no contact")), "{done:?}");
     for (name, count) in [("many", 10_201), ("all", 0)] {
         let manifest = bench.text(&format!("figures/{name}/manifest.json"));

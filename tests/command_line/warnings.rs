@@ -24,12 +24,15 @@ impl Bench {
             (kind, number("cases"), number("case"))
         });
         let kinds: Vec<_> = lines.collect();
+        // How many cases have no contact is always said; it is a note if they are not all.
+        let notes = done.err.contains("(note no-contact");
         assert_eq!(
             done.err.matches("(warning ").count() + done.err.matches("(note ").count(),
             kinds.len(),
             "{done:?}"
         );
-        kinds
+        let is_note = |kind: &(String, u64, u64)| notes && kind.0 == "no-contact";
+        kinds.into_iter().filter(|kind| !is_note(kind)).collect()
     }
 }
 
@@ -361,7 +364,7 @@ fn a_motion_that_ends_before_the_shaking_is_no_earthquake() {
     // Before the shaking, and by steps that pass over it.
     assert!(cut(&bench.kinds(&study(0.01, 5.0))));
     assert!(bench.text("figures/s/results.csv").contains(",0.01,"));
-    assert!(cut(&bench.kinds(&study(0.9, 9.9))));
+    assert!(cut(&bench.kinds(&study(1.1, 9.9))));
     bench.file("s.json", &study(0.01, 5.0));
     let explained = bench.expect(0, &["explain", "s.json"]);
     assert!(

@@ -1,7 +1,7 @@
 //! Starts of the exact motions: the motion by events against the integrated one, closed forms, and forces in equilibrium at t = 0.
 
 use serde_json::{Value as Json, json};
-use slipgap::problem::{Problem, Solution};
+use slipgap::problem::Solution;
 use slipgap::study::{self, Study};
 
 fn read(study: &Json) -> Study {

@@ -1,7 +1,7 @@
 //! Static equilibria that contacts alone hold, and bodies that rest until an earthquake moves them.
 
 use serde_json::{Value as Json, json};
-use slipgap::problem::{Problem, Solution};
+use slipgap::problem::Solution;
 use slipgap::study::{self, Study};
 
 fn read(study: &Json) -> Study {

@@ -67,6 +67,7 @@ impl AtomicFile {
     }
 
     fn new(path: &Path) -> Result<AtomicFile, Error> {
+        refuse_others(path).map_err(Error::io("cannot write", path))?;
         let folder = path.parent().unwrap_or(Path::new("."));
         let file = new_temporary(folder).map_err(Error::io("cannot write", path))?;
         let temporary = file.path().to_owned();
@@ -127,6 +128,26 @@ impl Drop for AtomicFile {
             drop(file);
         }
         temporary_files().remove(&self.temporary);
+    }
+}
+
+/// What is at the path must be a file or absent: a device, a FIFO or a link would be replaced.
+fn refuse_others(path: &Path) -> io::Result<()> {
+    match fs::symlink_metadata(path) {
+        Ok(found) if !found.is_file() => {
+            let kind = if found.is_symlink() {
+                "a link"
+            } else if found.is_dir() {
+                "a folder"
+            } else {
+                "a device or pipe"
+            };
+            let why = format!(
+                "there is {kind}, which is not replaced; give the path of a file or a new one"
+            );
+            Err(io::Error::new(io::ErrorKind::AlreadyExists, why))
+        }
+        _ => Ok(()),
     }
 }
 
@@ -268,14 +289,15 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn links_are_not_followed() {
+    fn links_are_neither_followed_nor_replaced() {
         let folder = tempfile::tempdir().unwrap();
         let (target, link) = (folder.path().join("target"), folder.path().join("a.csv"));
         fs::write(&target, "target").unwrap();
         std::os::unix::fs::symlink(&target, &link).unwrap();
-        write_atomically(&link, |out| out.write_all(b"new")).unwrap();
+        let why = write_atomically(&link, |out| out.write_all(b"new")).unwrap_err();
+        assert!(why.to_string().contains("there is a link"), "{why}");
         assert_eq!(fs::read(&target).unwrap(), b"target");
-        assert_eq!(fs::read(&link).unwrap(), b"new");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         // `remove_leftovers` does not follow links either.
         let leftover = folder.path().join(".slipgap-0123456789aB.partial");
         std::os::unix::fs::symlink(&target, &leftover).unwrap();

@@ -8,7 +8,8 @@ use crate::problem::Case;
 use crate::solve::Warning;
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::loads::measures::Measure;
-use crate::system::structure::Table;
+use crate::system::structure::{Signal, Table};
+use std::f64::consts::PI;
 
 /// Share of the peak, of the Arias intensity and of the target of a motion that is to be computed.
 const ENOUGH: f64 = 0.95;
@@ -44,23 +45,24 @@ pub fn measured(
     )
 }
 
-/// A recorded or synthetic motion of which too little is computed.
+/// A recorded motion of which too little is computed.
 pub fn cut(template: &Template, case: &Case, steps: Steps) -> Option<(Warning, String)> {
     let metre = template.metre;
     let ground = template.ground.iter();
-    let ground =
-        ground.map(|(direction, motion)| (format!("ground in {}", direction.name()), motion));
+    let ground = ground.map(|own| (format!("ground in {}", own.0.name()), &own.1));
     let supports = template.supports.iter();
     let supports = supports
         .filter_map(|own| Some((format!("support {}", own.full_name()), own.acceleration()?)));
     ground.chain(supports).find_map(|(name, motion)| {
-        if !matches!(
-            motion.source.kind(),
-            Kind::Record { .. } | Kind::Synthetic { .. }
-        ) {
+        if !matches!(motion.source.kind(), Kind::Record { .. }) {
             return None;
         }
-        let computed = at_steps(motion, case, metre, steps)?;
+        let (signal, scale) = motion.in_case(case, metre).ok()?;
+        let Signal::Table(table) = &*signal else {
+            return None;
+        };
+        let whole = table.clone().scaled(scale)?;
+        let part = at_steps(motion, case, metre, steps)?;
         let target = match motion.shape.scale_to.as_ref().map(|own| &own.goal) {
             Some(Goal::Spectral { period, ratio, .. }) => Some(Measure::Spectral {
                 period: period.value(case).ok()?,
@@ -70,20 +72,31 @@ pub fn cut(template: &Template, case: &Case, steps: Steps) -> Option<(Warning, S
             }),
             _ => None,
         };
+        let of = |measure: Measure, table: &Table| measure.of(table, STANDARD_GRAVITY / metre);
+        let peak = |table: &Table| of(Measure::PeakAcceleration, table);
         let all = [
-            ("pga", Some(Measure::PeakAcceleration)),
-            ("Arias intensity", Some(Measure::Arias)),
-            ("Sa", target),
+            ("pga", [&whole, &part].map(peak)),
+            (
+                "Arias intensity",
+                [&whole, &part]
+                    .map(|own| Some(intensity(own) * PI / 2.0 / STANDARD_GRAVITY * metre)),
+            ),
+            ("Sa", [&whole, &part].map(|own| of(target?, own))),
         ];
-        let parts = all.iter().filter_map(|(what, measure)| {
-            let measure = (*measure)?;
-            let whole = motion.measure(measure, case, metre).ok()??;
-            let part = measure
-                .of(&computed, STANDARD_GRAVITY / metre)
-                .unwrap_or(0.0);
+        let parts = all.iter().filter_map(|(what, [whole, part])| {
+            let (whole, part) = ((*whole)?, part.unwrap_or(0.0));
             (part < ENOUGH * whole).then(|| format!("{what} {} of {}", short(part), short(whole)))
         });
         let parts: Vec<String> = parts.collect();
         (!parts.is_empty()).then(|| (Warning::MotionCut, format!("{name}: {}", parts.join(", "))))
     })
+}
+
+/// The integral of the square of straight lines, which does not depend on how many points a line has.
+fn intensity(table: &Table) -> f64 {
+    let (t, a) = (table.times(), table.values());
+    let squares = |i: usize| a[i - 1] * a[i - 1] + a[i - 1] * a[i] + a[i] * a[i];
+    (1..t.len())
+        .map(|i| (t[i] - t[i - 1]) * squares(i) / 3.0)
+        .sum()
 }
