@@ -229,7 +229,7 @@ fn a_small_study_with_more_values_computes_only_the_new_cases() {
     fs::write(&path, damaged).unwrap();
     let output = run(&bench);
     assert!(
-        output.starts_with("s: 70 cases run: ") && output.ends_with(" is damaged\n"),
+        output.starts_with("s: 70 cases run: ") && output.contains(" is damaged\n"),
         "{output}"
     );
 }
