@@ -347,7 +347,7 @@ fn a_motion_that_ends_before_the_shaking_is_no_earthquake() {
     // Up to 8 s 0.01, then 3 for half a second: a record of 10 s.
     let value = |i: u32| if (800..850).contains(&i) { 3.0 } else { 0.01 };
     let rows = (0..1000).map(|i| format!("{},{}\n", f64::from(i) / 100.0, value(i)));
-    bench.file("quake.csv", &format!("t,a\n{}", rows.collect::<String>()));
+    bench.file("quake.csv", format!("t,a\n{}", rows.collect::<String>()));
     let study = |dt: f64, duration: f64| {
         let ground = r#", "ground": {"record": "quake.csv", "unit": "m/s2"}"#;
         let parameters = format!(r#""dt": {dt}, "duration": {duration}"#);
@@ -365,7 +365,7 @@ fn a_motion_that_ends_before_the_shaking_is_no_earthquake() {
     assert!(cut(&bench.kinds(&study(0.01, 5.0))));
     assert!(bench.text("figures/s/results.csv").contains(",0.01,"));
     assert!(cut(&bench.kinds(&study(1.1, 9.9))));
-    bench.file("s.json", &study(0.01, 5.0));
+    bench.file("s.json", study(0.01, 5.0));
     let explained = bench.expect(0, &["explain", "s.json"]);
     assert!(
         explained.out.contains("pga 0.01 of 3") || explained.err.contains("pga 0.01 of 3"),
