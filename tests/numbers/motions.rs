@@ -431,8 +431,8 @@ fn measures_of_the_ground_are_those_of_an_independent_program() {
             (own[6], sa(0, 0.2), 1e-9),
             (own[7], sa(2, 1.0), 1e-9),
         ] {
-            // Steps are at the points up to the round-off of their times, on slopes of some 100 m/s3.
-            near(own.unwrap(), expected, f64::max(tolerance, 1e-8));
+            // The points of some records are at times that dt gives to some 1e-9 only, and displacements are double sums.
+            near(own.unwrap(), expected, f64::max(tolerance, 1e-6));
         }
     }
 }
