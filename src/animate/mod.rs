@@ -53,6 +53,9 @@ pub fn animate(study: &Study, name: &str, shown: &Shown) -> Result<String, Error
         if let Some(broken) = Violation::all(&study.violations(number)) {
             return Err(unsolved(broken));
         }
+        if let Some(fault) = study.problem.history_fault(&case) {
+            return Err(unsolved(format!("{} {}", fault.parameter, fault.message)));
+        }
         let solution = batch::solution(study, &case).map_err(|why| unsolved(why.to_string()))?;
         solved.push((number, case, solution));
     }

@@ -91,6 +91,21 @@ impl Written {
     }
 }
 
+/// Refuses whole histories that do not fit in memory, before any work.
+fn check_histories(source: &Source) -> Result<(), Error> {
+    let study = &source.study;
+    let mut cases = study.range(0, study.raw_len());
+    let fault =
+        cases.find_map(|(number, case)| Some((number, study.problem.history_fault(&case)?)));
+    fault.map_or(Ok(()), |(number, fault)| {
+        let what = format!(
+            "case {number}: {} {}; run it without --histories",
+            fault.parameter, fault.message
+        );
+        Err(Error::Usage(source.line(&what)))
+    })
+}
+
 /// Runs a study into its folder. Cases in the store are not computed again.
 ///
 /// # Errors
@@ -104,6 +119,9 @@ pub fn run_study(
 ) -> Result<Written, Error> {
     let study = &source.study;
     let cases = study.len();
+    if output.histories {
+        check_histories(source)?;
+    }
     let histories_of = if output.histories { cases } else { 0 };
     folder.begin(study, &source.file, histories_of)?;
     let (bar, work) = observer.begin_cases(source);

@@ -93,3 +93,61 @@ fn combinations_that_are_not_tested_are_counted_as_at_most() {
         "{last}"
     );
 }
+
+/// A bar with so many elements.
+fn bar(elements: u32, dt: &str, more: &str) -> String {
+    format!(
+        r#"{{"problem": "structure", "parameters": {{"dt": {dt}, "duration": 1}}, "structure": {{
+            "bars": {{"b": {{"L": 1, "EA": 1, "mass": 1, "n": {elements}}}}},
+            "springs": [{{"between": ["ground", "b.left"], "k": 1}}], "start": {{"b": {{"v": 1}}}}}}{more}}}"#
+    )
+}
+
+#[test]
+fn memory_is_counted_for_what_is_kept() {
+    let bench = Bench::new();
+    // 4e8 numbers of a whole history; the metric keeps 1e4.
+    bench.file(
+        "s.json",
+        bar(19_999, "1e-4", r#", "metrics": ["last(b.left)"]"#),
+    );
+    bench.expect(0, &["check", "s.json"]);
+    let why = "s.json: case 0: dt gives 1.000e4 steps of 40000 numbers in the whole history, at most 2.68e8 numbers fit in memory; \
+               run it without --histories";
+    for args in [
+        &["run", "s.json", "--histories"][..],
+        &["animate", "s.json"][..],
+    ] {
+        let err = bench.expect(2, args).err;
+        let what = match args[0] {
+            "run" => why,
+            _ => {
+                "case 0 cannot be solved: dt gives 1.000e4 steps of 40000 numbers in the whole history"
+            }
+        };
+        assert!(err.contains(what), "{err}");
+    }
+    // Metrics of many nodes.
+    let metrics: Vec<String> = (1..400).map(|i| format!("\"last(b.{i})\"")).collect();
+    let metrics = format!(", \"metrics\": [{}]", metrics.join(", "));
+    bench.file("s.json", bar(19_999, "1e-6", &metrics));
+    let err = bench.expect(2, &["check", "s.json"]).err;
+    let what = "dt: gives 1.000e6 steps of 399 numbers in the metrics and figures, at most 2.68e8 numbers fit in memory";
+    assert!(err.contains(what), "{err}");
+}
+
+#[test]
+fn so_many_contacts_that_no_memory_holds_their_matrices() {
+    let bench = Bench::new();
+    let contacts = r#""contacts": {"face": {"law": "impact", "pairs": "face.csv", "gap": 1, "k": 1}}, "start""#;
+    bench.file("s.json", bar(3, "0.1", "").replace("\"start\"", contacts));
+    let lines: Vec<String> = (0..20_000).map(|i| format!("c{i},b.left:1\n")).collect();
+    bench.file("face.csv", format!("name,dof\n{}", lines.concat()));
+    for verb in ["check", "run", "explain"] {
+        let err = bench.expect(2, &[verb, "s.json"]).err;
+        // 8 * 4.5 * 20000^2 bytes.
+        let what = "structure.contacts.face: 20000 contacts, at most 7723 are allowed: the forces of all contacts of a step are found \
+                    together, which needs about 14.4 GB";
+        assert!(err.starts_with("s.json:") && err.contains(what), "{err}");
+    }
+}

@@ -23,6 +23,7 @@ mod recommend_laws;
 mod records;
 mod reduction;
 mod regularised;
+mod series;
 mod spring;
 mod statics;
 mod structures;

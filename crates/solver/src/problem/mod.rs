@@ -99,6 +99,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
         None
     }
+    /// Why the whole history of a completed case does not fit in memory; `None` if it does. Its metrics and figures may need less.
+    fn history_fault(&self, _case: &Case) -> Option<Violation> {
+        None
+    }
     /// The columns of the history of a completed case, after the time.
     fn history_columns(&self, _case: &Case) -> Vec<HistoryColumn> {
         let channels = self.schema().channels.iter().enumerate();

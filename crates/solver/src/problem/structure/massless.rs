@@ -1,15 +1,17 @@
 //! Nodes without mass: what holds them, where they are at t = 0, and the contacts that they may have.
 
+use super::independent::IndependentRows;
 use crate::methods::Method;
 use crate::system::structure::factor::{Factor, NotPositive};
-use crate::system::structure::{Contact, Structure, StructureLaw};
+use crate::system::structure::{Along, Contact, Structure, StructureLaw};
 
 /// Stiffness of the spring that keeps the place of a node which only contacts hold, over the smallest stiffness of these contacts.
 /// It changes their forces by about this part, and the round-off of the forces grows by its inverse.
 const KEEPS_PLACE: f64 = 1e-7;
 
-/// Gives each node without mass that only contacts hold a weak spring parallel to its softest contact: while all of its contacts are
-/// open or slide, no equation says where it is.
+/// Gives the nodes without mass that only contacts hold weak springs parallel to their softest contacts: while all of its contacts are
+/// open or slide, no equation says where such a node is. The springs are independent, so that they hold nodes with a common softest
+/// contact, too: two nodes between three laws in series need two springs.
 pub fn hold(structure: &mut Structure) {
     if structure.has_mass_everywhere() {
         return;
@@ -17,17 +19,29 @@ pub fn hold(structure: &mut Structure) {
     // Supports come after the nodes.
     let is_held = structure.stiffness.nonzero_rows();
     let mass = |node: usize| structure.nodes[node].mass;
-    let alone = |node: &usize| mass(*node) == 0.0 && !is_held[*node];
-    let mut springs = Vec::new();
-    for node in (0..structure.len()).filter(alone) {
-        let own = structure.contacts.iter().filter_map(|contact| {
-            contact.along.iter().find(|(at, _)| *at == node)?;
-            Some((stiffness(contact)?, &contact.along))
-        });
-        let softest = own.min_by(|(a, _), (b, _)| a.total_cmp(b));
-        springs.extend(softest.map(|(k, along)| (KEEPS_PLACE * k, along.clone())));
+    let nodes = 0..structure.len();
+    let is_alone: Vec<bool> = nodes.map(|i| mass(i) == 0.0 && !is_held[i]).collect();
+    let mut contacts: Vec<(f64, &Along)> = structure
+        .contacts
+        .iter()
+        .filter(|contact| contact.along.iter().any(|(node, _)| is_alone[*node]))
+        .filter_map(|contact| Some((stiffness(contact)?, &contact.along)))
+        .collect();
+    // In the order of the contacts, but for choosing.
+    let mut softest_first: Vec<usize> = (0..contacts.len()).collect();
+    softest_first.sort_by(|i, j| contacts[*i].0.total_cmp(&contacts[*j].0));
+    let mut chosen = vec![false; contacts.len()];
+    let mut rows = IndependentRows::default();
+    for i in softest_first {
+        let own = contacts[i].1.iter().filter(|(node, _)| is_alone[*node]);
+        chosen[i] = rows.add(own.copied());
     }
-    for (k, along) in springs {
+    let mut chosen = chosen.into_iter();
+    contacts.retain(|_| chosen.next() == Some(true));
+    let springs = contacts
+        .into_iter()
+        .map(|(k, along)| (KEEPS_PLACE * k, along.clone()));
+    for (k, along) in springs.collect::<Vec<_>>() {
         structure.stiffness.add_along(&along, k);
     }
 }

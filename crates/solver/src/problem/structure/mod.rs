@@ -14,10 +14,12 @@ mod diverge;
 mod friction_limits;
 mod ground;
 pub mod ground_metric;
+mod independent;
 pub mod loads;
 mod massless;
 pub mod measured;
 mod measured_metrics;
+mod memory;
 pub mod metric;
 pub mod metric_pieces;
 mod metric_text;
@@ -81,9 +83,6 @@ pub struct StructureProblem {
     identity: String,
     notes: Vec<String>,
 }
-
-/// Most numbers of a history: 2 GiB.
-const MOST_NUMBERS: f64 = 268_435_456.0;
 
 impl StructureProblem {
     /// The problem of a template with these tables. `identity` is different for different structures and records; `notes` say what
@@ -265,17 +264,9 @@ impl Problem for StructureProblem {
                 violations.extend(self.check_channels(&numbering, case));
                 violations.extend(self.check_measures(case));
                 violations.extend(self.check_measured(case));
-                let contacts = self.template.contacts.len();
-                let numbers = (2 * numbering.nodes() + 3 * contacts) as f64;
-                let steps = duration / step;
-                if violations.is_empty() && steps * numbers > MOST_NUMBERS {
-                    violations.push(Violation {
-                        parameter: "dt".into(),
-                        message: format!(
-                            "gives {steps:.3e} steps of {numbers} numbers, at most {MOST_NUMBERS:.2e} numbers fit in memory"
-                        ),
-                        at: None,
-                    });
+                violations.extend(self.check_contacts());
+                if violations.is_empty() {
+                    violations.extend(self.check_memory(&numbering, duration / step));
                 }
                 if violations.is_empty() {
                     violations.extend(self.ignored_restitutions(case));
@@ -298,7 +289,11 @@ impl Problem for StructureProblem {
 
     fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let ready = self.ready(0, case)?;
-        let all = all_numbers(&ready.structure);
+        // A whole history that does not fit is refused where one is asked for; figures need their own channels.
+        let all = match self.check_history(case) {
+            None => all_numbers(&ready.structure),
+            Some(_) => Vec::new(),
+        };
         let drawn = self.drawn_numbers(&ready.numbering);
         let recorded = distinct(drawn.into_iter().chain(all.iter().copied()));
         let (motions, metrics, warnings) = self.solve_ready(&ready, &recorded)?;
@@ -352,6 +347,10 @@ impl Problem for StructureProblem {
             time: times.to_vec(),
             channels: self.history(&exact, &numbering, &[]),
         })
+    }
+
+    fn history_fault(&self, case: &Case) -> Option<Violation> {
+        self.check_history(case)
     }
 
     fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {

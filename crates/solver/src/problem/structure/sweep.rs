@@ -121,6 +121,17 @@ fn solve(
     cases: &[Ready],
     table: &mut MetricTable,
 ) {
+    let alone = |ready: &Ready| {
+        let numbers = problem.numbers(&ready.numbering, |_| true);
+        !problem.fits_side_by_side(ready, numbers.len())
+    };
+    // Cases of a group have equal numbers of steps and contacts.
+    if cases.first().is_some_and(alone) {
+        for case in cases {
+            solve_lanes(problem, prepared, [case], 1, table);
+        }
+        return;
+    }
     let (lanes, rest) = cases.as_chunks::<LANES>();
     for cases in lanes {
         solve_lanes(problem, prepared, cases.each_ref(), LANES, table);

@@ -34,8 +34,8 @@ pub fn spring_mass(template: &Template, case: &Case, masses: &Masses) -> Option<
         let own = mass.value(case).ok()?;
         let [low, _, high] = masses.along(&spring.along, case)?;
         let fits = ((1.0 - ROUNDED) * low..=(1.0 + ROUNDED) * high).contains(&own);
-        let text = format!("{} is {}, {}", mass.path, short(own), between([low, high]));
-        (!fits).then_some((Warning::SpringMass, text))
+        let text = || format!("{} is {}, {}", mass.path, short(own), between([low, high]));
+        (!fits).then(|| (Warning::SpringMass, text()))
     })
 }
 
@@ -85,8 +85,8 @@ pub fn colliding_mass(template: &Template, case: &Case, masses: &Masses) -> Opti
         let own = mass.value(case).ok()?;
         let [low, high, _] = masses.along(&contact.along, case)?;
         let fits = (low / FAR..=high * FAR).contains(&own);
-        let text = format!("{} is {}, {}", mass.path, short(own), between([low, high]));
-        (!fits).then_some((Warning::CollidingMass, text))
+        let text = || format!("{} is {}, {}", mass.path, short(own), between([low, high]));
+        (!fits).then(|| (Warning::CollidingMass, text()))
     })
 }
 
@@ -100,8 +100,8 @@ pub fn idle_gravity(template: &Template, case: &Case) -> Option<Doubt> {
     template.at_rest.iter().find_map(|load| match load {
         StaticLoad::Gravity(direction, amount) => {
             let acts = amount.value(case).is_ok_and(|own| own != 0.0);
-            let text = format!("no node moves in {}", direction.name());
-            (acts && !moving.contains(direction)).then_some((Warning::IdleGravity, text))
+            let text = || format!("no node moves in {}", direction.name());
+            (acts && !moving.contains(direction)).then(|| (Warning::IdleGravity, text()))
         }
         StaticLoad::Force(..) => None,
     })
@@ -119,10 +119,10 @@ pub fn wave_speed(template: &Template, case: &Case) -> Option<Doubt> {
         let value = |amount: &Amount| amount.value(case).ok();
         let (stiffness, mass) = (value(&bar.stiffness)?, value(&bar.mass)?);
         let speed = (stiffness * value(&bar.length)? / mass).sqrt() * unit;
-        let text = format!("bar {} has {} m/s", bar.name, short(speed));
+        let text = || format!("bar {} has {} m/s", bar.name, short(speed));
         // A rigid bar is one stiff element.
         let is_rigid = value(&bar.elements)? == 1.0 && speed > SPEEDS[1];
         let fits = is_rigid || (SPEEDS[0]..=SPEEDS[1]).contains(&speed);
-        (!fits).then_some((Warning::WaveSpeed, text))
+        (!fits).then(|| (Warning::WaveSpeed, text()))
     })
 }

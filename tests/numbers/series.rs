@@ -1,0 +1,120 @@
+//! Laws in series, of which the softest may be anywhere.
+
+use serde_json::{Value as Json, json};
+use slipgap::study;
+
+/// Two masses under a pulse with this beside them; the metrics of the first case.
+fn metrics(more: &[(&str, Json)], metrics: &[&str]) -> Vec<f64> {
+    let mut study = json!({
+        "problem": "structure", "parameters": {"dt": 0.002, "duration": 2},
+        "structure": {
+            "masses": {"a": 100, "b": 150},
+            "springs": [{"between": ["ground", "a"], "k": 6200, "c": 78}, {"between": ["ground", "b"], "k": 3500, "c": 72}],
+            "ground": {"pulse": {"ricker": {"amplitude": 6, "frequency": 1.5, "at": 0.8, "sampled": 0.01}}}
+        },
+        "metrics": metrics
+    });
+    for (key, value) in more {
+        match (&mut study["structure"][key], value) {
+            (Json::Array(list), Json::Array(more)) => list.extend(more.iter().cloned()),
+            (own, value) => *own = value.clone(),
+        }
+    }
+    let study =
+        study::parse("study.json", &study.to_string()).unwrap_or_else(|why| panic!("{why}"));
+    let case = study.case(0).unwrap();
+    let solution = study.problem.solve(&case, &study.metrics);
+    let metrics = solution.unwrap_or_else(|why| panic!("{why}")).metrics;
+    metrics.into_iter().map(Option::unwrap).collect()
+}
+
+fn series(laws: &[Json]) -> Vec<(&'static str, Json)> {
+    vec![(
+        "contacts",
+        json!({"f": {"between": ["a", "b"], "series": laws}}),
+    )]
+}
+
+/// All orders of some things.
+fn orders(things: &[Json]) -> Vec<Vec<Json>> {
+    match things {
+        [] => vec![Vec::new()],
+        _ => (0..things.len())
+            .flat_map(|first| {
+                let mut others = things.to_vec();
+                let first = others.remove(first);
+                let with = move |rest: Vec<Json>| [vec![first.clone()], rest].concat();
+                orders(&others).into_iter().map(with)
+            })
+            .collect(),
+    }
+}
+
+#[test]
+fn laws_in_series_have_one_force_in_every_order() {
+    let all = [
+        "peak(a)",
+        "peak(f.1.S)",
+        "peak(f.2.S)",
+        "peak(f.3.S)",
+        "energy_error",
+    ];
+    let bilinear =
+        |k: f64, limit: f64| json!({"law": "bilinear", "k1": k, "Fy": limit, "k2": k / 100.0});
+    let lists = [
+        vec![
+            bilinear(1e5, 100.0),
+            bilinear(5e4, 50.0),
+            bilinear(1e5, 100.0),
+        ],
+        // Two softest, which may be side by side or not.
+        vec![
+            bilinear(5e4, 80.0),
+            bilinear(5e4, 50.0),
+            bilinear(1e5, 100.0),
+        ],
+        vec![
+            json!({"law": "impact", "gap": 0.03, "k": 1e6}),
+            json!({"law": "displacement-control", "k": 5e4, "limit": 500}),
+            bilinear(2e5, 400.0),
+        ],
+    ];
+    for laws in lists {
+        let mut first: Option<Vec<f64>> = None;
+        for laws in orders(&laws) {
+            let own = metrics(&series(&laws), &all);
+            let [u, forces] = [own[0], own[1]];
+            assert!(own[4] < 1e-9, "{laws:?}: {own:?}");
+            for force in &own[2..4] {
+                // The springs that keep the places of the inner nodes have 1e-7 of the stiffness of a law, and it slides by 10 times more
+                // than it yields by.
+                assert!((force / forces - 1.0).abs() < 1e-4, "{laws:?}: {own:?}");
+            }
+            let [u0, force0] = first.get_or_insert_with(|| own.clone())[..2] else {
+                unreachable!()
+            };
+            assert!((u / u0 - 1.0).abs() < 1e-5, "{laws:?}: {u} {u0}");
+            assert!(
+                (forces / force0 - 1.0).abs() < 1e-4,
+                "{laws:?}: {forces} {force0}"
+            );
+        }
+    }
+}
+
+#[test]
+fn laws_in_series_that_do_not_yield_are_one_spring() {
+    // 1/k is the sum of the 1/k.
+    let stiff = [3e4, 1e4, 5e4, 1e4, 4e4];
+    let spring = 1.0 / stiff.iter().map(|k| 1.0 / k).sum::<f64>();
+    let alone = metrics(
+        &[("springs", json!([{"between": ["a", "b"], "k": spring}]))],
+        &["peak(a)", "peak(b)"],
+    );
+    let laws = stiff.map(|k| json!({"law": "bilinear", "k1": k, "Fy": 1e9, "k2": k}));
+    let own = metrics(&series(&laws), &["peak(a)", "peak(b)", "peak(f.3.S)"]);
+    for (own, alone) in own.iter().zip(alone) {
+        // Weak springs of 1e-7 of the stiffnesses.
+        assert!((own / alone - 1.0).abs() < 1e-6, "{own} {alone}");
+    }
+}
