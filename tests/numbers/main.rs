@@ -19,6 +19,7 @@ mod massless;
 mod mesh;
 mod motions;
 mod own_structure;
+mod plane;
 mod recommend_laws;
 mod records;
 mod reduction;

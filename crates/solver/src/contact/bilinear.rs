@@ -56,6 +56,14 @@ impl Bilinear {
     }
 }
 
+impl Bilinear {
+    /// 1/(k1 - k2), and the limit of this elastic part.
+    pub(super) fn elastic_part(&self) -> [f64; 2] {
+        let [_, width] = self.band().bounds;
+        [1.0 / (self.stiffness - self.hardening), width]
+    }
+}
+
 impl StoredEnergy for Bilinear {
     fn stored_energy(&self, r: f64, s: f64) -> f64 {
         self.band().stored_energy(r, s)

@@ -40,6 +40,7 @@ pub mod numbers;
 pub mod offer;
 mod one_sided;
 mod pendulum;
+pub mod plane;
 mod restrainer;
 mod roots;
 mod saturation;

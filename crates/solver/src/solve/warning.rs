@@ -82,6 +82,9 @@ warnings! {
     IdleGravity "idle-gravity"
         "have `gravity` in a direction in which no node moves"
         "`gravity` other than 0 has a direction that no mass, bar or row of matrices has.",
+    FrictionDirections "friction-directions"
+        "have two friction contacts of different directions between the same bodies, whose limit is a square: give one contact with \"plane\", whose limit is a disc"
+        "Two friction contacts act in different directions between the same masses, nodes of matrices or supports, or between the ground and two masses of the same size: together they resist up to 1.41 times the limit.",
     WaveSpeed "wave-speed"
         "have a bar with a wave speed below 500 m/s or above 8000 m/s: look at the units of EA, mass and length"
         "With `units`, sqrt(EA L/mass) of a bar is below 500 m/s or above 8000 m/s; steel has 5000 m/s, concrete 3500 m/s. A bar of one element may be stiffer: it is rigid.",

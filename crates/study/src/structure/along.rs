@@ -90,6 +90,25 @@ impl Reader<'_> {
         }
     }
 
+    /// A node with its factor: what moves, and its terms.
+    pub(super) fn side(
+        &self,
+        name: &str,
+        (at, path): (usize, String),
+        factor: f64,
+        faults: &mut Faults,
+    ) -> Option<(Vec<(f64, NodeRef)>, Vec<Term>)> {
+        let nodes = self.named_nodes(name, at, &path, faults)?;
+        let factor = Amount {
+            source: Source::Number(factor),
+            range: Range::Any,
+            at,
+            path,
+        };
+        let motion: Vec<_> = nodes.iter().map(|(own, name)| (*own, name.node)).collect();
+        Some((motion, self.terms(name, nodes, &factor)))
+    }
+
     /// Two different nodes with the factors -1 and 1.
     fn between(&self, object: &Object, what: &str, faults: &mut Faults) -> Option<Vec<Term>> {
         let wanted = "two nodes; or along, nodes with their factors";
@@ -107,15 +126,7 @@ impl Reader<'_> {
         let mut side = |node: &Node, place: usize, factor: f64| {
             let path = format!("{path}[{place}]");
             let name = text(node, &path, faults)?;
-            let nodes = self.named_nodes(&name, node.at, &path, faults)?;
-            let factor = Amount {
-                source: Source::Number(factor),
-                range: Range::Any,
-                at: node.at,
-                path,
-            };
-            let motion: Vec<_> = nodes.iter().map(|(own, name)| (*own, name.node)).collect();
-            Some((motion, self.terms(&name, nodes, &factor)))
+            self.side(&name, (node.at, path), factor, faults)
         };
         let (first, second) = (side(i, 0, -1.0), side(j, 1, 1.0));
         let ((first, mut terms), (second, others)) = (first?, second?);

@@ -180,6 +180,10 @@ pub(crate) const SPRING: Keys = &[
     ("period", "k = mass (2 pi/period)^2"),
     ("ratio", "c = 2 ratio (2 pi/period) mass"),
     DIRECTION,
+    (
+        "directions",
+        "two of x, y and z: a spring in each between nodes with both, as a.x and a.y; numbers may be lists of two",
+    ),
 ];
 
 /// Nodes with factors instead of two nodes.
@@ -206,6 +210,15 @@ pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
         (
             "pairs",
             "instead of between: CSV file with lines of a name and cells dof:factor, one for each contact NAME.LINE",
+        ),
+        (
+            "plane",
+            "instead of between: nodes I and J of the first direction and of the second one, of friction in a plane; a pair that does \
+             not move, as [\"ground\", \"ground\"], leaves the other direction",
+        ),
+        (
+            "directions",
+            "two of x, y and z: with between, friction in a plane between nodes with both directions, as a.x and a.y",
         ),
         ("gap", "r at rest"),
     ];

@@ -19,6 +19,7 @@ mod reader;
 pub(super) mod record_axis;
 mod records;
 mod shape;
+mod springs;
 mod supports;
 #[cfg(test)]
 mod tests;
@@ -59,7 +60,7 @@ pub(super) fn problem(
         Some(node) => named(node, &object.path(key), what, &mut taken, faults),
         None => Vec::new(),
     };
-    let masses = all_of("masses", "mass", faults);
+    let masses = parts::in_directions(all_of("masses", "mass", faults), faults);
     let bars = all_of("bars", "bar", faults);
     let of_matrices = all_of("matrices", "model", faults);
     let of_contacts = all_of("contacts", "contact", faults);
@@ -113,9 +114,12 @@ pub(super) fn problem(
         },
         bars: parts::bars(&bars, &reader, faults),
         matrices: imported,
-        springs: object.items("springs", faults, |node, path, faults| {
-            parts::spring(node, path, &reader, faults)
-        }),
+        springs: {
+            let own = object.items("springs", faults, |node, path, faults| {
+                springs::springs(node, path, &reader, faults)
+            });
+            own.into_iter().flatten().collect()
+        },
         rayleigh: parts::rayleigh(&object, &reader, faults).unwrap_or_default(),
         modal_damping: reader.optional(
             &object,

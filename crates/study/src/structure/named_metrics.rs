@@ -49,6 +49,7 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
                     second: None,
                     measured: false,
                     contact: None,
+                    in_plane: false,
                     threshold: 0.0,
                     ground: None,
                     place: (at, path.to_owned()),

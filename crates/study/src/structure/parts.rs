@@ -1,22 +1,40 @@
 //! Masses, bars, springs, damping and start of a structure.
 
-use super::keys::{BAR, GRAVITY, GROUND, MASS, RAYLEIGH, SPRING, START};
+use super::contacts::plane;
+use super::keys::{BAR, GRAVITY, GROUND, MASS, RAYLEIGH, START};
 use super::names::member;
 use super::reader::{Reader, open, take_name};
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::value::text;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::Amount;
-use slipgap_solver::problem::structure::template::{
-    Bar, Mass, Moved, Spring, SpringNumbers, Start, StaticLoad,
-};
+use slipgap_solver::problem::structure::template::{Bar, Mass, Moved, Start, StaticLoad};
 use slipgap_solver::system::structure::Direction;
 use std::collections::HashSet;
 
 /// A named part with its value in the study.
 pub(super) type Part<'a> = (String, &'a Node, String);
+
+/// The masses, with one part for each direction of a mass that moves in several: NAME.x, NAME.y.
+pub(super) fn in_directions<'a>(parts: Vec<Part<'a>>, faults: &mut Faults) -> Vec<Part<'a>> {
+    let mut all = Vec::new();
+    for (name, node, path) in parts {
+        let listed = member(node, "direction").filter(|own| matches!(own.tree, Tree::List(_)));
+        let Some(listed) = listed else {
+            all.push((name, node, path));
+            continue;
+        };
+        let own = format!("{path}.direction");
+        for direction in plane::directions(listed, &own, faults)
+            .into_iter()
+            .flatten()
+        {
+            all.push((format!("{name}.{}", direction.name()), node, path.clone()));
+        }
+    }
+    all
+}
 
 /// The lumped masses.
 pub(super) fn masses(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Mass> {
@@ -25,7 +43,11 @@ pub(super) fn masses(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Ve
             Tree::Object(_) => {
                 let object = open(node, path, MASS, faults)?;
                 let mass = reader.needed(&object, MASS, "mass", Range::NotNegative, faults);
-                (mass, reader.direction(&object, faults))
+                let direction = match name.split_once('.') {
+                    Some((_, direction)) => Direction::named(direction),
+                    None => reader.direction(&object, faults),
+                };
+                (mass, direction)
             }
             _ => {
                 let mass = reader.amount(node, path, Range::NotNegative, faults);
@@ -64,54 +86,6 @@ pub(super) fn bars(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<
     parts.iter().filter_map(&mut bar).collect()
 }
 
-/// A spring.
-pub(super) fn spring(
-    node: &Node,
-    path: &str,
-    reader: &Reader,
-    faults: &mut Faults,
-) -> Option<Spring> {
-    let object = open(node, path, SPRING, faults)?;
-    let along = reader.along(&object, "a spring", faults);
-    reader.direction(&object, faults)?;
-    let by_period = ["mass", "period", "ratio"].map(|key| object.get(key).is_some());
-    let by_stiffness = ["k", "c"].map(|key| object.get(key).is_some());
-    if by_period.contains(&true) && by_stiffness.contains(&true) {
-        object.fault("give k and c, or mass, period and ratio, not both", faults);
-        return None;
-    }
-    let numbers = if by_period.contains(&true) {
-        let mut need = |key| reader.needed(&object, SPRING, key, Range::Positive, faults);
-        let (mass, period) = (need("mass"), need("period"));
-        let ratio = reader.optional(&object, "ratio", Range::NotNegative, faults);
-        SpringNumbers::Period {
-            mass: mass?,
-            period: period?,
-            ratio,
-        }
-    } else {
-        let c = reader.optional(&object, "c", Range::NotNegative, faults);
-        let k = match (object.get("k"), &c) {
-            // A dashpot alone.
-            (None, Some(c)) => Some(zero(c)),
-            (None, None) => {
-                object.fault("missing: k and c, or mass, period and ratio", faults);
-                None
-            }
-            (Some(_), _) => reader.needed(&object, SPRING, "k", Range::NotNegative, faults),
-        };
-        SpringNumbers::Stiffness { k: k?, c }
-    };
-    Some(Spring {
-        name: object
-            .get("name")
-            .and_then(|node| text(node, &object.path("name"), faults))
-            .unwrap_or_default(),
-        along: along?,
-        numbers,
-    })
-}
-
 /// Reports names of springs that are no names, or those of other parts.
 pub(super) fn check_spring_names(
     object: &Object,
@@ -128,14 +102,6 @@ pub(super) fn check_spring_names(
             let path = format!("{}[{i}].name", object.path("springs"));
             take_name(name, "spring", (node.at, &path), taken, faults);
         }
-    }
-}
-
-/// The number 0 at the place of another.
-fn zero(at: &Amount) -> Amount {
-    Amount {
-        source: slipgap_solver::problem::structure::amount::Source::Number(0.0),
-        ..at.clone()
     }
 }
 

@@ -86,6 +86,12 @@ impl ActiveSet {
         self.factored = false;
     }
 
+    /// Changes A_ii, A_ij and A_jj, j = i + 1; A stays positive definite.
+    pub fn set_pair(&mut self, contact: usize, entries: [f64; 3]) {
+        self.matrix.set_pair(contact, entries);
+        self.factored = false;
+    }
+
     pub fn place(&self, contact: usize) -> At {
         self.places[contact]
     }

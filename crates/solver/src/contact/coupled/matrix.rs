@@ -43,6 +43,14 @@ impl Matrix {
         self.inverse[i] = 1.0 / value;
     }
 
+    /// Changes the entries of two neighbouring rows among each other: A_ii, A_ij and A_jj, j = i + 1.
+    pub fn set_pair(&mut self, i: usize, [own, between, next]: [f64; 3]) {
+        self.set_diagonal(i, own);
+        self.set_diagonal(i + 1, next);
+        self.entries[i * self.width + i + 1] = between;
+        self.entries[(i + 1) * self.width + i] = between;
+    }
+
     /// Number of rows and columns.
     pub fn width(&self) -> usize {
         self.width

@@ -15,7 +15,7 @@ mod factor;
 mod matrix;
 mod pivoting;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use active_set::{ActiveSet, At, Step};
 use matrix::Matrix;
@@ -122,6 +122,11 @@ impl CoupledForces {
     /// Changes A_ii of one of several contacts, to another positive number.
     fn set_diagonal(&mut self, contact: usize, value: f64) {
         self.pattern.set_diagonal(contact, value);
+    }
+
+    /// Changes A_ii, A_ij and A_jj of two neighbouring contacts, j = i + 1.
+    fn set_pair(&mut self, contact: usize, entries: [f64; 3]) {
+        self.pattern.set_pair(contact, entries);
     }
 
     /// S = clip(d/A, low, high).

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use std::array::from_fn;
 
 /// SplitMix64.
-pub(super) struct Random(pub(super) u64);
+pub(in crate::contact) struct Random(pub(in crate::contact) u64);
 
 impl Random {
     fn bits(&mut self) -> u64 {
@@ -23,16 +23,16 @@ impl Random {
     }
 
     /// From -1 to 1.
-    pub(super) fn even(&mut self) -> f64 {
+    pub(in crate::contact) fn even(&mut self) -> f64 {
         2.0 * self.unit() - 1.0
     }
 
-    pub(super) fn below(&mut self, end: usize) -> usize {
+    pub(in crate::contact) fn below(&mut self, end: usize) -> usize {
         (self.bits() % end as u64) as usize
     }
 
     /// 10^-decades to 10^decades, evenly in its logarithm.
-    pub(super) fn decades(&mut self, decades: f64) -> f64 {
+    pub(in crate::contact) fn decades(&mut self, decades: f64) -> f64 {
         libm::pow(10.0, decades * self.even())
     }
 

@@ -96,6 +96,11 @@ impl Lugre {
         [self.limit + part, -2.0 * v / self.stribeck_velocity * part]
     }
 
+    /// g at a velocity.
+    pub(super) fn strength_at(&self, velocity: f64) -> f64 {
+        self.strength(velocity)[0]
+    }
+
     /// Change of sigma0 |z| over x = |r(i+1) - r(i)| in a step dt from a force `along` of the bristles in the direction of the motion,
     /// and its derivative.
     #[inline(always)]

@@ -14,6 +14,8 @@
 pub mod bars;
 mod contact;
 mod drive;
+mod plane;
+mod rigid_planes;
 mod step;
 mod structure;
 mod tableau;
@@ -177,7 +179,10 @@ fn refuse(structure: &Structure) -> Result<(), AdaptiveFault> {
         let limit = contact.law.limit();
         let what = match &contact.law {
             StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. } => "is rigid",
-            law if is_vertical(&law.law(1.0)) => "is rigid at rest",
+            law if law.row().is_some() && !law.is_rigid() && is_vertical(&law.law(1.0)) => {
+                "is rigid at rest"
+            }
+            law if law.row().is_none() && is_vertical(&law.law(1.0)) => "is rigid at rest",
             _ if limit.is_some_and(|limit| limit.pressed_by.is_some()) => {
                 "has a limit that follows another contact"
             }

@@ -2,8 +2,11 @@
 
 use super::Flow;
 use super::contact::{Contact, LimitAt, Motion, Watched};
+use super::plane::{Phase, PlaneContact, PlaneState};
+use super::rigid_planes::{self, Accelerations};
+use crate::contact::plane::{Pair, length};
 use crate::exact::events::{Model, State, StateBuffers};
-use crate::system::structure::{Limit, Structure, StructureLaw};
+use crate::system::structure::{Limit, PlaneRow, Structure, StructureLaw};
 
 /// Part of the time between two points of tables over which the rate of a limit is a difference.
 const DIFFERENCE: f64 = 1e-4;
@@ -16,6 +19,8 @@ const ROUND_OFF_OF_STEP: f64 = 1e-3;
 pub struct Moving<'a> {
     model: Model<'a>,
     contacts: Vec<Contact>,
+    /// The contacts in a plane, by their first rows.
+    planes: Vec<Option<PlaneContact>>,
     /// Place of z of each contact; `None` without a state.
     places: Vec<Option<usize>>,
     groups: Vec<usize>,
@@ -38,6 +43,7 @@ impl<'a> Moving<'a> {
         let mut y: Vec<f64> = u.iter().chain(v).copied().collect();
         let mut groups: Vec<usize> = (0..2 * n).map(|i| i / n.max(1)).collect();
         let (mut contacts, mut places) = (Vec::new(), Vec::new());
+        let mut planes = Vec::new();
         for (i, own) in structure.contacts.iter().enumerate() {
             let limit = own.law.limit().map_or(0.0, |limit| limit.at(0.0));
             let law = own.law.law(limit);
@@ -47,12 +53,34 @@ impl<'a> Moving<'a> {
             let memory = structure.preload.laws.get(i).copied().flatten();
             let at_rest = structure.preload.force(i);
             let contact = Contact::new(law, 0.0, [r, rdot], (at_rest, memory));
+            contacts.push(contact.clone());
+            if own.law.row() == Some(PlaneRow::First) {
+                let [gap, of_gap] = moved_gap(structure, i + 1, 0.0);
+                let other = structure.contacts[i + 1].gap + gap;
+                let r = [r, model.columns[i + 1].dot(u) + other];
+                let rdot = [rdot, model.columns[i + 1].dot(v) + of_gap];
+                let at_rest = at_rest.zip(structure.preload.force(i + 1));
+                let at_rest = at_rest.map(|(first, second)| [first, second]);
+                let plane = PlaneContact::new(law, own.law.is_rigid(), at_rest, rdot);
+                let state = plane.state(r).filter(|_| plane.phase.is_none());
+                places.push(state.map(|z| {
+                    y.extend(z);
+                    groups.extend([2 + i; 2]);
+                    y.len() - 2
+                }));
+                planes.push(Some(plane));
+                continue;
+            }
+            planes.push(None);
+            if own.law.row() == Some(PlaneRow::Second) {
+                places.push(None);
+                continue;
+            }
             places.push(contact.state().map(|z| {
                 y.push(z);
                 groups.push(2 + i);
                 y.len() - 1
             }));
-            contacts.push(contact);
         }
         // Products of matrices and vectors, and about 50 of them for the answer of a law.
         let entries = model.stiffness.entries() + model.damping.entries() + 8 * n;
@@ -61,6 +89,7 @@ impl<'a> Moving<'a> {
         let once = entries + 3 * columns + 50 * contacts.len() + signals.sum::<usize>();
         let moving = Moving {
             contacts,
+            planes,
             places,
             groups,
             part: [0.0, f64::INFINITY],
@@ -145,7 +174,12 @@ impl<'a> Moving<'a> {
         for (load, pattern) in loads.zip(&self.model.patterns) {
             pattern.add_sizes(load.signal.at(self.inside(t)), &mut sums);
         }
+        let [forces, _] = self.sums(t, y, &mut vec![0.0; n]);
         for i in 0..self.contacts.len() {
+            if self.model.structure.contacts[i].law.row().is_some() {
+                self.model.columns[i].add_sizes(forces[i], &mut sums);
+                continue;
+            }
             let size = self.contacts[i].force_terms(
                 self.motion(i, t, y),
                 self.state_of(i, y),
@@ -167,13 +201,137 @@ impl<'a> Moving<'a> {
         own.force(motion, self.state_of(contact, y), self.limit(contact, t))
     }
 
+    /// The contacts in a plane, with their first rows.
+    fn planes(&self) -> impl Iterator<Item = (usize, &PlaneContact)> {
+        let planes = self.planes.iter().enumerate();
+        planes.filter_map(|(first, plane)| Some((first, plane.as_ref()?)))
+    }
+
+    /// A contact in a plane at a time; `held` is the force that a rigid one needs to stick.
+    fn in_plane(&self, first: usize, t: f64, y: &[f64], held: Pair) -> PlaneState {
+        let [a, b] = [first, first + 1].map(|row| self.relative(row, t, y));
+        PlaneState {
+            t,
+            r: [a[0], b[0]],
+            rdot: [a[1], b[1]],
+            z: self.places[first].map_or([0.0; 2], |place| [y[place], y[place + 1]]),
+            held,
+        }
+    }
+
+    /// M a without contacts, and the forces of all contacts; of rigid ones in a plane also those that would hold them.
+    fn sums(&self, t: f64, y: &[f64], a: &mut [f64]) -> [Vec<f64>; 2] {
+        let n = self.model.len();
+        a.fill(0.0);
+        self.model.stiffness.subtract_product(1.0, &y[..n], a);
+        self.model.damping.subtract_product(1.0, &y[n..2 * n], a);
+        let loads = self.model.structure.loads.iter();
+        for (load, pattern) in loads.zip(&self.model.patterns) {
+            pattern.add(load.signal.at(self.inside(t)), a);
+        }
+        let mut forces = vec![0.0; self.contacts.len()];
+        let mut held = forces.clone();
+        let mut rigid = Vec::new();
+        for i in 0..self.contacts.len() {
+            match &self.planes[i] {
+                _ if self.model.structure.contacts[i].law.row().is_none() => {
+                    forces[i] = self.force(i, t, y);
+                }
+                Some(plane) => match plane.phase {
+                    Some(phase) => rigid.push((i, phase)),
+                    None => {
+                        let state = self.in_plane(i, t, y, [0.0; 2]);
+                        let own = plane.force(&state, self.limit(i, t));
+                        forces[i..i + 2].copy_from_slice(&own);
+                    }
+                },
+                None => {}
+            }
+        }
+        if !rigid.is_empty() {
+            self.hold(t, y, a, &rigid, [&mut forces, &mut held]);
+        }
+        [forces, held]
+    }
+
+    /// Writes the forces of rigid contacts in a plane: those that act, and those that would hold them.
+    fn hold(
+        &self,
+        t: f64,
+        y: &[f64],
+        a: &[f64],
+        rigid: &[(usize, Phase)],
+        [forces, held]: [&mut Vec<f64>; 2],
+    ) {
+        let mut sums = a.to_vec();
+        for (i, force) in forces
+            .iter()
+            .enumerate()
+            .filter(|(_, force)| **force != 0.0)
+        {
+            self.model.columns[i].add(-force, &mut sums);
+        }
+        let own = |first: usize, held: &[f64], forces: &mut Vec<f64>| {
+            if let Some(plane) = &self.planes[first] {
+                let state = self.in_plane(first, t, y, [held[first], held[first + 1]]);
+                let own = plane.force(&state, self.limit(first, t));
+                forces[first..first + 2].copy_from_slice(&own);
+            }
+        };
+        let act = |rows: &[usize], forces: &[f64], sums: &mut Vec<f64>| {
+            for row in rows {
+                self.model.columns[*row].add(-forces[*row], sums);
+            }
+        };
+        let gaps = |row: usize| gap_acceleration(self.model.structure, row, t);
+        let find = |rows: &[usize], sums: &[f64], held: &mut Vec<f64>| {
+            let of = Accelerations { sums, gaps: &gaps };
+            let found = rigid_planes::held(&self.model, rows, &of);
+            for (row, force) in rows.iter().zip(found) {
+                held[*row] = force;
+            }
+        };
+        // What each one that slides would need, without the others that slide.
+        let sliding = rigid_planes::rows(rigid, |phase| phase == Phase::Slides);
+        for first in sliding.iter().step_by(2) {
+            own(*first, held, forces);
+        }
+        act(&sliding, forces, &mut sums);
+        let held_rows = rigid_planes::rows(rigid, |phase| phase != Phase::Slides);
+        find(&held_rows, &sums, held);
+        let begins = rigid_planes::rows(rigid, |phase| matches!(phase, Phase::Begins { .. }));
+        for first in begins.iter().step_by(2) {
+            own(*first, held, forces);
+        }
+        act(&begins, forces, &mut sums);
+        let sticks = rigid_planes::rows(rigid, |phase| phase == Phase::Sticks);
+        if !begins.is_empty() {
+            find(&sticks, &sums, held);
+        }
+        for first in sticks.iter().step_by(2) {
+            own(*first, held, forces);
+        }
+        act(&sticks, forces, &mut sums);
+        // The force that would stop one that slides counts it among those that stick.
+        for first in sliding.iter().step_by(2) {
+            let rows = [*first, *first + 1];
+            let mut without = sums.clone();
+            for row in rows {
+                self.model.columns[row].add(forces[row], &mut without);
+            }
+            find(&rows, &without, held);
+        }
+    }
+
     /// The state at a time, which is an end of a step; of modes, u and u' of these nodes only.
     pub fn record<'b>(&self, y: &[f64], nodes: &[usize], room: &'b mut StateBuffers) -> State<'b> {
         let t = self.t;
         let n = self.model.len();
+        let mut a = vec![0.0; n];
+        let [forces, _] = self.sums(t, y, &mut a);
         for (i, own) in self.model.structure.contacts.iter().enumerate() {
             [room.r[i], room.rate[i]] = self.relative(i, t, y);
-            room.force[i] = self.force(i, t, y);
+            room.force[i] = forces[i];
             room.slip[i] = room.r[i];
             if let StructureLaw::DisplacementControl { stiffness, .. } = own.law {
                 room.slip[i] -= room.force[i] / stiffness;
@@ -198,6 +356,72 @@ impl<'a> Moving<'a> {
     }
 }
 
+impl Moving<'_> {
+    /// Takes the states of contacts in a plane as their last ones; the velocity of one that comes to rest is taken from the motion.
+    fn commit_planes(&mut self, t: f64, y: &mut [f64]) {
+        if self.planes().next().is_none() {
+            return;
+        }
+        let n = self.model.len();
+        let mut stopped = Vec::new();
+        let [_, held] = self.sums(t, y, &mut vec![0.0; n]);
+        for first in 0..self.planes.len() {
+            let state = match &self.planes[first] {
+                Some(_) => self.in_plane(first, t, y, [held[first], held[first + 1]]),
+                None => continue,
+            };
+            let motions = [first, first + 1].map(|row| self.motion(row, t, y));
+            let size = |which: usize| length(motions.map(|own| own.sizes[which]));
+            let sizes = [size(0), size(1).max(self.acceleration_terms * t)];
+            let limit = self.limit(first, t);
+            if let Some(plane) = &mut self.planes[first] {
+                let before = plane.phase;
+                let z = plane.commit(&state, sizes, limit);
+                if let Some(place) = self.places[first] {
+                    y[place..place + 2].copy_from_slice(&z);
+                }
+                if before == Some(Phase::Slides) && plane.phase != before {
+                    stopped.extend([first, first + 1]);
+                }
+            }
+        }
+        if stopped.is_empty() {
+            return;
+        }
+        // An impulse that takes the rest of the velocity: B^T (v - M^-1 B p) + G' = 0.
+        let sums: Vec<f64> = y[n..2 * n]
+            .iter()
+            .zip(&self.model.inverse_masses)
+            .map(|(v, w)| v / w)
+            .collect();
+        let gaps = |row: usize| moved_gap(self.model.structure, row, t)[1];
+        let of = Accelerations {
+            sums: &sums,
+            gaps: &gaps,
+        };
+        let impulses = rigid_planes::held(&self.model, &stopped, &of);
+        let mut changes = vec![0.0; n];
+        for (row, impulse) in stopped.iter().zip(impulses) {
+            self.model.columns[*row].add(-impulse, &mut changes);
+        }
+        for ((v, change), w) in y[n..2 * n]
+            .iter_mut()
+            .zip(changes)
+            .zip(&self.model.inverse_masses)
+        {
+            *v += change * w;
+        }
+    }
+}
+
+/// What supports that move add to the acceleration of a gap.
+fn gap_acceleration(structure: &Structure, contact: usize, t: f64) -> f64 {
+    let supports = structure.supports.iter();
+    supports.fold(0.0, |sum, support| {
+        sum + support.gaps[contact] * support.motion.at(t)[2]
+    })
+}
+
 /// What supports that move add to a gap and to its rate.
 fn moved_gap(structure: &Structure, contact: usize, t: f64) -> [f64; 2] {
     let mut sum = [0.0; 2];
@@ -220,10 +444,14 @@ impl Flow for Moving<'_> {
 
     fn raise(&self, h: f64, largest: &mut [f64]) {
         largest[1] = largest[1].max(ROUND_OFF_OF_STEP * h * self.acceleration_terms);
-        for (contact, place) in self.contacts.iter().zip(&self.places) {
+        for (i, (contact, place)) in self.contacts.iter().zip(&self.places).enumerate() {
             if let Some(place) = *place {
+                let least = match &self.planes[i] {
+                    Some(plane) => plane.least_state(),
+                    None => contact.least_state(),
+                };
                 let largest = &mut largest[self.groups[place]];
-                *largest = largest.max(contact.least_state());
+                *largest = largest.max(least);
             }
         }
     }
@@ -234,19 +462,11 @@ impl Flow for Moving<'_> {
 
     fn rates(&mut self, t: f64, y: &[f64], to: &mut [f64]) {
         let n = self.model.len();
-        let (u, v) = (&y[..n], &y[n..2 * n]);
         let (rates, rest) = to.split_at_mut(n);
         let a = &mut rest[..n];
-        rates.copy_from_slice(v);
-        a.fill(0.0);
-        self.model.stiffness.subtract_product(1.0, u, a);
-        self.model.damping.subtract_product(1.0, v, a);
-        let loads = self.model.structure.loads.iter();
-        for (load, pattern) in loads.zip(&self.model.patterns) {
-            pattern.add(load.signal.at(self.inside(t)), a);
-        }
-        for i in 0..self.contacts.len() {
-            let force = self.force(i, t, y);
+        rates.copy_from_slice(&y[n..2 * n]);
+        let [forces, _] = self.sums(t, y, a);
+        for (i, force) in forces.into_iter().enumerate() {
             if force != 0.0 {
                 self.model.columns[i].add(-force, a);
             }
@@ -255,7 +475,14 @@ impl Flow for Moving<'_> {
             *a *= w;
         }
         for (i, place) in self.places.iter().enumerate() {
-            if let Some(place) = *place {
+            let Some(place) = *place else {
+                continue;
+            };
+            if let Some(plane) = &self.planes[i] {
+                let state = self.in_plane(i, t, y, [0.0; 2]);
+                let rate = plane.rate(&state, self.limit(i, t));
+                to[place..place + 2].copy_from_slice(&rate);
+            } else {
                 let [_, rdot] = self.relative(i, t, y);
                 to[place] = self.contacts[i].rate(y[place], rdot, self.limit(i, t));
             }
@@ -265,7 +492,22 @@ impl Flow for Moving<'_> {
     fn watch(&mut self, t: f64, y: &[f64]) -> &[Watched] {
         let mut watched = std::mem::take(&mut self.watched);
         watched.clear();
+        let is_rigid = |plane: &PlaneContact| plane.phase.is_some();
+        let held = match self.planes().any(|(_, plane)| is_rigid(plane)) {
+            true => {
+                let [_, held] = self.sums(t, y, &mut vec![0.0; self.model.len()]);
+                held
+            }
+            false => vec![0.0; self.contacts.len()],
+        };
+        for (first, plane) in self.planes() {
+            let state = self.in_plane(first, t, y, [held[first], held[first + 1]]);
+            plane.watch(&state, self.limit(first, t), &mut watched);
+        }
         for (i, contact) in self.contacts.iter().enumerate() {
+            if self.model.structure.contacts[i].law.row().is_some() {
+                continue;
+            }
             let motion = self.relative(i, t, y);
             contact.watch(motion, self.state_of(i, y), self.limit(i, t), &mut watched);
         }
@@ -276,7 +518,11 @@ impl Flow for Moving<'_> {
     fn commit(&mut self, t: f64, y: &mut [f64]) {
         self.t = t;
         self.acceleration_terms = self.terms(t, y);
+        self.commit_planes(t, y);
         for i in 0..self.contacts.len() {
+            if self.model.structure.contacts[i].law.row().is_some() {
+                continue;
+            }
             let mut motion = self.motion(i, t, y);
             // A velocity has the round-off of the accelerations of which it is the integral.
             motion.sizes[1] = motion.sizes[1].max(self.acceleration_terms * t);

@@ -9,7 +9,7 @@
 
 mod bernstein;
 mod book;
-mod cholesky;
+pub(super) mod cholesky;
 mod fault;
 mod flexible;
 mod flexible_pieces;

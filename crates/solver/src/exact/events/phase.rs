@@ -97,7 +97,8 @@ impl ContactState {
                 Phase::Closed,
                 StructureLaw::CurvedImpact { .. }
                 | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. },
+                | StructureLaw::Link { .. }
+                | StructureLaw::Plane { .. },
             ) => Force::None,
         }
     }

@@ -134,7 +134,8 @@ impl Scales {
             | StructureLaw::Coulomb { .. }
             | StructureLaw::CurvedImpact { .. }
             | StructureLaw::CurvedFriction { .. }
-            | StructureLaw::Link { .. } => TOLERANCE * self.force,
+            | StructureLaw::Link { .. }
+            | StructureLaw::Plane { .. } => TOLERANCE * self.force,
         };
         motion + self.limit(contact)
     }

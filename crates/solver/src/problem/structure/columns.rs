@@ -8,10 +8,18 @@ use crate::problem::Case;
 use crate::problem::HistoryColumn;
 use crate::problem::schema::Channel as Column;
 use crate::problem::unit::Dimension;
-use crate::system::structure::Structure;
+use crate::system::structure::{PlaneRow, Structure};
 
-/// u and v of every node, u, v and a of every support that moves, r, rdot and S of every contact.
-pub fn all_numbers(structure: &Structure) -> Vec<Number> {
+/// The quantities of contacts.
+const OF_CONTACTS: [(Quantity, &str); 3] = [
+    (Quantity::Displacement, "r"),
+    (Quantity::Velocity, "rdot"),
+    (Quantity::Force, "S"),
+];
+
+/// u and v of every node, u, v and a of every support that moves, r, rdot and S of every contact; behind both directions of a contact in
+/// a plane their lengths.
+pub fn all_numbers(structure: &Structure, template: &Template) -> Vec<Number> {
     let nodes = 0..structure.len();
     let of_nodes = nodes.flat_map(|i| [Number::Displacement(i), Number::Velocity(i)]);
     let of_supports = (0..structure.supports.len()).flat_map(|s| {
@@ -22,26 +30,41 @@ pub fn all_numbers(structure: &Structure) -> Vec<Number> {
             Number::Acceleration(s),
         ]
     });
-    let of_contacts = (0..structure.contacts.len()).flat_map(|c| {
-        [Quantity::Displacement, Quantity::Velocity, Quantity::Force]
-            .map(|quantity| Number::Contact(c, quantity))
+    let of_contacts = template.contacts.iter().enumerate();
+    let of_contacts = of_contacts.flat_map(|(c, contact)| {
+        let own = OF_CONTACTS.map(|(quantity, _)| Number::Contact(c, quantity));
+        let lengths = (contact.row == Some(PlaneRow::Second))
+            .then(|| OF_CONTACTS.map(|(quantity, _)| Number::Contact(c - 1, quantity.in_plane())));
+        own.into_iter().chain(lengths.into_iter().flatten())
     });
     of_nodes.chain(of_supports).chain(of_contacts).collect()
 }
 
 /// The columns of [`all_numbers`], of which the first is channel `first` of the history.
-pub fn of(structure: &Structure, first: usize, exact: bool) -> Vec<HistoryColumn> {
+pub fn of(
+    structure: &Structure,
+    template: &Template,
+    first: usize,
+    exact: bool,
+) -> Vec<HistoryColumn> {
     let nodes = structure.nodes.iter().flat_map(|node| {
         [("u", Dimension::Length), ("v", Dimension::Velocity)]
             .map(|(end, dimension)| (format!("{}.{end}", node.name), dimension))
     });
-    let contacts = structure.contacts.iter().flat_map(|contact| {
-        [
-            ("r", Dimension::Length),
-            ("rdot", Dimension::Velocity),
-            ("S", Dimension::Force),
-        ]
-        .map(|(end, dimension)| (format!("{}.{end}", contact.name), dimension))
+    let dimensions = [Dimension::Length, Dimension::Velocity, Dimension::Force];
+    let contacts = template.contacts.iter().flat_map(|contact| {
+        // disc.1 and disc.2 have disc.r.1, disc.r.2 and disc.r.
+        let (name, direction) = match contact.row.and(contact.name.rsplit_once('.')) {
+            Some((name, direction)) => (name, format!(".{direction}")),
+            None => (contact.name.as_str(), String::new()),
+        };
+        let columns = |direction: String| {
+            let names = OF_CONTACTS.map(|(_, end)| format!("{name}.{end}{direction}"));
+            names.into_iter().zip(dimensions)
+        };
+        let lengths = (contact.row == Some(PlaneRow::Second)).then(|| columns(String::new()));
+        let own = columns(direction);
+        own.chain(lengths.into_iter().flatten()).collect::<Vec<_>>()
     });
     let supports = structure.supports.iter().flat_map(|support| {
         [

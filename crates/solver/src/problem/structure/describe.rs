@@ -195,13 +195,13 @@ fn periods(which: &str, omega2: Vec<f64>) -> String {
     text
 }
 
-fn law(law: &StructureLaw) -> String {
+fn law(relation: &StructureLaw) -> String {
     let limit = |limit: &Limit| match limit.varying {
         _ if limit.pressed_by.is_some() => "limit by the force of another contact".to_owned(),
         None => format!("limit {}", short(limit.at(0.0))),
         Some(_) => format!("limit {} at t = 0, varying", short(limit.at(0.0))),
     };
-    match law {
+    match relation {
         StructureLaw::ImpactSpring { stiffness } => {
             format!("impact spring k = {}", short(*stiffness))
         }
@@ -228,6 +228,15 @@ fn law(law: &StructureLaw) -> String {
         StructureLaw::CurvedFriction { law, limit: own } => {
             format!("{}, {}", curved(law), limit(own))
         }
+        StructureLaw::Plane {
+            law, limit: own, ..
+        } => match law.kind() {
+            ContactKind::Friction if relation.is_rigid() => {
+                format!("Coulomb friction in a plane, {}", limit(own))
+            }
+            ContactKind::Friction => format!("{} in a plane, {}", curved(law), limit(own)),
+            ContactKind::Impact | ContactKind::Link => format!("{} in a plane", curved(law)),
+        },
     }
 }
 

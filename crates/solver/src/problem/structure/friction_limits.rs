@@ -2,13 +2,19 @@
 
 use super::channel::{Number, Quantity};
 use super::columns::all_numbers;
+use super::template::Template;
 use crate::history::History;
 use crate::system::structure::Structure;
 
 /// The limit of each contact at the times of a motion, >= 0, in the unit of force; `None` for a contact without friction. `first` is the
 /// channel of the motion with the first of [`all_numbers`].
-pub fn of(structure: &Structure, first: usize, motion: &History) -> Vec<Option<Vec<f64>>> {
-    let numbers = all_numbers(structure);
+pub fn of(
+    structure: &Structure,
+    template: &Template,
+    first: usize,
+    motion: &History,
+) -> Vec<Option<Vec<f64>>> {
+    let numbers = all_numbers(structure, template);
     let force = |contact: usize| {
         let own = Number::Contact(contact, Quantity::Force);
         let place = numbers.iter().position(|number| *number == own);

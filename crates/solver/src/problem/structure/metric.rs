@@ -18,6 +18,8 @@ pub struct StructureMetric {
     pub measured: bool,
     /// The contact of a reduction of contacts, by its place in the list.
     pub contact: Option<usize>,
+    /// Whether it is of both directions of a contact in a plane, of which `contact` is the first one.
+    pub in_plane: bool,
     /// The threshold of a divergence, over the peak.
     pub threshold: f64,
     /// What a measure of the ground is of.
@@ -135,6 +137,20 @@ pub const ERRORS: [Reduction; 7] = [
 ];
 
 impl Reduction {
+    /// Whether it is the size of a difference of two motions, of a contact in a plane that of a vector.
+    pub fn is_of_difference(self) -> bool {
+        matches!(
+            self,
+            Reduction::RmsError
+                | Reduction::LastError
+                | Reduction::RegularisationError
+                | Reduction::StepError
+                | Reduction::ReferenceError
+                | Reduction::MeshError
+                | Reduction::ReductionError
+        )
+    }
+
     /// Whether it compares with the run with start and loads that are 1e-10 larger.
     pub fn needs_perturbed(self) -> bool {
         matches!(

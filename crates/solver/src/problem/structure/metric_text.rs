@@ -2,7 +2,7 @@
 
 use super::channel::{Channel, QUANTITIES};
 use super::ground_metric::{GroundMetric, without_direction};
-use super::metric::{ALL, REDUCTIONS, StructureMetric, Takes};
+use super::metric::{ALL, REDUCTIONS, Reduction, StructureMetric, Takes};
 use super::names::Names;
 
 impl StructureMetric {
@@ -36,6 +36,7 @@ impl StructureMetric {
             second: None,
             measured: false,
             contact: None,
+            in_plane: false,
             threshold: 0.0,
             ground: None,
             place: (0, String::new()),
@@ -79,7 +80,13 @@ impl StructureMetric {
                 metric.channel = Some(Channel::parse(inside, names)?);
             }
             (Takes::Contact | Takes::ContactOrMeasured, Some(inside)) => {
-                metric.contact = Some(contact(inside, names)?);
+                let (place, in_plane) = contact(inside, names)?;
+                (metric.contact, metric.in_plane) = (Some(place), in_plane);
+                if in_plane && !IN_PLANE.contains(&reduction) {
+                    return Err(format!(
+                        "{inside} is a contact in a plane; name a direction, {inside}.1 or {inside}.2"
+                    ));
+                }
             }
             (Takes::ChannelAndThreshold, Some(inside)) => {
                 let (channel, threshold) = inside.rsplit_once(',').ok_or_else(|| {
@@ -133,13 +140,25 @@ impl Takes {
     }
 }
 
-/// A contact by its name, or by one of its channels.
-fn contact(text: &str, names: &Names) -> Result<usize, String> {
+/// The metrics of contacts that a contact in a plane has as a whole.
+const IN_PLANE: [Reduction; 5] = [
+    Reduction::Work,
+    Reduction::EnergyPerCycle,
+    Reduction::ResidualSlip,
+    Reduction::Impulse,
+    Reduction::OpenTime,
+];
+
+/// A contact by its name, or by one of its channels; and whether it is both directions of one in a plane.
+fn contact(text: &str, names: &Names) -> Result<(usize, bool), String> {
     let bare = text
         .rsplit_once('.')
         .filter(|(_, end)| QUANTITIES.iter().any(|known| known.0 == *end))
         .map_or(text, |(bare, _)| bare);
-    let place = names.contact(bare);
+    if let Some(first) = names.plane(bare) {
+        return Ok((first, true));
+    }
+    let place = names.contact(bare).map(|place| (place, false));
     let known = names.contacts.join(", ");
     place.ok_or_else(|| format!("no contact '{bare}'; the contacts are {known}"))
 }

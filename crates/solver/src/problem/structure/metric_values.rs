@@ -75,7 +75,11 @@ impl Recorded {
 pub fn needed(metric: &StructureMetric, numbering: &Numbering, contacts: usize) -> Vec<Number> {
     let channels = metric.channel.iter().chain(&metric.second);
     let of_channel = channels.flat_map(|channel| channel.numbers(numbering));
-    let of_contact = metric.contact.into_iter().flat_map(|contact| {
+    let rows = metric.contact.into_iter().flat_map(|first| {
+        let last = first + usize::from(metric.in_plane);
+        first..=last
+    });
+    let of_contact = rows.flat_map(|contact| {
         let quantities: &[Quantity] = match metric.reduction {
             Reduction::OpenTime => &[Quantity::Force, Quantity::Limit],
             Reduction::Work => &[Quantity::Force, Quantity::Displacement, Quantity::Velocity],
@@ -145,10 +149,25 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
     if metric.measured {
         return measured_metrics::value(metric, of, &motions.computed);
     }
+    if let (Some(first), true) = (metric.contact, metric.in_plane) {
+        return of_plane(metric.reduction, first, of, &motions.computed);
+    }
     if let Some(contact) = metric.contact {
         return of_contact(metric.reduction, contact, of, &motions.computed);
     }
     let channel = metric.channel.as_ref()?;
+    if let (Some(both), true) = (channel.by_direction(), metric.reduction.is_of_difference()) {
+        // The rms of a distance is the length of those of its directions.
+        let values = both.map(|channel| {
+            let own = StructureMetric {
+                channel: Some(channel),
+                ..metric.clone()
+            };
+            value(&own, of, motions)
+        });
+        let [first, second] = values;
+        return Some(libm::hypot(first?, second?));
+    }
     let series = |motion: &Recorded| motion.channel(channel, of.numbering);
     let exact = |motion: &Option<Recorded>| motion.as_ref().map(series);
     let reference = || match of.against_rigid {
@@ -227,6 +246,26 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         | Reduction::GroundDuration
         | Reduction::GroundSpectral
         | Reduction::GroundMeanPeriod => None,
+    }
+}
+
+/// Of both directions of a contact in a plane.
+fn of_plane(
+    reduction: Reduction,
+    first: usize,
+    of: MetricContext,
+    computed: &Recorded,
+) -> Option<f64> {
+    if reduction == Reduction::Impulse {
+        let [a, b] = [0, 1].map(|i| computed.of(Number::Contact(first + i, Quantity::Force)));
+        let sizes: Vec<f64> = a.iter().zip(b).map(|(a, b)| libm::hypot(*a, *b)).collect();
+        return Some(reduce::impulse(&sizes, of.dt));
+    }
+    let [a, b] = [0, 1].map(|i| of_contact(reduction, first + i, of, computed));
+    match reduction {
+        Reduction::OpenTime => a,
+        Reduction::ResidualSlip => Some(libm::hypot(a?, b?)),
+        _ => Some(a? + b?),
     }
 }
 

@@ -291,7 +291,7 @@ impl Problem for StructureProblem {
         let ready = self.ready(0, case)?;
         // A whole history that does not fit is refused where one is asked for; figures need their own channels.
         let all = match self.check_history(case) {
-            None => all_numbers(&ready.structure),
+            None => all_numbers(&ready.structure, &self.template),
             Some(_) => Vec::new(),
         };
         let drawn = self.drawn_numbers(&ready.numbering);
@@ -356,7 +356,7 @@ impl Problem for StructureProblem {
     fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
         let exact = self.template.reference.is_some();
         match assemble(&self.template, case, Model::Study) {
-            Ok((structure, _)) => columns::of(&structure, self.drawn.len(), exact)
+            Ok((structure, _)) => columns::of(&structure, &self.template, self.drawn.len(), exact)
                 .into_iter()
                 .chain(columns::of_drawn(&self.drawn, exact))
                 .collect(),
@@ -417,7 +417,9 @@ impl Problem for StructureProblem {
 
     fn friction_limits(&self, case: &Case, motion: &History) -> Vec<Option<Vec<f64>>> {
         match self.structure(case, Model::Study) {
-            Ok((structure, _)) => friction_limits::of(&structure, self.drawn.len(), motion),
+            Ok((structure, _)) => {
+                friction_limits::of(&structure, &self.template, self.drawn.len(), motion)
+            }
             Err(_) => Vec::new(),
         }
     }

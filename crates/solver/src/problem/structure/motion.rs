@@ -4,12 +4,13 @@ use super::channel::{Derived, Number, Quantity};
 use super::derived;
 use super::metric_values::Recorded;
 use super::observer::Observer;
+use crate::contact::{ContactKind, ContactLaw, VelocityControl};
 use crate::exact::adaptive::{self, AdaptiveFault};
 use crate::exact::events::{self, EventsFault};
 use crate::lane::Lane;
 use crate::methods::Method;
 use crate::solve::Unsolvable;
-use crate::solve::structure::{Books, Prepared, State, Watch, Watched, run, settle};
+use crate::solve::structure::{Books, ContactStep, Prepared, State, Watch, Watched, run, settle};
 use crate::system::structure::{Structure, StructureLaw};
 use std::collections::BTreeSet;
 
@@ -140,16 +141,25 @@ fn value<const L: usize>(state: &State<L>, number: Number) -> Lane<L> {
         Number::Acceleration(support) => state.support_acceleration(support),
         // The observer writes it.
         Number::Derived(_) | Number::Energy(_) => Lane::splat(0.0),
-        Number::Contact(contact, quantity) => {
-            let contact = state.contact(contact);
-            match quantity {
-                Quantity::Displacement => contact.displacement,
-                Quantity::Velocity => contact.velocity,
-                Quantity::Force => contact.force,
-                Quantity::Slip => contact.slip,
-                Quantity::Limit => contact.limit,
+        Number::Contact(contact, quantity) => match quantity.of_direction() {
+            None => of_contact(&state.contact(contact), quantity),
+            Some(own) => {
+                let of = |contact| of_contact(&state.contact(contact), own);
+                of(contact).zip(of(contact + 1), libm::hypot)
             }
-        }
+        },
+    }
+}
+
+/// A quantity of a contact in all lanes.
+#[inline(always)]
+fn of_contact<const L: usize>(contact: &ContactStep<L>, quantity: Quantity) -> Lane<L> {
+    match quantity {
+        Quantity::Displacement | Quantity::Distance => contact.displacement,
+        Quantity::Velocity | Quantity::Speed => contact.velocity,
+        Quantity::Force | Quantity::Size => contact.force,
+        Quantity::Slip | Quantity::SlipDistance => contact.slip,
+        Quantity::Limit => contact.limit,
     }
 }
 
@@ -249,6 +259,11 @@ fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Num
                 let limit = structure.contacts[contact].law.limit();
                 limit.map_or(0.0, |limit| limit.at(t))
             }
+            Quantity::Distance | Quantity::Speed | Quantity::Size | Quantity::SlipDistance => {
+                let both = number.directions().into_iter().flatten();
+                let both = both.map(|number| exact_value(structure, t, state, number));
+                both.fold(0.0, libm::hypot)
+            }
         },
     }
 }
@@ -276,13 +291,25 @@ pub fn rigid(structure: &Structure) -> Result<Structure, Unsolvable> {
             StructureLaw::DisplacementControl { limit, .. }
             | StructureLaw::CurvedFriction { limit, .. }
             | StructureLaw::VelocityControl { limit, .. } => StructureLaw::Coulomb { limit },
+            StructureLaw::Plane { law, limit, row }
+                if law.kind() == ContactKind::Friction && law.properties().has_rigid_form() =>
+            {
+                let coulomb = VelocityControl {
+                    compliance: 0.0,
+                    limit: limit.at(0.0),
+                };
+                let law = ContactLaw::VelocityControl(coulomb);
+                StructureLaw::Plane { law, limit, row }
+            }
             law @ (StructureLaw::RigidStop { .. }
+            | StructureLaw::Plane { .. }
             | StructureLaw::Coulomb { .. }
             | StructureLaw::Link { .. }) => law,
         };
     }
     rigid.preload.forces.clear();
     rigid.preload.laws.clear();
+    rigid.preload.planes.clear();
     if !structure.preload.load.is_empty() {
         rigid.displacement.fill(0.0);
         settle(&mut rigid)?;

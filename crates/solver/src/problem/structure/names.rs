@@ -3,7 +3,7 @@
 use super::node::{GROUND, NodeRef};
 use super::template::Template;
 use crate::system::import::Imported;
-use crate::system::structure::Direction;
+use crate::system::structure::{Direction, PlaneRow};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -24,6 +24,8 @@ pub struct Names {
     pub ground: Vec<Direction>,
     /// The directions in which nodes move.
     pub directions: Vec<Direction>,
+    /// The contacts in a plane, with the places of their first directions.
+    planes: Vec<(String, usize)>,
     /// The springs that have a name, with their places in the list.
     springs: Vec<(String, usize)>,
     parts: HashMap<String, Part>,
@@ -66,6 +68,7 @@ impl Names {
             contacts: Vec::new(),
             ground: Vec::new(),
             directions: Vec::new(),
+            planes: Vec::new(),
             springs: Vec::new(),
             places: HashMap::new(),
         }
@@ -86,6 +89,11 @@ impl Names {
         self.springs = named
             .map(|(place, spring)| (spring.name.clone(), place))
             .collect();
+        let contacts = template.contacts.iter().enumerate();
+        let first = contacts.filter(|(_, own)| own.row == Some(PlaneRow::First));
+        self.planes = first
+            .filter_map(|(place, own)| Some((own.name.strip_suffix(".1")?.to_owned(), place)))
+            .collect();
         self.ground = template.ground.iter().map(|own| own.0).collect();
         let masses = template.masses.iter().map(|own| own.direction);
         let bars = template.bars.iter().map(|own| own.direction);
@@ -99,6 +107,12 @@ impl Names {
         let directions = Direction::TRANSLATIONS.into_iter();
         self.directions = directions.filter(moves).collect();
         self
+    }
+
+    /// The place of the first direction of the contact in a plane with this name.
+    pub fn plane(&self, name: &str) -> Option<usize> {
+        let mut planes = self.planes.iter();
+        planes.find(|own| own.0 == name).map(|own| own.1)
     }
 
     /// The place of the spring with this name.

@@ -9,7 +9,7 @@ use super::rows::Rows;
 use super::shape::Shape;
 use crate::problem::{Case, Violation};
 use crate::system::import::Imported;
-use crate::system::structure::{Baseline, Direction};
+use crate::system::structure::{Baseline, Direction, PlaneRow};
 use std::sync::Arc;
 
 /// The structure of all cases of a study.
@@ -280,6 +280,8 @@ pub struct Contact {
     pub place: (usize, String),
     /// The nodes whose displacements make r.
     pub along: Vec<Term>,
+    /// The direction of a contact in a plane, whose directions follow each other.
+    pub row: Option<PlaneRow>,
     /// Its law.
     pub law: Chosen,
     /// r at rest; none for 0.

@@ -1,5 +1,6 @@
 //! The warnings of a case of structures.
 
+mod directions;
 mod doubts;
 mod given;
 mod masses;

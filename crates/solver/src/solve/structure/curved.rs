@@ -4,11 +4,13 @@
 //! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact. In an explicit method r' does not depend on
 //! the forces: there y and a are those of rdot' = y - a S.
 
+use super::curved_plane::{self, Plane};
 use super::curved_step::{Motion, Scale, explicit_line, line, trial};
-use crate::contact::coupled::curved::{CurvedForces, Laws};
+use crate::contact::coupled::curved::{CurvedForces, Directions, Laws};
+use crate::contact::plane::{Pair, PlaneLaw, PlaneMemory};
 use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial, Unsolved};
 use crate::lane::Lane;
-use crate::system::structure::{Structure, StructureLaw};
+use crate::system::structure::{PlaneRow, Structure, StructureLaw};
 
 /// The contacts of one structure.
 #[derive(Debug)]
@@ -36,6 +38,8 @@ struct Contact {
     bounds: [f64; 2],
     /// The motion over the step without the forces at its end.
     motion: Motion,
+    /// The law of both directions of a contact in a plane, beside the first one.
+    plane: Option<Plane>,
 }
 
 impl Curved {
@@ -55,13 +59,22 @@ impl Curved {
     pub(super) fn of_all(structure: &Structure, flexibility: &[f64], pace: f64, dt: f64) -> Curved {
         let contacts = &structure.contacts;
         let m = contacts.len();
-        let forces = CurvedForces::new(flexibility.to_vec(), m);
+        let first = |i: &usize| contacts[*i].law.row() == Some(PlaneRow::First);
+        let planes: Vec<usize> = (0..m).filter(first).collect();
+        let forces = CurvedForces::with_planes(flexibility.to_vec(), m, &planes);
         let massless = structure.massless();
         let contact = |(i, contact): (usize, &crate::system::structure::Contact)| {
             let relation = contact.law.clone();
             let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
             let own = forces.flexibility(i);
-            let is_massless = contact.along.iter().any(|(node, _)| massless[*node]);
+            // Both directions of a plane have one rate.
+            let partner = match relation.row() {
+                Some(PlaneRow::First) => i + 1,
+                Some(PlaneRow::Second) => i - 1,
+                None => i,
+            };
+            let nodes = contact.along.iter().chain(&contacts[partner].along);
+            let is_massless = nodes.into_iter().any(|(node, _)| massless[*node]);
             let scale = Scale {
                 pace: if is_massless { 1.0 / dt } else { pace },
                 dt,
@@ -87,6 +100,7 @@ impl Curved {
                 },
                 scale,
                 bounds: law.properties().bounds(),
+                plane: curved_plane::first(structure, i, limit, scale, own),
                 relation,
                 motion: Motion::default(),
             }
@@ -104,6 +118,11 @@ impl Curved {
     /// The law of a contact with its memory.
     pub(super) fn law(&self, contact: usize) -> AnyRunningLaw<1> {
         self.contacts[contact].law
+    }
+
+    /// What the law of a contact in a plane remembers; `None` of others and of second directions.
+    pub(super) fn plane(&self, contact: usize) -> Option<PlaneMemory> {
+        self.contacts[contact].plane.map(|plane| plane.memory)
     }
 
     /// Whether a contact's law may have several answers in a step.
@@ -124,12 +143,19 @@ impl Curved {
         contact.law.change(&law, &contact.scale.steps(contact.own));
         contact.now = law;
         contact.bounds = law.properties().bounds();
+        if let Some(plane) = &mut contact.plane {
+            let step = curved_plane::step(contact.scale, contact.own);
+            plane.law = PlaneLaw::new(&law, step).unwrap_or(plane.law);
+        }
     }
 
     /// Takes over what the laws remember from the sub-step before.
     pub(super) fn remember(&mut self, before: &Curved) {
         for (contact, before) in self.contacts.iter_mut().zip(&before.contacts) {
             contact.law = before.law;
+            if let (Some(plane), Some(before)) = (&mut contact.plane, &before.plane) {
+                plane.memory = before.memory;
+            }
             contact
                 .law
                 .change(&contact.now, &contact.scale.steps(contact.own));
@@ -151,9 +177,23 @@ impl Curved {
         let laws = Contacts(&self.contacts);
         self.forces
             .solve(&self.d, &self.size, &laws, &mut self.force)?;
-        for (i, contact) in self.contacts.iter_mut().enumerate() {
-            let trial = contact.trial(self.forces.argument(i));
-            ContactResponse::force(&mut contact.law, 0, &trial);
+        for i in 0..self.contacts.len() {
+            let y = self.forces.argument(i);
+            match self.contacts[i].relation.row() {
+                None => {
+                    let contact = &mut self.contacts[i];
+                    let trial = contact.trial(y);
+                    ContactResponse::force(&mut contact.law, 0, &trial);
+                }
+                Some(PlaneRow::First) => {
+                    let y = [y, self.forces.argument(i + 1)];
+                    let after = Contacts(&self.contacts).in_plane(i, y).map(|own| own.1);
+                    if let (Some(plane), Some(after)) = (&mut self.contacts[i].plane, after) {
+                        plane.memory = after;
+                    }
+                }
+                Some(PlaneRow::Second) => {}
+            }
         }
         Ok(&self.force)
     }
@@ -209,7 +249,36 @@ impl Contact {
 /// The contacts over a step.
 struct Contacts<'a>(&'a [Contact]);
 
+impl Contacts<'_> {
+    /// J(y) of a contact in a plane, and what its law remembers then.
+    fn in_plane(&self, contact: usize, y: Pair) -> Option<(Pair, PlaneMemory)> {
+        let [first, second] = [contact, contact + 1].map(|i| &self.0[i]);
+        let plane = first.plane.as_ref()?;
+        Some(plane.answer([&first.motion, &second.motion], y))
+    }
+}
+
 impl Laws for Contacts<'_> {
+    fn is_plane(&self, contact: usize) -> bool {
+        self.0[contact].plane.is_some()
+    }
+
+    fn answer_plane(&self, contact: usize, y: Pair) -> Pair {
+        self.in_plane(contact, y)
+            .map_or([f64::NAN; 2], |(force, _)| force)
+    }
+
+    fn directions(&self, contact: usize, y: Pair, force: Pair) -> Directions {
+        let [first, second] = [contact, contact + 1].map(|i| &self.0[i]);
+        match &first.plane {
+            Some(plane) => plane.directions([&first.motion, &second.motion], y, force),
+            None => Directions {
+                along: [1.0, 0.0],
+                slopes: [f64::INFINITY; 2],
+            },
+        }
+    }
+
     fn answer(&self, contact: usize, y: f64) -> f64 {
         let contact = &self.0[contact];
         // The memory changes when the step is done.

@@ -86,7 +86,8 @@ pub(super) fn line(relation: &StructureLaw, pace: f64) -> Option<f64> {
         StructureLaw::VelocityControl { viscosity, .. } => Some(1.0 / (viscosity * pace)),
         StructureLaw::CurvedImpact { .. }
         | StructureLaw::CurvedFriction { .. }
-        | StructureLaw::Link { .. } => None,
+        | StructureLaw::Link { .. }
+        | StructureLaw::Plane { .. } => None,
     }
 }
 

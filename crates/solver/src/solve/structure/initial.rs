@@ -1,9 +1,11 @@
 //! The contact forces at t = 0.
 
 use super::curved::first_force;
+use super::curved_plane::first_forces;
 use super::laws::{bounds, friction};
-use crate::contact::{CoupledForces, Unsolved};
-use crate::system::structure::{Inertia, Structure, StructureLaw};
+use super::rigid_forces::RigidForces;
+use crate::contact::Unsolved;
+use crate::system::structure::{Inertia, PlaneRow, Structure, StructureLaw};
 
 /// S(0) of every contact.
 ///
@@ -30,6 +32,30 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
         forces[c] = match contact.law {
             StructureLaw::ImpactSpring { stiffness } => stiffness * r.min(0.0),
             StructureLaw::DisplacementControl { .. } => at_rest.unwrap_or_default(),
+            // Its first direction has found both.
+            StructureLaw::Plane {
+                row: PlaneRow::Second,
+                ..
+            } => forces[c],
+            StructureLaw::Plane { .. } => {
+                let other = structure.relative(c + 1, u) + structure.contacts[c + 1].gap;
+                let other_rate = structure.relative(c + 1, v);
+                let is_held = contact.law.is_rigid() && rdot == 0.0 && other_rate == 0.0;
+                let has_mass = |c: usize| {
+                    let mut nodes = structure.column(c);
+                    nodes.all(|(node, _)| structure.nodes[node].mass > 0.0)
+                };
+                if is_held {
+                    if has_mass(c) && has_mass(c + 1) {
+                        active.extend([c, c + 1]);
+                    }
+                    continue;
+                }
+                let own = first_forces(structure, c, [r, other], [rdot, other_rate], high);
+                let [first, second] = own.map_or([0.0; 2], |(force, _)| force);
+                forces[c + 1] = second;
+                first
+            }
             StructureLaw::CurvedImpact { .. }
             | StructureLaw::CurvedFriction { .. }
             | StructureLaw::Link { .. } => first_force(structure, c, r, rdot),
@@ -94,7 +120,8 @@ fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(
     let rows = active
         .iter()
         .flat_map(|i| columns.iter().map(|column| structure.relative(*i, column)));
-    let mut problem = CoupledForces::new(rows.collect(), active.len());
+    let laws = active.iter().map(|i| &structure.contacts[*i].law);
+    let mut problem = RigidForces::new(rows.collect(), laws);
     let d: Vec<f64> = active
         .iter()
         .map(|i| structure.relative(*i, &acceleration) + structure.gap_acceleration(*i))
@@ -105,7 +132,7 @@ fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(
     };
     let sizes: Vec<f64> = active.iter().zip(&columns).map(size).collect();
     let mut held = vec![0.0; active.len()];
-    problem.solve(&d, &bound(0), &bound(1), &sizes, &mut held)?;
+    problem.solve(&d, [&bound(0), &bound(1)], &sizes, &mut held)?;
     for (contact, force) in active.iter().zip(held) {
         forces[*contact] = force;
     }

@@ -26,7 +26,9 @@ const ROUNDS: usize = 20;
 pub fn balance(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     let massless = structure.massless();
     let touches = |contact: &usize| {
-        let mut nodes = structure.contacts[*contact].along.iter();
+        // Both directions of a plane go together.
+        let contacts = structure.directions_of(*contact).into_iter();
+        let mut nodes = contacts.flat_map(|contact| &structure.contacts[contact].along);
         nodes.any(|(node, _)| massless.get(*node) == Some(&true))
     };
     let own: Vec<usize> = (0..structure.contacts.len()).filter(touches).collect();
@@ -125,11 +127,13 @@ pub fn balance(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     let preload = &mut structure.preload;
     preload.forces.resize(structure.contacts.len(), None);
     preload.laws.resize(structure.contacts.len(), None);
+    preload.planes.resize(structure.contacts.len(), None);
     for (place, contact) in own.into_iter().enumerate() {
         preload.forces[contact] = Some(forces[place]);
         let law = &structure.contacts[contact].law;
         if law.is_curved() && law.kind() != ContactKind::Impact {
             preload.laws[contact] = Some(curved.law(place));
+            preload.planes[contact] = curved.plane(place);
         }
     }
     Ok(())
@@ -158,6 +162,10 @@ fn among_themselves(structure: &Structure, own: &[usize]) -> Structure {
     among.preload.laws = own
         .iter()
         .map(|c| structure.preload.laws.get(*c).copied().flatten())
+        .collect();
+    among.preload.planes = own
+        .iter()
+        .map(|c| structure.preload.planes.get(*c).copied().flatten())
         .collect();
     among
         .nodes

@@ -60,7 +60,9 @@ impl Line {
             StructureLaw::VelocityControl { viscosity, .. } => viscous(0.5 * dt / viscosity),
             StructureLaw::Coulomb { .. } => viscous(0.0),
             // The forces are found from the law's own answer.
-            StructureLaw::CurvedFriction { .. } | StructureLaw::Link { .. } => viscous(0.0),
+            StructureLaw::CurvedFriction { .. }
+            | StructureLaw::Link { .. }
+            | StructureLaw::Plane { .. } => viscous(0.0),
             StructureLaw::CurvedImpact { .. } => impact(0.0),
         }
     }

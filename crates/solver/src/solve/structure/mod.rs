@@ -62,6 +62,7 @@
 mod books;
 mod curved;
 mod curved_lanes;
+mod curved_plane;
 mod curved_step;
 mod forces;
 mod general;
@@ -75,6 +76,7 @@ mod massless;
 mod moving;
 mod preload;
 mod prepared;
+mod rigid_forces;
 mod run;
 mod state;
 mod step_view;

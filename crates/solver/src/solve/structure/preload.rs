@@ -69,6 +69,8 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
     let laws = laws
         .map(|(i, own)| (own.law.is_curved() && remembers(own.law.kind())).then(|| curved.law(i)));
     structure.preload.laws = laws.collect();
+    let contacts = 0..structure.contacts.len();
+    structure.preload.planes = contacts.map(|i| curved.plane(i)).collect();
     structure.preload.forces = forces.into_iter().map(Some).collect();
     structure.displacement = u;
     Ok(())

@@ -3,7 +3,7 @@
 use super::State;
 use super::step_view::Kind;
 use crate::lane::Lane;
-use crate::system::structure::{Structure, StructureLaw};
+use crate::system::structure::{PlaneRow, Structure, StructureLaw};
 
 /// The contacts of L structures over a run.
 #[derive(Debug, Clone)]
@@ -12,6 +12,8 @@ pub struct Watch<const L: usize> {
     contacts: Vec<(usize, Contact<L>)>,
     /// The friction contacts by their places, each with the largest abs(S) over its limit.
     friction: Vec<(usize, Lane<L>)>,
+    /// Those of them that have both directions of a contact in a plane.
+    planes: Vec<usize>,
     /// Work of the last step, for methods whose state has both ends of it.
     works: Vec<Lane<L>>,
     /// Energy that the contacts store at t = 0.
@@ -82,15 +84,19 @@ impl<const L: usize> Watch<L> {
             (c, contact)
         });
         let stored = start.stored_energy();
+        let row = |c: usize| structures.first().and_then(|of| of.contacts[c].law.row());
         let is_friction = |c: &usize| {
-            structures
-                .iter()
-                .any(|of| of.contacts[*c].law.limit().is_some())
+            row(*c) != Some(PlaneRow::Second)
+                && structures
+                    .iter()
+                    .any(|of| of.contacts[*c].law.limit().is_some())
         };
         let friction = (0..start.contacts()).filter(is_friction);
+        let planes = (0..start.contacts()).filter(|c| row(*c) == Some(PlaneRow::First));
         Watch {
             contacts: contacts.collect(),
             friction: friction.map(|c| (c, zero)).collect(),
+            planes: planes.collect(),
             works: vec![zero; start.contacts()],
             stored,
             energy: start.energy() + stored,
@@ -113,7 +119,8 @@ impl<const L: usize> Watch<L> {
                 }
                 for (c, most) in &mut self.friction {
                     let [_, limit] = state.forces.bounds(*c);
-                    *most = most.larger(of_limit(state.contacts[*c].force, limit));
+                    let force = size(self.planes.contains(c), |of| state.contacts[*c + of].force);
+                    *most = most.larger(of_limit(force, limit));
                 }
             }
             Kind::General(general) => {
@@ -124,8 +131,9 @@ impl<const L: usize> Watch<L> {
                     contact.add([now.displacement, now.force], self.works[*c]);
                 }
                 for (c, most) in &mut self.friction {
-                    let now = state.contact(*c);
-                    *most = most.larger(of_limit(now.force, now.limit));
+                    let limit = state.contact(*c).limit;
+                    let force = size(self.planes.contains(c), |of| state.contact(*c + of).force);
+                    *most = most.larger(of_limit(force, limit));
                 }
             }
         }
@@ -148,12 +156,24 @@ impl<const L: usize> Watch<L> {
         }
         for (c, most) in &self.friction {
             contacts[*c].of_limit = most.0[l];
+            if self.planes.contains(c) {
+                contacts[*c + 1].of_limit = most.0[l];
+            }
         }
         Watched {
             contacts,
             stored: self.stored.0[l],
             energy: self.energy.0[l],
         }
+    }
+}
+
+/// S of a contact, or |S| of one in a plane.
+#[inline(always)]
+fn size<const L: usize>(in_plane: bool, force: impl Fn(usize) -> Lane<L>) -> Lane<L> {
+    match in_plane {
+        true => force(0).zip(force(1), libm::hypot),
+        false => force(0),
     }
 }
 

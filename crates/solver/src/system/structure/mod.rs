@@ -25,7 +25,7 @@ pub use motion::{Motion, MotionFault, Quantity};
 pub use observed::{Elements, Ground, Observed, Reaction, Spring};
 pub use preload::Preload;
 pub use signal::{Signal, Table};
-pub use structure_law::{Limit, Pressure, StructureLaw};
+pub use structure_law::{Limit, PlaneRow, Pressure, StructureLaw};
 pub use support::Support;
 
 use std::sync::Arc;
@@ -114,6 +114,15 @@ impl Structure {
     pub fn relative(&self, contact: usize, u: &[f64]) -> f64 {
         let terms = self.column(contact);
         terms.fold(0.0, |sum, (node, factor)| sum + factor * u[node])
+    }
+
+    /// The contact alone, or both directions of a contact in a plane.
+    pub fn directions_of(&self, contact: usize) -> std::ops::RangeInclusive<usize> {
+        match self.contacts[contact].law.row() {
+            None => contact..=contact,
+            Some(PlaneRow::First) => contact..=contact + 1,
+            Some(PlaneRow::Second) => contact - 1..=contact,
+        }
     }
 
     /// The column of B of a contact: nodes with their factors.

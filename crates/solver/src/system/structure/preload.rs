@@ -1,6 +1,7 @@
 //! Loads that act before t = 0, and the contacts in equilibrium at t = 0.
 
 use crate::contact::AnyRunningLaw;
+use crate::contact::plane::PlaneMemory;
 
 /// Static loads, and the contacts in equilibrium with them.
 #[derive(Debug, Clone, Default)]
@@ -11,6 +12,8 @@ pub struct Preload {
     pub forces: Vec<Option<f64>>,
     /// What the law of each contact remembers from the way to equilibrium; `None` for laws that remember nothing.
     pub laws: Vec<Option<AnyRunningLaw<1>>>,
+    /// The same of contacts in a plane, by their first direction.
+    pub planes: Vec<Option<PlaneMemory>>,
 }
 
 impl Preload {

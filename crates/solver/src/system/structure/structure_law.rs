@@ -2,6 +2,7 @@
 
 use super::Signal;
 use crate::contact::offer::Form;
+use crate::contact::plane::slides_in_plane;
 use crate::contact::{
     ContactKind, ContactLaw, DisplacementControl, ImpactSpring, Rigid, VelocityControl,
 };
@@ -58,6 +59,24 @@ pub enum StructureLaw {
         /// The law.
         law: ContactLaw,
     },
+    /// One direction of friction in a plane. Both directions are two contacts, one behind the other, with the same law and limit.
+    Plane {
+        /// The law.
+        law: ContactLaw,
+        /// Friction limit; 0 for a link, whose law has its own.
+        limit: Limit,
+        /// Which direction.
+        row: PlaneRow,
+    },
+}
+
+/// A direction of a contact in a plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlaneRow {
+    /// The first one; the next contact is the second one.
+    First,
+    /// The second one.
+    Second,
 }
 
 impl StructureLaw {
@@ -75,6 +94,27 @@ impl StructureLaw {
         }
     }
 
+    /// Both directions of the law in a plane; `None` for a law that does not slide in one.
+    pub fn in_plane(self) -> Option<[StructureLaw; 2]> {
+        let limit = self.limit().cloned().unwrap_or(Limit::constant(0.0));
+        let law = self.law(limit.at(0.0));
+        slides_in_plane(&law).then(|| {
+            [PlaneRow::First, PlaneRow::Second].map(|row| StructureLaw::Plane {
+                law,
+                limit: limit.clone(),
+                row,
+            })
+        })
+    }
+
+    /// The direction of a contact in a plane.
+    pub fn row(&self) -> Option<PlaneRow> {
+        match self {
+            StructureLaw::Plane { row, .. } => Some(*row),
+            _ => None,
+        }
+    }
+
     /// What the contact can do.
     pub fn kind(&self) -> ContactKind {
         match self {
@@ -86,6 +126,7 @@ impl StructureLaw {
             | StructureLaw::CurvedFriction { .. }
             | StructureLaw::Coulomb { .. } => ContactKind::Friction,
             StructureLaw::Link { .. } => ContactKind::Link,
+            StructureLaw::Plane { law, .. } => law.kind(),
         }
     }
 
@@ -96,6 +137,9 @@ impl StructureLaw {
             | StructureLaw::RigidStop { .. }
             | StructureLaw::CurvedImpact { .. }
             | StructureLaw::Link { .. } => None,
+            StructureLaw::Plane { law, limit, .. } => {
+                (law.kind() == ContactKind::Friction).then_some(limit)
+            }
             StructureLaw::DisplacementControl { limit, .. }
             | StructureLaw::VelocityControl { limit, .. }
             | StructureLaw::CurvedFriction { limit, .. }
@@ -105,10 +149,13 @@ impl StructureLaw {
 
     /// Whether the law has no compliance: its force does not follow from its motion.
     pub fn is_rigid(&self) -> bool {
-        matches!(
-            self,
-            StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
-        )
+        match self {
+            StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. } => true,
+            StructureLaw::Plane { law, .. } => {
+                matches!(law, ContactLaw::VelocityControl(own) if own.compliance == 0.0)
+            }
+            _ => false,
+        }
     }
 
     /// Whether the law is not a clipped line over a step.
@@ -118,6 +165,7 @@ impl StructureLaw {
             StructureLaw::CurvedImpact { .. }
                 | StructureLaw::CurvedFriction { .. }
                 | StructureLaw::Link { .. }
+                | StructureLaw::Plane { .. }
         )
     }
 
@@ -145,6 +193,10 @@ impl StructureLaw {
             }
             StructureLaw::CurvedImpact { law, .. } | StructureLaw::Link { law } => law,
             StructureLaw::CurvedFriction { law, .. } => law.at_limit(limit),
+            StructureLaw::Plane { law, .. } => match law.kind() {
+                ContactKind::Friction => law.at_limit(limit),
+                ContactKind::Impact | ContactKind::Link => law,
+            },
         }
     }
 }

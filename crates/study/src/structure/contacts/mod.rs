@@ -1,6 +1,7 @@
 //! Contacts: laws, gaps, stiffnesses and friction limits.
 
 mod compound;
+pub(in crate::structure) mod plane;
 
 pub(in crate::structure) use compound::inner_nodes;
 
@@ -65,6 +66,16 @@ fn contact(
         return compound::contacts((name, node, path), &object, list, reader, faults);
     }
     let relation = relation(&object, reader, faults);
+    let place = (node.at, path.to_owned());
+    if plane::is_given(&object) {
+        let places = plane::places(name, &object, reader, faults);
+        let (places, relation) = (places?, relation?);
+        let one = |(name, along, row)| Contact {
+            row: Some(row),
+            ..relation.clone().between(name, place.clone(), along)
+        };
+        return Some(places.into_iter().map(one).collect());
+    }
     let places = match object.get("pairs") {
         Some(node) => pairs(name, node, &object, reader, faults),
         None => {
@@ -73,7 +84,6 @@ fn contact(
         }
     };
     let (places, relation) = (places?, relation?);
-    let place = (node.at, path.to_owned());
     let one = |(name, along)| relation.clone().between(name, place.clone(), along);
     Some(places.into_iter().map(one).collect())
 }
@@ -94,6 +104,7 @@ impl Relation {
             name,
             place,
             along,
+            row: None,
             law: self.law,
             gap: self.gap,
             normal: self.normal,
@@ -216,7 +227,16 @@ fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
     let own: Vec<&str> = own.structure_numbers().map(|number| number.key).collect();
     for member in &object.members {
         let key = member.key.as_str();
-        if !["law", "between", "along", "pairs", "gap"].contains(&key) && !own.contains(&key) {
+        let of_all = [
+            "law",
+            "between",
+            "along",
+            "pairs",
+            "gap",
+            "plane",
+            "directions",
+        ];
+        if !of_all.contains(&key) && !own.contains(&key) {
             let message = format!(
                 "a contact with law {law} has no {key}; it has {}",
                 own.join(", ")

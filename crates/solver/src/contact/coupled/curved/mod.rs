@@ -28,6 +28,8 @@ mod tangents;
 mod tests;
 #[cfg(test)]
 mod tests_convex;
+#[cfg(test)]
+mod tests_plane;
 
 use super::Unsolved;
 use super::factor::Factor;
@@ -66,6 +68,33 @@ pub trait Laws {
 
     /// Bounds of the force.
     fn bounds(&self, contact: usize) -> [f64; 2];
+
+    /// Whether this contact and the next one are the two components of a contact in a plane.
+    fn is_plane(&self, _contact: usize) -> bool {
+        false
+    }
+
+    /// J(y) of a contact in a plane: the gradient of a convex function, with slopes from 0 to 1/a in all directions.
+    fn answer_plane(&self, _contact: usize, _y: [f64; 2]) -> [f64; 2] {
+        [0.0; 2]
+    }
+
+    /// 1/f' of a contact in a plane where J(y) is `force`.
+    fn directions(&self, _contact: usize, _y: [f64; 2], _force: [f64; 2]) -> Directions {
+        Directions {
+            along: [1.0, 0.0],
+            slopes: [f64::INFINITY; 2],
+        }
+    }
+}
+
+/// The slopes of a law in a plane: 1/f' along a unit vector and across it.
+#[derive(Debug, Clone, Copy)]
+pub struct Directions {
+    /// The unit vector, in which most laws slide.
+    pub along: [f64; 2],
+    /// 1/f' along it, and across; infinite where the force does not follow.
+    pub slopes: [f64; 2],
 }
 
 /// Minimises 1/2 S^T H S - S^T d + sum phi_i(S_i), step after step.
@@ -107,6 +136,11 @@ impl Numbers<'_> {
 impl CurvedForces {
     /// `flexibility`: H, row-major, symmetric positive semidefinite.
     pub fn new(flexibility: Vec<f64>, contacts: usize) -> CurvedForces {
+        CurvedForces::with_planes(flexibility, contacts, &[])
+    }
+
+    /// The same with contacts in a plane: each of `planes` and the next row are the components of one.
+    pub fn with_planes(flexibility: Vec<f64>, contacts: usize, planes: &[usize]) -> CurvedForces {
         let m = contacts;
         let h = |i: usize, j: usize| flexibility[i * m + j];
         // Without the round-off of a - H_ii, so that M = 0 for contacts that do not move each other.
@@ -115,11 +149,19 @@ impl CurvedForces {
             let part = |j: usize| h(i, j).abs() * (h(i, i) / h(j, j)).sqrt();
             EXCESS * others.map(part).sum::<f64>()
         };
-        let own: Vec<f64> = (0..m).map(|i| h(i, i) + excess(i)).collect();
+        let mut own: Vec<f64> = (0..m).map(|i| h(i, i) + excess(i)).collect();
+        // One a for both components, so that the answer has no preferred direction.
+        for i in planes {
+            let most = own[*i].max(own[i + 1]);
+            own[*i..i + 2].fill(most);
+        }
         let mut coupling: Vec<f64> = flexibility.iter().map(|h| -h).collect();
         let mut regular = flexibility.clone();
         for i in 0..m {
-            coupling[i * m + i] = excess(i);
+            coupling[i * m + i] = match planes.iter().any(|p| *p == i || p + 1 == i) {
+                true => own[i] - h(i, i),
+                false => excess(i),
+            };
             regular[i * m + i] += own[i];
         }
         let all = Vec::from_iter(0..m);
@@ -279,7 +321,22 @@ impl CurvedForces {
         let m = self.contacts;
         let mut matrix = self.flexibility.clone();
         let mut free = Vec::new();
-        for i in 0..m {
+        let mut i = 0;
+        while i < m {
+            if step.laws.is_plane(i) {
+                let pair = |of: &[f64]| [of[i], of[i + 1]];
+                let (y, force) = (pair(&self.now.y), pair(&self.now.answer));
+                let Directions { along, slopes } = step.laws.directions(i, y, force);
+                let [g, across] = slopes.map(|g| g.clamp(0.0, LEVEL * self.own[i]));
+                let [x, z] = along;
+                free.extend([i, i + 1]);
+                matrix[i * m + i] += g * x * x + across * z * z;
+                matrix[i * m + i + 1] += (g - across) * x * z;
+                matrix[(i + 1) * m + i] += (g - across) * x * z;
+                matrix[(i + 1) * m + i + 1] += g * z * z + across * x * x;
+                i += 2;
+                continue;
+            }
             let y = self.now.y[i];
             let width = 10.0 * ROUND_OFF * self.now.terms[i];
             let compliance = [y - width, y, y + width].map(|y| {
@@ -291,6 +348,7 @@ impl CurvedForces {
                 free.push(i);
                 matrix[i * m + i] += least;
             }
+            i += 1;
         }
         Factor::new(m).compute(&Matrix::new(matrix, m), &free)
     }

@@ -1,6 +1,6 @@
 //! A point of the search.
 
-use super::Numbers;
+use super::{Laws, Numbers};
 
 /// A point of the search.
 #[derive(Debug, Clone)]
@@ -41,11 +41,10 @@ impl Point {
                 y += m * s;
                 terms += (m * s).abs();
             }
-            let answer = step.laws.answer(i, y);
             self.y[i] = y;
-            self.answer[i] = answer;
-            self.terms[i] = terms + own[i] * answer.abs();
+            self.terms[i] = terms;
         }
+        self.answer(step.laws, own);
         self.residual = 0.0;
         for i in 0..m {
             let row = coupling[i * m..(i + 1) * m].iter();
@@ -56,6 +55,27 @@ impl Point {
             if part > self.residual || part.is_nan() {
                 self.residual = part;
             }
+        }
+    }
+
+    /// J(y), and its part of the terms.
+    fn answer(&mut self, laws: &dyn Laws, own: &[f64]) {
+        let mut i = 0;
+        while i < own.len() {
+            if laws.is_plane(i) {
+                let answer = laws.answer_plane(i, [self.y[i], self.y[i + 1]]);
+                self.answer[i..i + 2].copy_from_slice(&answer);
+                // A direction that turns mixes both components.
+                let size = own[i] * (answer[0].abs() + answer[1].abs());
+                let terms = self.terms[i] + self.terms[i + 1] + size;
+                self.terms[i..i + 2].fill(terms);
+                i += 2;
+                continue;
+            }
+            let answer = laws.answer(i, self.y[i]);
+            self.answer[i] = answer;
+            self.terms[i] += own[i] * answer.abs();
+            i += 1;
         }
     }
 

@@ -1,11 +1,14 @@
 //! The step from a point to the minimum of the tangents.
 
 use super::point::Point;
-use super::{LEVEL, Numbers};
+use super::{Directions, LEVEL, Laws, Numbers};
 use crate::contact::coupled::{CoupledForces, Unsolved};
 
 /// Least 1/f' as part of a: without it, tangents of contacts that depend on each other may be singular.
 const SOFTENING: f64 = 1e-12;
+
+/// 1/f' over a of a force in a plane in the direction in which it does not follow.
+const HELD: f64 = 1e8;
 
 /// Least width of a chord over the sizes of y and a S, whose difference is r'. Where a is far larger than the law's own 1/f', at nodes
 /// without mass, such a chord may be as long as the law; the search then goes on with the narrow one, a thousand times round-off.
@@ -26,6 +29,8 @@ pub(super) struct Tangents {
     size: Vec<f64>,
     /// x, then the change of S.
     pub(super) change: Vec<f64>,
+    /// Of contacts in a plane: 1/f', a symmetric matrix by its entries 11, 12 and 22.
+    planes: Vec<[f64; 3]>,
 }
 
 impl Tangents {
@@ -39,6 +44,27 @@ impl Tangents {
             high: zero(),
             size: zero(),
             change: zero(),
+            planes: vec![[0.0; 3]; contacts],
+        }
+    }
+
+    /// The tangent of a contact in a plane, whose force has no bounds of its own in the step.
+    fn plane(&mut self, laws: &dyn Laws, point: &Point, i: usize, own: f64) {
+        let y = [point.y[i], point.y[i + 1]];
+        let force = [point.answer[i], point.answer[i + 1]];
+        let Directions { along, slopes } = laws.directions(i, y, force);
+        // A force that does not follow in a direction is as good as held by a large 1/f'.
+        let [g, across] = slopes.map(|g| g.clamp(0.0, HELD * own));
+        let [x, z] = along;
+        self.planes[i] = [
+            g * x * x + across * z * z,
+            (g - across) * x * z,
+            g * z * z + across * x * x,
+        ];
+        let least = g.min(across);
+        for row in i..i + 2 {
+            self.compliance[row] = least;
+            (self.low[row], self.high[row]) = (f64::NEG_INFINITY, f64::INFINITY);
         }
     }
 
@@ -53,7 +79,17 @@ impl Tangents {
     ) -> bool {
         let m = own.len();
         let least = if steps > WITH_WIDE { NARROW } else { WIDE };
+        let mut second = false;
         for (i, own) in own.iter().enumerate() {
+            self.size[i] = point.rest[i].abs();
+            if std::mem::take(&mut second) {
+                continue;
+            }
+            if step.laws.is_plane(i) {
+                self.plane(step.laws, point, i, *own);
+                second = true;
+                continue;
+            }
             let (y, s) = (point.y[i], point.answer[i]);
             let scale = y.abs() + own * s.abs();
             // A chord is to be short beside the step.
@@ -67,11 +103,29 @@ impl Tangents {
                 true => [low - s, high - s],
                 false => [0.0; 2],
             };
-            self.size[i] = point.rest[i].abs();
         }
         let mut soft = SOFTENING;
         loop {
+            let mut second = false;
             for i in 0..m {
+                if std::mem::take(&mut second) {
+                    continue;
+                }
+                if step.laws.is_plane(i) {
+                    let [own_g, between, next] = self.planes[i];
+                    let h = |i: usize, j: usize| flexibility[i * m + j];
+                    let more = soft * own[i];
+                    self.problem.set_pair(
+                        i,
+                        [
+                            h(i, i) + own_g + more,
+                            h(i, i + 1) + between,
+                            h(i + 1, i + 1) + next + more,
+                        ],
+                    );
+                    second = true;
+                    continue;
+                }
                 let g = self.compliance[i].max(soft * own[i]);
                 let g = if g < LEVEL * own[i] { g } else { own[i] };
                 self.problem.set_diagonal(i, flexibility[i * m + i] + g);

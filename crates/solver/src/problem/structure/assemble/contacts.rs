@@ -1,15 +1,19 @@
 //! The contacts of a structure under construction.
 
 use super::{Detail, Draft};
+use crate::contact::plane;
+use crate::problem::Violation;
 use crate::problem::structure::contacts;
-use crate::system::structure::{Contact, StructureLaw};
+use crate::system::structure::{Contact, Limit, PlaneRow, StructureLaw};
 
 impl Draft<'_> {
     pub(super) fn contacts(&mut self) {
-        for contact in &self.template.contacts {
+        let all = &self.template.contacts;
+        for (i, contact) in all.iter().enumerate() {
             let along = self.along(&contact.along);
             let nodes = self.numbering.nodes();
-            if along.is_empty() && self.violations.is_empty() {
+            let is_held = along.is_empty() && contact.row.is_some();
+            if along.is_empty() && !is_held && self.violations.is_empty() {
                 let message = "a contact needs two different nodes";
                 self.violations.push(contacts::violation(contact, message));
             }
@@ -21,8 +25,9 @@ impl Draft<'_> {
                 self.template.metre,
                 self.detail == Detail::Whole,
             );
+            let law = law.and_then(|law| self.in_plane(law, i, is_held));
             if let Some(law) = self.checked(law) {
-                if is_driven && self.violations.is_empty() && law.is_rigid() {
+                if is_driven && !is_held && self.violations.is_empty() && law.is_rigid() {
                     let message = "a contact between supports, or of a support and the ground, needs a law with a stiffness or a damper";
                     self.violations.push(contacts::violation(contact, message));
                 }
@@ -34,6 +39,43 @@ impl Draft<'_> {
                 });
             }
         }
+    }
+
+    /// The law of a direction of a contact in a plane; of another contact the law itself. Where one direction is held, the other one has the
+    /// scalar law, and this one no force.
+    fn in_plane(
+        &mut self,
+        law: StructureLaw,
+        i: usize,
+        is_held: bool,
+    ) -> Result<StructureLaw, Violation> {
+        let all = &self.template.contacts;
+        let contact = &all[i];
+        let Some(row) = contact.row else {
+            return Ok(law);
+        };
+        let name = contact.law.name(self.case);
+        let Some([first, second]) = law.clone().in_plane() else {
+            let names = plane::NAMES.join(", ");
+            let message = format!("{name} does not act in a plane; allowed: {names}");
+            return Err(contacts::violation(contact, message));
+        };
+        if is_held {
+            let limit = Limit::constant(0.0);
+            let stiffness = 1.0;
+            return Ok(StructureLaw::DisplacementControl { stiffness, limit });
+        }
+        let other = match row {
+            PlaneRow::First => i + 1,
+            PlaneRow::Second => i - 1,
+        };
+        if self.along(&all[other].along).is_empty() {
+            return Ok(law);
+        }
+        Ok(match row {
+            PlaneRow::First => first,
+            PlaneRow::Second => second,
+        })
     }
 
     /// A rigid contact must not overlap at t = 0: it would part at a speed of overlap over time step.

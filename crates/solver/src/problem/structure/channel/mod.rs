@@ -34,6 +34,42 @@ pub enum Quantity {
     Slip,
     /// Friction limit.
     Limit,
+    /// |r| of a contact in a plane, of which the place is that of the first direction; so are the next three.
+    Distance,
+    /// |rdot|.
+    Speed,
+    /// |S|.
+    Size,
+    /// |r - S/k|.
+    SlipDistance,
+}
+
+impl Quantity {
+    /// The quantity of a direction of which this is the length; `None` for a quantity of a direction.
+    pub fn of_direction(self) -> Option<Quantity> {
+        match self {
+            Quantity::Distance => Some(Quantity::Displacement),
+            Quantity::Speed => Some(Quantity::Velocity),
+            Quantity::Size => Some(Quantity::Force),
+            Quantity::SlipDistance => Some(Quantity::Slip),
+            Quantity::Displacement
+            | Quantity::Velocity
+            | Quantity::Force
+            | Quantity::Slip
+            | Quantity::Limit => None,
+        }
+    }
+
+    /// The length of this quantity of both directions of a contact in a plane; the limit is that of both.
+    pub fn in_plane(self) -> Quantity {
+        match self {
+            Quantity::Displacement => Quantity::Distance,
+            Quantity::Velocity => Quantity::Speed,
+            Quantity::Force => Quantity::Size,
+            Quantity::Slip => Quantity::SlipDistance,
+            other => other,
+        }
+    }
 }
 
 /// Names of the quantities of a contact, each with its meaning; the last one is an energy.
@@ -100,7 +136,24 @@ impl Channel {
     /// The quantities of a structure with this numbering.
     pub fn numbers<'a>(&'a self, numbering: &'a Numbering) -> impl Iterator<Item = Number> + 'a {
         let terms = self.terms.iter();
-        terms.filter_map(|(_, term)| term.number(numbering).ok().flatten())
+        let numbers = terms.filter_map(|(_, term)| term.number(numbering).ok().flatten());
+        // Errors of a length are lengths of differences.
+        numbers.flat_map(|number| {
+            let both = number.directions().into_iter().flatten();
+            std::iter::once(number).chain(both)
+        })
+    }
+
+    /// The channels of both directions of which the channel is the length; `None` for other channels.
+    pub fn by_direction(&self) -> Option<[Channel; 2]> {
+        let [(1.0, Term::Contact(contact, quantity))] = self.terms[..] else {
+            return None;
+        };
+        let own = quantity.of_direction()?;
+        Some([0, 1].map(|direction| Channel {
+            name: format!("{}.{}", self.name, direction + 1),
+            terms: vec![(1.0, Term::Contact(contact + direction, own))],
+        }))
     }
 
     /// What it measures; by its first quantity.

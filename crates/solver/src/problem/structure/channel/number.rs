@@ -70,6 +70,17 @@ impl Number {
         }
     }
 
+    /// Both directions of which it is the length; `None` for other quantities.
+    pub fn directions(&self) -> Option<[Number; 2]> {
+        match self {
+            Number::Contact(contact, quantity) => {
+                let own = quantity.of_direction()?;
+                Some([0, 1].map(|direction| Number::Contact(contact + direction, own)))
+            }
+            _ => None,
+        }
+    }
+
     /// The quantity that follows from the motion, if it is one.
     pub fn derived(&self) -> Option<Derived> {
         match self {

@@ -63,7 +63,10 @@ impl Term {
         {
             return of_contact(contact, quantity).map(alone);
         }
-        if names.contact(word).is_some() {
+        if let Some(found) = in_plane(word, names) {
+            return found;
+        }
+        if names.contact(word).is_some() || names.plane(word).is_some() {
             return Err(format!(
                 "'{word}' is a contact; name one of its channels, such as {word}.S"
             ));
@@ -93,9 +96,12 @@ impl Term {
                 Dimension::Acceleration
             }
             Term::Contact(_, quantity) => match quantity {
-                Quantity::Displacement | Quantity::Slip => Dimension::Length,
-                Quantity::Velocity => Dimension::Velocity,
-                Quantity::Force | Quantity::Limit => Dimension::Force,
+                Quantity::Displacement
+                | Quantity::Slip
+                | Quantity::Distance
+                | Quantity::SlipDistance => Dimension::Length,
+                Quantity::Velocity | Quantity::Speed => Dimension::Velocity,
+                Quantity::Force | Quantity::Limit | Quantity::Size => Dimension::Force,
             },
             Term::Spring(_) | Term::Element(..) | Term::Base(_) | Term::Reaction(_) => {
                 Dimension::Force
@@ -171,6 +177,27 @@ fn of_contact(contact: usize, quantity: &str) -> Result<Term, String> {
         Some(quantity) => Term::Contact(contact, *quantity),
         None => Term::Energy(Energy::Contact(contact)),
     })
+}
+
+/// A quantity of a contact in a plane: its length, `disc.r`, that of a direction, `disc.r.1`, or what both dissipated.
+fn in_plane(word: &str, names: &Names) -> Option<Result<Vec<(f64, Term)>, String>> {
+    let alone = |term| Ok(vec![(1.0, term)]);
+    let of = |first: usize, quantity: &str| of_contact(first, quantity);
+    let (rest, last) = word.rsplit_once('.')?;
+    if let (Some(first), false) = (names.plane(rest), ["1", "2"].contains(&last)) {
+        return Some(of(first, last).and_then(|term| match term {
+            Term::Contact(contact, quantity) => alone(Term::Contact(contact, quantity.in_plane())),
+            Term::Energy(Energy::Contact(contact)) => {
+                let energy = |contact| (1.0, Term::Energy(Energy::Contact(contact)));
+                Ok(vec![energy(contact), energy(contact + 1)])
+            }
+            other => alone(other),
+        }));
+    }
+    let direction = ["1", "2"].iter().position(|own| *own == last)?;
+    let (contact, quantity) = rest.rsplit_once('.')?;
+    let first = names.plane(contact)?;
+    Some(of(first + direction, quantity).and_then(alone))
 }
 
 /// u, v or an acceleration of a node or support; of a tied dof the sum of those of its rows.

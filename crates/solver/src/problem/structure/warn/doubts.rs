@@ -3,7 +3,7 @@
 use super::super::node::Numbering;
 use super::super::{StructureProblem, computed_ground};
 use super::masses::Masses;
-use super::{given, matrices, restitution};
+use super::{directions, given, matrices, restitution};
 use crate::problem::Case;
 use crate::solve::Warning;
 use crate::system::structure::Structure;
@@ -29,6 +29,7 @@ impl StructureProblem {
             matrices::periods(template, structure),
             given::idle_gravity(template, case),
             given::wave_speed(template, case),
+            directions::of_one_body(template, case),
             self.computed_steps(case)
                 .and_then(|steps| computed_ground::cut(template, case, steps)),
             restitution::missed(template, case, structure),

@@ -114,7 +114,8 @@ impl Line<f64> {
             // Not a line; its lanes have forces of their own.
             StructureLaw::CurvedImpact { .. }
             | StructureLaw::CurvedFriction { .. }
-            | StructureLaw::Link { .. } => impact(1.0),
+            | StructureLaw::Link { .. }
+            | StructureLaw::Plane { .. } => impact(1.0),
         }
     }
 }

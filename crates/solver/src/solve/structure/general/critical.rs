@@ -136,7 +136,8 @@ fn with_contacts(structure: &Structure) -> Symmetric {
             // The stiffness of delta^1.5 grows with an overlap that is not known: only an unstable step without it is certain.
             StructureLaw::CurvedImpact { law, .. }
             | StructureLaw::CurvedFriction { law, .. }
-            | StructureLaw::Link { law } => law.properties().largest_stiffness(0.0),
+            | StructureLaw::Link { law }
+            | StructureLaw::Plane { law, .. } => law.properties().largest_stiffness(0.0),
             StructureLaw::RigidStop { .. }
             | StructureLaw::VelocityControl { .. }
             | StructureLaw::Coulomb { .. } => 0.0,

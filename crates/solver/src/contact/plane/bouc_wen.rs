@@ -1,0 +1,66 @@
+//! The isotropic Bouc-Wen model in a plane.
+//!
+//! ```text
+//! u_y dz = dr - z |z|^(n-2) <z . dr>,   S = L z,   <x> = max(x, 0)
+//! ```
+//!
+//! In one direction it is the scalar model. It is isotropic, as the part with gamma of the model of Park, Wen and Ang (1986), and
+//! |z| <= 1.
+
+use super::pair::{Pair, cut, dot, length, map, root};
+use super::{PlaneStep, PlaneTrial};
+use crate::contact::BoucWen;
+
+/// Of the two implicit stages, which are of second order and damp what is much faster than a step: 1 - 1/sqrt 2.
+const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
+
+/// S' of a step.
+pub(super) fn answer(law: &BoucWen, on: &PlaneStep, trial: &PlaneTrial) -> Pair {
+    if law.limit <= 0.0 {
+        return [0.0; 2];
+    }
+    let yield_displacement = law.compliance * law.limit;
+    let before = cut(trial.force, law.limit).map(|s| s / law.limit);
+    let after = |force: Pair| {
+        let u = map(trial.change, force, |c, s| {
+            (c - on.h * s) / yield_displacement
+        });
+        over(law.exponent, before, u)
+    };
+    if on.h == 0.0 {
+        return after([0.0; 2]).map(|z| law.limit * z);
+    }
+    // As far as the elastic part goes.
+    let share = 1.0 / (law.compliance + on.h);
+    let elastic = map(trial.force, trial.change, |s, c| {
+        (law.compliance * s + c) * share
+    });
+    let residual = |force: Pair| map(force, after(force), |s, z| s - law.limit * z);
+    root(residual, cut(elastic, law.limit), 1e-6 * law.limit)
+}
+
+/// z after a straight motion u in units of u_y.
+fn over(n: f64, z: Pair, u: Pair) -> Pair {
+    let slope = |z: Pair| {
+        let along = dot(z, u).max(0.0);
+        let size = length(z);
+        let turn = match n {
+            2.0 => along,
+            _ if size == 0.0 => 0.0,
+            1.0 => along / size,
+            _ => along * libm::pow(size, n - 2.0),
+        };
+        map(u, z, |u, z| u - turn * z)
+    };
+    let stage = |from: Pair| {
+        let rest = |to: Pair| {
+            let slope = slope(to);
+            std::array::from_fn(|i| to[i] - from[i] - GAMMA * slope[i])
+        };
+        root(rest, cut(map(from, u, |z, u| z + GAMMA * u), 1.0), 1e-7)
+    };
+    let first = stage(z);
+    let extended = (1.0 - GAMMA) / GAMMA;
+    let second = stage(map(z, first, |z, first| z + extended * (first - z)));
+    cut(second, 1.0)
+}

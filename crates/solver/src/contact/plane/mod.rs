@@ -1,0 +1,376 @@
+//! Friction in a plane: r = (r1, r2), S = (S1, S2), with |S| within the limit in every direction.
+//!
+//! Most laws follow from their scalar form. A law of velocity has the force of the scalar law along rdot. An elastic law has it along
+//! its trial force: the radial return. A spring beside the friction, that of a pendulum or of hardening, acts in both directions alone.
+//! Two laws have a form of their own: Bouc-Wen, whose force turns towards the motion as the isotropic model of Park, Wen and Ang (1986),
+//! and LuGre, whose bristles relax towards the direction of the motion.
+//!
+//! Each answer is the force of the one root of a step, as that of a scalar law. It has no preferred direction.
+
+mod bouc_wen;
+mod continuous;
+mod lugre;
+mod pair;
+#[cfg(test)]
+mod tests;
+
+pub use pair::{Pair, dot, length};
+
+use super::coupled::curved::Directions;
+use super::{
+    AnyRunningLaw, ContactLaw, ContactResponse, DisplacementControl, Flexibility, Lugre,
+    StepFlexibility, Trial,
+};
+use crate::lane::Lane;
+
+/// A law of friction in a plane, with what it needs of a step.
+#[derive(Debug, Clone, Copy)]
+pub struct PlaneLaw {
+    form: Form,
+    /// Stiffness of the spring beside the friction.
+    spring: f64,
+    on: PlaneStep,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Form {
+    /// The scalar law along rdot.
+    OfVelocity {
+        law: ContactLaw,
+        step: AnyRunningLaw<1>,
+    },
+    /// The scalar law along the trial force.
+    Elastic {
+        law: DisplacementControl,
+        step: AnyRunningLaw<1>,
+        /// Whether it has the force of its first loading from r = 0 on, as hardening has.
+        from_zero: bool,
+    },
+    BoucWen(super::BoucWen),
+    Lugre(Lugre),
+}
+
+/// What a unit of force takes from the motion of a step.
+#[derive(Debug, Clone, Copy)]
+pub struct PlaneStep {
+    /// From r'.
+    pub h: f64,
+    /// From rdot'.
+    pub h_rate: f64,
+    /// Length of the step.
+    pub dt: f64,
+}
+
+/// A contact at the start of a step, and its motion over the step without its force at the end.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct PlaneTrial {
+    /// r.
+    pub displacement: Pair,
+    /// rdot.
+    pub velocity: Pair,
+    /// S.
+    pub force: Pair,
+    /// r' - r.
+    pub change: Pair,
+    /// rdot'.
+    pub rate: Pair,
+}
+
+/// What a law remembers from step to step.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PlaneMemory {
+    /// Friction without the spring beside it, or the force of the bristles.
+    pub(super) friction: Pair,
+    /// Change of the bristles in the last step over its length, and this length.
+    pub(super) rate: Pair,
+    pub(super) dt: f64,
+    /// Whether there was a step or an equilibrium.
+    pub(super) begun: bool,
+}
+
+/// The names of the laws that slide in a plane.
+pub const NAMES: [&str; 9] = [
+    "coulomb",
+    "displacement-control",
+    "velocity-control",
+    "tanh",
+    "stribeck",
+    "bouc-wen",
+    "lugre",
+    "bilinear",
+    "pendulum",
+];
+
+/// Whether a law slides in a plane.
+pub fn slides_in_plane(law: &ContactLaw) -> bool {
+    let on = PlaneStep {
+        h: 0.0,
+        h_rate: 0.0,
+        dt: 1.0,
+    };
+    PlaneLaw::new(law, on).is_some()
+}
+
+impl PlaneLaw {
+    /// The law in a step; `None` for a law that does not slide in a plane.
+    pub fn new(law: &ContactLaw, on: PlaneStep) -> Option<PlaneLaw> {
+        let of_velocity = || Form::OfVelocity {
+            law: *law,
+            step: running(law, on.h, &on),
+        };
+        let elastic = |compliance: f64, limit: f64, spring: f64, from_zero: bool| {
+            let law = DisplacementControl { compliance, limit };
+            let h = on.h / (1.0 + spring * on.h);
+            let step = running(&ContactLaw::DisplacementControl(law), h, &on);
+            Form::Elastic {
+                law,
+                step,
+                from_zero,
+            }
+        };
+        let (form, spring) = match law {
+            ContactLaw::VelocityControl(_)
+            | ContactLaw::Bearing(_)
+            | ContactLaw::Tanh(_)
+            | ContactLaw::Stribeck(_) => (of_velocity(), 0.0),
+            ContactLaw::DisplacementControl(own) => {
+                (elastic(own.compliance, own.limit, 0.0, false), 0.0)
+            }
+            ContactLaw::Pendulum(own) => {
+                let spring = own.stiffness();
+                (elastic(own.compliance, own.limit, spring, false), spring)
+            }
+            ContactLaw::Bilinear(own) => {
+                let [compliance, width] = own.elastic_part();
+                let spring = own.hardening;
+                (elastic(compliance, width, spring, true), spring)
+            }
+            ContactLaw::BoucWen(own) => (Form::BoucWen(*own), 0.0),
+            ContactLaw::Lugre(own) => (Form::Lugre(*own), 0.0),
+            _ => return None,
+        };
+        Some(PlaneLaw { form, spring, on })
+    }
+
+    /// S', and what the law remembers then.
+    pub fn answer(&self, trial: &PlaneTrial, memory: &PlaneMemory) -> (Pair, PlaneMemory) {
+        self.answer_on(trial, memory, &self.on, 0)
+    }
+
+    /// S' of a motion that is given.
+    fn follow(&self, trial: &PlaneTrial, memory: &PlaneMemory) -> Pair {
+        let rigid = PlaneStep {
+            h: 0.0,
+            h_rate: 0.0,
+            ..self.on
+        };
+        self.answer_on(trial, memory, &rigid, 1).0
+    }
+
+    fn answer_on(
+        &self,
+        trial: &PlaneTrial,
+        memory: &PlaneMemory,
+        on: &PlaneStep,
+        part: usize,
+    ) -> (Pair, PlaneMemory) {
+        match &self.form {
+            Form::OfVelocity { step, .. } => {
+                let force = along(*step, part, trial.rate, trial);
+                (force, *memory)
+            }
+            Form::Elastic { law, step, .. } => {
+                let before = self.friction(trial, memory);
+                let share = 1.0 / (1.0 + self.spring * on.h);
+                let [r, change] = [trial.displacement, trial.change];
+                let change = pair::map(change, r, |c, r| (c - self.spring * on.h * r) * share);
+                let free = PlaneTrial {
+                    force: before,
+                    change,
+                    ..*trial
+                };
+                let direction = pair::map(before, change, |s, c| s + c / law.compliance);
+                let friction = along(*step, part, direction, &free);
+                // S' = spring r' + friction with r' = r + change - h S'.
+                let force = std::array::from_fn(|i| {
+                    let r = trial.displacement[i] + trial.change[i];
+                    (self.spring * r + friction[i]) * share
+                });
+                let after = PlaneMemory {
+                    friction,
+                    begun: true,
+                    ..*memory
+                };
+                (force, after)
+            }
+            Form::BoucWen(law) => (bouc_wen::answer(law, on, trial), *memory),
+            Form::Lugre(law) => lugre::answer(law, on, trial, memory),
+        }
+    }
+
+    /// Friction at the start of a step.
+    fn friction(&self, trial: &PlaneTrial, memory: &PlaneMemory) -> Pair {
+        match (self.spring == 0.0, memory.begun) {
+            (true, _) => trial.force,
+            (false, true) => memory.friction,
+            (false, false) => self.unbent(trial.displacement),
+        }
+    }
+
+    /// Friction of a contact at r that nothing has moved yet.
+    fn unbent(&self, r: Pair) -> Pair {
+        match &self.form {
+            Form::Elastic {
+                law,
+                from_zero: true,
+                ..
+            } => pair::cut(r.map(|r| r / law.compliance), law.limit),
+            _ => [0.0; 2],
+        }
+    }
+
+    /// 1/f' of r', or of rdot' in an explicit method, where the answer is `force`; `pace` is the change of rdot' for a unit of r'.
+    pub fn directions(
+        &self,
+        trial: &PlaneTrial,
+        memory: &PlaneMemory,
+        force: Pair,
+        pace: f64,
+    ) -> Directions {
+        let is_explicit = pace == f64::INFINITY;
+        let moved = PlaneTrial {
+            change: pair::map(trial.change, force, |c, s| c - self.on.h * s),
+            rate: pair::map(trial.rate, force, |v, s| v - self.on.h_rate * s),
+            ..*trial
+        };
+        let pace = if is_explicit { 1.0 } else { pace };
+        let (along, stiffness) = match &self.form {
+            Form::OfVelocity { law, step } => {
+                let size = length(force);
+                let speed = length(moved.rate);
+                let slope = match law {
+                    ContactLaw::VelocityControl(own) if size < own.limit => 1.0 / own.compliance,
+                    ContactLaw::VelocityControl(_) => 0.0,
+                    _ => scalar_slope(*step, &moved, speed),
+                };
+                let inside = matches!(law, ContactLaw::VelocityControl(own) if size < own.limit);
+                let across = if inside || speed == 0.0 {
+                    slope
+                } else {
+                    size / speed
+                };
+                (pair::unit(force), [pace * slope, pace * across])
+            }
+            _ if is_explicit => ([1.0, 0.0], [0.0; 2]),
+            Form::Elastic { law, .. } => {
+                let before = self.friction(trial, memory);
+                let trial = pair::map(before, moved.change, |s, c| s + c / law.compliance);
+                let k = 1.0 / law.compliance;
+                let size = length(trial);
+                let own = match size <= law.limit {
+                    true => [k, k],
+                    false => [0.0, law.limit * k / size],
+                };
+                (pair::unit(trial), own.map(|k| k + self.spring))
+            }
+            Form::BoucWen(_) | Form::Lugre(_) => {
+                let at = |change: Pair| {
+                    let more = pair::map(change, moved.change, |to, from| pace * (to - from));
+                    let moved = PlaneTrial {
+                        change,
+                        rate: pair::map(moved.rate, more, |v, more| v + more),
+                        ..moved
+                    };
+                    self.follow(&moved, memory)
+                };
+                let slopes = pair::jacobian(at, moved.change, self.width());
+                pair::principal(slopes)
+            }
+        };
+        Directions {
+            along,
+            slopes: stiffness.map(|k| if k > 0.0 { 1.0 / k } else { f64::INFINITY }),
+        }
+    }
+
+    /// A displacement that is small for the law.
+    fn width(&self) -> f64 {
+        1e-6 * match &self.form {
+            Form::BoucWen(law) => law.compliance * law.limit,
+            Form::Lugre(law) => law.static_limit / law.sigma0,
+            Form::OfVelocity { .. } | Form::Elastic { .. } => 1.0,
+        }
+    }
+
+    /// S and the memory of a contact at r with rdot, at rest under `at_rest` before; unbent without it.
+    pub fn at_start(&self, at_rest: Option<Pair>, r: Pair, rdot: Pair) -> (Pair, PlaneMemory) {
+        let friction = match at_rest {
+            Some(force) => pair::map(force, r, |s, r| s - self.spring * r),
+            None => self.unbent(r),
+        };
+        let memory = PlaneMemory {
+            friction,
+            begun: at_rest.is_some() || self.spring != 0.0,
+            ..PlaneMemory::default()
+        };
+        (self.force(friction, r, rdot), memory)
+    }
+}
+
+/// A flexibility that changes nothing but keeps the law without compliance finite.
+const LEAST: f64 = f64::MIN_POSITIVE;
+
+/// The scalar law over a step.
+fn running(law: &ContactLaw, h: f64, on: &PlaneStep) -> AnyRunningLaw<1> {
+    let flexibility = |h: f64, h_rate: f64| Flexibility {
+        h: Lane([h]),
+        h_rate: Lane([h_rate]),
+    };
+    // Without compliance, the force of a given velocity is the limit.
+    let steps = [[h, on.h_rate.max(LEAST)], [0.0, LEAST]].map(|[h, h_rate]| StepFlexibility {
+        // The motion contains S.
+        start: flexibility(0.0, 0.0),
+        end: flexibility(h, h_rate),
+        dt: Lane([on.dt]),
+        by_impulse: false,
+    });
+    ContactLaw::running(&[*law], &steps)
+}
+
+/// The force of a scalar law along a direction.
+fn along(mut step: AnyRunningLaw<1>, part: usize, direction: Pair, trial: &PlaneTrial) -> Pair {
+    if direction == [0.0; 2] {
+        return [0.0; 2];
+    }
+    let unit = pair::unit(direction);
+    let part_of = |of: Pair| Lane([dot(unit, of)]);
+    let trial = Trial {
+        displacement: part_of(trial.displacement),
+        velocity: part_of(trial.velocity),
+        force: part_of(trial.force),
+        change: part_of(trial.change),
+        rate: part_of(trial.rate),
+    };
+    let Lane([force]) = step.force(part, &trial);
+    unit.map(|x| x * force)
+}
+
+/// dS/drdot of a scalar law along rdot.
+fn scalar_slope(step: AnyRunningLaw<1>, moved: &PlaneTrial, speed: f64) -> f64 {
+    let width = 1e-7 * speed;
+    let direction = pair::unit(moved.rate);
+    let at = |speed: f64| {
+        let moved = PlaneTrial {
+            rate: direction.map(|x| x * speed),
+            ..*moved
+        };
+        dot(direction, along(step, 1, moved.rate, &moved))
+    };
+    match speed > 0.0 {
+        true => (at(speed + width) - at(speed - width)) / (2.0 * width),
+        false => {
+            let width = f64::MIN_POSITIVE.sqrt();
+            at(width) / width
+        }
+    }
+}

@@ -1,0 +1,287 @@
+//! A contact in a plane in continuous time.
+
+use super::contact::{LimitAt, Watched};
+use crate::contact::ContactLaw;
+use crate::contact::plane::{Pair, PlaneLaw, PlaneStep, dot, length};
+
+/// Relative size of values that are round-off.
+const ROUND_OFF: f64 = 1e-15;
+
+/// Speed over the largest one so far, below which a rigid contact that slides has come to rest: its way from there is 1e-18 of the whole.
+const STOPS: f64 = 1e-9;
+
+/// Part of the time in which the force of a rigid contact changes by itself, in which it begins to slide.
+const BEGINS: f64 = 3e-4;
+
+/// Speed over the largest one so far, at which a rigid contact has a direction of its own.
+const FAST: f64 = 1e-6;
+
+/// A contact in a plane between two ends of steps of the integration.
+#[derive(Debug, Clone)]
+pub struct PlaneContact {
+    law: ContactLaw,
+    at_rest: Option<Pair>,
+    /// Whether z is at the limit and follows it.
+    slides: bool,
+    /// What a rigid contact does; `None` of a law with compliance.
+    pub phase: Option<Phase>,
+    /// Largest r and rdot so far, with the sizes of their terms.
+    largest: [f64; 2],
+    /// Largest speed so far.
+    speed: f64,
+    /// S of a rigid contact that sticks, at the last end of a step, and the time there.
+    last: (Pair, f64),
+}
+
+/// What a contact without compliance does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Phase {
+    /// It sticks.
+    Sticks,
+    /// It begins to slide, along the force that would hold it: its own velocity has no direction yet. Until this time.
+    Begins {
+        /// The end.
+        until: f64,
+    },
+    /// It slides.
+    Slides,
+}
+
+/// The motion of a contact at a time.
+#[derive(Debug, Clone, Copy)]
+pub struct PlaneState {
+    /// Time.
+    pub t: f64,
+    /// r.
+    pub r: Pair,
+    /// rdot.
+    pub rdot: Pair,
+    /// z.
+    pub z: Pair,
+    /// The force that a rigid contact needs to stick.
+    pub held: Pair,
+}
+
+impl PlaneContact {
+    /// A contact with rdot, which was at rest under S before, if static loads act.
+    pub fn new(law: ContactLaw, is_rigid: bool, at_rest: Option<Pair>, rdot: Pair) -> PlaneContact {
+        let phase = match rdot == [0.0; 2] {
+            true => Phase::Sticks,
+            false => Phase::Slides,
+        };
+        PlaneContact {
+            law,
+            at_rest,
+            slides: false,
+            phase: is_rigid.then_some(phase),
+            largest: [0.0; 2],
+            speed: length(rdot),
+            last: ([0.0; 2], 0.0),
+        }
+    }
+
+    /// The law with this limit; `None` leaves it. Only laws in a plane are here.
+    fn law(&self, limit: Option<LimitAt>) -> Option<PlaneLaw> {
+        let law = limit.map_or(self.law, |limit| self.law.at_limit(limit.value));
+        let on = PlaneStep {
+            h: 0.0,
+            h_rate: 0.0,
+            dt: 1.0,
+        };
+        PlaneLaw::new(&law, on)
+    }
+
+    /// z at the start; `None` for a law without a state.
+    pub fn state(&self, r: Pair) -> Option<Pair> {
+        let law = self.law(None).filter(PlaneLaw::has_state)?;
+        Some(law.state(self.at_rest, r))
+    }
+
+    /// The limit of a rigid contact.
+    pub fn limit(&self, limit: Option<LimitAt>) -> f64 {
+        let [_, own] = self.law.properties().bounds();
+        limit.map_or(own, |limit| limit.value)
+    }
+
+    /// z at its bound, or not beyond it.
+    fn within(&self, z: Pair, bound: f64) -> Pair {
+        let size = length(z);
+        match size > 0.0 && (self.slides || size > bound) {
+            true => z.map(|z| z * (bound / size)),
+            false => z,
+        }
+    }
+
+    /// S of a law with compliance, or of a rigid contact that slides.
+    pub fn force(&self, state: &PlaneState, limit: Option<LimitAt>) -> Pair {
+        match (self.phase, self.law(limit)) {
+            (None, Some(law)) => law.force(self.within(state.z, law.bound()), state.r, state.rdot),
+            (Some(Phase::Sticks), _) => state.held,
+            (phase, _) => {
+                let along = match phase {
+                    Some(Phase::Begins { .. }) => state.held,
+                    _ => state.rdot,
+                };
+                let size = length(along);
+                let limit = self.limit(limit);
+                along.map(|x| if size > 0.0 { x / size * limit } else { 0.0 })
+            }
+        }
+    }
+
+    /// dz/dt.
+    pub fn rate(&self, state: &PlaneState, limit: Option<LimitAt>) -> Pair {
+        let Some(law) = self.law(limit) else {
+            return [0.0; 2];
+        };
+        let z = self.within(state.z, law.bound());
+        let mut rate = law.rate(z, state.rdot);
+        if self.slides {
+            // z turns with the motion, and its length is the limit.
+            let size = length(z);
+            if size > 0.0 {
+                let own = dot(z, rate) / size;
+                let wanted = limit.map_or(0.0, |limit| limit.rate);
+                for (rate, z) in rate.iter_mut().zip(z) {
+                    *rate += (wanted - own) * z / size;
+                }
+            }
+        }
+        rate
+    }
+
+    /// How much faster than its limit z would grow beyond it.
+    fn pressure(&self, state: &PlaneState, law: &PlaneLaw, limit: Option<LimitAt>) -> f64 {
+        let size = length(state.z);
+        let wanted = limit.map_or(0.0, |limit| limit.rate);
+        match size > 0.0 {
+            true => dot(state.z, law.rate(state.z, state.rdot)) / size - wanted,
+            false => -wanted,
+        }
+    }
+
+    /// What is watched at a state.
+    pub fn watch(&self, state: &PlaneState, limit: Option<LimitAt>, to: &mut Vec<Watched>) {
+        let one_sided = |value: f64, least: f64| Watched {
+            value,
+            least,
+            one_sided: true,
+        };
+        if let Some(phase) = self.phase {
+            let own = self.limit(limit);
+            to.push(match phase {
+                Phase::Sticks => one_sided(own - length(state.held), ROUND_OFF * own),
+                Phase::Begins { until } => one_sided(self.left(until, state), 0.0),
+                Phase::Slides => one_sided(length(state.rdot) - STOPS * self.speed, 0.0),
+            });
+            return;
+        }
+        let Some(law) = self.law(limit) else {
+            return;
+        };
+        let [_, rdot_scale] = self.largest.map(|x| ROUND_OFF * x);
+        if !law.has_state() {
+            // Corners of S over the speed.
+            let speed = length(state.rdot);
+            let scalar = limit.map_or(self.law, |limit| self.law.at_limit(limit.value));
+            to.push(Watched {
+                value: match &scalar {
+                    ContactLaw::VelocityControl(own) => speed - own.compliance * own.limit,
+                    own => own.corner(speed),
+                },
+                least: rdot_scale,
+                one_sided: false,
+            });
+            return;
+        }
+        if law.is_cut() {
+            to.push(match self.slides {
+                true => one_sided(
+                    self.pressure(state, &law, limit),
+                    ROUND_OFF * length(law.rate([0.0; 2], [self.largest[1], 0.0])),
+                ),
+                false => one_sided(law.bound() - length(state.z), 0.0),
+            });
+        } else {
+            // <z . rdot> has a corner.
+            let size = length(state.z);
+            let along = if size > 0.0 {
+                dot(state.z, state.rdot) / size
+            } else {
+                0.0
+            };
+            to.push(Watched {
+                value: along,
+                least: rdot_scale,
+                one_sided: false,
+            });
+        }
+    }
+
+    /// The size of z below which it is round-off of r over the tolerance.
+    pub fn least_state(&self) -> f64 {
+        let least = |law: PlaneLaw| {
+            let elastic = length(law.rate([0.0; 2], [self.largest[0], 0.0]));
+            elastic.min(law.bound())
+        };
+        self.law(None).map_or(0.0, least)
+    }
+
+    /// Takes a state as the last one; `sizes` are those of the terms of r and rdot. Returns z there.
+    pub fn commit(&mut self, state: &PlaneState, sizes: [f64; 2], limit: Option<LimitAt>) -> Pair {
+        self.largest = [0, 1].map(|i| self.largest[i].max(sizes[i]));
+        self.speed = self.speed.max(length(state.rdot));
+        if let Some(phase) = self.phase {
+            self.phase = Some(self.next(phase, state, limit));
+            self.last = (state.held, state.t);
+            return state.z;
+        }
+        let Some(law) = self.law(limit).filter(PlaneLaw::has_state) else {
+            return state.z;
+        };
+        let z = self.within(state.z, law.bound());
+        if law.is_cut() {
+            let at = PlaneState { z, ..*state };
+            let pressure = self.pressure(&at, &law, limit);
+            let slack = ROUND_OFF * length(law.rate([0.0; 2], [self.largest[1], 0.0]));
+            self.slides = match self.slides {
+                true => pressure >= -slack,
+                false => length(z) >= law.bound() && pressure >= 0.0,
+            };
+        }
+        z
+    }
+
+    /// Above 0 while a contact begins to slide: until its time or its speed is reached, and it is faster than one that stops.
+    fn left(&self, until: f64, state: &PlaneState) -> f64 {
+        let speed = length(state.rdot);
+        let reached = (until - state.t).min(FAST * self.speed - speed);
+        reached.max(10.0 * STOPS * self.speed - speed)
+    }
+
+    /// The phase from this state on.
+    fn next(&self, phase: Phase, state: &PlaneState, limit: Option<LimitAt>) -> Phase {
+        let own = self.limit(limit);
+        let begins = || {
+            // The time in which the force that holds would change by itself.
+            let (before, t) = self.last;
+            let change = length(std::array::from_fn(|i| state.held[i] - before[i]));
+            let time = match change > 0.0 && state.t > t {
+                true => length(state.held) / change * (state.t - t),
+                false => 0.0,
+            };
+            Phase::Begins {
+                until: state.t + BEGINS * time,
+            }
+        };
+        match phase {
+            Phase::Sticks if length(state.held) >= own => begins(),
+            Phase::Sticks => Phase::Sticks,
+            Phase::Begins { until } if self.left(until, state) <= 0.0 => Phase::Slides,
+            Phase::Begins { until } => Phase::Begins { until },
+            Phase::Slides if length(state.rdot) > STOPS * self.speed => Phase::Slides,
+            Phase::Slides if length(state.held) < own => Phase::Sticks,
+            Phase::Slides => begins(),
+        }
+    }
+}

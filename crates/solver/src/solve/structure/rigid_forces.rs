@@ -1,0 +1,107 @@
+//! Forces of rigid contacts: within bounds, and within discs in a plane.
+
+use crate::contact::coupled::curved::{CurvedForces, Directions, Laws};
+use crate::contact::plane::{Pair, length};
+use crate::contact::{CoupledForces, Unsolved};
+use crate::system::structure::{PlaneRow, StructureLaw};
+
+/// Minimises 1/2 S^T A S - S^T d over intervals, and discs where contacts are in a plane.
+pub(super) enum RigidForces {
+    Intervals(CoupledForces),
+    Discs(Box<CurvedForces>, Vec<Option<PlaneRow>>),
+}
+
+impl RigidForces {
+    /// A by rows, and the laws of its contacts.
+    pub(super) fn new<'a>(
+        flexibility: Vec<f64>,
+        laws: impl Iterator<Item = &'a StructureLaw>,
+    ) -> RigidForces {
+        let rows: Vec<Option<PlaneRow>> = laws.map(StructureLaw::row).collect();
+        let m = rows.len();
+        let planes = rows.iter().enumerate();
+        let planes = planes.filter(|(_, row)| **row == Some(PlaneRow::First));
+        let planes: Vec<usize> = planes.map(|(i, _)| i).collect();
+        match planes.is_empty() {
+            true => RigidForces::Intervals(CoupledForces::new(flexibility, m)),
+            false => {
+                let forces = CurvedForces::with_planes(flexibility, m, &planes);
+                RigidForces::Discs(Box::new(forces), rows)
+            }
+        }
+    }
+
+    /// The forces; of a plane the bounds of its first row are the radius of its disc.
+    pub(super) fn solve(
+        &mut self,
+        d: &[f64],
+        [low, high]: [&[f64]; 2],
+        size: &[f64],
+        force: &mut [f64],
+    ) -> Result<(), Unsolved> {
+        match self {
+            RigidForces::Intervals(forces) => forces.solve(d, low, high, size, force),
+            RigidForces::Discs(forces, rows) => {
+                let own = (0..rows.len()).map(|i| forces.flexibility(i)).collect();
+                let laws = Bounded {
+                    own,
+                    low,
+                    high,
+                    rows,
+                };
+                forces.solve(d, size, &laws, force)
+            }
+        }
+    }
+}
+
+/// Rigid laws: a force follows its contact until it is at its bound.
+struct Bounded<'a> {
+    own: Vec<f64>,
+    low: &'a [f64],
+    high: &'a [f64],
+    rows: &'a [Option<PlaneRow>],
+}
+
+impl Laws for Bounded<'_> {
+    fn answer(&self, contact: usize, y: f64) -> f64 {
+        let [low, high] = self.bounds(contact);
+        (y / self.own[contact]).clamp(low, high)
+    }
+
+    fn compliance(&self, contact: usize, _: f64, force: f64, _: f64) -> f64 {
+        let [low, high] = self.bounds(contact);
+        let is_inside = low < force && force < high;
+        if is_inside { 0.0 } else { f64::INFINITY }
+    }
+
+    fn bounds(&self, contact: usize) -> [f64; 2] {
+        [self.low[contact], self.high[contact]]
+    }
+
+    fn is_plane(&self, contact: usize) -> bool {
+        self.rows[contact] == Some(PlaneRow::First)
+    }
+
+    fn answer_plane(&self, contact: usize, y: Pair) -> Pair {
+        let limit = self.high[contact];
+        let force = y.map(|y| y / self.own[contact]);
+        let size = length(force);
+        let share = if size > limit { limit / size } else { 1.0 };
+        force.map(|s| s * share)
+    }
+
+    fn directions(&self, contact: usize, y: Pair, _: Pair) -> Directions {
+        let (limit, own, size) = (self.high[contact], self.own[contact], length(y));
+        match size > limit * own {
+            true => Directions {
+                along: y.map(|y| y / size),
+                slopes: [f64::INFINITY, size / limit - own],
+            },
+            false => Directions {
+                along: [1.0, 0.0],
+                slopes: [0.0; 2],
+            },
+        }
+    }
+}

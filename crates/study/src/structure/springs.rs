@@ -1,0 +1,131 @@
+//! Springs and dashpots.
+
+use super::contacts::plane;
+use super::keys::SPRING;
+use super::reader::{Reader, open};
+use crate::source::faults::Faults;
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use crate::value::text;
+use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::structure::amount::{Amount, Source};
+use slipgap_solver::problem::structure::template::{Spring, SpringNumbers};
+
+/// The keys of numbers of which a spring in two directions may have two.
+const NUMBERS: [&str; 5] = ["k", "c", "mass", "period", "ratio"];
+
+/// A spring, or one in each of two directions.
+pub(super) fn springs(
+    node: &Node,
+    path: &str,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Vec<Spring>> {
+    let object = open(node, path, SPRING, faults)?;
+    let name = object.get("name");
+    let name = name.and_then(|node| text(node, &object.path("name"), faults));
+    let name = name.unwrap_or_default();
+    reader.direction(&object, faults)?;
+    let Some(node) = object.get("directions") else {
+        let along = reader.along(&object, "a spring", faults);
+        let numbers = numbers(&object, None, reader, faults);
+        return Some(vec![Spring {
+            name,
+            along: along?,
+            numbers: numbers?,
+        }]);
+    };
+    if let Some(node) = object.get("along").or(object.get("direction")) {
+        let message = "a spring with directions has between, and no along and no direction";
+        faults.add(node.at, &object.path("directions"), message);
+        return None;
+    }
+    let directions = plane::directions(node, &object.path("directions"), faults);
+    for key in NUMBERS {
+        if let Some(Tree::List(items)) = object.get(key).map(|node| &node.tree)
+            && items.len() != 2
+        {
+            object.fault(&format!("{key} has a number for each direction, 2"), faults);
+            return None;
+        }
+    }
+    let pairs = plane::in_directions(&object, directions?, faults)?;
+    let mut both = Vec::new();
+    for (place, ([i, j], direction)) in pairs.into_iter().zip(directions?).enumerate() {
+        let first = reader.side(&i.0, i.1, -1.0, faults);
+        let second = reader.side(&j.0, j.1, 1.0, faults);
+        let numbers = numbers(&object, Some(place), reader, faults);
+        let ((_, mut along), (_, others)) = (first?, second?);
+        along.extend(others);
+        both.push(Spring {
+            name: match name.is_empty() {
+                true => String::new(),
+                false => format!("{name}.{}", direction.name()),
+            },
+            along,
+            numbers: numbers?,
+        });
+    }
+    Some(both)
+}
+
+/// k and c, or a mass with its period; of the direction at this place.
+fn numbers(
+    object: &Object,
+    place: Option<usize>,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<SpringNumbers> {
+    let has = |key: &str| object.get(key).is_some();
+    let by_period = ["mass", "period", "ratio"].map(has).contains(&true);
+    if by_period && ["k", "c"].map(has).contains(&true) {
+        object.fault("give k and c, or mass, period and ratio, not both", faults);
+        return None;
+    }
+    let optional = |key: &str, range: Range, faults: &mut Faults| {
+        let (node, path) = (object.get(key)?, object.path(key));
+        match (&node.tree, place) {
+            (Tree::List(items), Some(place)) => reader.amount(
+                items.get(place)?,
+                &format!("{path}[{place}]"),
+                range,
+                faults,
+            ),
+            _ => reader.amount(node, &path, range, faults),
+        }
+    };
+    let needed = |key: &str, range: Range, faults: &mut Faults| {
+        let what = SPRING.iter().find(|known| known.0 == key);
+        object.need(key, what.map_or("", |known| known.1), faults)?;
+        optional(key, range, faults)
+    };
+    if by_period {
+        let mut need = |key| needed(key, Range::Positive, faults);
+        let (mass, period) = (need("mass"), need("period"));
+        let ratio = optional("ratio", Range::NotNegative, faults);
+        return Some(SpringNumbers::Period {
+            mass: mass?,
+            period: period?,
+            ratio,
+        });
+    }
+    let c = optional("c", Range::NotNegative, faults);
+    let k = match (object.get("k"), &c) {
+        // A dashpot alone.
+        (None, Some(c)) => Some(zero(c)),
+        (None, None) => {
+            object.fault("missing: k and c, or mass, period and ratio", faults);
+            None
+        }
+        (Some(_), _) => needed("k", Range::NotNegative, faults),
+    };
+    Some(SpringNumbers::Stiffness { k: k?, c })
+}
+
+/// The number 0 at the place of another.
+fn zero(at: &Amount) -> Amount {
+    Amount {
+        source: Source::Number(0.0),
+        ..at.clone()
+    }
+}

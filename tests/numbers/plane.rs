@@ -1,0 +1,206 @@
+//! Friction in a plane beside closed forms, scalar friction and other directions.
+
+use serde_json::{Value as Json, json};
+use slipgap::study;
+use std::f64::consts::PI;
+
+/// The metrics of all cases.
+fn solve(study: &Json) -> Vec<Vec<f64>> {
+    let study =
+        study::parse("study.json", &study.to_string()).unwrap_or_else(|why| panic!("{why}"));
+    let cases = (0..study.len()).map(|i| {
+        let case = study.case(i).unwrap();
+        let solution = study.problem.solve(&case, &study.metrics);
+        let metrics = solution.unwrap_or_else(|why| panic!("{why}")).metrics;
+        metrics.into_iter().map(Option::unwrap).collect()
+    });
+    cases.collect()
+}
+
+/// A mass of 1 on a contact in a plane.
+fn block(contact: Json, more: Json, metrics: &[&str]) -> Json {
+    let mut study = json!({
+        "problem": "structure", "parameters": {"dt": 0.002, "duration": 4},
+        "structure": {
+            "masses": {"a": {"mass": 1, "direction": ["x", "y"]}},
+            "contacts": {"f": {"between": ["ground", "a"], "directions": ["x", "y"]}}
+        },
+        "metrics": metrics
+    });
+    for (key, value) in contact.as_object().unwrap() {
+        study["structure"]["contacts"]["f"][key] = value.clone();
+    }
+    for (key, value) in more.as_object().unwrap() {
+        match key.as_str() {
+            "parameters" => {
+                for (key, value) in value.as_object().unwrap() {
+                    study["parameters"][key] = value.clone();
+                }
+            }
+            _ => study["structure"][key] = value.clone(),
+        }
+    }
+    study
+}
+
+/// The laws with a limit of 1.
+fn laws() -> Vec<Json> {
+    vec![
+        json!({"law": "coulomb", "limit": 1}),
+        json!({"law": "velocity-control", "limit": 1, "rdotE": 0.1}),
+        json!({"law": "tanh", "limit": 1, "rdotE": 0.1}),
+        json!({"law": "stribeck", "limit": 1, "rdotE": 0.1, "static_ratio": 1.1, "stribeck_velocity": 1}),
+        json!({"law": "displacement-control", "limit": 1, "rE": 0.01}),
+        json!({"law": "bouc-wen", "limit": 1, "rE": 0.01, "exponent": 2}),
+        json!({"law": "bouc-wen", "limit": 1, "rE": 0.01, "exponent": 1}),
+        json!({"law": "lugre", "limit": 1, "sigma0": 100, "sigma1": 0.1, "sigma2": 0.1, "static_ratio": 1.1, "stribeck_velocity": 1}),
+        json!({"law": "bilinear", "Fy": 1, "k1": 100, "k2": 10}),
+        json!({"law": "pendulum", "nu": 0.1, "N": 10, "R": 3, "rE": 0.01}),
+    ]
+}
+
+fn sine(amplitude: f64, omega: f64, phase: f64) -> Json {
+    json!({"sine": {"amplitude": amplitude, "omega": omega, "phase": phase}})
+}
+
+/// Steady slip on a ground that moves on a circle: friction of constant size, sqrt(a0^2 - (mu g)^2)/|g/R - w^2|.
+#[test]
+fn a_pendulum_under_a_circle_slides_on_a_circle() {
+    let amplitudes = [0.7, 0.8, 1.0, 1.5, 3.0];
+    let limit: f64 = 0.06 * 9.81;
+    let ground = json!({"x": {"sine": {"amplitude": "a0", "omega": "pi", "phase": "pi/2"}}, "y": {"sine": {"amplitude": "a0", "omega": "pi"}}});
+    let more = json!({"parameters": {"a0": amplitudes, "dt": 0.004, "duration": 200}, "ground": ground,
+        "springs": [{"between": ["ground", "a"], "directions": ["x", "y"], "k": 9.81 / 2.0}]});
+    let study = block(
+        json!({"law": "coulomb", "limit": limit}),
+        more,
+        &["last(f.r)"],
+    );
+    for (a0, metrics) in amplitudes.iter().zip(solve(&study)) {
+        let slip = (a0 * a0 - limit * limit).sqrt() / (9.81 / 2.0 - PI * PI).abs();
+        // Of second order in the step: (w dt)^2/12 of accelerations, near the resonance a little more; and the transient.
+        assert!(
+            (metrics[0] / slip - 1.0).abs() < 1e-4,
+            "{a0} {} {slip}",
+            metrics[0]
+        );
+    }
+}
+
+/// A block on a slope with mu = tan(slope), launched across: its speed tends to half of the first one, down the slope.
+#[test]
+fn a_block_that_is_launched_across_a_slope_ends_with_half_its_speed() {
+    let more = json!({"parameters": {"duration": 20}, "start": {"a.x": {"v": 1}},
+        "loads": [{"at": "a.y", "table": {"t": [0, 1], "f": [1, 1]}}], "contacts_reference": "softened"});
+    let metrics = ["last(a.x.v)", "last(a.y.v)", "rms_error(f.r)"];
+    let own = solve(&block(
+        json!({"law": "coulomb", "limit": 1}),
+        more,
+        &metrics,
+    ))
+    .pop()
+    .unwrap();
+    // v = C tan(psi/2)/sin(psi): the velocity across falls as exp(-2 t/v0), the step changes it by its square.
+    assert!(
+        own[0].abs() < 1e-9 && (own[1] - 0.5).abs() < 1e-6,
+        "{own:?}"
+    );
+    assert!(own[2] < 1e-5, "{own:?}");
+}
+
+/// Code_Aster's test SDND100: a block released at 45 degrees from 0.85 mm stops at -0.65, 0.45, -0.25 and rests at 0.05 mm.
+#[test]
+fn a_block_released_at_an_angle_turns_where_the_closed_form_does() {
+    let r0 = 0.85e-3 * 0.5_f64.sqrt();
+    let more = json!({"parameters": {"duration": 0.2, "dt": 1e-5},
+        "springs": [{"between": ["ground", "a"], "directions": ["x", "y"], "k": 1e4}],
+        "start": {"a.x": {"u": r0}, "a.y": {"u": r0}}, "contacts_reference": "softened"});
+    let metrics = [
+        "min(a.x)",
+        "last(a.x)",
+        "last(a.y)",
+        "rms_error(f.r)",
+        "last_error(f.r)",
+    ];
+    let own = solve(&block(
+        json!({"law": "coulomb", "limit": 1}),
+        more,
+        &metrics,
+    ))
+    .pop()
+    .unwrap();
+    let along = [own[0], own[1]].map(|x| x * 2.0_f64.sqrt());
+    // The step has (omega dt)^2/12 of the period, and stops within a step.
+    assert!((along[0] + 0.65e-3).abs() < 1e-9, "{along:?}");
+    assert!((along[1] - 0.05e-3).abs() < 2e-9, "{along:?}");
+    assert_eq!(own[1], own[2]);
+    assert!(own[3] < 1e-8 && own[4] < 2e-9, "{own:?}");
+}
+
+/// The same motion in a plane that is turned by 45 degrees.
+#[test]
+fn no_direction_is_preferred() {
+    let half = 0.5_f64.sqrt();
+    for law in laws() {
+        let along = json!({"ground": {"x": sine(3.0, 4.0, 0.3)}, "start": {"a.x": {"v": 0.5}}, "contacts_reference": "softened"});
+        let turned = json!({"ground": {"x": sine(3.0 * half, 4.0, 0.3), "y": sine(3.0 * half, 4.0, 0.3)},
+            "start": {"a.x": {"v": 0.5 * half}, "a.y": {"v": 0.5 * half}}, "contacts_reference": "softened"});
+        let metrics = ["peak(f.r)", "last(f.r)", "rms(f.S)", "rms_error(f.r)"];
+        let [along, turned] =
+            [along, turned].map(|more| solve(&block(law.clone(), more, &metrics)).pop().unwrap());
+        for (a, b) in along.iter().zip(&turned).take(3) {
+            // Round-off, which the motion does not magnify.
+            assert!((a - b).abs() < 1e-11, "{law} {along:?} {turned:?}");
+        }
+        // The exact motions agree as well as their tolerance of 1e-12 a step allows.
+        assert!(
+            (along[3] - turned[3]).abs() < 1e-9,
+            "{law} {along:?} {turned:?}"
+        );
+    }
+}
+
+/// Where the second direction is held, the contact is the scalar one, to the bit.
+#[test]
+fn a_held_direction_leaves_the_scalar_contact() {
+    let metrics = ["peak(a.x)", "last(a.x)", "energy_error", "rms_error(a.x)"];
+    for law in laws() {
+        let more = json!({"masses": {"a": {"mass": 1, "direction": ["x", "y"]}}, "ground": {"x": sine(3.0, 4.0, 0.3)},
+            "start": {"a.x": {"v": 0.5}}, "contacts_reference": "softened"});
+        let mut scalar = block(law.clone(), more.clone(), &metrics);
+        let contact = scalar["structure"]["contacts"]["f"]
+            .as_object_mut()
+            .unwrap();
+        contact.remove("directions");
+        contact.insert("between".into(), json!(["ground", "a.x"]));
+        let mut held = block(law.clone(), more, &metrics);
+        let contact = held["structure"]["contacts"]["f"].as_object_mut().unwrap();
+        contact.remove("directions");
+        contact.remove("between");
+        let plane = json!([["ground", "a.x"], ["ground", "ground"]]);
+        contact.insert("plane".into(), plane);
+        assert_eq!(solve(&scalar), solve(&held), "{law}");
+    }
+}
+
+/// Steps converge to the exact motion: of second order, but for the radial return, which is of first order where the path turns.
+#[test]
+fn steps_converge_to_the_exact_motion() {
+    for law in laws() {
+        let name = law["law"].as_str().unwrap().to_owned();
+        let more = json!({"parameters": {"dt": [0.004, 0.002], "duration": 3},
+            "springs": [{"between": ["ground", "a"], "directions": ["x", "y"], "k": [30, 50], "c": 0.2}],
+            "ground": {"x": sine(3.0, 4.0, 1.5), "y": sine(2.5, 5.0, 0.0)},
+            "start": {"a.x": {"u": 0.1, "v": 1}}, "contacts_reference": "softened"});
+        let metrics = ["rms_error(f.r)", "reference_error(f.r)", "energy_error"];
+        let all = solve(&block(law, more, &metrics));
+        let ratio = all[0][0] / all[1][0];
+        let radial = ["displacement-control", "bilinear", "pendulum"].contains(&name.as_str());
+        let expected = if radial { 1.7..2.5 } else { 3.0..4.6 };
+        assert!(expected.contains(&ratio), "{name} {all:?}");
+        assert!(
+            all.iter().all(|own| own[1] < 1e-9 && own[2] < 1e-12),
+            "{name} {all:?}"
+        );
+    }
+}
