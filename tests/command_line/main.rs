@@ -20,6 +20,7 @@ mod interrupted;
 mod kept;
 mod large;
 mod pictures;
+mod plane;
 mod reductions;
 mod restitution;
 mod same_bytes;

@@ -24,11 +24,36 @@ const EXACT_POINTS: [usize; 2] = [800, 20_000];
 /// See `EXACT_POINTS`.
 const FOR_EACH_STEP: usize = 4;
 
+/// Largest value of an axis of an orbit over that of the path, and the height of a panel for its first layout.
+const MARGIN: f64 = 1.08;
+const SQUARE: f64 = 200.0;
+
 /// Markers along a curve.
 const MARKERS: f64 = 8.3;
 
 impl Draw for Curve {
     fn sheet(&self, data: &FigureData) -> Sheet {
+        self.sheet_with(data, &Look::default())
+    }
+}
+
+/// What an orbit has more than a curve.
+#[derive(Debug, Default)]
+pub(super) struct Look {
+    /// Whether both axes have one scale.
+    pub(super) equal: bool,
+    /// The disc of forces.
+    pub(super) disc: Option<Series>,
+}
+
+/// The panels of a figure that draws one curve over another.
+pub(super) trait DrawWith {
+    /// The sheet with this look.
+    fn sheet_with(&self, data: &FigureData, with: &Look) -> Sheet;
+}
+
+impl DrawWith for Curve {
+    fn sheet_with(&self, data: &FigureData, with: &Look) -> Sheet {
         let FigureData {
             study,
             figure,
@@ -74,15 +99,23 @@ impl Draw for Curve {
                 let curves = group.iter().map(|i| curve(quantity, *i));
                 let measured = pairs.measured(quantity, drawn, group).into_iter();
                 let exact = pairs.exact(quantity, drawn, group);
-                measured.chain(exact).chain(curves).collect()
+                let disc = with.disc.clone();
+                measured.chain(exact).chain(disc).chain(curves).collect()
             };
             groups.iter().map(of_group).collect()
         };
         let mut series: Vec<Vec<Vec<Series>>> = quantities.iter().copied().map(series).collect();
         unmark_alone(series.iter_mut().flatten().flatten(), &labels);
 
-        let [x_range, y_range] = figure.ranges;
-        let height = if rows.len() == 1 { 160.0 } else { 130.0 };
+        let [mut x_range, mut y_range] = figure.ranges;
+        let mut height = if rows.len() == 1 { 160.0 } else { 130.0 };
+        if with.equal {
+            let points = limits::points(series.iter().flatten().flatten());
+            let most = points.fold(0.0, |most: f64, [x, y]| most.max(x.abs()).max(y.abs()));
+            let range = Some([-MARGIN * most, MARGIN * most]).filter(|_| most > 0.0);
+            [x_range, y_range] = [range; 2];
+            height = SQUARE;
+        }
         let axes: Vec<Axis> = quantities
             .iter()
             .zip(&series)
@@ -97,6 +130,10 @@ impl Draw for Curve {
             1 => 1.2 * style::SINGLE,
             _ => style::DOUBLE,
         });
+        if with.equal {
+            let own = vec![height; rows.len()];
+            height = layout::grid(width, columns, &own, &axes, 4.0).width;
+        }
         let heights = vec![height; rows.len()];
         let grids = match arranged {
             Arrangement::QuantitiesAcross => layout::columns(width, &heights, &axes),

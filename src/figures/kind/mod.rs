@@ -11,6 +11,7 @@ mod history;
 mod law;
 mod map;
 mod metric;
+mod orbit;
 mod over_parameter;
 mod profile;
 mod quantiles;
@@ -61,6 +62,7 @@ pub fn of(kind: &FigureKind) -> &dyn Draw {
         FigureKind::Fragility(kind) => kind,
         FigureKind::Law(kind) => kind,
         FigureKind::Curve(kind) => kind,
+        FigureKind::Orbit(kind) => kind,
         FigureKind::Spectrum(kind) => kind,
         FigureKind::Scheme(kind) => kind,
     }

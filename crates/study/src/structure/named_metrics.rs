@@ -196,7 +196,7 @@ pub(super) fn hinted(why: &str, names: &Names) -> String {
 }
 
 /// The kinds of figure that draw channels.
-const KINDS: [&str; 2] = ["history", "curve"];
+const KINDS: [&str; 3] = ["history", "curve", "orbit"];
 
 /// The channels that history figures and curves draw; `error(CHANNEL)` is the error of one.
 pub(super) fn drawn(root: &Object, names: &Names, faults: &mut Faults) -> Vec<Drawn> {

@@ -9,7 +9,7 @@ impl PlaneLaw {
         !matches!(self.form, Form::OfVelocity { .. })
     }
 
-    /// Whether z stays at its limit and follows it while the contact slides.
+    /// Whether z follows the motion up to its limit, without a bend.
     pub fn is_cut(&self) -> bool {
         matches!(self.form, Form::Elastic { .. })
     }

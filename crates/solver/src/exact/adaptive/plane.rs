@@ -194,15 +194,14 @@ impl PlaneContact {
             });
             return;
         }
-        if law.is_cut() {
-            to.push(match self.slides {
-                true => one_sided(
-                    self.pressure(state, &law, limit),
-                    ROUND_OFF * length(law.rate([0.0; 2], [self.largest[1], 0.0])),
-                ),
-                false => one_sided(law.bound() - length(state.z), 0.0),
-            });
-        } else {
+        to.push(match self.slides {
+            true => one_sided(
+                self.pressure(state, &law, limit),
+                ROUND_OFF * length(law.rate([0.0; 2], [self.largest[1], 0.0])),
+            ),
+            false => one_sided(law.bound() - length(state.z), 0.0),
+        });
+        if !law.is_cut() {
             // <z . rdot> has a corner.
             let size = length(state.z);
             let along = if size > 0.0 {
@@ -240,15 +239,14 @@ impl PlaneContact {
             return state.z;
         };
         let z = self.within(state.z, law.bound());
-        if law.is_cut() {
-            let at = PlaneState { z, ..*state };
-            let pressure = self.pressure(&at, &law, limit);
-            let slack = ROUND_OFF * length(law.rate([0.0; 2], [self.largest[1], 0.0]));
-            self.slides = match self.slides {
-                true => pressure >= -slack,
-                false => length(z) >= law.bound() && pressure >= 0.0,
-            };
-        }
+        let at = PlaneState { z, ..*state };
+        let pressure = self.pressure(&at, &law, limit);
+        let slack = ROUND_OFF * length(law.rate([0.0; 2], [self.largest[1], 0.0]));
+        self.slides = match self.slides {
+            true => pressure >= -slack,
+            // The length of what was cut has round-off.
+            false => length(z) >= (1.0 - ROUND_OFF) * law.bound() && pressure >= 0.0,
+        };
         z
     }
 

@@ -11,6 +11,7 @@ mod history;
 mod law;
 mod map;
 mod metric;
+mod orbit;
 mod profile;
 mod quantiles;
 mod samples;
@@ -121,6 +122,7 @@ pub use spectrum::Ordinate;
 kinds! {
     history::History,
     curve::Curve,
+    orbit::Orbit,
     profile::Profile,
     wave::Wave,
     metric::Metric,
