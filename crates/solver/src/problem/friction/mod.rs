@@ -139,7 +139,7 @@ impl FrictionOscillator {
             .map(|own| metrics::friction::budget(case.x0, &computed, &exact, &own.motion));
         let error = softened.as_ref().and_then(|own| {
             let coarse = own.coarse.as_ref()?;
-            Some(metrics::friction::reference(case.x0, &own.motion, coarse))
+            reference::error(case, &computed, &own.motion, coarse)
         });
         let metrics = cells(own)
             .into_iter()

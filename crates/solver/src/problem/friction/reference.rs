@@ -6,6 +6,11 @@ use crate::contact::ContactLaw;
 use crate::exact::adaptive;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
+use crate::metrics::{
+    self,
+    convergence::{Halved, Referred, reference_errors},
+};
+use crate::solve::{self, ContactTrack, ToSystem};
 use crate::system::structure::{
     Contact, Limit, Node, Preload, Structure, StructureLaw, Symmetric, between,
 };
@@ -71,6 +76,38 @@ fn integrated(case: &OscillatorCase, times: &[f64], with_error: bool) -> Option<
     })
 }
 
+/// The error of a motion in continuous time: against a `coarse` one, and as the convergence of the computed one shows it.
+pub fn error(
+    case: &OscillatorCase,
+    computed: &History,
+    motion: &History,
+    coarse: &History,
+) -> Option<f64> {
+    let scaled = |x: &[f64]| -> Vec<f64> { x.iter().map(|x| x / case.x0.abs()).collect() };
+    let channel = Referred {
+        exact: scaled(motion.displacement()),
+        computed: scaled(computed.displacement()),
+        size: 1.0,
+        estimate: metrics::friction::reference(case.x0, motion, coarse),
+    };
+    let errors = reference_errors(&[channel], |halvings| {
+        let every = 1_u64 << halvings;
+        let halved = OscillatorCase {
+            step: case.step / every as f64,
+            last: case.last.checked_mul(every)?,
+            ..*case
+        };
+        let track = solve::run::<ContactTrack>(&halved.system()).ok()?.track;
+        let states = track.0.iter().step_by(every as usize);
+        let x: Vec<f64> = states.map(|state| state[0]).collect();
+        Some(Halved {
+            channels: vec![scaled(&x)],
+            resolved: true,
+        })
+    });
+    errors.first().copied()
+}
+
 /// The oscillator as a structure: a mass of 1 on a spring of 1.
 fn structure(case: &OscillatorCase) -> Structure {
     let mut stiffness = Symmetric::zeros(1);
@@ -105,3 +142,6 @@ fn structure(case: &OscillatorCase) -> Structure {
         },
     }
 }
+
+#[cfg(test)]
+mod tests;

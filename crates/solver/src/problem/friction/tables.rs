@@ -217,7 +217,7 @@ pub(super) static METRICS: [Metric; 19] = [
     ),
     Metric::selected(
         ["reference_error", "reference error", "1"],
-        "estimated error of g: rms_error of g integrated with a tolerance of 1e-10 against g with 1e-12, at every third step and the last one; empty for the laws of [F], whose g is a closed form",
+        "estimated error of g: the larger one of rms_error of g integrated with a tolerance of 1e-10 against g with 1e-12, at every third step and the last one, and of the part of step_error that the convergence of the steps dT to dT/64 does not explain; empty for the laws of [F], whose g is a closed form",
     ),
 ];
 

@@ -1,11 +1,17 @@
 //! The motions between the exact impact and the computed one, for the error budget.
 
+use super::case::{self, ImpactCase};
 use super::scaled::{CLOSING, Scaled};
 use crate::contact::WhichLaw;
 use crate::exact::adaptive::{self, AdaptiveFault};
 use crate::exact::mesh::Mesh;
 use crate::exact::spring::Spring;
 use crate::history::History;
+use crate::metrics;
+use crate::metrics::convergence::{self, Halved, Referred};
+use crate::metrics::impact::Track;
+use crate::metrics::structure::peak;
+use crate::solve::{self, ToSystem};
 use crate::system::structure::{Contact, Node, Structure, StructureLaw, Symmetric};
 
 /// Most elements of a bar: memory and time of the mesh in continuous time grow with the square of their number.
@@ -45,6 +51,49 @@ pub fn references(scaled: &Scaled, times: &[f64], with_error: bool) -> Option<Re
         motions: at(times, adaptive::TOLERANCE)?,
         coarse,
     })
+}
+
+/// The errors of r and rdot of motions in continuous time: against `coarse` ones, and of the mesh as the convergence of the computed
+/// motion shows it.
+pub fn reference_errors(
+    case: &ImpactCase,
+    computed: &History,
+    motions: &[History; 2],
+    coarse: &[History; 2],
+) -> [Option<f64>; 2] {
+    let [_, mesh] = motions;
+    let estimates = metrics::impact::reference_errors(motions, coarse);
+    let channel = |channel: usize| {
+        Some(Referred {
+            exact: mesh.channel(channel).to_vec(),
+            computed: computed.channel(channel).to_vec(),
+            size: peak(computed.channel(channel)),
+            estimate: estimates[channel]?,
+        })
+    };
+    let (Some(r), Some(rdot)) = (channel(0), channel(1)) else {
+        return estimates;
+    };
+    let errors = convergence::reference_errors(&[r, rdot], |halvings| {
+        let every = 1_u64 << halvings;
+        let halved = ImpactCase {
+            dt: case.dt / every as f64,
+            last: case.last.checked_mul(every)?,
+            ..*case
+        };
+        let mut track = solve::run::<Track<1>>(&halved.system()).ok()?.track;
+        case::condense(&[halved], &mut track);
+        let history = track.history(halved.dt);
+        let at_steps = |channel: usize| {
+            let all = history.channel(channel).iter();
+            all.step_by(every as usize).copied().collect()
+        };
+        Some(Halved {
+            channels: vec![at_steps(0), at_steps(1)],
+            resolved: true,
+        })
+    });
+    [errors.first().copied(), errors.get(1).copied()]
 }
 
 fn in_closed_form(scaled: &Scaled, times: &[f64]) -> Option<References> {
@@ -119,3 +168,6 @@ fn mesh(scaled: &Scaled) -> Structure {
         preload: Default::default(),
     }
 }
+
+#[cfg(test)]
+mod tests;

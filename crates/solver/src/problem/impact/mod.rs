@@ -18,6 +18,7 @@ use super::{Case, Form, Problem, Schema, Snapshot, Solution, Violation, selected
 use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::lane::Lane;
+use crate::metrics::convergence::FEWEST_HALVED;
 use crate::metrics::impact::{Energy, Track};
 use crate::metrics::{self, cells};
 use crate::solve::sweep::LaneCase;
@@ -73,7 +74,11 @@ impl Problem for BarImpact {
         let budget = wanted.iter().any(needs);
         let elements = case.at(rows::N).filter(|_| budget);
         elements.map_or(0, |n| {
-            let at_steps = self.work(case).saturating_mul(25);
+            let halved = match wanted.iter().any(|row| REFERENCE_ERRORS.contains(row)) {
+                true => FEWEST_HALVED,
+                false => 0,
+            };
+            let at_steps = self.work(case).saturating_mul(25 + halved);
             at_steps.saturating_add(cube(n) as u64)
         })
     }
@@ -189,7 +194,12 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     });
     let errors = motions.as_ref().and_then(|own| {
         let coarse = own.coarse.as_ref()?;
-        Some(metrics::impact::reference_errors(&own.motions, coarse))
+        Some(budget::reference_errors(
+            case,
+            &computed,
+            &own.motions,
+            coarse,
+        ))
     });
     let reference = wants(REFERENCE).then(|| metrics::impact::reference(&wave, &sampled));
     let metrics = cells(own)

@@ -80,7 +80,7 @@ reductions! {
     PeakError "peak_error" ChannelOrMeasured "abs(peak c - peak e) over the steps; e is the exact motion of contacts_reference",
     RegularisationError "regularisation_error" Channel "sqrt(mean (g - e)^2); g is the exact motion of the softened laws, e that of the rigid laws",
     StepError "step_error" Channel "sqrt(mean (c - g)^2); g is the exact motion of the softened laws",
-    ReferenceError "reference_error" Channel "estimated error of g, where it is integrated because a law is not of straight lines: sqrt(mean (g - h)^2) at every third step and the last one, g with a tolerance of 1e-12 and h with 1e-10; empty where g is by events",
+    ReferenceError "reference_error" Channel "estimated error of g, where it is integrated because a law is not of straight lines: the larger one of sqrt(mean (g - h)^2) at every third step and the last one, g with a tolerance of 1e-12 and h with 1e-10, and of the part of sqrt(mean (g - c)^2) that the convergence of the steps dt to dt/64 does not explain; empty where g is by events",
     MeshError "mesh_error" Channel "sqrt(mean (g - f)^2); g is the exact motion of the softened laws, f the same with 4 times as many elements in every bar and the same contacts",
     ReductionError "reduction_error" Channel "sqrt(mean (c - f)^2) over the steps; f is the motion by the same steps with the whole matrices instead of reduced ones",
     Divergence "divergence" ChannelAndThreshold "first time at which this run and one with start and loads 1e-10 larger differ by more than the threshold times the peak; empty where never",

@@ -8,7 +8,6 @@ use super::motion::Energies;
 use super::node::Numbering;
 use super::solve::FEW;
 use crate::contact::ContactKind;
-use crate::exact::adaptive::coarse_times;
 use crate::metrics::measured::energy_per_cycle;
 use crate::metrics::structure as reduce;
 use crate::system::structure::{Structure, StructureLaw};
@@ -112,6 +111,8 @@ pub struct Motions {
     pub softened: Option<Recorded>,
     /// The same at every third step and the last one, if it is integrated: with a coarser tolerance.
     pub coarse: Option<Recorded>,
+    /// The metrics `reference_error` with their values.
+    pub reference_errors: Vec<(String, f64)>,
     /// Exact, with the rigid laws.
     pub rigid: Option<Recorded>,
     /// Exact, with the softened laws on a finer mesh, and the numbering of that mesh.
@@ -194,9 +195,9 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         )),
         Reduction::StepError => Some(reduce::rms_error(&c, &exact(&motions.softened)?)),
         Reduction::ReferenceError => {
-            let (g, coarse) = (exact(&motions.softened)?, exact(&motions.coarse)?);
-            let same = coarse_times(&g);
-            Some(reduce::rms_error(&same, &coarse))
+            let mut errors = motions.reference_errors.iter();
+            let own = errors.find(|(name, _)| *name == metric.name);
+            own.map(|(_, error)| *error)
         }
         Reduction::MeshError => {
             let (finer, numbering) = motions.finer.as_ref()?;

@@ -31,6 +31,7 @@ pub mod names;
 pub mod node;
 mod observer;
 pub mod reduce;
+mod reference_error;
 pub mod rows;
 mod rules;
 pub mod scale_to;

@@ -53,13 +53,23 @@ pub fn steps<const L: usize>(
     prepared: &Prepared,
     recording: Recording,
 ) -> [Run; L] {
+    steps_every(structures, prepared, recording, 1)
+}
+
+/// The same, with the quantities of every so many steps.
+pub fn steps_every<const L: usize>(
+    structures: &[&Structure; L],
+    prepared: &Prepared,
+    recording: Recording,
+    every: usize,
+) -> [Run; L] {
     let Recording {
         last,
         numbers,
         energy,
-        watch: every,
+        watch: looks,
     } = recording;
-    let count = last as usize + 1;
+    let count = last as usize / every + 1;
     // All lanes of a number are next to one another: one store for each number and step.
     let mut rows: Vec<Lane<L>> = Vec::with_capacity(count * numbers.len());
     let mut books: Option<Books<L>> = None;
@@ -78,14 +88,17 @@ pub fn steps<const L: usize>(
                 let row = rows.len() - numbers.len();
                 observer.fill(step, state, &mut rows[row..]);
             }
+            if !step.is_multiple_of(every) {
+                rows.truncate(rows.len() - numbers.len());
+            }
             match &mut books {
                 Some(books) => books.add(state),
                 None if energy && step == 0 => books = Some(Books::new(state)),
                 None => {}
             }
-            match (&mut watch, every) {
+            match (&mut watch, looks) {
                 (Some(watch), _) => watch.add(state),
-                (None, Some(every)) => watch = Some(Watch::new(structures, state, every)),
+                (None, Some(looks)) => watch = Some(Watch::new(structures, state, looks)),
                 (None, None) => {}
             }
         },

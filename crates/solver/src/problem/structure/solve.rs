@@ -83,6 +83,7 @@ impl StructureProblem {
             true => 300,
             false => 30,
         };
+        let of_step = of_step + self.halved_steps();
         let at_steps = self.work(case).saturating_mul(of_step);
         at_steps.saturating_add(work as u64)
     }
@@ -239,6 +240,7 @@ impl StructureProblem {
         }
         if self.has(&[Reduction::ReferenceError]) {
             motions.coarse = motion::coarse(structure, &times, &numbers)?;
+            motions.reference_errors = self.reference_errors(ready, &motions);
         }
         if self.has(&[Reduction::RegularisationError]) || referred && rigid {
             let exact = motion::exact(&motion::rigid(structure)?, &times, &numbers);

@@ -24,7 +24,7 @@ use crate::problem::Case;
 use crate::solve::structure::{Watched, WatchedContact};
 use crate::solve::{FEWEST_STEPS, Unsolvable, Warning, Warnings};
 use crate::system::loads::STANDARD_GRAVITY;
-use crate::system::structure::{Contact, Signal, StructureLaw};
+use crate::system::structure::{Contact, Signal, Structure, StructureLaw};
 
 /// Steps from one look at the energy to the next: it takes about as long as a step.
 pub const EVERY: usize = 16;
@@ -56,12 +56,6 @@ impl StructureProblem {
         let structure = &ready.structure;
         let contacts = watched.map_or(&[][..], |watched| &watched.contacts);
         let contacts = || structure.contacts.iter().zip(contacts);
-        let short = |(contact, seen): (&Contact, &WatchedContact)| {
-            let touches = contact.law.kind() == ContactKind::Impact && seen.force < 0.0;
-            let overlap = Some(-seen.displacement).filter(|overlap| touches && *overlap > 0.0);
-            let time = overlap.and_then(|_| contact_duration::time(structure, contact, overlap));
-            time.is_some_and(|time| time < FEWEST_STEPS * ready.dt)
-        };
         let mut impacts =
             contacts().filter(|(contact, _)| contact.law.kind() == ContactKind::Impact);
         let touches = |(_, seen): (&Contact, &WatchedContact)| seen.force < 0.0;
@@ -81,7 +75,10 @@ impl StructureProblem {
         Ok(given
             .with(Warning::DeepOverlap, contacts().any(overlaps))
             .with(Warning::NeverSlides, self.never_slides(ready, watched))
-            .with(Warning::ShortContact, contacts().any(short))
+            .with(
+                Warning::ShortContact,
+                has_short_contact(structure, watched, ready.dt),
+            )
             .with(Warning::ContactGain, self.gains(ready, watched)?)
             .with(
                 Warning::AlternatingForce,
@@ -188,6 +185,18 @@ impl StructureProblem {
             .filter_map(|own| own.acceleration());
         ground.chain(supports).chain(vertical).any(strange)
     }
+}
+
+/// Whether an impact touches for too few steps of `dt`.
+pub fn has_short_contact(structure: &Structure, watched: Option<&Watched>, dt: f64) -> bool {
+    let contacts = watched.map_or(&[][..], |watched| &watched.contacts);
+    let short = |(contact, seen): (&Contact, &WatchedContact)| {
+        let touches = contact.law.kind() == ContactKind::Impact && seen.force < 0.0;
+        let overlap = Some(-seen.displacement).filter(|overlap| touches && *overlap > 0.0);
+        let time = overlap.and_then(|_| contact_duration::time(structure, contact, overlap));
+        time.is_some_and(|time| time < FEWEST_STEPS * dt)
+    };
+    structure.contacts.iter().zip(contacts).any(short)
 }
 
 /// Whether an impact law has a largest force: what lies behind the gap may give way by more than the gap.

@@ -147,11 +147,11 @@ pub(super) static METRICS: [Metric; 33] = [
     ),
     Metric::selected(
         ["reference_error_r", "reference error of *r*", "1"],
-        "estimated error of the two motions between the exact and the computed one: the larger rms of r integrated with a tolerance of 1e-10 less r with 1e-12, at every third step and the last one; empty for the impact spring, whose motions have closed forms",
+        "estimated error of the two motions between the exact and the computed one: the larger rms of r integrated with a tolerance of 1e-10 less r with 1e-12, at every third step and the last one, or the part of step_error_r that the convergence of the steps dt to dt/64 does not explain, if that is larger; empty for the impact spring, whose motions have closed forms",
     ),
     Metric::selected(
         ["reference_error_rdot", "reference error of *ṙ*", "1"],
-        "estimated error of the two motions between the exact and the computed one: the larger rms of rdot integrated with a tolerance of 1e-10 less rdot with 1e-12, at every third step and the last one; empty for the impact spring, whose motions have closed forms",
+        "estimated error of the two motions between the exact and the computed one: the larger rms of rdot integrated with a tolerance of 1e-10 less rdot with 1e-12, at every third step and the last one, or the part of step_error_rdot that the convergence of the steps dt to dt/64 does not explain, if that is larger; empty for the impact spring, whose motions have closed forms",
     ),
 ];
 

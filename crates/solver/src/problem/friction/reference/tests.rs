@@ -1,0 +1,56 @@
+use super::super::FrictionOscillator;
+use super::*;
+use crate::metrics::structure::rms_error;
+use crate::problem::Case;
+use crate::problem::parameter::Value;
+use std::f64::consts::PI;
+
+fn case(law: &'static str, own: &[(&'static str, f64)]) -> OscillatorCase {
+    let numbers = own.iter().map(|(name, x)| (*name, Value::Number(*x)));
+    let mut given: Vec<_> = numbers.collect();
+    given.push(("law", Value::Name(law)));
+    given.push(("dT", Value::Number(PI / 40.0)));
+    given.push(("duration", Value::Number(4.0 * PI)));
+    let (case, broken) = Case::given(&FrictionOscillator, &given);
+    assert_eq!(broken, []);
+    OscillatorCase::new(&case).unwrap()
+}
+
+#[test]
+fn a_wrong_force_at_release_is_seen() {
+    let lugre = [("sigma0", 2.0), ("sigma1", 0.5)];
+    for (law, own) in [
+        ("bouc-wen", &[("alpha", 0.5), ("exponent", 2.0)][..]),
+        ("dahl", &[("alpha", 0.5), ("exponent", 1.0)]),
+        ("lugre", &lugre),
+    ] {
+        let case = case(law, own);
+        let track = solve::run::<ContactTrack>(&case.system()).unwrap().track;
+        let times: Vec<f64> = (0..=case.last).map(|i| i as f64 * case.step).collect();
+        let states = times.iter().zip(&track.0);
+        let computed: History = states.map(|(time, state)| (*time, *state)).collect();
+        let of = |other: &OscillatorCase| {
+            let own = softened(other, &times, true).unwrap();
+            let coarse = own.coarse.unwrap();
+            let found = error(&case, &computed, &own.motion, &coarse).unwrap();
+            let by_tolerance = metrics::friction::reference(case.x0, &own.motion, &coarse);
+            (own.motion, found, by_tolerance)
+        };
+        let (right, found, by_tolerance) = of(&case);
+        assert_eq!(found, by_tolerance, "{law}");
+        assert!(found < 1e-9, "{law}: {found}");
+        // The motion of a bristle that is bent the other way.
+        let other = OscillatorCase {
+            force: case.force + 1.0,
+            ..case
+        };
+        let (wrong, found, by_tolerance) = of(&other);
+        assert!(by_tolerance < 1e-9, "{law}: {by_tolerance}");
+        let fault = rms_error(right.displacement(), wrong.displacement()) / case.x0.abs();
+        assert!(fault > 1e-3, "{law}: {fault}");
+        assert!(
+            (0.9..1.01).contains(&(found / fault)),
+            "{law}: {found} {fault}"
+        );
+    }
+}
