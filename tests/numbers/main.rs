@@ -6,6 +6,7 @@ mod common;
 mod bridge_parts;
 mod budget;
 mod budget_impact;
+mod exact_references;
 mod exact_starts;
 mod friction;
 mod friction_work;
