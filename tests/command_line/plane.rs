@@ -59,7 +59,10 @@ fn metrics_name_a_direction_where_both_have_none_together() {
         ("peak(f.r)", None),
         ("last(f.S.2)", None),
         ("last(f.dissipated)", None),
-        ("impacts(f)", Some("f is a contact in a plane; name a direction, f.1 or f.2")),
+        (
+            "impacts(f)",
+            Some("f is a contact in a plane; name a direction, f.1 or f.2"),
+        ),
         ("peak(f.S.3)", Some("no node or contact 'f.S.3'")),
     ] {
         bench.file("s.json", body(contact).replace("peak(a.x)", metric));
@@ -88,7 +91,10 @@ fn two_contacts_of_one_body_in_two_directions_are_a_square() {
     for verb in ["run", "check", "explain"] {
         let all = bench.expect(0, &[verb, "s.json"]);
         let text = format!("{}{}", all.out, all.err);
-        assert!(text.contains("contacts g in y and f in x"), "{verb}: {text}");
+        assert!(
+            text.contains("contacts g in y and f in x"),
+            "{verb}: {text}"
+        );
     }
     // Two contacts in one direction are none.
     bench.file("s.json", two("a.x"));

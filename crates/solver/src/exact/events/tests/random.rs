@@ -164,7 +164,8 @@ fn violation(s: &Structure, t: f64, state: &State) -> f64 {
             StructureLaw::DisplacementControl { .. } => force.abs() - limit,
             StructureLaw::CurvedImpact { .. }
             | StructureLaw::CurvedFriction { .. }
-            | StructureLaw::Link { .. } => unreachable!(),
+            | StructureLaw::Link { .. }
+            | StructureLaw::Plane { .. } => unreachable!(),
             StructureLaw::Coulomb { .. } => {
                 let over = force.abs() - limit;
                 let slip = if rate.abs() > 1e-9 {

@@ -91,7 +91,8 @@ impl Dense<'_> {
                 StructureLaw::Coulomb { .. } => (0.0, viscous),
                 StructureLaw::CurvedImpact { .. }
                 | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. } => unreachable!(),
+                | StructureLaw::Link { .. }
+                | StructureLaw::Plane { .. } => unreachable!(),
             };
         }
         self.s = all_patterns(

@@ -99,7 +99,8 @@ impl Dense<'_> {
             (g[i], center[i]) = match contact.law {
                 StructureLaw::CurvedImpact { .. }
                 | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. } => unreachable!(),
+                | StructureLaw::Link { .. }
+                | StructureLaw::Plane { .. } => unreachable!(),
                 StructureLaw::ImpactSpring { stiffness } => (1.0 / stiffness, 0.0),
                 StructureLaw::RigidStop { .. } => (0.0, 0.0),
                 StructureLaw::DisplacementControl { stiffness, .. } => {
@@ -191,7 +192,8 @@ impl Dense<'_> {
             (g[i], center[i]) = match contact.law {
                 StructureLaw::CurvedImpact { .. }
                 | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. } => unreachable!(),
+                | StructureLaw::Link { .. }
+                | StructureLaw::Plane { .. } => unreachable!(),
                 StructureLaw::ImpactSpring { stiffness } => {
                     (1.0 / (stiffness * theta * dt), -still[i])
                 }
@@ -265,7 +267,8 @@ impl Dense<'_> {
             let known = match contact.law {
                 StructureLaw::CurvedImpact { .. }
                 | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. } => unreachable!(),
+                | StructureLaw::Link { .. }
+                | StructureLaw::Plane { .. } => unreachable!(),
                 StructureLaw::ImpactSpring { stiffness } => stiffness * r[i],
                 StructureLaw::DisplacementControl { stiffness, .. } => {
                     self.s[i] + stiffness * (r[i] - before[i])
