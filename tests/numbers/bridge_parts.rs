@@ -152,8 +152,8 @@ fn springs_in_series_are_one_spring() {
         );
         let expected = of(one, "peak(c.S)");
         for (a, b) in series.iter().zip(&expected) {
-            // The spring that keeps the place of the node between is 1e-7 of the softer one.
-            assert!((a - b).abs() < 1e-5 * b.abs(), "{series:?} {expected:?}");
+            // Round-off of the steps.
+            assert!((a - b).abs() < 1e-9 * b.abs(), "{series:?} {expected:?}");
         }
     }
 }

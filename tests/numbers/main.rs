@@ -34,3 +34,4 @@ mod structures_laws;
 mod sweep;
 mod two_forms;
 mod two_forms_impact;
+mod written;

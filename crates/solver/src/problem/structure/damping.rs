@@ -85,7 +85,10 @@ pub fn modes(structure: &Structure, stiffness: &Symmetric) -> Option<Modes> {
 fn coupled_modes(structure: &Structure, stiffness: &Symmetric, nodes: Vec<usize>) -> Option<Modes> {
     let size = structure.len();
     let stiffness = stiffness.full();
-    let others: Vec<usize> = (0..size).filter(|i| !nodes.contains(i)).collect();
+    // Between contacts in series there may be nodes without springs, which follow nothing.
+    let is_between = structure.chain_nodes();
+    let others = (0..size).filter(|i| !nodes.contains(i) && !is_between[*i]);
+    let others: Vec<usize> = others.collect();
     let mut condensed = stiffness.select_rows(&nodes).select_columns(&nodes);
     if !others.is_empty() {
         let own = stiffness.select_rows(&others).select_columns(&others);

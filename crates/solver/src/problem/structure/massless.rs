@@ -11,16 +11,35 @@ const KEEPS_PLACE: f64 = 1e-7;
 
 /// Gives the nodes without mass that only contacts hold weak springs parallel to their softest contacts: while all of its contacts are
 /// open or slide, no equation says where such a node is. The springs are independent, so that they hold nodes with a common softest
-/// contact, too: two nodes between three laws in series need two springs.
+/// contact, too. The steps need none for the nodes between contacts in series ([`Structure::chains`]).
 pub fn hold(structure: &mut Structure) {
-    if structure.has_mass_everywhere() {
-        return;
+    if !structure.has_mass_everywhere() {
+        let is_between = structure.chain_nodes();
+        hold_others(structure, &is_between);
     }
+}
+
+/// The structure with such springs at the nodes between contacts in series, too, for an exact motion, which has a matrix of them;
+/// `None` without such nodes.
+pub fn with_springs_in_series(structure: &Structure) -> Option<Structure> {
+    if structure.chains().is_empty() {
+        return None;
+    }
+    let mut held = structure.clone();
+    hold_others(&mut held, &vec![false; structure.len()]);
+    Some(held)
+}
+
+/// Holds nodes but those which are held already.
+fn hold_others(structure: &mut Structure, is_between: &[bool]) {
     // Supports come after the nodes.
     let is_held = structure.stiffness.nonzero_rows();
     let mass = |node: usize| structure.nodes[node].mass;
     let nodes = 0..structure.len();
-    let is_alone: Vec<bool> = nodes.map(|i| mass(i) == 0.0 && !is_held[i]).collect();
+    let is_between = |node: usize| is_between.get(node) == Some(&true);
+    let is_alone: Vec<bool> = nodes
+        .map(|i| mass(i) == 0.0 && !is_held[i] && !is_between(i))
+        .collect();
     let mut contacts: Vec<(f64, &Along)> = structure
         .contacts
         .iter()
@@ -85,10 +104,11 @@ pub fn fault(structure: &Structure, method: &Method) -> Option<(usize, String)> 
     }
 }
 
-/// The nodes without mass, and the factor of their K; else a node that nothing holds.
+/// The nodes without mass but those between contacts in series, and the factor of their K; else a node that nothing holds.
 fn condensed(structure: &Structure, massless: &[bool]) -> Result<(Vec<usize>, Factor), usize> {
+    let is_between = structure.chain_nodes();
     let nodes: Vec<usize> = (0..structure.len())
-        .filter(|node| massless[*node])
+        .filter(|node| massless[*node] && !is_between[*node])
         .collect();
     let own = structure.stiffness.block(&nodes);
     let factor = Factor::new(&own, &vec![false; nodes.len()]);
@@ -109,8 +129,12 @@ pub fn place(structure: &mut Structure) {
     let Ok((nodes, factor)) = condensed(structure, &massless) else {
         return;
     };
-    for node in &nodes {
-        (structure.displacement[*node], structure.velocity[*node]) = (0.0, 0.0);
+    for (node, _) in massless
+        .iter()
+        .enumerate()
+        .filter(|(_, massless)| **massless)
+    {
+        (structure.displacement[node], structure.velocity[node]) = (0.0, 0.0);
     }
     let mut loads = vec![0.0; structure.len()];
     structure.add_loads(0.0, &mut loads);
@@ -125,5 +149,20 @@ pub fn place(structure: &mut Structure) {
     factor.solve(&mut u);
     for (node, u) in nodes.iter().zip(u) {
         structure.displacement[*node] = u;
+    }
+    spread(structure);
+}
+
+/// Puts the nodes between contacts in series where the motion of the ends is shared equally.
+fn spread(structure: &mut Structure) {
+    for chain in structure.chains() {
+        let u = &structure.displacement;
+        let members = chain.members.iter();
+        let ends = members.map(|own| own.sign * structure.relative(own.contact, u));
+        let share = ends.sum::<f64>() / chain.members.len() as f64;
+        for (member, inner) in chain.members.iter().zip(&chain.nodes) {
+            let r = structure.relative(member.contact, &structure.displacement);
+            structure.displacement[inner.node] += inner.factors[0] * (member.sign * share - r);
+        }
     }
 }

@@ -4,43 +4,55 @@
 //! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact. In an explicit method r' does not depend on
 //! the forces: there y and a are those of rdot' = y - a S.
 
+use super::curved_group::{Group, Groups, grouped, groups, of_masses};
 use super::curved_plane::{self, Plane};
 use super::curved_step::{Motion, Scale, explicit_line, line, trial};
-use crate::contact::coupled::curved::{CurvedForces, Directions, Laws};
-use crate::contact::plane::{Pair, PlaneLaw, PlaneMemory};
+use crate::contact::coupled::curved::CurvedForces;
+use crate::contact::plane::{PlaneLaw, PlaneMemory};
 use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial, Unsolved};
 use crate::lane::Lane;
-use crate::system::structure::{PlaneRow, Structure, StructureLaw};
+use crate::system::structure::{Chain, PlaneRow, Structure, StructureLaw};
 
 /// The contacts of one structure.
 #[derive(Debug)]
 pub(super) struct Curved {
     forces: CurvedForces,
     contacts: Vec<Contact>,
+    /// Contacts in series answer together.
+    groups: Vec<Group>,
+    /// Of the groups: a, and the numbers of a step.
+    own: Vec<f64>,
     d: Vec<f64>,
     size: Vec<f64>,
+    together: Vec<f64>,
+    /// Of the contacts.
     force: Vec<f64>,
 }
 
 /// A contact.
 #[derive(Debug)]
-struct Contact {
+pub(super) struct Contact {
     relation: StructureLaw,
     /// The law with its memory: the answer with the flexibility a, and the law itself, without flexibility.
     law: AnyRunningLaw<1>,
     /// Its numbers, with the present limit.
     now: ContactLaw,
     /// a.
-    own: f64,
-    scale: Scale,
+    pub(super) own: f64,
+    pub(super) scale: Scale,
     /// 1/f' of a clipped line.
     line: Option<f64>,
-    bounds: [f64; 2],
+    pub(super) bounds: [f64; 2],
     /// The motion over the step without the forces at its end.
-    motion: Motion,
+    pub(super) motion: Motion,
+    /// r at the end of the step.
+    pub(super) displacement: f64,
     /// The law of both directions of a contact in a plane, beside the first one.
-    plane: Option<Plane>,
+    pub(super) plane: Option<Plane>,
 }
+
+/// A flexibility beside which every law is stiff.
+const SOFT: f64 = 1e200;
 
 impl Curved {
     /// The contacts of a structure with this H, by rows; `None` if all its laws are clipped lines.
@@ -51,30 +63,50 @@ impl Curved {
         dt: f64,
     ) -> Option<Curved> {
         let mut contacts = structure.contacts.iter();
-        let any = contacts.any(|contact| contact.law.is_curved());
-        any.then(|| Curved::of_all(structure, flexibility, pace, dt))
+        let chains = structure.chains();
+        let any = !chains.is_empty() || contacts.any(|contact| contact.law.is_curved());
+        any.then(|| Curved::of_all(structure, &chains, flexibility, pace, dt))
     }
 
-    /// The contacts of a structure with this H, by rows, also if all its laws are clipped lines.
-    pub(super) fn of_all(structure: &Structure, flexibility: &[f64], pace: f64, dt: f64) -> Curved {
+    /// The contacts of a structure with this H, by rows, also if all its laws are clipped lines. Those in `chains` answer together.
+    pub(super) fn of_all(
+        structure: &Structure,
+        chains: &[Chain],
+        flexibility: &[f64],
+        pace: f64,
+        dt: f64,
+    ) -> Curved {
         let contacts = &structure.contacts;
         let m = contacts.len();
-        let first = |i: &usize| contacts[*i].law.row() == Some(PlaneRow::First);
-        let planes: Vec<usize> = (0..m).filter(first).collect();
-        let forces = CurvedForces::with_planes(flexibility.to_vec(), m, &planes);
+        let groups = groups(m, chains);
+        let is_first = |group: &Group| {
+            group
+                .contacts()
+                .any(|i| contacts[i].law.row() == Some(PlaneRow::First))
+        };
+        // Both directions are alone in their groups, which follow each other.
+        let planes = (0..groups.len()).filter(|g| is_first(&groups[*g]));
+        let planes: Vec<usize> = planes.collect();
+        let flexibility = grouped(flexibility, &groups, m);
+        let forces = CurvedForces::with_planes(flexibility, groups.len(), &planes);
+        let mut own = vec![0.0; m];
+        for (g, group) in groups.iter().enumerate() {
+            let flexibility = match forces.flexibility(g) {
+                0.0 if group.is_chain() => of_masses(structure, group, dt),
+                flexibility => flexibility,
+            };
+            group.contacts().for_each(|i| own[i] = flexibility);
+        }
         let massless = structure.massless();
         let contact = |(i, contact): (usize, &crate::system::structure::Contact)| {
             let relation = contact.law.clone();
             let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
-            let own = forces.flexibility(i);
+            let own = own[i];
             // Both directions of a plane have one rate.
-            let partner = match relation.row() {
-                Some(PlaneRow::First) => i + 1,
-                Some(PlaneRow::Second) => i - 1,
-                None => i,
-            };
-            let nodes = contact.along.iter().chain(&contacts[partner].along);
-            let is_massless = nodes.into_iter().any(|(node, _)| massless[*node]);
+            let mut nodes = structure
+                .directions_of(i)
+                .flat_map(|i| &structure.contacts[i].along);
+            let is_massless = nodes.any(|(node, _)| massless[*node]);
             let scale = Scale {
                 pace: if is_massless { 1.0 / dt } else { pace },
                 dt,
@@ -103,16 +135,25 @@ impl Curved {
                 plane: curved_plane::first(structure, i, limit, scale, own),
                 relation,
                 motion: Motion::default(),
+                displacement: 0.0,
             }
         };
         let contacts = contacts.iter().enumerate().map(contact).collect();
         Curved {
-            forces,
             contacts,
-            d: vec![0.0; m],
-            size: vec![0.0; m],
+            d: vec![0.0; groups.len()],
+            size: vec![0.0; groups.len()],
+            together: vec![0.0; groups.len()],
+            own: (0..groups.len()).map(|g| forces.flexibility(g)).collect(),
+            forces,
             force: vec![0.0; m],
+            groups,
         }
+    }
+
+    /// r of a contact at the end of the last step, as its law has it.
+    pub(super) fn displacement(&self, contact: usize) -> f64 {
+        self.contacts[contact].displacement
     }
 
     /// The law of a contact with its memory.
@@ -127,13 +168,15 @@ impl Curved {
 
     /// Whether a contact's law may have several answers in a step.
     pub(super) fn is_ambiguous(&self) -> bool {
-        let has_one = |contact: &Contact| {
+        let has_one = |group: &Group, contact: &Contact| {
             let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
             let law = contact.relation.law(limit);
-            law.properties()
-                .has_one_root(&contact.scale.steps(contact.own)[0])
+            // Another contact in series may be as soft as it likes.
+            let own = if group.is_chain() { SOFT } else { contact.own };
+            law.properties().has_one_root(&contact.scale.steps(own)[0])
         };
-        !self.contacts.iter().all(has_one)
+        let mut groups = self.groups.iter();
+        !groups.all(|group| group.contacts().all(|i| has_one(group, &self.contacts[i])))
     }
 
     /// Changes the friction limit of a contact.
@@ -164,33 +207,45 @@ impl Curved {
 
     /// The forces at the end of the step with these motions.
     pub(super) fn solve(&mut self, motion: impl Fn(usize) -> Motion) -> Result<&[f64], Unsolved> {
-        for (i, contact) in self.contacts.iter_mut().enumerate() {
-            contact.motion = motion(i);
-            if contact.scale.is_massless {
-                contact.motion.rate = contact.motion.change / contact.scale.dt;
+        for (g, group) in self.groups.iter().enumerate() {
+            for i in group.contacts() {
+                self.contacts[i].motion = motion(i);
             }
-            self.d[i] = contact.scale.free(&contact.motion);
-            self.size[i] = contact.motion.size;
-            self.force[i] = contact.motion.force;
-            contact.begin();
-        }
-        let laws = Contacts(&self.contacts);
-        self.forces
-            .solve(&self.d, &self.size, &laws, &mut self.force)?;
-        for i in 0..self.contacts.len() {
-            let y = self.forces.argument(i);
-            match self.contacts[i].relation.row() {
-                None => {
-                    let contact = &mut self.contacts[i];
-                    let trial = contact.trial(y);
-                    ContactResponse::force(&mut contact.law, 0, &trial);
+            if group.is_chain() {
+                group.begin(&mut self.contacts);
+            }
+            for i in group.contacts() {
+                let contact = &mut self.contacts[i];
+                if contact.scale.is_massless {
+                    contact.motion.rate = contact.motion.change / contact.scale.dt;
                 }
+                if !group.is_chain() {
+                    contact.begin();
+                }
+            }
+            self.d[g] = group.sum(&self.contacts, |contact| {
+                contact.scale.free(&contact.motion)
+            });
+            self.size[g] = group.size(&self.contacts);
+            self.together[g] = group.force(&self.contacts);
+        }
+        let groups = Groups {
+            contacts: &self.contacts,
+            groups: &self.groups,
+            own: &self.own,
+        };
+        self.forces
+            .solve(&self.d, &self.size, &groups, &mut self.together)?;
+        for (g, group) in self.groups.iter().enumerate() {
+            let y = self.forces.argument(g);
+            for (i, sign) in group.members() {
+                self.force[i] = sign * self.together[g];
+            }
+            match group.row(&self.contacts) {
+                None => group.end(y, self.own[g], &mut self.contacts),
                 Some(PlaneRow::First) => {
-                    let y = [y, self.forces.argument(i + 1)];
-                    let after = Contacts(&self.contacts).in_plane(i, y).map(|own| own.1);
-                    if let (Some(plane), Some(after)) = (&mut self.contacts[i].plane, after) {
-                        plane.memory = after;
-                    }
+                    let y = [y, self.forces.argument(g + 1)];
+                    group.end_plane(y, &mut self.contacts);
                 }
                 Some(PlaneRow::Second) => {}
             }
@@ -227,84 +282,89 @@ impl Contact {
         }
         let motion = self.motion;
         let r = motion.displacement;
-        let free = self.trial(self.scale.free(&motion));
-        let touching = match r + motion.change < 0.0 {
-            true => free,
-            false => {
-                let just = if r > 0.0 { -r * (1.0 + 1e-12) } else { 0.0 };
-                let just = if r == 0.0 { -f64::MIN_POSITIVE } else { just };
-                let rate = f64::min(motion.velocity, -r.max(0.0) / self.scale.dt);
-                trial(&motion, just, rate)
-            }
-        };
-        ContactResponse::force(&mut self.law, 0, &touching);
-    }
-
-    fn stored_energy(&self, r: f64, s: f64) -> f64 {
-        use crate::contact::StoredEnergy;
-        self.relation.law(1.0).stored_energy(r, s)
-    }
-}
-
-/// The contacts over a step.
-struct Contacts<'a>(&'a [Contact]);
-
-impl Contacts<'_> {
-    /// J(y) of a contact in a plane, and what its law remembers then.
-    fn in_plane(&self, contact: usize, y: Pair) -> Option<(Pair, PlaneMemory)> {
-        let [first, second] = [contact, contact + 1].map(|i| &self.0[i]);
-        let plane = first.plane.as_ref()?;
-        Some(plane.answer([&first.motion, &second.motion], y))
-    }
-}
-
-impl Laws for Contacts<'_> {
-    fn is_plane(&self, contact: usize) -> bool {
-        self.0[contact].plane.is_some()
-    }
-
-    fn answer_plane(&self, contact: usize, y: Pair) -> Pair {
-        self.in_plane(contact, y)
-            .map_or([f64::NAN; 2], |(force, _)| force)
-    }
-
-    fn directions(&self, contact: usize, y: Pair, force: Pair) -> Directions {
-        let [first, second] = [contact, contact + 1].map(|i| &self.0[i]);
-        match &first.plane {
-            Some(plane) => plane.directions([&first.motion, &second.motion], y, force),
-            None => Directions {
-                along: [1.0, 0.0],
-                slopes: [f64::INFINITY; 2],
-            },
+        if r + motion.change < 0.0 {
+            let free = self.trial(self.scale.free(&motion));
+            ContactResponse::force(&mut self.law, 0, &free);
+        } else {
+            let rate = f64::min(motion.velocity, -r.max(0.0) / self.scale.dt);
+            self.touch(motion, rate);
         }
     }
 
-    fn answer(&self, contact: usize, y: f64) -> f64 {
-        let contact = &self.0[contact];
-        // The memory changes when the step is done.
-        let mut law = contact.law;
-        let Lane([force]) = ContactResponse::force(&mut law, 0, &contact.trial(y));
+    /// Lets the law take its closing speed from a motion that just closes the contact at this rate.
+    fn touch(&mut self, motion: Motion, rate: f64) {
+        let r = motion.displacement;
+        let just = if r > 0.0 { -r * (1.0 + 1e-12) } else { 0.0 };
+        let just = if r == 0.0 { -f64::MIN_POSITIVE } else { just };
+        ContactResponse::force(&mut self.law, 0, &trial(&motion, just, rate));
+    }
+
+    /// The same for a contact of a chain that closes at this rate.
+    pub(super) fn begin_at(&mut self, rate: f64) {
+        if self.relation.kind() == ContactKind::Impact {
+            let motion = Motion {
+                velocity: rate,
+                ..self.motion
+            };
+            self.touch(motion, rate);
+        }
+    }
+
+    /// A change without force, of an impact that overlaps by round-off only: it has not begun.
+    pub(super) fn without_round_off(&self, change: f64, force: f64, round_off: f64) -> f64 {
+        let r = self.motion.displacement;
+        let is_impact = self.relation.kind() == ContactKind::Impact;
+        match is_impact && force == 0.0 && (r + change).abs() <= round_off {
+            true => -r,
+            false => change,
+        }
+    }
+
+    /// The direction of a contact in a plane.
+    pub(super) fn row(&self) -> Option<PlaneRow> {
+        self.relation.row()
+    }
+
+    /// The gap that an impact has to close.
+    pub(super) fn open(&self) -> f64 {
+        match self.relation.kind() {
+            ContactKind::Impact => self.motion.displacement.max(0.0),
+            ContactKind::Friction | ContactKind::Link => 0.0,
+        }
+    }
+
+    /// S of the trial with this y. The memory changes when the step is done.
+    pub(super) fn answer(&self, y: f64) -> f64 {
+        let mut law = self.law;
+        let Lane([force]) = ContactResponse::force(&mut law, 0, &self.trial(y));
         force
     }
 
-    fn compliance(&self, contact: usize, y: f64, force: f64, width: f64) -> f64 {
-        let contact = &self.0[contact];
-        if let Some(line) = contact.line {
-            let [low, high] = contact.bounds;
+    /// 1/f' where the answer to y is `force`: of the line, or of a chord over `width` to both sides of r'.
+    pub(super) fn compliance(&self, y: f64, force: f64, width: f64) -> f64 {
+        if let Some(line) = self.line {
+            let [low, high] = self.bounds;
             let inside = low < force && force < high;
             return if inside { line } else { f64::INFINITY };
         }
-        let change = y - contact.own * force;
+        let change = y - self.own * force;
         let at = |change: f64| {
-            let mut law = contact.law;
-            let Lane([force]) = ContactResponse::force(&mut law, 1, &contact.trial(change));
+            let mut law = self.law;
+            let Lane([force]) = ContactResponse::force(&mut law, 1, &self.trial(change));
             force
         };
         2.0 * width / (at(change + width) - at(change - width))
     }
 
-    fn bounds(&self, contact: usize) -> [f64; 2] {
-        self.0[contact].bounds
+    /// The end of the step with this y.
+    pub(super) fn end(&mut self, y: f64) {
+        let trial = self.trial(y);
+        ContactResponse::force(&mut self.law, 0, &trial);
+    }
+
+    fn stored_energy(&self, r: f64, s: f64) -> f64 {
+        use crate::contact::StoredEnergy;
+        self.relation.law(1.0).stored_energy(r, s)
     }
 }
 

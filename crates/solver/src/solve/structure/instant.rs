@@ -4,16 +4,17 @@
 //! the displacement move it there at once; contacts that follow the velocity hold its place and move it at the rate of their force. Both
 //! are the answers of the laws to a step of the nodes without mass alone whose time is far shorter than that of the motion.
 
+use super::between;
 use super::curved::Curved;
 use super::curved_step::Motion;
 use crate::contact::ContactKind;
 use crate::solve::Unsolvable;
-use crate::system::structure::Structure;
 use crate::system::structure::factor::Factor;
+use crate::system::structure::{Chain, Structure};
 
 /// Time of this step over the time step of the motion. What a damper moves in it is left out, and the round-off of displacements over
 /// it is in the rate of the damper: each about 1e-9 of a velocity times a step.
-const SHORT: f64 = 1e-6;
+pub(super) const SHORT: f64 = 1e-6;
 
 /// Most rounds in which limits follow the forces of the contacts that press them.
 const ROUNDS: usize = 20;
@@ -38,7 +39,9 @@ pub fn balance(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     let nodes: Vec<usize> = (0..structure.len())
         .filter(|node| massless[*node])
         .collect();
-    let block = structure.stiffness.block(&nodes);
+    let mut stiffness = structure.stiffness.clone();
+    between::hold(structure, &mut stiffness);
+    let block = stiffness.block(&nodes);
     let Ok(factor) = Factor::new(&block, &vec![false; nodes.len()]) else {
         // The rules of nodes without mass name it.
         return Ok(());
@@ -73,7 +76,9 @@ pub fn balance(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     }
     let short = SHORT * dt;
     let among = among_themselves(structure, &own);
-    let start = || Curved::of_all(&among, &flexibility, 1.0 / short, short);
+    let chains = structure.chains();
+    let among_chains = numbered(&chains, &own);
+    let start = || Curved::of_all(&among, &among_chains, &flexibility, 1.0 / short, short);
     let mut curved = start();
     let mut forces: Vec<f64> = own
         .iter()
@@ -124,6 +129,17 @@ pub fn balance(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     for (node, change) in nodes.iter().zip(u) {
         structure.displacement[*node] += change;
     }
+    for chain in &chains {
+        for (member, inner) in chain.members.iter().zip(&chain.nodes) {
+            let Ok(place) = own.binary_search(&member.contact) else {
+                continue;
+            };
+            let r = structure.relative(member.contact, &structure.displacement)
+                + structure.contacts[member.contact].gap;
+            let change = curved.displacement(place) - r;
+            structure.displacement[inner.node] += inner.factors[0] * change;
+        }
+    }
     let preload = &mut structure.preload;
     preload.forces.resize(structure.contacts.len(), None);
     preload.laws.resize(structure.contacts.len(), None);
@@ -155,6 +171,15 @@ fn free_change(structure: &Structure, nodes: &[usize], factor: &Factor) -> Vec<f
     change
 }
 
+/// The chains with the numbers that their contacts have among these.
+fn numbered(chains: &[Chain], own: &[usize]) -> Vec<Chain> {
+    let mut chains = chains.to_vec();
+    for member in chains.iter_mut().flat_map(|chain| &mut chain.members) {
+        member.contact = own.binary_search(&member.contact).unwrap_or_default();
+    }
+    chains
+}
+
 /// The structure with these contacts only. Their rates follow from the short step, as between masses.
 fn among_themselves(structure: &Structure, own: &[usize]) -> Structure {
     let mut among = structure.clone();
@@ -170,6 +195,7 @@ fn among_themselves(structure: &Structure, own: &[usize]) -> Structure {
     among
         .nodes
         .iter_mut()
-        .for_each(|node| node.mass = node.mass.max(1.0));
+        .filter(|node| node.mass == 0.0)
+        .for_each(|node| node.mass = 1.0);
     among
 }

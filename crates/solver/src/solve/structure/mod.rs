@@ -59,8 +59,10 @@
 //! # Ok::<(), slipgap_solver::solve::Unsolvable>(())
 //! ```
 
+mod between;
 mod books;
 mod curved;
+mod curved_group;
 mod curved_lanes;
 mod curved_plane;
 mod curved_step;
@@ -78,6 +80,7 @@ mod preload;
 mod prepared;
 mod rigid_forces;
 mod run;
+mod series;
 mod state;
 mod step_view;
 mod watch;

@@ -322,7 +322,7 @@ fn curved(structure: &Structure, columns: &[Vec<f64>]) -> Curved {
             (flexibility[i * m + j], flexibility[j * m + i]) = (h, h);
         }
     }
-    Curved::of_all(structure, &flexibility, 1.0 / LONG, LONG)
+    Curved::of_all(structure, &[], &flexibility, 1.0 / LONG, LONG)
 }
 
 fn largest(all: &[f64]) -> f64 {

@@ -1,5 +1,6 @@
 //! What all cases with equal masses, stiffness, damping, time step, and equal nodes of contacts and loads share.
 
+use super::between::{self, Between};
 use super::general::Linear;
 use super::links::{Elimination, Link, links};
 use super::massless::{self, Massless};
@@ -27,6 +28,8 @@ pub struct Prepared {
     pub(super) inertia_factor: Option<Inertia>,
     /// Nodes without mass and damping.
     pub(super) massless: Vec<Massless>,
+    /// Nodes between contacts in series.
+    pub(super) between: Vec<Between>,
     /// Place of each node in the order of elimination.
     pub(super) place: Vec<usize>,
     /// Khat/4 = L D L^T.
@@ -80,6 +83,7 @@ impl Prepared {
         matrix.add_matrix(&structure.coupled_mass, 1.0 / (dt * dt));
         matrix.add_matrix(&structure.damping, 0.5 / dt);
         matrix.add_matrix(&structure.stiffness, 0.25);
+        between::hold(structure, &mut matrix);
         let factor = Factor::new(&matrix, &touches(structure)).map_err(|NotPositive { row }| {
             let node = structure.nodes[row].name.clone();
             Unsolvable::Indefinite { node }
@@ -97,6 +101,7 @@ impl Prepared {
             coupled_mass: coupled_mass(structure, &place, 1.0 / (dt * dt)),
             inertia_factor: None,
             massless: massless::rows(structure, &place),
+            between: between::nodes(structure, &place),
             elimination: Elimination::new(factor, links),
             couplings,
             inertia,
@@ -144,6 +149,7 @@ impl Prepared {
             coupled_mass: coupled_mass(structure, &place, 1.0),
             inertia_factor,
             massless: massless::rows(structure, &place),
+            between: between::nodes(structure, &place),
             elimination: Elimination::none(),
             couplings: Vec::new(),
             inertia: Vec::new(),

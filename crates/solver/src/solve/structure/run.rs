@@ -95,6 +95,9 @@ impl<const L: usize> Average<'_, L> {
         self.meet(step);
         self.substitute();
         self.touch();
+        if !self.prepared.between.is_empty() {
+            self.move_between();
+        }
     }
 
     /// Loads and limits.

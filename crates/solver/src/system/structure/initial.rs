@@ -89,9 +89,11 @@ impl Structure {
         for i in 0..size {
             members.entry(root(&part, i)).or_default().push(i);
         }
-        let free = members
-            .into_values()
-            .filter(|members| !members.iter().any(|i| grounded[*i]));
+        // A node between contacts in series is where they have it.
+        let is_between = self.chain_nodes();
+        let free = members.into_values().filter(|members| {
+            !members.iter().any(|i| grounded[*i]) && !members.iter().all(|i| is_between[*i])
+        });
         free.collect()
     }
 

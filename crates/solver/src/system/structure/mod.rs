@@ -4,6 +4,7 @@
 //! in r. Between two nodes they are -1 at node I and +1 at node J, so that S resists the opening of the contact: S <= 0 in an impact.
 
 mod baseline;
+mod chains;
 mod direction;
 pub mod factor;
 mod inertia;
@@ -18,6 +19,7 @@ mod structure_law;
 mod support;
 
 pub use baseline::{Baseline, NoEnd};
+pub use chains::{Chain, InnerNode, Member};
 pub use direction::Direction;
 pub use inertia::Inertia;
 pub use matrix::Symmetric;

@@ -162,15 +162,15 @@ fn draft(
     draft.matrices();
     draft.springs();
     draft.contacts();
-    if draft.is_built() {
-        massless::hold(&mut draft.structure);
-    }
     draft.rayleigh();
     draft.static_loads();
     draft.loads();
     draft.supports();
     draft.start();
     draft.modal_damping();
+    if draft.is_built() {
+        massless::hold(&mut draft.structure);
+    }
     draft.overlaps();
     match draft.violations.is_empty() {
         true => Ok((draft.structure, draft.numbering)),

@@ -1,6 +1,7 @@
 //! The start of a structure under construction.
 
 use super::Draft;
+use crate::problem::Violation;
 use crate::problem::structure::amount::Amount;
 use crate::problem::structure::reduce::Start as DirectionStart;
 use crate::problem::structure::template::Moved;
@@ -9,11 +10,24 @@ use crate::system::structure::Structure;
 impl Draft<'_> {
     pub(super) fn start(&mut self) {
         let mut starts = vec![DirectionStart::default(); self.reduced.len()];
+        let is_massless = match self.is_built() {
+            true => self.structure.massless(),
+            false => Vec::new(),
+        };
         for start in &self.template.start {
             let mut given =
                 |amount: &Option<Amount>| amount.as_ref().map(|amount| self.value(amount));
             let (u, v) = (given(&start.u), given(&start.v));
             for node in self.moved(&start.of) {
+                if let (Moved::Node(name), true) = (&start.of, is_massless.get(node) == Some(&true))
+                {
+                    let message = "the node has no mass: it is where the forces on it are in equilibrium; leave out its start, or give it a mass";
+                    self.violations.push(Violation {
+                        parameter: name.path.clone().into(),
+                        message: message.into(),
+                        at: Some(name.at),
+                    });
+                }
                 let Structure {
                     displacement,
                     velocity,

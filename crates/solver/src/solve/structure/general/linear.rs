@@ -2,6 +2,7 @@
 
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
+use crate::solve::structure::between;
 use crate::solve::structure::links::{Elimination, Link, links};
 use crate::solve::structure::prepared::{Reduced, flexibility, place_of, places, reduce};
 use crate::system::structure::factor::{Factor, NotPositive};
@@ -36,6 +37,7 @@ impl Linear {
         let [of_c, of_k] = [sub_step.d1, sub_step.d2].map(|d| sub_step.weights[1] * d);
         matrix.add_matrix(&structure.damping, of_c);
         matrix.add_matrix(&structure.stiffness, of_k);
+        between::hold(structure, &mut matrix);
         let factor = Factor::new(&matrix, touches).map_err(|NotPositive { row }| {
             Unsolvable::BrokenRules(format!(
                 "the matrix of a step, {m} M + {of_c:e} C + {of_k:e} K, is not positive definite at node {}",

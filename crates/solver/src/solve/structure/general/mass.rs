@@ -2,6 +2,7 @@
 
 use super::stepper::General;
 use crate::lane::Lane;
+use crate::solve::structure::between::Between;
 
 impl<const L: usize> General<'_, L> {
     /// Adds a factor times M a at the start of a sub-step, without the diagonal of M.
@@ -58,6 +59,29 @@ impl<const L: usize> General<'_, L> {
             self.work[node.place] = loads[node.place] * w1 + sum * (1.0 - w1);
             self.predicted[node.place] = [zero; 2];
             self.weighted[node.place] = [nodes[node.place][0], zero];
+        }
+    }
+
+    /// Moves the nodes between contacts in series to where the laws have them after a sub-step.
+    #[cold]
+    pub(super) fn move_between(&mut self, part: usize) {
+        let rate = 1.0 / self.prepared.sub_steps[part].sub_step.length;
+        let stage = &mut self.stages[part + 1];
+        for Between { place, contacts } in &self.prepared.between {
+            let (first, factor) = contacts[0];
+            let mut change = Lane::splat(0.0);
+            for (l, curved) in self.curved[part].iter().enumerate() {
+                if let Some(curved) = curved {
+                    change.0[l] =
+                        factor * (curved.displacement(first) - stage.contacts[first][0].0[l]);
+                }
+            }
+            let [u, v, _] = &mut stage.nodes[*place];
+            (*u, *v) = (*u + change, change * rate);
+            for (contact, factor) in contacts {
+                let [r, rdot, _] = &mut stage.contacts[*contact];
+                (*r, *rdot) = (*r + change * *factor, *rdot + change * (rate * *factor));
+            }
         }
     }
 }

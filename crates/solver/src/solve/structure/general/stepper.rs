@@ -97,6 +97,9 @@ impl<const L: usize> General<'_, L> {
         self.meet(part, end);
         self.substitute(part);
         self.touch(part + 1);
+        if !self.prepared.between.is_empty() {
+            self.move_between(part);
+        }
         if self.impacts.is_some() {
             self.rest(part);
         }

@@ -1,0 +1,64 @@
+//! Nodes between contacts in series: the contacts move them, and nothing else.
+
+use super::state::Average;
+use crate::lane::Lane;
+use crate::system::structure::{Structure, Symmetric};
+
+/// The entries that hold these nodes in the matrix of a step, over its largest one: what moves them there is round-off.
+const HELD: f64 = (1_u64 << 60) as f64;
+
+/// A node between two contacts, of which the first one says where it is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Between {
+    /// Its place.
+    pub(super) place: usize,
+    /// Both contacts with its factors.
+    pub(super) contacts: [(usize, f64); 2],
+}
+
+/// The nodes between contacts in series by place, from end to end of each chain.
+pub(super) fn nodes(structure: &Structure, place: &[usize]) -> Vec<Between> {
+    let chains = structure.chains();
+    let between = chains.iter().flat_map(|chain| {
+        let pairs = chain.members.windows(2).zip(&chain.nodes);
+        pairs.map(|(pair, own)| Between {
+            place: place[own.node],
+            contacts: [0, 1].map(|i| (pair[i].contact, own.factors[i])),
+        })
+    });
+    between.collect()
+}
+
+/// Holds the nodes between contacts in series in the matrix of a step. Its forces are in equilibrium there.
+pub(super) fn hold(structure: &Structure, matrix: &mut Symmetric) {
+    let chains = structure.chains();
+    let largest = matrix.largest();
+    let held = if largest > 0.0 { HELD * largest } else { 1.0 };
+    for node in chains.iter().flat_map(|chain| &chain.nodes) {
+        matrix.add(node.node, node.node, held);
+    }
+}
+
+impl<const L: usize> Average<'_, L> {
+    /// Moves the nodes between contacts in series to where the laws have them after the step.
+    #[cold]
+    pub(super) fn move_between(&mut self) {
+        for Between { place, contacts } in &self.prepared.between {
+            let (first, factor) = contacts[0];
+            let mut change = Lane::splat(0.0);
+            for (l, curved) in self.curved.iter().enumerate() {
+                if let Some(curved) = curved {
+                    let contact = &self.contacts[first];
+                    let now = contact.p.0[l] - 0.5 * contact.w.0[l];
+                    change.0[l] = factor * (curved.displacement(first) - now);
+                }
+            }
+            self.p[*place] = self.p[*place] + change;
+            self.moved[*place] = change;
+            for (contact, factor) in contacts {
+                let contact = &mut self.contacts[*contact];
+                contact.p = contact.p + change * *factor;
+            }
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! Contacts in series as one contact: a chain has one force, and its motion is the sum of those of its members.
+
+use super::curved::Contact;
+use super::instant::SHORT;
+use super::series::{Part, Series, Shares};
+use crate::contact::coupled::curved::{Directions, Laws};
+use crate::contact::plane::{Pair, PlaneMemory};
+use crate::system::structure::{Chain, PlaneRow, Structure};
+
+/// Round-off of a displacement over the numbers that it is the difference of.
+const ROUND_OFF: f64 = 1e-14;
+
+/// A contact, or a chain of them: their numbers and signs, as [`crate::system::structure::Member`].
+#[derive(Debug, Clone)]
+pub(super) struct Group(Vec<(usize, f64)>);
+
+/// The groups of all contacts: each chain where its first contact is.
+pub(super) fn groups(contacts: usize, chains: &[Chain]) -> Vec<Group> {
+    let mut of_contact: Vec<Option<Vec<(usize, f64)>>> =
+        (0..contacts).map(|i| Some(vec![(i, 1.0)])).collect();
+    for chain in chains {
+        let members: Vec<_> = chain
+            .members
+            .iter()
+            .map(|own| (own.contact, own.sign))
+            .collect();
+        for (contact, _) in &members {
+            of_contact[*contact] = None;
+        }
+        of_contact[chain.members[0].contact] = Some(members);
+    }
+    of_contact.into_iter().flatten().map(Group).collect()
+}
+
+/// H of the groups, by rows, from that of the contacts.
+pub(super) fn grouped(flexibility: &[f64], groups: &[Group], contacts: usize) -> Vec<f64> {
+    if groups.len() == contacts {
+        return flexibility.to_vec();
+    }
+    let entry = |a: &Group, b: &Group| -> f64 {
+        let pairs = a.0.iter().flat_map(|a| b.0.iter().map(move |b| (a, b)));
+        let terms = pairs.map(|((i, one), (j, other))| one * other * flexibility[i * contacts + j]);
+        terms.sum()
+    };
+    let m = groups.len();
+    let mut all = vec![0.0; m * m];
+    for i in 0..m {
+        for j in 0..=i {
+            let h = entry(&groups[i], &groups[j]);
+            // What the nodes between the contacts leave is round-off.
+            let h = if i == j { h.max(0.0) } else { h };
+            (all[i * m + j], all[j * m + i]) = (h, h);
+        }
+    }
+    all
+}
+
+/// A flexibility for the contacts of a chain whose ends do not move, as at t = 0: that of their masses in a step of the motion.
+pub(super) fn of_masses(structure: &Structure, group: &Group, dt: f64) -> f64 {
+    let dt = dt / SHORT;
+    let nodes = group.contacts().flat_map(|i| structure.column(i));
+    let terms = nodes.map(|(node, factor)| (structure.nodes[node].mass, factor));
+    let terms = terms.filter(|(mass, _)| *mass > 0.0);
+    let sum: f64 = terms.map(|(mass, factor)| factor * factor / mass).sum();
+    if sum > 0.0 { dt * dt * sum } else { 1.0 }
+}
+
+impl Group {
+    pub(super) fn is_chain(&self) -> bool {
+        self.0.len() > 1
+    }
+
+    /// The contacts with their signs.
+    pub(super) fn members(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.0.iter().copied()
+    }
+
+    pub(super) fn contacts(&self) -> impl Iterator<Item = usize> + '_ {
+        self.0.iter().map(|(contact, _)| *contact)
+    }
+
+    /// A relative motion of the group from those of its contacts.
+    pub(super) fn sum(&self, contacts: &[Contact], of: impl Fn(&Contact) -> f64) -> f64 {
+        let terms = self.members().map(|(i, sign)| sign * of(&contacts[i]));
+        // Without a first term of 0, which would change the sign of a negative zero.
+        terms.reduce(|sum, term| sum + term).unwrap_or(0.0)
+    }
+
+    /// The size of the numbers that the motion is the difference of.
+    pub(super) fn size(&self, contacts: &[Contact]) -> f64 {
+        let sizes = self.contacts().map(|i| contacts[i].motion.size);
+        sizes.reduce(|sum, size| sum + size).unwrap_or(0.0)
+    }
+
+    /// S at the start of the step.
+    pub(super) fn force(&self, contacts: &[Contact]) -> f64 {
+        let (first, sign) = self.0[0];
+        sign * contacts[first].motion.force
+    }
+
+    /// Sets the closing speed of impacts that may begin in this step: that of the ends of the chain, when its gaps are closed. The laws
+    /// are those of collisions of the bodies at the ends; how fast each contact closes follows from them.
+    pub(super) fn begin(&self, contacts: &mut [Contact]) {
+        let gap: f64 = self.contacts().map(|i| contacts[i].open()).sum();
+        let change = self.sum(contacts, |contact| contact.motion.change);
+        let start = self.sum(contacts, |contact| contact.motion.velocity);
+        let end = self.sum(contacts, |contact| contact.motion.rate);
+        for (i, sign) in self.members() {
+            let contact = &mut contacts[i];
+            let [change, start, end] = [change, start, end].map(|x| sign * x);
+            // Without forces the gap closes in this step, or other contacts close it.
+            let rate = match gap + change < 0.0 {
+                true if gap > 0.0 => start + gap / -change * (end - start),
+                true => start,
+                false => start.min(-gap / contact.scale.dt),
+            };
+            contact.begin_at(rate);
+        }
+    }
+
+    /// The end of the step with this y.
+    pub(super) fn end(&self, y: f64, own: f64, contacts: &mut [Contact]) {
+        if !self.is_chain() {
+            contacts[self.0[0].0].end(y);
+            return;
+        }
+        let Shares { force, changes } = self.share(y, own, contacts);
+        let round_off = ROUND_OFF * self.size(contacts);
+        for ((i, sign), change) in self.members().zip(changes) {
+            let contact = &mut contacts[i];
+            let change = contact.without_round_off(sign * change, force, round_off);
+            contact.displacement = contact.motion.displacement + change;
+            contact.end(change + contact.own * (sign * force));
+        }
+    }
+
+    /// The direction of a contact in a plane, which is in no chain.
+    pub(super) fn row(&self, contacts: &[Contact]) -> Option<PlaneRow> {
+        contacts[self.0[0].0].row()
+    }
+
+    /// The end of the step of both directions of a contact in a plane, of which this is the first one.
+    pub(super) fn end_plane(&self, y: Pair, contacts: &mut [Contact]) {
+        let first = self.0[0].0;
+        let after = in_plane(contacts, first, y).map(|own| own.1);
+        if let (Some(plane), Some(after)) = (&mut contacts[first].plane, after) {
+            plane.memory = after;
+        }
+    }
+
+    /// The force of a chain and the changes of its contacts, in its own signs.
+    fn share(&self, y: f64, own: f64, contacts: &[Contact]) -> Shares {
+        let part = |(i, sign): (usize, f64)| {
+            let contact: &Contact = &contacts[i];
+            let [low, high] = contact.bounds;
+            Part {
+                own: contact.own,
+                bounds: if sign < 0.0 {
+                    [-high, -low]
+                } else {
+                    [low, high]
+                },
+            }
+        };
+        let parts: Vec<Part> = self.members().map(part).collect();
+        let answer = |place: usize, y: f64| {
+            let (i, sign) = self.0[place];
+            sign * contacts[i].answer(sign * y)
+        };
+        let series = Series {
+            parts: &parts,
+            answer: &answer,
+            own,
+            size: self.size(contacts),
+        };
+        series.share(y, self.force(contacts))
+    }
+}
+
+/// The groups over a step.
+pub(super) struct Groups<'a> {
+    pub(super) contacts: &'a [Contact],
+    pub(super) groups: &'a [Group],
+    /// a of each.
+    pub(super) own: &'a [f64],
+}
+
+/// J(y) of a contact in a plane by its first direction, and what its law remembers then.
+fn in_plane(contacts: &[Contact], first: usize, y: Pair) -> Option<(Pair, PlaneMemory)> {
+    let plane = contacts[first].plane.as_ref()?;
+    let motions = [first, first + 1].map(|i| &contacts[i].motion);
+    Some(plane.answer(motions, y))
+}
+
+impl Laws for Groups<'_> {
+    fn is_plane(&self, group: usize) -> bool {
+        self.groups[group].row(self.contacts) == Some(PlaneRow::First)
+    }
+
+    fn answer_plane(&self, group: usize, y: Pair) -> Pair {
+        let first = self.groups[group].0[0].0;
+        in_plane(self.contacts, first, y).map_or([f64::NAN; 2], |(force, _)| force)
+    }
+
+    fn directions(&self, group: usize, y: Pair, force: Pair) -> Directions {
+        let first = self.groups[group].0[0].0;
+        let motions = [first, first + 1].map(|i| &self.contacts[i].motion);
+        match &self.contacts[first].plane {
+            Some(plane) => plane.directions(motions, y, force),
+            None => Directions {
+                along: [1.0, 0.0],
+                slopes: [f64::INFINITY; 2],
+            },
+        }
+    }
+
+    fn answer(&self, group: usize, y: f64) -> f64 {
+        let own = &self.groups[group];
+        match own.0[..] {
+            [(contact, _)] => self.contacts[contact].answer(y),
+            _ => own.share(y, self.own[group], self.contacts).force,
+        }
+    }
+
+    fn compliance(&self, group: usize, y: f64, force: f64, width: f64) -> f64 {
+        let own = &self.groups[group];
+        if let [(contact, _)] = own.0[..] {
+            return self.contacts[contact].compliance(y, force, width);
+        }
+        let Shares { force, changes } = own.share(y, self.own[group], self.contacts);
+        let compliance = |((i, sign), change): ((usize, f64), f64)| {
+            let contact = &self.contacts[i];
+            let force = sign * force;
+            let g = contact.compliance(sign * change + contact.own * force, force, width);
+            if g >= 0.0 { g } else { f64::INFINITY }
+        };
+        own.members().zip(changes).map(compliance).sum()
+    }
+
+    fn bounds(&self, group: usize) -> [f64; 2] {
+        let members = self.groups[group].members();
+        members.fold(
+            [f64::NEG_INFINITY, f64::INFINITY],
+            |[low, high], (i, sign)| {
+                let [l, h] = self.contacts[i].bounds;
+                let [l, h] = if sign < 0.0 { [-h, -l] } else { [l, h] };
+                [low.max(l), high.min(h)]
+            },
+        )
+    }
+}
