@@ -283,6 +283,129 @@ fn a_contact_presses_another_one() {
 }
 
 #[test]
+fn several_bearings_and_springs_press_a_contact() {
+    let block = |vertical: Json, springs: Json, normal: Json, dt: f64, method: &str| {
+        let mut study = json!({
+            "problem": "structure",
+            "parameters": {"dt": dt, "duration": 1, "method": method},
+            "structure": {
+                "masses": {"x": 2, "y": {"mass": 2, "direction": "y"}},
+                "springs": springs,
+                "contacts": {
+                    "slide": {"law": "displacement-control", "between": ["ground", "x"], "k": 2000, "nu": 0.3, "N": normal}
+                },
+                "static": {"gravity": -10},
+                "ground": {
+                    "x": {"sine": {"amplitude": 6, "omega": 3}},
+                    "y": {"sine": {"amplitude": 4, "omega": 9}}
+                }
+            },
+            "metrics": ["max(x)", "min(x)", "peak(slide.S)", "last(x)", "last(y)"]
+        });
+        for (name, law) in vertical.as_object().unwrap() {
+            study["structure"]["contacts"][name] = law.clone();
+        }
+        study
+    };
+    let floor = |k: f64| json!({"law": "impact", "between": ["ground", "y"], "k": k});
+    let lateral = json!({"between": ["ground", "x"], "k": 50});
+    let one = json!([lateral]);
+    let spring = |k: f64, name: &str| json!({"between": ["ground", "y"], "name": name, "k": k});
+    let two = json!([lateral, spring(2500.0, "pad"), spring(7500.0, "other")]);
+    for method in ["average-acceleration", "hht"] {
+        let of = |vertical: &Json, springs: &Json, normal: Json| {
+            metrics(&block(
+                vertical.clone(),
+                springs.clone(),
+                normal,
+                0.001,
+                method,
+            ))
+        };
+        // One bearing; a quarter and three quarters of it; one with a spring; springs alone: the mass never lifts off.
+        let alone = json!({"floor": floor(1e4)});
+        let expected = of(&alone, &one, json!({"contact": "floor"}));
+        let parts = json!({"left": floor(2500.0), "right": floor(7500.0)});
+        let found = [
+            of(&parts, &one, json!({"contact": ["left", "right"]})),
+            of(&json!({}), &two, json!({"contact": ["other", "pad"]})),
+            of(
+                &json!({"left": floor(2500.0)}),
+                &json!([lateral, spring(7500.0, "other")]),
+                json!({"contact": ["left", "other"]}),
+            ),
+        ];
+        for found in &found {
+            for (a, b) in found.iter().zip(&expected) {
+                // Round-off of 1000 steps of a stiff spring.
+                assert!(
+                    (a - b).abs() < 1e-9 * b.abs().max(0.01),
+                    "{found:?} {expected:?}"
+                );
+            }
+        }
+    }
+    // The limit of a spring at rest is nu k u = nu m g, on the mass that it carries and on no other.
+    let quiet = |normal: Json| {
+        let mut study = block(
+            json!({}),
+            two.clone(),
+            normal,
+            0.001,
+            "average-acceleration",
+        );
+        study["structure"]["ground"] = json!({"x": {"sine": {"amplitude": 60, "omega": 3}}});
+        metrics(&study)[2]
+    };
+    for (normal, expected) in [("pad", 1.5), ("other", 4.5)] {
+        let found = quiet(json!({"contact": normal}));
+        assert!((found - expected).abs() < 1e-11, "{normal} {found}");
+    }
+}
+
+#[test]
+fn what_does_not_press_is_no_normal_force() {
+    let study = |law: Json, normal: Json| {
+        let mut law = law;
+        law["between"] = json!(["ground", "y"]);
+        json!({
+            "problem": "structure", "parameters": {"dt": 0.001, "duration": 0.01},
+            "structure": {
+                "masses": {"x": 2, "y": 2},
+                "springs": [{"between": ["ground", "x"], "k": 50}, {"between": ["ground", "y"], "k": 50, "name": "pad"}],
+                "contacts": {
+                    "other": law,
+                    "slide": {"law": "coulomb", "between": ["ground", "x"], "nu": 0.3, "N": {"contact": normal}}
+                }
+            },
+            "metrics": ["peak(x)"]
+        })
+    };
+    for law in [
+        json!({"law": "restrainer", "k": 10, "Fy": 1}),
+        json!({"law": "bilinear", "k1": 10, "Fy": 1, "k2": 1}),
+        json!({"law": "viscous", "c": 1, "a": 1}),
+        json!({"law": "coulomb", "limit": 1}),
+    ] {
+        let name = law["law"].as_str().unwrap().to_owned();
+        let message = fault(&study(law, json!(["pad", "other"])));
+        let expected = format!(
+            "contact other with law {name} does not press; N may name springs, and contacts with law impact"
+        );
+        assert!(message.contains(&expected), "{message}");
+    }
+    let push = || json!({"law": "impact", "k": 10});
+    let again = fault(&study(push(), json!(["other", "other"])));
+    assert!(again.contains("other presses already"), "{again}");
+    let unknown = fault(&study(push(), json!(["pat"])));
+    assert!(unknown.contains("did you mean \"pad\""), "{unknown}");
+    let own = fault(&study(push(), json!("slide")));
+    assert!(own.contains("a contact does not press itself"), "{own}");
+    let empty = fault(&study(push(), json!([])));
+    assert!(empty.contains("a list of one name or more"), "{empty}");
+}
+
+#[test]
 fn imposed_displacements_turn_where_the_table_does() {
     let study = json!({
         "problem": "structure",

@@ -203,7 +203,7 @@ fn contact_value(key: &str, function: &Json) -> Json {
             let weight = described(keys::WEIGHT, value, &["weight", "vertical"]);
             let pressing = described(
                 keys::PRESSING,
-                |_| json!({ "type": "string" }),
+                |_| json!({ "anyOf": [{ "type": "string" }, { "type": "array", "minItems": 1, "items": { "type": "string" } }] }),
                 &["contact"],
             );
             json!({ "anyOf": [any(), table, weight, pressing] })

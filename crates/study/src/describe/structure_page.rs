@@ -43,7 +43,7 @@ pub(super) fn reference() -> String {
         keys("A contact has:", &keys::CONTACT),
         keys("`N` as a table:", keys::NORMAL_TABLE),
         keys("`N` of a weight:", keys::WEIGHT),
-        keys("`N` by another contact:", keys::PRESSING),
+        keys("`N` by contacts and springs:", keys::PRESSING),
         "## Motions and loads".into(),
         keys(
             "A function of time has one of the first five keys. A load also has `at`, the node.",

@@ -264,10 +264,10 @@ pub(crate) const WEIGHT: Keys = &[
     ("vertical", "vertical acceleration a of the ground"),
 ];
 
-/// The key of a normal force that another contact has.
+/// The key of a normal force that other parts have.
 pub(crate) const PRESSING: Keys = &[(
     "contact",
-    "name of an impact contact: N = max(-S, 0), with its S at the start of each step",
+    "name of an impact contact or of a spring, or a list of names: N is the sum of max(-S, 0), with their S at the start of each step",
 )];
 
 /// Keys of a function of time; one of the first ones.

@@ -105,6 +105,10 @@ pub(super) fn problem(
     reader.names = Names::new(masses_named, bars_named, named.collect()).with_supports(directions);
     let reader = reader;
     let modes = matrices::modes(&of_matrices, &reader, faults);
+    let springs = object.items("springs", faults, |node, path, faults| {
+        springs::springs(node, path, &reader, faults)
+    });
+    let springs: Vec<_> = springs.into_iter().flatten().collect();
     let mut template = Template {
         units,
         metre,
@@ -114,12 +118,6 @@ pub(super) fn problem(
         },
         bars: parts::bars(&bars, &reader, faults),
         matrices: imported,
-        springs: {
-            let own = object.items("springs", faults, |node, path, faults| {
-                springs::springs(node, path, &reader, faults)
-            });
-            own.into_iter().flatten().collect()
-        },
         rayleigh: parts::rayleigh(&object, &reader, faults).unwrap_or_default(),
         modal_damping: reader.optional(
             &object,
@@ -128,7 +126,8 @@ pub(super) fn problem(
             faults,
         ),
         damping_stiffness: damping_stiffness(&object, faults).unwrap_or_default(),
-        contacts: contacts::contacts(&of_contacts, &reader, faults),
+        contacts: contacts::contacts(&of_contacts, &springs, &reader, faults),
+        springs,
         loads: object.items("loads", faults, |node, path, faults| {
             loads::load(node, path, &reader, faults)
         }),

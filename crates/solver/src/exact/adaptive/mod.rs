@@ -185,7 +185,7 @@ fn refuse(structure: &Structure) -> Result<(), AdaptiveFault> {
             }
             law if law.row().is_none() && is_vertical(&law.law(1.0)) => "is rigid at rest",
             _ if limit.is_some_and(|limit| limit.pressed_by.is_some()) => {
-                "has a limit that follows another contact"
+                "has a limit that follows another part"
             }
             _ if nodes.any(|(node, _)| structure.nodes[*node].mass <= 0.0) => {
                 "is at a node without mass"

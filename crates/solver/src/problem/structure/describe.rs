@@ -196,8 +196,13 @@ fn periods(which: &str, omega2: Vec<f64>) -> String {
 }
 
 fn law(relation: &StructureLaw) -> String {
+    let pressing = |limit: &Limit| {
+        let pressed_by = limit.pressed_by.as_ref();
+        pressed_by.map_or(0, |own| own.contacts.len() + own.springs.len())
+    };
     let limit = |limit: &Limit| match limit.varying {
-        _ if limit.pressed_by.is_some() => "limit by the force of another contact".to_owned(),
+        _ if pressing(limit) == 1 => "limit by the force of another part".to_owned(),
+        _ if pressing(limit) > 1 => format!("limit by the forces of {} parts", pressing(limit)),
         None => format!("limit {}", short(limit.at(0.0))),
         Some(_) => format!("limit {} at t = 0, varying", short(limit.at(0.0))),
     };

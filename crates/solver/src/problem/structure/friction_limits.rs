@@ -15,8 +15,7 @@ pub fn of(
     motion: &History,
 ) -> Vec<Option<Vec<f64>>> {
     let numbers = all_numbers(structure, template);
-    let force = |contact: usize| {
-        let own = Number::Contact(contact, Quantity::Force);
+    let course = |own: Number| {
         let place = numbers.iter().position(|number| *number == own);
         place.map_or(&[][..], |place| motion.channel(first + place))
     };
@@ -25,18 +24,17 @@ pub fn of(
         .map(|contact| {
             let limit = contact.law.limit()?;
             let times = motion.time.iter().enumerate();
-            // The force of another contact presses as it was at the start of the step.
-            let before = |step: usize, other: usize| {
-                force(other)
-                    .get(step.saturating_sub(1))
-                    .copied()
-                    .unwrap_or(0.0)
+            // Other parts press as they did at the start of the step.
+            let before = |step: usize, of: Number| {
+                let course = course(of).get(step.saturating_sub(1));
+                course.copied().unwrap_or(0.0)
             };
-            Some(
-                times
-                    .map(|(step, t)| limit.pressed(*t, |other| before(step, other)))
-                    .collect(),
-            )
+            let at = |step: usize, t: f64| {
+                let force = |other| before(step, Number::Contact(other, Quantity::Force));
+                let moving = |node| [Number::Displacement(node), Number::Velocity(node)];
+                limit.pressed_in(t, force, |node| moving(node).map(|of| before(step, of)))
+            };
+            Some(times.map(|(step, t)| at(step, *t)).collect())
         })
         .collect()
 }

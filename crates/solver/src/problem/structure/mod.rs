@@ -128,6 +128,7 @@ impl StructureProblem {
             true => massless::place(&mut structure),
             false => settle(&mut structure)?,
         }
+        structure.press_at_start();
         if let Some(dt) = case.at(self.schema.step) {
             balance(&mut structure, dt)?;
         }

@@ -95,7 +95,7 @@ impl Template {
             .filter_map(|contact| match &contact.normal {
                 Some(Normal::Table(source)) => Some(source),
                 Some(Normal::Weight { vertical, .. }) => Some(&vertical.source),
-                Some(Normal::Constant(_) | Normal::Contact(_)) | None => None,
+                Some(Normal::Constant(_) | Normal::Parts(_)) | None => None,
             });
         let supports = self.supports.iter().filter_map(Support::acceleration);
         let supports = supports.map(|own| &own.source);
@@ -341,19 +341,28 @@ pub enum Normal {
         /// a, the vertical acceleration.
         vertical: Scaled,
     },
-    /// The force of another contact at the start of each step.
-    Contact(OtherContact),
+    /// The forces of other contacts and of springs at the start of each step.
+    Parts(Vec<PressingPart>),
 }
 
-/// A contact that another one names.
+/// A contact or a spring that a normal force names.
 #[derive(Debug, Clone)]
-pub struct OtherContact {
+pub struct PressingPart {
     /// Its name.
     pub name: String,
-    /// Its place in the list of contacts.
-    pub number: usize,
+    /// Which one.
+    pub part: Pressing,
     /// Byte offset and path of the name in the study.
     pub place: (usize, String),
+}
+
+/// A part that may press a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pressing {
+    /// A contact, by its place in the list.
+    Contact(usize),
+    /// A spring, by its place in the list.
+    Spring(usize),
 }
 
 /// A name that is the same in all cases, or that a parameter chooses.

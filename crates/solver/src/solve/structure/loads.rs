@@ -4,7 +4,7 @@ use super::Prepared;
 use super::laws::varying;
 use crate::contact::ContactKind;
 use crate::lane::Lane;
-use crate::system::structure::{Pressure, Signal, Structure};
+use crate::system::structure::{PressedBy, PressingSpring, Pressure, Signal, Structure};
 use std::sync::Arc;
 
 /// Numbers of signals for the steps 0..=N, each signal sampled once.
@@ -82,8 +82,8 @@ struct Varying<const L: usize> {
     constant: Lane<L>,
     factor: Lane<L>,
     signal: Option<Series<L>>,
-    /// The contact that presses this one, and nu; empty if none does in any lane.
-    pressed_by: Vec<Option<(usize, f64)>>,
+    /// What presses this contact; empty if nothing does in any lane.
+    pressed_by: Vec<Option<PressedBy>>,
     /// How the coefficient falls with the normal force; empty if it does not in any lane.
     pressure: Vec<Option<Pressure>>,
 }
@@ -233,12 +233,13 @@ impl<const L: usize> Inputs<L> {
     }
 
     /// The limits that change, at a step: contact, limit, and the lanes that have it. `force` gives the forces of contacts at the
-    /// start of the step.
+    /// start of the step, `motion` u and u' of nodes there.
     #[inline(always)]
     pub(super) fn limits<'a>(
         &'a self,
         step: usize,
         force: impl Fn(usize) -> Lane<L> + 'a,
+        motion: impl Fn(usize) -> [Lane<L>; 2] + 'a,
     ) -> impl Iterator<Item = (usize, Lane<L>, [bool; L])> + 'a {
         self.limits.iter().map(move |limit| {
             let mut sum = limit.constant;
@@ -246,8 +247,10 @@ impl<const L: usize> Inputs<L> {
                 sum = sum + limit.factor * signal.at(&self.values, step);
             }
             for (l, other) in limit.pressed_by.iter().enumerate() {
-                if let Some((contact, nu)) = other {
-                    sum.0[l] += nu * (-force(*contact).0[l]).max(0.0);
+                if let Some(other) = other {
+                    let at = |node: usize| motion(node).map(|lanes| lanes.0[l]);
+                    let spring = |own: &PressingSpring| own.spring.compression(at);
+                    sum.0[l] += other.limit(|contact| force(contact).0[l], spring);
                 }
             }
             // As in `Limit::at`: f64::max does not compile to one instruction.
@@ -282,7 +285,7 @@ fn limits<'a, const L: usize>(
             pressed_by: Vec::new(),
             pressure: Vec::new(),
         };
-        let pressed_by = |case: &&Structure| case.contacts[contact].law.limit()?.pressed_by;
+        let pressed_by = |case: &&Structure| case.contacts[contact].law.limit()?.pressed_by.clone();
         let pressed = cases.iter().map(pressed_by);
         if pressed.clone().any(|other| other.is_some()) {
             limit.pressed_by = pressed.collect();

@@ -185,7 +185,8 @@ impl<'a> Equilibrium<'a> {
         self.free = self.free.max(largest(&change));
         for (c, contact) in self.structure.contacts.iter().enumerate() {
             if let Some(limit) = contact.law.limit().filter(|own| own.pressed_by.is_some()) {
-                let limit = limit.pressed(0.0, |other| self.forces[other]);
+                let at_rest = |node: usize| [self.u[node], 0.0];
+                let limit = limit.pressed_in(0.0, |other| self.forces[other], at_rest);
                 self.curved.limit(c, limit);
             }
         }

@@ -5,7 +5,7 @@ use super::general::General;
 use super::laws::friction;
 use super::links::{Elimination, Link};
 use super::loads::Inputs;
-use super::state::{Average, ContactState};
+use super::state::{Average, ContactState, Nodes};
 use super::step_view::Kind;
 use super::{Prepared, State};
 use crate::lane::Lane;
@@ -117,7 +117,14 @@ impl<const L: usize> Average<'_, L> {
         if self.inputs.limits_vary() {
             let contacts = &self.contacts;
             let force = |contact: usize| contacts[contact].force;
-            for (contact, limit, slides) in self.inputs.limits(step, force) {
+            let nodes = Nodes {
+                prepared: self.prepared,
+                p: &self.p,
+                w: &self.w,
+                moved: &self.moved,
+            };
+            let motion = |node: usize| [nodes.displacement(node), nodes.velocity(node)];
+            for (contact, limit, slides) in self.inputs.limits(step, force, motion) {
                 let [mut low, mut high] = self.forces.bounds(contact);
                 for (l, _) in slides.iter().enumerate().filter(|(_, slides)| **slides) {
                     [low.0[l], high.0[l]] = friction(limit.0[l]);

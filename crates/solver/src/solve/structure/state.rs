@@ -61,15 +61,22 @@ pub(super) struct LaneLine<const L: usize> {
     pub(super) by_force: Lane<L>,
 }
 
-impl<const L: usize> Average<'_, L> {
-    /// Displacement of a node, numbered as in the structure.
+/// The motions of the nodes, numbered as in the structure.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Nodes<'a, const L: usize> {
+    pub(super) prepared: &'a Prepared,
+    pub(super) p: &'a [Lane<L>],
+    pub(super) w: &'a [Lane<L>],
+    pub(super) moved: &'a [Lane<L>],
+}
+
+impl<const L: usize> Nodes<'_, L> {
     #[inline(always)]
     pub(super) fn displacement(&self, node: usize) -> Lane<L> {
         let place = self.prepared.place[node];
         self.p[place] - self.w[place] * 0.5
     }
 
-    /// Velocity of a node.
     #[inline(always)]
     pub(super) fn velocity(&self, node: usize) -> Lane<L> {
         let dt = self.prepared.dt;
@@ -79,6 +86,31 @@ impl<const L: usize> Average<'_, L> {
             Some(moved) => self.w[place] + *moved,
         };
         change.map(|w| w / dt)
+    }
+}
+
+impl<const L: usize> Average<'_, L> {
+    /// Displacement of a node, numbered as in the structure.
+    #[inline(always)]
+    pub(super) fn displacement(&self, node: usize) -> Lane<L> {
+        self.nodes().displacement(node)
+    }
+
+    /// Velocity of a node.
+    #[inline(always)]
+    pub(super) fn velocity(&self, node: usize) -> Lane<L> {
+        self.nodes().velocity(node)
+    }
+
+    /// The motions of the nodes.
+    #[inline(always)]
+    fn nodes(&self) -> Nodes<'_, L> {
+        Nodes {
+            prepared: self.prepared,
+            p: &self.p,
+            w: &self.w,
+            moved: &self.moved,
+        }
     }
 
     /// A contact.

@@ -1,6 +1,6 @@
 //! The law of a contact of a structure.
 
-use super::Signal;
+use super::{PressedBy, Signal};
 use crate::contact::offer::Form;
 use crate::contact::plane::slides_in_plane;
 use crate::contact::{
@@ -147,6 +147,23 @@ impl StructureLaw {
         }
     }
 
+    /// The same to change it.
+    pub fn limit_mut(&mut self) -> Option<&mut Limit> {
+        match self {
+            StructureLaw::ImpactSpring { .. }
+            | StructureLaw::RigidStop { .. }
+            | StructureLaw::CurvedImpact { .. }
+            | StructureLaw::Link { .. } => None,
+            StructureLaw::Plane { law, limit, .. } => {
+                (law.kind() == ContactKind::Friction).then_some(limit)
+            }
+            StructureLaw::DisplacementControl { limit, .. }
+            | StructureLaw::VelocityControl { limit, .. }
+            | StructureLaw::CurvedFriction { limit, .. }
+            | StructureLaw::Coulomb { limit } => Some(limit),
+        }
+    }
+
     /// Whether the law has no compliance: its force does not follow from its motion.
     pub fn is_rigid(&self) -> bool {
         match self {
@@ -211,8 +228,8 @@ pub struct Limit {
     pub varying: Option<(f64, Arc<Signal>)>,
     /// How the coefficient of friction falls with the normal force; `None` if it does not.
     pub pressure: Option<Pressure>,
-    /// The contact whose force presses this one, and nu: nu max(-S, 0) is added, with S at the start of a step.
-    pub pressed_by: Option<(usize, f64)>,
+    /// What presses the contact with its force at the start of a step, which is added.
+    pub pressed_by: Option<PressedBy>,
 }
 
 /// nu = nu0 (N/N0)^(-p).
@@ -245,17 +262,40 @@ impl Limit {
         }
     }
 
-    /// The limit at time t, without another contact's force.
+    /// The limit at time t, without forces that press.
     pub fn at(&self, t: f64) -> f64 {
-        self.pressed(t, |_| 0.0)
+        self.with(t, 0.0)
     }
 
-    /// The limit at time t with these forces of contacts.
+    /// The limit at time t with these forces of contacts, and those of springs at the start.
     pub fn pressed(&self, t: f64, force: impl Fn(usize) -> f64) -> f64 {
+        let pressed = self.pressed_by.as_ref();
+        self.with(
+            t,
+            pressed.map_or(0.0, |own| own.limit(force, |spring| spring.at_start)),
+        )
+    }
+
+    /// The limit at time t with these forces of contacts, and u and u' of nodes.
+    pub fn pressed_in(
+        &self,
+        t: f64,
+        force: impl Fn(usize) -> f64,
+        motion: impl Fn(usize) -> [f64; 2],
+    ) -> f64 {
+        let pressed = self.pressed_by.as_ref();
+        self.with(
+            t,
+            pressed.map_or(0.0, |own| {
+                own.limit(force, |spring| spring.spring.compression(&motion))
+            }),
+        )
+    }
+
+    /// The limit at time t with a part by forces that press.
+    fn with(&self, t: f64, pressed: f64) -> f64 {
         let varying = self.varying.as_ref();
         let varying = varying.map_or(0.0, |(factor, signal)| factor * signal.at(t));
-        let other = self.pressed_by;
-        let pressed = other.map_or(0.0, |(contact, nu)| nu * (-force(contact)).max(0.0));
         let limit = (self.constant + varying + pressed).max(0.0);
         self.pressure
             .map_or(limit, |pressure| pressure.limit(limit))

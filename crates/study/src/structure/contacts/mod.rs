@@ -2,10 +2,11 @@
 
 mod compound;
 pub(in crate::structure) mod plane;
+mod pressing;
 
 pub(in crate::structure) use compound::inner_nodes;
 
-use crate::source::faults::{Faults, unknown};
+use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::files;
@@ -19,38 +20,22 @@ use slipgap_solver::problem::structure::amount::{self, Amount};
 use slipgap_solver::problem::structure::contacts::{NAMES, NUMBERS, law_named};
 use slipgap_solver::problem::structure::loads::{Kind, Source};
 use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::template::{Chosen, Contact, Normal, OtherContact, Term};
+use slipgap_solver::problem::structure::template::{Chosen, Contact, Normal, Spring, Term};
 use slipgap_solver::system::import::{self, ImportFault, Pair};
 
 /// Most bytes of a file of pairs.
 const LARGEST: u64 = 64 << 20;
 
-/// The contacts. One with `pairs` is a contact for each line of its file.
+/// The contacts, of which normal forces may name these springs. One with `pairs` is a contact for each line of its file.
 pub(in crate::structure) fn contacts(
     parts: &[Part],
+    springs: &[Spring],
     reader: &Reader,
     faults: &mut Faults,
 ) -> Vec<Contact> {
     let one = |(name, node, path): &Part| contact(name, node, path, reader, faults);
     let mut contacts: Vec<Contact> = parts.iter().filter_map(one).flatten().collect();
-    let names: Vec<String> = contacts.iter().map(|own| own.name.clone()).collect();
-    for contact in &mut contacts {
-        let Some(Normal::Contact(other)) = &mut contact.normal else {
-            continue;
-        };
-        match names.iter().position(|name| *name == other.name) {
-            Some(number) if names[number] != contact.name => other.number = number,
-            Some(_) => {
-                let message = "a contact does not press itself";
-                faults.add(other.place.0, &other.place.1, message);
-            }
-            None => {
-                let known: Vec<&str> = names.iter().map(String::as_str).collect();
-                let message = unknown("contact", &other.name, &known);
-                faults.add(other.place.0, &other.place.1, message);
-            }
-        }
-    }
+    pressing::find(&mut contacts, springs, faults);
     contacts
 }
 
@@ -266,15 +251,7 @@ fn normal(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Opti
         return Some(Normal::Constant(force));
     };
     if members.iter().any(|member| member.key == PRESSING[0].0) {
-        let object = open(node, path, PRESSING, faults)?;
-        let (key, meaning) = PRESSING[0];
-        let node = object.need(key, meaning, faults)?;
-        let path = object.path(key);
-        return Some(Normal::Contact(OtherContact {
-            name: text(node, &path, faults)?,
-            number: 0,
-            place: (node.at, path),
-        }));
+        return pressing::parts(node, path, faults).map(Normal::Parts);
     }
     if members.iter().any(|member| member.key == "weight") {
         let object = open(node, path, WEIGHT, faults)?;

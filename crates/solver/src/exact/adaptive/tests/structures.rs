@@ -1,6 +1,7 @@
 //! Structures, against the motions by events of laws of straight lines.
 
 use super::*;
+use crate::system::structure::PressedBy;
 use std::sync::Arc;
 
 /// A chain of three masses under a table and a sine, an impact between the first two, friction with a limit that changes in time at
@@ -120,7 +121,11 @@ fn what_the_integration_does_not_know_is_said() {
     let text = rigid.unwrap_err().to_string();
     assert!(text.starts_with("contact floor is rigid, which"), "{text}");
     let limit = Limit {
-        pressed_by: Some((0, 0.3)),
+        pressed_by: Some(PressedBy {
+            nu: 0.3,
+            contacts: vec![0],
+            springs: Vec::new(),
+        }),
         ..Limit::constant(1.0)
     };
     let text = of(StructureLaw::VelocityControl {
@@ -129,7 +134,7 @@ fn what_the_integration_does_not_know_is_said() {
     });
     let text = text.unwrap_err().to_string();
     assert!(
-        text.contains("has a limit that follows another contact"),
+        text.contains("has a limit that follows another part"),
         "{text}"
     );
     // A law that is nearly vertical: steps of its width would take too long.

@@ -19,11 +19,12 @@ impl Draft<'_> {
             }
             let is_driven = along.iter().all(|(node, _)| *node >= nodes);
             let gap = self.optional(&contact.gap);
+            let pressed_by = self.pressed_by(contact);
             let law = contacts::relation(
                 contact,
                 self.case,
                 self.template.metre,
-                self.detail == Detail::Whole,
+                (pressed_by, self.detail == Detail::Whole),
             );
             let law = law.and_then(|law| self.in_plane(law, i, is_held));
             if let Some(law) = self.checked(law) {

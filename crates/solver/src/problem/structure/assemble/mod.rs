@@ -4,6 +4,7 @@ mod contacts;
 mod loads;
 mod matrices;
 mod parts;
+mod pressing;
 mod start;
 
 pub use parts::damping_stiffness;

@@ -3,7 +3,7 @@
 use super::Draft;
 use crate::problem::structure::damping::MOST_MODES;
 use crate::problem::structure::template::{DampingStiffness, SpringNumbers, Template};
-use crate::system::structure::{Elements, Node, Spring, Structure, Symmetric};
+use crate::system::structure::{Elements, Node, Structure, Symmetric};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -65,24 +65,28 @@ impl Draft<'_> {
     }
 
     pub(super) fn springs(&mut self) {
-        for spring in &self.template.springs {
-            let along = self.along(&spring.along);
-            let (k, c) = match &spring.numbers {
-                SpringNumbers::Stiffness { k, c } => (self.value(k), self.optional(c)),
-                SpringNumbers::Period {
-                    mass,
-                    period,
-                    ratio,
-                } => {
-                    let (mass, period) = (self.value(mass), self.value(period));
-                    let omega = 2.0 * PI / period;
-                    let c = 2.0 * self.optional(ratio) * omega * mass;
-                    (mass * omega * omega, c)
-                }
-            };
-            self.add(&along, k, c);
+        for number in 0..self.template.springs.len() {
+            let spring = self.spring(number);
+            self.add(&spring.along, spring.k, spring.c);
             if let Some(observed) = &mut self.structure.observed {
-                observed.springs.push(Spring { along, k, c });
+                observed.springs.push(spring);
+            }
+        }
+    }
+
+    /// k and c of a spring.
+    pub(super) fn stiffness_and_dashpot(&mut self, numbers: &SpringNumbers) -> [f64; 2] {
+        match numbers {
+            SpringNumbers::Stiffness { k, c } => [self.value(k), self.optional(c)],
+            SpringNumbers::Period {
+                mass,
+                period,
+                ratio,
+            } => {
+                let (mass, period) = (self.value(mass), self.value(period));
+                let omega = 2.0 * PI / period;
+                let c = 2.0 * self.optional(ratio) * omega * mass;
+                [mass * omega * omega, c]
             }
         }
     }

@@ -4,16 +4,16 @@ use super::violation;
 use crate::problem::structure::template::{Contact, Normal};
 use crate::problem::{Case, Violation};
 use crate::system::loads::STANDARD_GRAVITY;
-use crate::system::structure::{Limit, Pressure};
+use crate::system::structure::{Limit, PressedBy, Pressure};
 
-/// The friction limit, and its value at rest.
+/// The friction limit, and its value at rest. `pressed_by` is what N names.
 pub(super) fn limit(
     contact: &Contact,
     case: &Case,
     metre: f64,
-    with_samples: bool,
+    (pressed_by, with_samples): (PressedBy, bool),
 ) -> Result<(Limit, f64), Violation> {
-    let (limit, at_rest) = without_pressure(contact, case, metre, with_samples)?;
+    let (limit, at_rest) = without_pressure(contact, case, metre, (pressed_by, with_samples))?;
     let exponent = contact.value("pressure_exponent", case)?;
     let Some(exponent) = exponent.filter(|p| *p > 0.0) else {
         return Ok((limit, at_rest));
@@ -33,7 +33,7 @@ fn without_pressure(
     contact: &Contact,
     case: &Case,
     metre: f64,
-    with_samples: bool,
+    (pressed_by, with_samples): (PressedBy, bool),
 ) -> Result<(Limit, f64), Violation> {
     if let Some(limit) = contact.value("limit", case)? {
         return Ok((Limit::constant(limit), limit));
@@ -54,9 +54,9 @@ fn without_pressure(
             let limit = nu * force.value(case)?;
             Ok((Limit::constant(limit), limit))
         }
-        Normal::Contact(other) => {
+        Normal::Parts(_) => {
             let mut limit = Limit::constant(0.0);
-            limit.pressed_by = Some((other.number, nu));
+            limit.pressed_by = Some(PressedBy { nu, ..pressed_by });
             Ok((limit, 0.0))
         }
         Normal::Table(source) => {

@@ -10,7 +10,7 @@ use crate::contact::offer::{Offered, Place};
 use crate::contact::{ContactKind, GivenNumbers, LAWS};
 use crate::problem::laws::laws;
 use crate::problem::{Case, Violation};
-use crate::system::structure::{Limit, StructureLaw};
+use crate::system::structure::{Limit, PressedBy, StructureLaw};
 use limit::limit;
 use std::sync::LazyLock;
 
@@ -52,7 +52,8 @@ pub fn meaning(number: &Number) -> String {
 
 /// The law of a contact in a case.
 ///
-/// Without samples, sampled functions of time are only checked, and the limit is the one at rest.
+/// `pressed_by` is what the normal force names. Without samples, sampled functions of time are only checked, and the limit is the one
+/// at rest.
 ///
 /// # Errors
 /// A number that the law needs is missing or out of its range.
@@ -60,14 +61,14 @@ pub fn relation(
     contact: &Contact,
     case: &Case,
     metre: f64,
-    with_samples: bool,
+    (pressed_by, with_samples): (PressedBy, bool),
 ) -> Result<StructureLaw, Violation> {
     let name = contact.law.name(case);
     let Some((law, own)) = law_named(name).and_then(|law| Some((law, law.offer.structure?))) else {
         return Err(violation(contact, format!("no law \"{name}\"")));
     };
     let (limit, at_rest) = match law.kind {
-        ContactKind::Friction => limit(contact, case, metre, with_samples)?,
+        ContactKind::Friction => limit(contact, case, metre, (pressed_by, with_samples))?,
         ContactKind::Impact | ContactKind::Link => (Limit::constant(0.0), 0.0),
     };
     let values = own
@@ -90,6 +91,13 @@ pub fn relation(
     };
     let form = (law.offer.form)(&given).map_err(|fault| violation(contact, fault.to_string()))?;
     Ok(StructureLaw::new(form, limit))
+}
+
+/// The laws of contacts that push, whose forces may be a normal force.
+pub fn pressing_laws() -> impl Iterator<Item = &'static str> {
+    let all = LAWS.iter().filter(|law| law.at(Place::Structure).is_some());
+    all.filter(|law| law.kind == ContactKind::Impact)
+        .map(|law| law.offer.name)
 }
 
 /// The restitution of a rigid impact in a case, with its place in the study; `None` for another law.

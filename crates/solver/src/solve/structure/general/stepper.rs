@@ -157,7 +157,10 @@ impl<const L: usize> General<'_, L> {
             let forces = &mut self.forces[part];
             let start = &self.stages[part].contacts;
             let force = |contact: usize| start[contact][2];
-            for (contact, limit, slides) in self.inputs.limits(end, force) {
+            let nodes = &self.stages[part].nodes;
+            let place = &self.prepared.place;
+            let motion = |node: usize| [nodes[place[node]][0], nodes[place[node]][1]];
+            for (contact, limit, slides) in self.inputs.limits(end, force, motion) {
                 let [mut low, mut high] = self.contacts[contact].bounds;
                 for (l, _) in slides.iter().enumerate().filter(|(_, slides)| **slides) {
                     [low.0[l], high.0[l]] = friction(limit.0[l]);

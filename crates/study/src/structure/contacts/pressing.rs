@@ -1,0 +1,74 @@
+//! Normal forces by other contacts and by springs.
+
+use crate::source::faults::{Faults, unknown};
+use crate::source::tree::{Node, Tree};
+use crate::structure::keys::PRESSING;
+use crate::structure::reader::open;
+use crate::value::text;
+use slipgap_solver::problem::structure::template::{
+    Contact, Normal, Pressing, PressingPart, Spring,
+};
+
+/// The parts that a normal force names: one, or a list.
+pub(super) fn parts(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<PressingPart>> {
+    let object = open(node, path, PRESSING, faults)?;
+    let (key, meaning) = PRESSING[0];
+    let node = object.need(key, meaning, faults)?;
+    let path = object.path(key);
+    let part = |node: &Node, path: String, faults: &mut Faults| {
+        Some(PressingPart {
+            name: text(node, &path, faults)?,
+            part: Pressing::Contact(0),
+            place: (node.at, path),
+        })
+    };
+    let Tree::List(items) = &node.tree else {
+        return Some(vec![part(node, path, faults)?]);
+    };
+    if items.is_empty() {
+        faults.must_be(node, &path, "a name, or a list of one name or more");
+        return None;
+    }
+    let items = items.iter().enumerate();
+    let all: Vec<_> = items
+        .map(|(i, item)| part(item, format!("{path}[{i}]"), faults))
+        .collect();
+    all.into_iter().collect()
+}
+
+/// Finds the parts that the normal forces of contacts name, and reports names that are none or that come twice.
+pub(super) fn find(contacts: &mut [Contact], springs: &[Spring], faults: &mut Faults) {
+    let names: Vec<String> = contacts.iter().map(|own| own.name.clone()).collect();
+    for contact in contacts {
+        let Some(Normal::Parts(parts)) = &mut contact.normal else {
+            continue;
+        };
+        for i in 0..parts.len() {
+            let again = parts[..i].iter().any(|own| own.name == parts[i].name);
+            let part = &mut parts[i];
+            let place = names.iter().position(|name| *name == part.name);
+            let named = |own: &Spring| !own.name.is_empty() && own.name == part.name;
+            let message = match (place, springs.iter().position(named)) {
+                _ if again => format!("{} presses already", part.name),
+                (Some(_), _) if part.name == contact.name => {
+                    "a contact does not press itself".to_owned()
+                }
+                (Some(number), _) => {
+                    part.part = Pressing::Contact(number);
+                    continue;
+                }
+                (None, Some(number)) => {
+                    part.part = Pressing::Spring(number);
+                    continue;
+                }
+                (None, None) => {
+                    let springs = springs.iter().map(|own| own.name.as_str());
+                    let known = names.iter().map(String::as_str).chain(springs);
+                    let known: Vec<&str> = known.filter(|name| !name.is_empty()).collect();
+                    unknown("contact or spring", &part.name, &known)
+                }
+            };
+            faults.add(part.place.0, &part.place.1, message);
+        }
+    }
+}
