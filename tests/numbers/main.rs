@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod at_rest;
 mod bridge_parts;
 mod budget;
 mod budget_impact;

@@ -36,7 +36,7 @@ pub struct Books<const L: usize> {
     unbalanced: Lane<L>,
     /// Largest error, summed up to a step.
     difference: Lane<L>,
-    /// Largest energy.
+    /// Largest energy, at least that of [`State::least_energy`].
     largest: Lane<L>,
     work: Vec<Lane<L>>,
 }
@@ -99,7 +99,8 @@ impl<const L: usize> Books<L> {
             }
         };
         self.difference = self.difference.larger(difference.map(f64::abs));
-        self.largest = self.largest.larger(self.energy + state.stored_energy());
+        let energy = self.energy + state.stored_energy();
+        self.largest = self.largest.larger(energy).larger(state.least_energy());
     }
 
     /// Adds a step by the constant average acceleration method. Returns the difference of both sides.
@@ -154,8 +155,9 @@ impl<const L: usize> Books<L> {
         self.energy - self.start - supplied
     }
 
-    /// Largest error of the books at any step, over the largest energy: kinetic, strain, and what the contacts store. 0 if there
-    /// never is any energy; NaN if an energy overflows.
+    /// Largest error of the books at any step, over the largest energy: kinetic, strain, and what the contacts store, but at least a
+    /// share of what the contact forces take from the motion in a step, so that a structure whose contacts stick has no ratio of
+    /// round-offs. 0 if there never is any energy; NaN if an energy overflows.
     pub fn energy_error(&self) -> Lane<L> {
         self.over_largest(self.difference)
     }

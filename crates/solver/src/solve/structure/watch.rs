@@ -45,7 +45,7 @@ pub struct Watched {
     pub contacts: Vec<WatchedContact>,
     /// Energy that the contacts store at t = 0.
     pub stored: f64,
-    /// Largest energy: kinetic, strain, and stored in contacts, at the steps that were looked at.
+    /// Largest energy: kinetic, strain, and stored in contacts, at the steps that were looked at, as the energy error has it.
     pub energy: f64,
 }
 
@@ -138,7 +138,8 @@ impl<const L: usize> Watch<L> {
             }
         }
         if self.step.is_multiple_of(self.every) {
-            self.energy = self.energy.larger(state.energy() + state.stored_energy());
+            let energy = state.energy() + state.stored_energy();
+            self.energy = self.energy.larger(energy).larger(state.least_energy());
         }
     }
 

@@ -34,6 +34,21 @@ impl<const L: usize> General<'_, L> {
         }
     }
 
+    /// The displacement that a unit force of a contact takes from it in the first sub-step; `diagonal` reads a matrix by rows.
+    pub(in crate::solve::structure) fn displacement_by_force(
+        &self,
+        contact: usize,
+        diagonal: impl Fn(&[f64], usize) -> f64,
+    ) -> f64 {
+        let linear = &self.prepared.sub_steps[0];
+        let by_force = diagonal(&linear.flexibility, contact);
+        match linear.sub_step.is_explicit() {
+            // Of the velocity.
+            true => by_force * linear.sub_step.length,
+            false => by_force,
+        }
+    }
+
     /// The motion after the last step.
     #[inline(always)]
     pub(super) fn last(&self) -> &Stage<L> {
