@@ -93,6 +93,12 @@ fn numbers_and_times_of_a_file() {
         &with("4,1e999,0"),
         "line 6: column \"u\": not a finite number",
     );
+    // The sum of squares would overflow: sprague_geers_magnitude would be -1.
+    for value in ["1e300", "-1.1e100"] {
+        let expected =
+            format!("line 6: column \"u\": must be from -1e100 to 1e100, got \"{value}\"");
+        bad_file(&with(&format!("4,{value},0")), &expected);
+    }
     bad_file(&with("3,4,0"), "line 6: the times must rise, got 3 after 3");
     bad_file(
         &with("4,4"),

@@ -4,6 +4,9 @@ use super::loads::record::fields::split;
 use super::loads::record::number::number;
 use super::loads::record::{RecordCause, RecordFault, Shown};
 
+/// Largest number of a cell: sums of squares of such numbers in any unit are finite.
+pub const LARGEST: f64 = 1e100;
+
 /// A table whose columns have names. A column is read when it is asked for, so that others may have texts.
 ///
 /// ```
@@ -143,10 +146,14 @@ fn cell(text: &str) -> Result<f64, RecordCause> {
     if text.is_empty() {
         return Err(RecordCause::Missing);
     }
-    number(text).map_err(|cause| match number(&text.replacen(',', ".", 1)) {
+    let found = number(text).map_err(|cause| match number(&text.replacen(',', ".", 1)) {
         Ok(_) => RecordCause::DecimalComma(Shown::new(text)),
         Err(_) => cause,
-    })
+    })?;
+    match found.abs() <= LARGEST {
+        true => Ok(found),
+        false => Err(RecordCause::Bounds(Shown::new(text))),
+    }
 }
 
 /// A fault in the line with this index, from 0.

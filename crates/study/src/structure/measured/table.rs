@@ -46,16 +46,7 @@ pub(in crate::structure) fn test(
         let own = (column.place.0, column.place.1.as_str());
         match found {
             Ok(numbers) => {
-                let numbers: Vec<f64> = numbers.iter().map(|x| x * column.factor).collect();
-                if numbers.iter().all(|x| x.is_finite()) {
-                    return Some(numbers);
-                }
-                let name = quoted(&column.name);
-                refuse(
-                    format!("column {name} is too large in the units of the study"),
-                    own,
-                    faults,
-                );
+                return Some(numbers.iter().map(|x| x * column.factor).collect());
             }
             Err(why) => {
                 // The study has the name of a column that is not there, the file has the other faults.

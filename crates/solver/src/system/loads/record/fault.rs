@@ -32,6 +32,8 @@ pub enum RecordCause {
     NoNumber(Shown),
     /// A number that is not finite.
     NotFinite(Shown),
+    /// A measured number whose square could overflow.
+    Bounds(Shown),
     /// More numbers than the header has, which is from this source.
     MoreNumbers(String, f64),
     /// So many numbers, less than the header has, which is from this source.
@@ -105,6 +107,7 @@ impl fmt::Display for RecordCause {
         match self {
             RecordCause::NoNumber(text) => write!(f, "not a number: {text}"),
             RecordCause::NotFinite(text) => write!(f, "not a finite number: {text}"),
+            RecordCause::Bounds(text) => write!(f, "must be from -1e100 to 1e100, got {text}"),
             RecordCause::MoreNumbers(source, count) => {
                 write!(f, "more numbers than {source}, {count}")
             }
