@@ -5,8 +5,7 @@ use crate::given;
 use crate::worker;
 use pyo3::prelude::*;
 use slipgap::animate::{Shown, animate as page_of};
-use slipgap::error::Error;
-use std::fs;
+use slipgap::batch::output::atomic::write_file;
 use std::path::PathBuf;
 
 /// A page that shows one case of a study in motion, or two beside each other. A notebook shows it.
@@ -59,8 +58,8 @@ pub fn animate(
 impl Animation {
     /// Writes the page to a file.
     fn save(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
-        let written = py.detach(|| fs::write(&file, &self.html));
-        written.map_err(|error| raise(py, Error::io("cannot write", file)(error)))
+        let written = py.detach(|| write_file(&file, self.html.as_bytes()));
+        written.map_err(|error| raise(py, error))
     }
 
     /// A frame with the page, which has its own styles.

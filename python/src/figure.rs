@@ -3,6 +3,7 @@
 use crate::error::{raise, usage};
 use pyo3::prelude::*;
 use slipgap::batch::ShownCases;
+use slipgap::batch::output::atomic::write_file;
 use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::error::Error;
 use slipgap::figures::{self, FigureData, style};
@@ -134,8 +135,8 @@ impl Figure {
             return Err(usage(py, message));
         };
         let bytes = self.bytes(py, *format)?;
-        let written = py.detach(|| fs::write(&file, bytes));
-        written.map_err(|error| raise(py, Error::io("cannot write", file)(error)))
+        let written = py.detach(|| write_file(&file, &bytes));
+        written.map_err(|error| raise(py, error))
     }
 
     fn _repr_svg_(&self, py: Python<'_>) -> PyResult<String> {

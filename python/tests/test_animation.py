@@ -46,6 +46,11 @@ def test_the_file_has_the_page(tmp_path: Path) -> None:
     assert (tmp_path / "motion.html").read_text(encoding="utf-8") == animation.html
     with pytest.raises(slipgap.SlipgapError, match="cannot write"):
         animation.save(tmp_path / "absent" / "motion.html")
+    (tmp_path / "mine").write_text("mine")
+    (tmp_path / "link.html").symlink_to(tmp_path / "mine")
+    with pytest.raises(slipgap.SlipgapError, match="there is a link"):
+        animation.save(tmp_path / "link.html")
+    assert (tmp_path / "mine").read_text() == "mine"
 
 
 @pytest.mark.parametrize(

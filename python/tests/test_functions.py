@@ -314,6 +314,11 @@ def test_figures(tmp_path: Path, studies: Path) -> None:
         assert (tmp_path / f"f.{ending}").stat().st_size > 1000
     with pytest.raises(slipgap.SlipgapError, match=r"must end in \.svg, \.png or \.pdf"):
         figure.save(tmp_path / "f.gif")
+    (tmp_path / "mine").write_text("mine")
+    (tmp_path / "link.svg").symlink_to(tmp_path / "mine")
+    with pytest.raises(slipgap.SlipgapError, match="there is a link"):
+        figure.save(tmp_path / "link.svg")
+    assert (tmp_path / "mine").read_text() == "mine"
     assert [check.met for check in results.checks] == [True] * len(results.checks)
 
 

@@ -3,6 +3,7 @@
 use super::arguments::Expected;
 use super::terminal::print;
 use clap::Args;
+use slipgap::batch::output::atomic::write_file;
 use slipgap::error::Error;
 use slipgap::problem;
 use slipgap::study;
@@ -84,5 +85,5 @@ fn write(path: &Path, text: &str) -> Result<(), Error> {
     if let Some(parent) = path.parent() {
         fs::create_dir_all(parent).map_err(Error::io("cannot make folder", parent))?;
     }
-    fs::write(path, text).map_err(Error::io("cannot write", path))
+    write_file(path, text.as_bytes())
 }

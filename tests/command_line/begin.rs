@@ -76,3 +76,28 @@ fn explain_shows_the_origin_of_each_value() {
         done.err
     );
 }
+
+#[cfg(unix)]
+#[test]
+fn init_writes_through_no_link() {
+    use std::os::unix::fs::symlink;
+    let bench = Bench::new();
+    bench.file("studies/other.json", "mine");
+    let init = ["init", "x", "--problem", "bar-impact"];
+    // It leads to a file that is not there, so that it does not exist itself.
+    symlink(bench.path("mine"), bench.path("studies/x.json")).unwrap();
+    let done = bench.expect(1, &init);
+    assert!(
+        done.err.contains("studies/x.json: there is a link"),
+        "{done:?}"
+    );
+    std::fs::remove_file(bench.path("studies/x.json")).unwrap();
+    std::fs::create_dir(bench.path("schema")).unwrap();
+    symlink(bench.path("mine"), bench.path("schema/study.json")).unwrap();
+    let done = bench.expect(1, &init);
+    assert!(
+        done.err.contains("schema/study.json: there is a link"),
+        "{done:?}"
+    );
+    assert!(!bench.path("mine").exists());
+}

@@ -50,6 +50,14 @@ pub(in crate::batch) fn write_atomically(
     out.rename()
 }
 
+/// Writes a file at once, in a folder that exists; replaces a file of this name, and nothing else.
+///
+/// # Errors
+/// A link, a folder, a device or a pipe has this name, or the file cannot be written.
+pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    write_atomically(path, |out| out.write_all(bytes))
+}
+
 /// A file under a temporary name. It is removed unless it is committed.
 #[derive(Debug)]
 pub struct AtomicFile {
