@@ -1,6 +1,6 @@
 //! Which alternatives are told apart: their misfits must differ by more than their numerical parts, and by more than noise can cause.
 
-use super::Fit;
+use super::{Fit, Residuals};
 
 /// The best alternative and another one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,7 +9,8 @@ pub struct Comparison {
     pub fits: [usize; 2],
     /// Whether they are told apart.
     pub verdict: Verdict,
-    /// By how much the information criterion of the worse is above that of the better; `None` for another metric than `rms_error`, and
+    /// By how much the information criterion of the worse is above that of the better, with the points of the better, so that all
+    /// alternatives have the same number of points and, with as many free parameters, the order of their misfits; `None` for another metric than `rms_error`, and
     /// for a misfit of 0.
     pub information: Option<f64>,
 }
@@ -46,7 +47,7 @@ pub fn compare(fits: &[Fit]) -> (Vec<usize>, Vec<Comparison>) {
     let solved: Vec<usize> = solved.collect();
     let comparisons = solved.iter().skip(1).map(|at| {
         let [best, other] = [&fits[solved[0]], &fits[*at]];
-        let information = information(best, other);
+        let information = information(&judged(best), &judged(other));
         Comparison {
             fits: [solved[0], *at],
             verdict: verdict(part(solved[0]), part(*at), information),
@@ -75,16 +76,32 @@ fn verdict(
     }
 }
 
-/// By how much N ln(misfit^2) + p ln N of the second fit is above that of the first, N the smaller effective number of residuals of the
-/// two.
-fn information(first: &Fit, second: &Fit) -> Option<f64> {
-    let effective = |fit: &Fit| Some(fit.residuals.as_ref()?.effective());
-    let count = effective(first)?.min(effective(second)?).max(1.0);
-    let criterion = |fit: &Fit| {
-        let misfit = fit.misfit();
-        count * libm::log(misfit * misfit) + fit.free.len() as f64 * libm::log(count)
+/// What the criterion needs of a fit.
+#[derive(Debug, Clone, Copy)]
+struct Judged {
+    misfit: f64,
+    /// Effective number of residuals.
+    effective: Option<f64>,
+    /// Number of free parameters.
+    free: usize,
+}
+
+fn judged(fit: &Fit) -> Judged {
+    Judged {
+        misfit: fit.misfit(),
+        effective: fit.residuals.as_ref().map(Residuals::effective),
+        free: fit.free.len(),
+    }
+}
+
+/// By how much N ln(misfit^2) + p ln N of a fit is above that of the best one, N the effective number of residuals of the best one: what
+/// it leaves is nearest to noise. The residuals of a wrong law are correlated because the law is wrong, which must not count for it.
+fn information(best: &Judged, other: &Judged) -> Option<f64> {
+    let count = best.effective?.max(1.0);
+    let criterion = |fit: &Judged| {
+        count * libm::log(fit.misfit * fit.misfit) + fit.free as f64 * libm::log(count)
     };
-    Some(criterion(second) - criterion(first)).filter(|x| x.is_finite())
+    Some(criterion(other) - criterion(best)).filter(|x| x.is_finite())
 }
 
 #[cfg(test)]
@@ -108,5 +125,28 @@ mod tests {
         };
         assert_eq!(of(9.0), Verdict::WithinNoise);
         assert_eq!(of(11.0), Verdict::Better);
+    }
+
+    #[test]
+    fn the_criterion_orders_fits_as_their_misfits_at_equal_numbers_of_parameters() {
+        let of = |misfit, effective, free| Judged {
+            misfit,
+            effective: Some(effective),
+            free,
+        };
+        let best = of(1.0, 900.0, 3);
+        // The worse a law, the more correlated what it leaves.
+        let others = [(1.2, 800.0), (1.5, 40.0), (4.0, 5.0), (9.0, 1.0)];
+        let found = others.map(|(misfit, effective)| {
+            let found = information(&best, &of(misfit, effective, 3)).unwrap();
+            // N ln(misfit^2) with N = 900; round-off of the logarithms.
+            assert!((found - 1800.0 * f64::ln(misfit)).abs() < 1e-10);
+            found
+        });
+        assert!(found.is_sorted(), "{found:?}");
+        // A parameter more costs ln N.
+        let more = information(&best, &of(1.2, 800.0, 4)).unwrap();
+        assert!((more - found[0] - f64::ln(900.0)).abs() < 1e-10);
+        assert_eq!(information(&best, &of(0.0, 800.0, 3)), None);
     }
 }
