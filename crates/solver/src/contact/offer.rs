@@ -101,6 +101,20 @@ pub enum Place {
     Structure,
 }
 
+/// The most numbers that a law has in a problem.
+pub const fn most_numbers(all: &[Offered], place: Place) -> usize {
+    let (mut most, mut i) = (0, 0);
+    while i < all.len() {
+        if let Some(own) = all[i].at(place)
+            && own.numbers.len() > most
+        {
+            most = own.numbers.len();
+        }
+        i += 1;
+    }
+    most
+}
+
 impl Offered {
     /// The law in a problem; `None` if it is not offered there.
     pub const fn at(&self, place: Place) -> Option<In> {

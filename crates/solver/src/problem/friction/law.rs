@@ -3,8 +3,9 @@
 use super::case::PlainLaw;
 use super::tables::{InitialSlip, SCHEMA, rows};
 use crate::contact::number::Number;
+use crate::contact::offer::{Place, most_numbers};
 use crate::contact::{
-    ContactLaw, Described, DisplacementControl, GivenNumbers, LAWS, VelocityControl,
+    ALL, ContactLaw, Described, DisplacementControl, GivenNumbers, LAWS, VelocityControl,
 };
 use crate::problem::Case;
 use std::sync::LazyLock;
@@ -24,7 +25,7 @@ struct Own {
 }
 
 /// Most numbers of a law.
-const MOST: usize = 8;
+const MOST: usize = most_numbers(&ALL, Place::Oscillator);
 
 static OWN: LazyLock<Vec<Own>> = LazyLock::new(|| {
     let row = |number: &&Number| {
@@ -59,7 +60,7 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
     let given = GivenNumbers {
         law: own.name,
         numbers: own.numbers,
-        values: &values[..own.rows.len().min(MOST)],
+        values: &values[..own.rows.len()],
         table: &[],
         others: &[],
     };

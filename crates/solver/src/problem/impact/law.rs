@@ -3,8 +3,8 @@
 use super::tables::LAW;
 use crate::contact::number::Number;
 use crate::contact::numbers::bars;
-use crate::contact::offer::{Form, Offered, Place};
-use crate::contact::{ContactLaw, Described, GivenNumbers, ImpactSpring, Rigid, WhichLaw};
+use crate::contact::offer::{Form, Offered, Place, most_numbers};
+use crate::contact::{ALL, ContactLaw, Described, GivenNumbers, ImpactSpring, Rigid, WhichLaw};
 use crate::methods::Method;
 use crate::problem::Case;
 use crate::problem::laws::{law_names, laws};
@@ -67,7 +67,7 @@ pub(super) mod rows {
 }
 
 /// Most numbers of a law.
-const MOST: usize = 8;
+const MOST: usize = most_numbers(&ALL, Place::Bars);
 
 /// The law of a case in its scales; `None` where a parameter is not given. A linear spring has this stiffness; `mass` is m1 m2/(m1 +
 /// m2) of the whole bars.
@@ -88,7 +88,7 @@ pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<Con
     let given = GivenNumbers {
         law: offer.name,
         numbers: own.numbers,
-        values: &values[..own.numbers.len().min(MOST)],
+        values: &values[..own.numbers.len()],
         table: &[],
         others: &[("k", stiffness), ("colliding_mass", mass)],
     };
