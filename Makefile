@@ -41,7 +41,7 @@ licences: ## check that the licences of all dependencies are in the list allowed
 	cargo test --locked --workspace --test licences -- --ignored
 
 bench: ## measure sweeps, expansion and store; not part of CI, since no test measures time
-	cargo bench --locked --bench kernel --bench expansion --bench store
+	cargo bench --locked --bench kernel --bench expansion --bench store --bench explain
 
 guard: ## compare the instruction counts of sweeps with recorded ones (needs valgrind), and test the gain of lanes
 	cargo build --release --locked

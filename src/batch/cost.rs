@@ -16,6 +16,12 @@ use std::time::{Duration, Instant};
 /// Largest number of cases whose work is summed.
 const MOST_SUMMED: u64 = 100_000;
 
+/// Time for computing some cases, from which the time of all cases is estimated.
+pub const MEASURING: Duration = Duration::from_millis(300);
+
+/// Largest work of a case with a reference that is measured with its whole duration: about a second.
+const LONGEST_CASE: f64 = 5e8;
+
 /// A measurement of some cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measurement {
@@ -23,7 +29,8 @@ pub struct Measurement {
     pub cases: u64,
     /// Their steps times modes.
     pub work: f64,
-    /// The time that all of them took together.
+    /// The time that all of them took together: of the processors where the system tells it, so that other programs do not count, over
+    /// the number of threads.
     pub seconds: f64,
     /// Number of threads.
     pub threads: usize,
@@ -74,8 +81,11 @@ pub fn sampling(study: &Study) -> f64 {
 }
 
 /// Computes groups of cases from the whole study, which has the work `total`, until all are computed or the time is over.
-/// It uses as many threads as a run can use. In place of a case with other sampled signals than those of `like`, or with a
-/// reference, `like` itself is computed: nothing is made that it does not need.
+/// It uses as many threads as a run can use. Cases with a reference are computed one by one with their whole duration, since its cost
+/// is that of the events of a motion, which the first steps of a record do not have.
+///
+/// No sampled signals are made but those of `like`: a case with others is left out if it has a reference, else `like` is computed in its
+/// place.
 ///
 /// # Errors
 /// The first of `on_solution`.
@@ -88,12 +98,25 @@ pub fn measure(
     keep_memory();
     let tasks = parallel_tasks(study, options, total).max(1);
     let threads = rayon::current_num_threads().min(tasks);
+    let one_by_one = study.problem.reference_work(like, &study.metrics) > 0;
     // As many combinations as in one sweep of a run.
-    let size = slice(study.raw_len(), total);
+    let size = match one_by_one {
+        true => 1,
+        false => slice(study.raw_len(), total),
+    };
+    let most = if one_by_one { LONGEST_CASE } else { SWEEP_WORK };
     let groups = study.raw_len().div_ceil(size);
     let (next, sum) = (AtomicU64::new(0), Mutex::new((0_u64, 0.0)));
     let stride = stride(groups);
-    let start = Instant::now();
+    let (start, before) = (Instant::now(), processor_time());
+    let compute = |cases: Cases| -> Result<(), Error> {
+        let rows = solvable_rows(&cases);
+        let work = work(study, &cases, &rows);
+        compute_rows(study, 0, (&cases, &rows, work), &|_| (), options)?;
+        let mut sum = sum.lock().unwrap_or_else(PoisonError::into_inner);
+        *sum = (sum.0 + rows.len() as u64, sum.1 + work);
+        Ok(())
+    };
     let measure_groups = |_| -> Result<(), Error> {
         while start.elapsed() < limit {
             let index = next.fetch_add(1, Ordering::Relaxed);
@@ -101,32 +124,53 @@ pub fn measure(
                 break;
             }
             let group = (u128::from(index) * u128::from(stride) % u128::from(groups)) as u64;
-            let cases = sample(study, like, group * size, size);
-            let rows = solvable_rows(&cases);
-            let work = work(study, &cases, &rows);
-            compute_rows(study, 0, (&cases, &rows, work), &|_| (), options)?;
-            let mut sum = sum.lock().unwrap_or_else(PoisonError::into_inner);
-            *sum = (sum.0 + rows.len() as u64, sum.1 + work);
+            let first = group * size;
+            let (_, cases) = study.columns(first, (first + size).min(study.raw_len()));
+            let cases = match one_by_one {
+                true => alike(study, like, &cases, None),
+                false => alike(study, like, &cases, Some(like)),
+            };
+            compute(shortened(study, cases, most))?;
         }
         Ok(())
     };
     (0..threads).into_par_iter().try_for_each(measure_groups)?;
+    let none = sum.lock().unwrap_or_else(PoisonError::into_inner).0 == 0;
+    if none && !limit.is_zero() {
+        let mut own = Cases::new(study.problem.schema());
+        own.push(like);
+        compute(shortened(study, own, most))?;
+    }
+    let used = before
+        .zip(processor_time())
+        .map(|(before, after)| (after - before) / threads as f64);
     let (cases, work) = sum.into_inner().unwrap_or_else(PoisonError::into_inner);
     Ok(Measurement {
         cases,
         work,
-        seconds: start.elapsed().as_secs_f64(),
+        seconds: used.unwrap_or_else(|| start.elapsed().as_secs_f64()),
         threads,
     })
 }
 
-/// The cases of `size` raw combinations from `from` on, or `like` in their places, with a shorter duration if they are much work.
-fn sample(study: &Study, like: &Case, from: u64, size: u64) -> Cases {
-    let (_, cases) = study.columns(from, (from + size).min(study.raw_len()));
-    let cases = alike(study, like, cases);
+/// The time that all threads of this process have run, in seconds; `None` where the system does not tell it.
+pub fn processor_time() -> Option<f64> {
+    let mut nanoseconds = 0.0;
+    for thread in std::fs::read_dir("/proc/self/task").ok()? {
+        let path = thread.ok()?.path().join("schedstat");
+        // A thread may have ended.
+        let text = std::fs::read_to_string(path).unwrap_or_default();
+        let first = text.split_ascii_whitespace().next().unwrap_or("0");
+        nanoseconds += first.parse::<f64>().ok()?;
+    }
+    (nanoseconds > 0.0).then_some(nanoseconds * 1e-9)
+}
+
+/// The cases, with a shorter duration if they are more work than this.
+fn shortened(study: &Study, cases: Cases, most: f64) -> Cases {
     let rows = solvable_rows(&cases);
-    let share = SWEEP_WORK / work(study, &cases, &rows);
-    if share >= 1.0 {
+    let share = most / work(study, &cases, &rows);
+    if share.is_nan() || share >= 1.0 {
         return cases;
     }
     let schema = study.problem.schema();
@@ -142,21 +186,19 @@ fn sample(study: &Study, like: &Case, from: u64, size: u64) -> Cases {
     short
 }
 
-/// The cases, or `like` in the places of those for which a signal or a reference is made that `like` does not need.
-fn alike(study: &Study, like: &Case, cases: Cases) -> Cases {
+/// The cases that need no other sampled signals than those of `like`; in the places of the others `instead`, or nothing.
+fn alike(study: &Study, like: &Case, cases: &Cases, instead: Option<&Case>) -> Cases {
     let own = study.problem.samples(like);
-    let has_reference = study.problem.reference_work(like, &study.metrics) > 0;
-    if own.key.is_empty() && !has_reference {
-        return cases;
-    }
-    let rows = solvable_rows(&cases);
-    let (mut replaced, mut shown) = (Cases::new(study.problem.schema()), cases.shown());
+    let rows = solvable_rows(cases);
+    let (mut found, mut shown) = (Cases::new(study.problem.schema()), cases.shown());
     for row in rows {
         let case = shown.at(row as usize);
-        let keep = !has_reference && study.problem.samples(case) == own;
-        replaced.push(if keep { case } else { like });
+        match study.problem.samples(case) == own {
+            true => found.push(case),
+            false => instead.into_iter().for_each(|other| found.push(other)),
+        }
     }
-    replaced
+    found
 }
 
 /// Steps times modes of some cases.
@@ -234,7 +276,9 @@ mod tests {
         // 3e7 steps in each of 64 cases. All together are shortened to the limit.
         let study = study(r#""beta": {"linspace": [1, 2, 64]}, "dT": 1e-7, "duration": 3"#);
         let like = study.case(0).unwrap();
-        let cases = sample(&study, &like, 0, slice(study.raw_len(), total(&study)));
+        let (_, cases) = study.columns(0, slice(study.raw_len(), total(&study)));
+        let cases = alike(&study, &like, &cases, Some(&like));
+        let cases = shortened(&study, cases, SWEEP_WORK);
         assert_eq!(cases.len(), 64);
         let work = work(&study, &cases, &solvable_rows(&cases));
         // The number of steps is rounded: up to one step in each case.

@@ -6,7 +6,7 @@ use super::list::cases;
 use super::sources::{self, Source};
 use super::terminal::{print, progress, table};
 use clap::Args;
-use slipgap::batch::cost::{measure, sampling, total};
+use slipgap::batch::cost::{MEASURING, measure, sampling, total};
 use slipgap::batch::{RunOptions, chunk, divergence, solution};
 use slipgap::calibrate::explained;
 use slipgap::error::Error;
@@ -16,10 +16,6 @@ use slipgap::solve::Warning;
 use slipgap::study::Study;
 use slipgap::study_figures;
 use std::path::PathBuf;
-use std::time::Duration;
-
-/// Time for computing some cases, from which the time of all cases is estimated.
-const MEASURING: Duration = Duration::from_millis(200);
 
 /// The arguments of `slipgap explain`.
 #[derive(Args)]

@@ -182,6 +182,12 @@ impl StructureProblem {
         self.steps(case).saturating_mul(size as u64 * parts)
     }
 
+    /// Cost of one run by steps.
+    fn one_run_work(&self, case: &Case) -> u64 {
+        let numbering = assemble::check(&self.template, case);
+        self.stepping_work(case, numbering.map_or(0, |numbering| numbering.nodes()))
+    }
+
     /// The method of a completed case.
     fn method(&self, case: &Case) -> Option<Method> {
         let name = method::PARAMETERS[0].name.as_ref();
@@ -280,8 +286,8 @@ impl Problem for StructureProblem {
     }
 
     fn work(&self, case: &Case) -> u64 {
-        let numbering = assemble::check(&self.template, case);
-        self.stepping_work(case, numbering.map_or(0, |numbering| numbering.nodes()))
+        let runs = 1 + u64::from(self.needs_perturbed());
+        self.one_run_work(case).saturating_mul(runs)
     }
 
     fn reference_work(&self, case: &Case, _wanted: &[usize]) -> u64 {

@@ -12,7 +12,7 @@ use super::sweep::Ready;
 use super::template::Reference;
 use super::warn;
 use crate::exact::events;
-use crate::problem::{Case, Problem};
+use crate::problem::Case;
 use crate::solve::structure::Prepared;
 use crate::solve::{Unsolvable, Warnings};
 use std::collections::HashSet;
@@ -70,22 +70,35 @@ impl StructureProblem {
         if !self.metrics.iter().any(StructureMetric::needs_exact) {
             return 0;
         }
-        let mut work = self.motion_work(case, Model::Study);
-        if self.has(&[Reduction::RegularisationError]) {
-            work *= 2.0;
-        }
-        if self.has(&[Reduction::MeshError]) {
-            work += self.motion_work(case, Model::Finer(FINER));
-        }
         let outline = assemble::outline(&self.template, case, Model::Study);
+        let integrated = outline.is_ok_and(|outline| !events::knows_laws(&outline));
+        let rigid = self.against_rigid();
+        let against = self.has(&AGAINST_REFERENCE);
+        let softened = self.has(&SOFTENED) || against && !rigid;
+        let rigid = self.has(&[Reduction::RegularisationError]) || against && rigid;
+        let motions = u64::from(softened) + u64::from(rigid);
         // An integrated motion has 12 evaluations in a step at least, and 4 where its error is wanted.
-        let of_step = match outline.is_ok_and(|outline| !events::knows_laws(&outline)) {
-            true => 300,
-            false => 30,
+        let of_step = match (integrated, self.has(&[Reduction::ReferenceError])) {
+            (true, true) => 400,
+            (true, false) => 300,
+            (false, _) => 30,
         };
         let of_step = of_step + self.halved_steps();
-        let at_steps = self.work(case).saturating_mul(of_step);
-        at_steps.saturating_add(work as u64)
+        let at_steps = self.one_run_work(case).saturating_mul(of_step);
+        let of_one = at_steps.saturating_add(self.motion_work(case, Model::Study) as u64);
+        let finer = match self.has(&[Reduction::MeshError]) {
+            // As many nodes more in the motion at the steps.
+            true => (self.motion_work(case, Model::Finer(FINER)) as u64)
+                .saturating_add(at_steps.saturating_mul(u64::from(FINER))),
+            false => 0,
+        };
+        of_one.saturating_mul(motions).saturating_add(finer)
+    }
+
+    /// Whether a metric compares with the run with start and loads that are 1e-10 larger.
+    pub(super) fn needs_perturbed(&self) -> bool {
+        let mut all = self.metrics.iter();
+        all.any(|metric| metric.reduction.needs_perturbed())
     }
 
     /// Cost of the motion with the whole matrices, in steps times modes; 0 if no metric compares with it.
@@ -162,7 +175,7 @@ impl StructureProblem {
         prepared: &Prepared,
     ) -> [Option<Run>; L] {
         let needs = |metric: &StructureMetric| metric.reduction.needs_perturbed();
-        let (Some(first), true) = (cases.first(), self.metrics.iter().any(needs)) else {
+        let (Some(first), true) = (cases.first(), self.needs_perturbed()) else {
             return [const { None }; L];
         };
         let channels = self.metrics.iter().filter(|metric| needs(metric));
