@@ -342,7 +342,8 @@ fn writing_a_structure_in_another_way_does_not_change_its_motion() {
             } else {
                 0.0
             };
-            if !(error < 1e-8 && has_one_force(&structure, own)) {
+            let holds = error < 1e-8 && has_one_force(&structure, own);
+            if !holds {
                 bad.push(format!("{seed} energy error {error:e} {structure}"));
             }
         }
@@ -355,7 +356,8 @@ fn writing_a_structure_in_another_way_does_not_change_its_motion() {
                     (Err(_), Err(_)) => 0.0,
                     _ => f64::INFINITY,
                 };
-            if !(difference < 1e-9) {
+            let agrees = difference < 1e-9;
+            if !agrees {
                 let refused = [motion.as_ref().err(), there.as_ref().err()];
                 bad.push(format!(
                     "{seed} {how} {difference:e} {refused:?} {structure}"

@@ -182,7 +182,7 @@ impl Series<'_> {
                 let [before, force, after] =
                     [place - width, *place, place + width].map(|y| (self.answer)(i, y));
                 let slope = (after - before) / (2.0 * width);
-                if !(slope > 0.0) {
+                if slope.is_nan() || slope <= 0.0 {
                     return None;
                 }
                 *answer = [force, slope];
