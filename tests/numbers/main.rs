@@ -3,7 +3,6 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-mod all_metrics;
 mod at_rest;
 mod bridge_parts;
 mod budget;
