@@ -133,3 +133,66 @@ fn bodies_at_rest_have_an_exact_motion_under_an_earthquake() {
         assert!((coarse / fine - 4.0).abs() < 1.5, "{law}: {coarse} {fine}");
     }
 }
+
+#[test]
+fn dampers_of_contacts_have_no_static_force() {
+    // A body on a floor that pushes: k u^p = F, whatever damper the law has. Two free bodies: the dampers of some laws follow rdot over the
+    // closing speed, which stays however slowly they approach.
+    let study = |law: &Json, spring: f64| {
+        let mut law = law.clone();
+        law["between"] = json!(["a", "b"]);
+        read(&json!({
+            "problem": "structure", "parameters": {"dt": 1e-6, "duration": 1e-6},
+            "structure": {
+                "masses": {"a": 0.7, "b": 1.9},
+                "springs": [{"between": ["ground", "b"], "k": spring}],
+                "contacts": {"c": law}, "static": {"a": 3.0, "b": -0.9}
+            },
+            "metrics": ["max(c.r)", "max(b)"]
+        }))
+    };
+    let (k, k_h) = (2000.0, 11560.0);
+    let curved =
+        |law: &str| json!({"law": law, "k_h": k_h, "restitution": 0.6, "colliding_mass": 0.5});
+    let undamped = |law: &str| json!({"law": law, "k_h": k_h, "restitution": 0.6});
+    let of_curved = -(3.0_f64 / k_h).powf(2.0 / 3.0);
+    for (law, r) in [
+        (
+            json!({"law": "kelvin-voigt", "k": k, "restitution": 0.6, "colliding_mass": 0.5}),
+            -3.0 / k,
+        ),
+        (undamped("hertz-damp"), of_curved),
+        (undamped("hunt-crossley"), of_curved),
+        (undamped("ye"), of_curved),
+        (curved("jankowski"), of_curved),
+    ] {
+        for spring in [2.4, 240.0] {
+            let found = solve(&study(&law, spring), 0).metrics;
+            // Round-off of u of the soft spring; with forces in balance nothing moves in the step.
+            let [overlap, b] = [found[0].unwrap(), found[1].unwrap()];
+            assert!(
+                (overlap / r - 1.0).abs() < 1e-8,
+                "{law} {spring} {overlap} {r}"
+            );
+            assert!(
+                (b / (2.1 / spring) - 1.0).abs() < 1e-9,
+                "{law} {spring} {b}"
+            );
+        }
+    }
+    // Friction that is viscous at rest creeps under a static load: nothing holds the body.
+    let creeps = read(&json!({
+        "problem": "structure", "parameters": {"dt": 0.001, "duration": 0.01},
+        "structure": {
+            "masses": {"a": 1},
+            "contacts": {"c": {"law": "velocity-control", "between": ["ground", "a"], "c": 30, "limit": 3}},
+            "static": {"a": 1}
+        },
+        "metrics": ["max(a)"]
+    }));
+    let why = creeps
+        .problem
+        .solve(&creeps.case(0).unwrap(), &[])
+        .unwrap_err();
+    assert!(why.to_string().contains("nothing holds node a"), "{why}");
+}

@@ -15,6 +15,7 @@
 //! cycle.
 
 mod any;
+mod at_rest;
 mod band;
 mod bearing;
 mod bilinear;

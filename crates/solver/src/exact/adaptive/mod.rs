@@ -209,12 +209,5 @@ pub fn refuse_large(structure: &Structure) -> Result<(), AdaptiveFault> {
 
 /// Whether S is not a function of the motion: it may have any value within bounds at rest.
 pub fn is_vertical(law: &ContactLaw) -> bool {
-    match law {
-        ContactLaw::Rigid(_) => true,
-        ContactLaw::VelocityControl(law) => law.compliance == 0.0,
-        ContactLaw::Bearing(law) => law.compliance == 0.0,
-        ContactLaw::Stribeck(law) => law.compliance == 0.0,
-        ContactLaw::Tanh(law) => law.compliance == 0.0,
-        _ => false,
-    }
+    law.is_vertical()
 }

@@ -12,7 +12,7 @@
 
 use super::curved::Curved;
 use super::curved_step::Motion;
-use crate::contact::{ContactKind, ContactLaw, Viscous};
+use crate::contact::{ContactKind, ContactLaw};
 use crate::solve::Unsolvable;
 use crate::system::structure::factor::Factor;
 use crate::system::structure::{Structure, StructureLaw, Symmetric};
@@ -66,8 +66,10 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
         u, forces, curved, ..
     } = equilibrium;
     let laws = structure.contacts.iter().enumerate();
-    let laws = laws
-        .map(|(i, own)| (own.law.is_curved() && remembers(own.law.kind())).then(|| curved.law(i)));
+    let laws = laws.map(|(i, own)| {
+        let loaded = own.law.is_curved() && remembers(own.law.kind());
+        (loaded && at_rest(&own.law).is_none()).then(|| curved.law(i))
+    });
     structure.preload.laws = laws.collect();
     let contacts = 0..structure.contacts.len();
     structure.preload.planes = contacts.map(|i| curved.plane(i)).collect();
@@ -218,25 +220,39 @@ impl<'a> Equilibrium<'a> {
     }
 }
 
-/// The structure with its dampers at rest, if it has any: a damper has no static force, however slowly the equilibrium is reached.
+/// The structure without the dampers of its contacts, if they have any: they have no static force, however slowly the equilibrium is
+/// reached.
 fn without_dampers(structure: &Structure) -> Option<Structure> {
-    let is_damper = |law: &StructureLaw| match law {
-        StructureLaw::Link { law } => law.of_velocity(),
-        _ => false,
-    };
     let mut contacts = structure.contacts.iter();
-    contacts.any(|contact| is_damper(&contact.law)).then(|| {
+    contacts.any(|own| at_rest(&own.law).is_some()).then(|| {
         let mut still = structure.clone();
         for contact in &mut still.contacts {
-            if is_damper(&contact.law) {
-                let law = ContactLaw::Viscous(Viscous {
-                    viscosity: 0.0,
-                    exponent: 1.0,
-                });
-                contact.law = StructureLaw::Link { law };
+            if let Some(law) = at_rest(&contact.law) {
+                contact.law = law;
             }
         }
         still
+    })
+}
+
+/// The law without its damper; `None` if it has none.
+fn at_rest(law: &StructureLaw) -> Option<StructureLaw> {
+    let law = match law {
+        StructureLaw::VelocityControl { .. }
+        | StructureLaw::CurvedFriction { .. }
+        | StructureLaw::CurvedImpact { .. }
+        | StructureLaw::Link { .. } => law.law(1.0).without_damper()?,
+        _ => return None,
+    };
+    Some(match law {
+        ContactLaw::ImpactSpring(law) => StructureLaw::ImpactSpring {
+            stiffness: law.stiffness,
+        },
+        ContactLaw::Hertz(_) => StructureLaw::CurvedImpact {
+            law,
+            restitution: 1.0,
+        },
+        law => StructureLaw::Link { law },
     })
 }
 
