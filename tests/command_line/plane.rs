@@ -80,10 +80,10 @@ fn metrics_name_a_direction_where_both_have_none_together() {
 fn two_contacts_of_one_body_in_two_directions_are_a_square() {
     let bench = Bench::new();
     let two = |second: &str| {
-        body(r#""law": "coulomb", "between": ["ground", "a.x"], "limit": 1"#).replace(
+        body(r#""law": "displacement-control", "k": 9, "between": ["ground", "a.x"], "limit": 0.1"#).replace(
             "\"contacts\": {",
             &format!(
-                "\"contacts\": {{\"g\": {{\"law\": \"coulomb\", \"between\": [\"ground\", \"{second}\"], \"limit\": 1}}, "
+                "\"contacts\": {{\"g\": {{\"law\": \"displacement-control\", \"k\": 9, \"between\": [\"ground\", \"{second}\"], \"limit\": 0.1}}, "
             ),
         )
     };

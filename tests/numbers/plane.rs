@@ -137,6 +137,21 @@ fn a_block_released_at_an_angle_turns_where_the_closed_form_does() {
     assert!(own[3] < 3e-8 && own[4] < 2e-9, "{own:?}");
 }
 
+/// A block at rest, whose loads begin at 0, sticks until they are large enough.
+#[test]
+fn a_block_at_rest_has_an_exact_motion() {
+    let more = json!({"ground": {"x": sine(3.0, 4.0, 0.0), "y": sine(1.0, 3.0, 0.0)}, "contacts_reference": "softened"});
+    let metrics = ["rms_error(f.r)", "peak(f.r)"];
+    let own = solve(&block(
+        json!({"law": "coulomb", "limit": 1}),
+        more,
+        &metrics,
+    ))
+    .pop()
+    .unwrap();
+    assert!(own[0] < 1e-4 * own[1] && own[1] > 0.1, "{own:?}");
+}
+
 /// The same motion in a plane that is turned by 45 degrees.
 #[test]
 fn no_direction_is_preferred() {

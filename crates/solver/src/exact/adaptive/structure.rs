@@ -31,6 +31,8 @@ pub struct Moving<'a> {
     t: f64,
     /// The largest sum of the sizes of the terms of an acceleration there, whose round-off it has.
     acceleration_terms: f64,
+    /// The state there, if contacts in a plane are rigid: they may hold a structure that no load has moved yet.
+    last: Option<Vec<f64>>,
     work: f64,
 }
 
@@ -96,6 +98,7 @@ impl<'a> Moving<'a> {
             watched: Vec::new(),
             t: 0.0,
             acceleration_terms: 0.0,
+            last: None,
             work: 12.0 * once as f64,
             model,
         };
@@ -443,7 +446,11 @@ impl Flow for Moving<'_> {
     }
 
     fn raise(&self, h: f64, largest: &mut [f64]) {
-        largest[1] = largest[1].max(ROUND_OFF_OF_STEP * h * self.acceleration_terms);
+        let terms = match &self.last {
+            Some(y) => self.acceleration_terms.max(self.terms(self.t + h, y)),
+            None => self.acceleration_terms,
+        };
+        largest[1] = largest[1].max(ROUND_OFF_OF_STEP * h * terms);
         for (i, (contact, place)) in self.contacts.iter().zip(&self.places).enumerate() {
             if let Some(place) = *place {
                 let least = match &self.planes[i] {
@@ -519,6 +526,8 @@ impl Flow for Moving<'_> {
         self.t = t;
         self.acceleration_terms = self.terms(t, y);
         self.commit_planes(t, y);
+        let is_rigid = self.planes().any(|(_, plane)| plane.phase.is_some());
+        self.last = is_rigid.then(|| y.to_vec());
         for i in 0..self.contacts.len() {
             if self.model.structure.contacts[i].law.row().is_some() {
                 continue;

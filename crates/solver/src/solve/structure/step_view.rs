@@ -124,19 +124,27 @@ impl<const L: usize> State<'_, L> {
         }
     }
 
-    /// The least energy that others are compared with: a share of what the contact forces take from the motion in a step, the sum of
-    /// S^2 H_cc. Where all contacts stick and nothing else moves, the energy itself is round-off of these products.
+    /// The least energy that others are compared with: a share of what the forces of contacts without compliance take from the motion in a
+    /// step, the sum of S^2 H_cc. Where they stick and nothing else moves, the energy itself is round-off of these products. Others store
+    /// energy; with nodes without mass H is no part of a motion.
     #[inline(always)]
     pub(super) fn least_energy(&self) -> Lane<L> {
         let (m, zero) = (self.contacts(), Lane::splat(0.0));
         let diagonal = |flexibility: &[f64], c: usize| flexibility[c * m + c];
+        // Zero where the law has a compliance.
+        let of_rigid = |s: Lane<L>, compliance: Lane<L>| {
+            s.zip(compliance, |s, g| if g == 0.0 { s } else { 0.0 })
+        };
         let of = |c: usize| match &self.0 {
+            Kind::Average(state) if !state.prepared.massless.is_empty() => zero,
             Kind::Average(state) => {
-                let s = state.contacts[c].force;
+                let contact = &state.contacts[c];
+                let s = of_rigid(contact.force, contact.line.compliance);
                 s * (s * diagonal(&state.prepared.flexibility, c))
             }
+            Kind::General(state) if !state.prepared.massless.is_empty() => zero,
             Kind::General(state) => {
-                let s = state.contact(c).force;
+                let s = of_rigid(state.contact(c).force, state.compliance(c));
                 s * (s * state.displacement_by_force(c, diagonal))
             }
         };

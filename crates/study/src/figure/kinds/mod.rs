@@ -255,9 +255,10 @@ mod tests {
             parse(
                 "s",
                 r#"{"problem": "structure", "parameters": {"dt": 0.01, "duration": 1}, "metrics": ["peak(m)"],
-                  "structure": {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1}],
+                  "structure": {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1, "name": "s"}],
                     "ground": {"synthetic": {"seed": 1}}},
-                  "figures": [{"name": "a", "kind": "scheme"}, {"name": "b", "kind": "spectrum", "y": "displacement"}]}"#,
+                  "figures": [{"name": "a", "kind": "scheme"}, {"name": "b", "kind": "spectrum", "y": "displacement"},
+                    {"name": "c", "kind": "orbit", "x": "m", "y": "m.v"}]}"#,
             )
             .unwrap_or_else(|e| panic!("{e}")),
         ]

@@ -34,6 +34,11 @@ impl<const L: usize> General<'_, L> {
         }
     }
 
+    /// g of the line of a contact in the first sub-step; 0 without compliance.
+    pub(in crate::solve::structure) fn compliance(&self, contact: usize) -> Lane<L> {
+        self.lines[0][contact].compliance
+    }
+
     /// The displacement that a unit force of a contact takes from it in the first sub-step; `diagonal` reads a matrix by rows.
     pub(in crate::solve::structure) fn displacement_by_force(
         &self,
