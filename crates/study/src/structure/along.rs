@@ -13,6 +13,9 @@ use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
 use slipgap_solver::problem::structure::template::Term;
 use std::sync::Arc;
 
+/// What moves at one side, each node with its factor, and its terms.
+pub(super) type Side = (Vec<(f64, NodeRef)>, Vec<Term>);
+
 impl Reader<'_> {
     /// The nodes of a spring or a contact with their factors: two nodes under `between`, -1 and 1, or nodes with factors under
     /// `along`.
@@ -97,7 +100,7 @@ impl Reader<'_> {
         (at, path): (usize, String),
         factor: f64,
         faults: &mut Faults,
-    ) -> Option<(Vec<(f64, NodeRef)>, Vec<Term>)> {
+    ) -> Option<Side> {
         let nodes = self.named_nodes(name, at, &path, faults)?;
         let factor = Amount {
             source: Source::Number(factor),

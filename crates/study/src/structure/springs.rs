@@ -45,7 +45,7 @@ pub(super) fn springs(
         if let Some(Tree::List(items)) = object.get(key).map(|node| &node.tree)
             && items.len() != 2
         {
-            object.fault(&format!("{key} has a number for each direction, 2"), faults);
+            object.fault(format!("{key} has a number for each direction, 2"), faults);
             return None;
         }
     }

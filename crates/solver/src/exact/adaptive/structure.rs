@@ -178,16 +178,13 @@ impl<'a> Moving<'a> {
             pattern.add_sizes(load.signal.at(self.inside(t)), &mut sums);
         }
         let [forces, _] = self.sums(t, y, &mut vec![0.0; n]);
-        for i in 0..self.contacts.len() {
+        for (i, (contact, force)) in self.contacts.iter().zip(forces).enumerate() {
             if self.model.structure.contacts[i].law.row().is_some() {
-                self.model.columns[i].add_sizes(forces[i], &mut sums);
+                self.model.columns[i].add_sizes(force, &mut sums);
                 continue;
             }
-            let size = self.contacts[i].force_terms(
-                self.motion(i, t, y),
-                self.state_of(i, y),
-                self.limit(i, t),
-            );
+            let size =
+                contact.force_terms(self.motion(i, t, y), self.state_of(i, y), self.limit(i, t));
             self.model.columns[i].add_sizes(size, &mut sums);
         }
         let accelerations = sums.iter().zip(&self.model.inverse_masses);
@@ -235,11 +232,10 @@ impl<'a> Moving<'a> {
         let mut forces = vec![0.0; self.contacts.len()];
         let mut held = forces.clone();
         let mut rigid = Vec::new();
-        for i in 0..self.contacts.len() {
-            match &self.planes[i] {
-                _ if self.model.structure.contacts[i].law.row().is_none() => {
-                    forces[i] = self.force(i, t, y);
-                }
+        let laws = self.model.structure.contacts.iter().map(|own| &own.law);
+        for (i, (plane, law)) in self.planes.iter().zip(laws).enumerate() {
+            match plane {
+                _ if law.row().is_none() => forces[i] = self.force(i, t, y),
                 Some(plane) => match plane.phase {
                     Some(phase) => rigid.push((i, phase)),
                     None => {

@@ -28,7 +28,7 @@ pub fn balance(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     let massless = structure.massless();
     let touches = |contact: &usize| {
         // Both directions of a plane go together.
-        let contacts = structure.directions_of(*contact).into_iter();
+        let contacts = structure.directions_of(*contact);
         let mut nodes = contacts.flat_map(|contact| &structure.contacts[contact].along);
         nodes.any(|(node, _)| massless.get(*node) == Some(&true))
     };

@@ -7,7 +7,7 @@ use crate::system::structure::{PlaneRow, StructureLaw};
 
 /// Minimises 1/2 S^T A S - S^T d over intervals, and discs where contacts are in a plane.
 pub(super) enum RigidForces {
-    Intervals(CoupledForces),
+    Intervals(Box<CoupledForces>),
     Discs(Box<CurvedForces>, Vec<Option<PlaneRow>>),
 }
 
@@ -23,7 +23,7 @@ impl RigidForces {
         let planes = planes.filter(|(_, row)| **row == Some(PlaneRow::First));
         let planes: Vec<usize> = planes.map(|(i, _)| i).collect();
         match planes.is_empty() {
-            true => RigidForces::Intervals(CoupledForces::new(flexibility, m)),
+            true => RigidForces::Intervals(Box::new(CoupledForces::new(flexibility, m))),
             false => {
                 let forces = CurvedForces::with_planes(flexibility, m, &planes);
                 RigidForces::Discs(Box::new(forces), rows)
