@@ -42,6 +42,8 @@ pub enum Phase {
     Begins {
         /// The end.
         until: f64,
+        /// The speed at which it ends before; infinite for a contact that has not moved yet.
+        fast: f64,
     },
     /// It slides.
     Slides,
@@ -171,7 +173,7 @@ impl PlaneContact {
             let own = self.limit(limit);
             to.push(match phase {
                 Phase::Sticks => one_sided(own - length(state.held), ROUND_OFF * own),
-                Phase::Begins { until } => one_sided(self.left(until, state), 0.0),
+                Phase::Begins { until, fast } => one_sided(self.left([until, fast], state), 0.0),
                 Phase::Slides => one_sided(length(state.rdot) - STOPS * self.speed, 0.0),
             });
             return;
@@ -251,9 +253,9 @@ impl PlaneContact {
     }
 
     /// Above 0 while a contact begins to slide: until its time or its speed is reached, and it is faster than one that stops.
-    fn left(&self, until: f64, state: &PlaneState) -> f64 {
+    fn left(&self, [until, fast]: [f64; 2], state: &PlaneState) -> f64 {
         let speed = length(state.rdot);
-        let reached = (until - state.t).min(FAST * self.speed - speed);
+        let reached = (until - state.t).min(fast - speed);
         reached.max(10.0 * STOPS * self.speed - speed)
     }
 
@@ -270,13 +272,19 @@ impl PlaneContact {
             };
             Phase::Begins {
                 until: state.t + BEGINS * time,
+                fast: match self.speed > 0.0 {
+                    true => FAST * self.speed,
+                    false => f64::INFINITY,
+                },
             }
         };
         match phase {
             Phase::Sticks if length(state.held) >= own => begins(),
             Phase::Sticks => Phase::Sticks,
-            Phase::Begins { until } if self.left(until, state) <= 0.0 => Phase::Slides,
-            Phase::Begins { until } => Phase::Begins { until },
+            Phase::Begins { until, fast } => match self.left([until, fast], state) <= 0.0 {
+                true => Phase::Slides,
+                false => phase,
+            },
             Phase::Slides if length(state.rdot) > STOPS * self.speed => Phase::Slides,
             Phase::Slides if length(state.held) < own => Phase::Sticks,
             Phase::Slides => begins(),

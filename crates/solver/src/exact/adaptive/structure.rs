@@ -447,6 +447,9 @@ impl Flow for Moving<'_> {
             None => self.acceleration_terms,
         };
         largest[1] = largest[1].max(ROUND_OFF_OF_STEP * h * terms);
+        if self.last.is_some() {
+            largest[0] = largest[0].max(h * largest[1]);
+        }
         for (i, (contact, place)) in self.contacts.iter().zip(&self.places).enumerate() {
             if let Some(place) = *place {
                 let least = match &self.planes[i] {
