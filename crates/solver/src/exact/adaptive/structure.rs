@@ -177,10 +177,14 @@ impl<'a> Moving<'a> {
         for (load, pattern) in loads.zip(&self.model.patterns) {
             pattern.add_sizes(load.signal.at(self.inside(t)), &mut sums);
         }
-        let [forces, _] = self.sums(t, y, &mut vec![0.0; n]);
-        for (i, (contact, force)) in self.contacts.iter().zip(forces).enumerate() {
+        // Scalar contacts have their forces below.
+        let forces = match self.planes().next() {
+            Some(_) => self.sums(t, y, &mut vec![0.0; n])[0].clone(),
+            None => Vec::new(),
+        };
+        for (i, contact) in self.contacts.iter().enumerate() {
             if self.model.structure.contacts[i].law.row().is_some() {
-                self.model.columns[i].add_sizes(force, &mut sums);
+                self.model.columns[i].add_sizes(forces[i], &mut sums);
                 continue;
             }
             let size =

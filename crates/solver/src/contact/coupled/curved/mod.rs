@@ -97,6 +97,19 @@ pub struct Directions {
     pub slopes: [f64; 2],
 }
 
+impl Directions {
+    /// 1/f' as a symmetric matrix by its entries 11, 12 and 22, with both slopes up to `most`.
+    fn matrix(&self, most: f64) -> [f64; 3] {
+        let [g, across] = self.slopes.map(|g| g.clamp(0.0, most));
+        let [x, z] = self.along;
+        [
+            g * x * x + across * z * z,
+            (g - across) * x * z,
+            g * z * z + across * x * x,
+        ]
+    }
+}
+
 /// Minimises 1/2 S^T H S - S^T d + sum phi_i(S_i), step after step.
 #[derive(Debug, Clone)]
 pub struct CurvedForces {
@@ -326,14 +339,13 @@ impl CurvedForces {
             if step.laws.is_plane(i) {
                 let pair = |of: &[f64]| [of[i], of[i + 1]];
                 let (y, force) = (pair(&self.now.y), pair(&self.now.answer));
-                let Directions { along, slopes } = step.laws.directions(i, y, force);
-                let [g, across] = slopes.map(|g| g.clamp(0.0, LEVEL * self.own[i]));
-                let [x, z] = along;
+                let directions = step.laws.directions(i, y, force);
+                let [own, between, next] = directions.matrix(LEVEL * self.own[i]);
                 free.extend([i, i + 1]);
-                matrix[i * m + i] += g * x * x + across * z * z;
-                matrix[i * m + i + 1] += (g - across) * x * z;
-                matrix[(i + 1) * m + i] += (g - across) * x * z;
-                matrix[(i + 1) * m + i + 1] += g * z * z + across * x * x;
+                matrix[i * m + i] += own;
+                matrix[i * m + i + 1] += between;
+                matrix[(i + 1) * m + i] += between;
+                matrix[(i + 1) * m + i + 1] += next;
                 i += 2;
                 continue;
             }

@@ -1,7 +1,7 @@
 //! The step from a point to the minimum of the tangents.
 
 use super::point::Point;
-use super::{Directions, LEVEL, Laws, Numbers};
+use super::{LEVEL, Laws, Numbers};
 use crate::contact::coupled::{CoupledForces, Unsolved};
 
 /// Least 1/f' as part of a: without it, tangents of contacts that depend on each other may be singular.
@@ -52,16 +52,11 @@ impl Tangents {
     fn plane(&mut self, laws: &dyn Laws, point: &Point, i: usize, own: f64) {
         let y = [point.y[i], point.y[i + 1]];
         let force = [point.answer[i], point.answer[i + 1]];
-        let Directions { along, slopes } = laws.directions(i, y, force);
+        let directions = laws.directions(i, y, force);
         // A force that does not follow in a direction is as good as held by a large 1/f'.
-        let [g, across] = slopes.map(|g| g.clamp(0.0, HELD * own));
-        let [x, z] = along;
-        self.planes[i] = [
-            g * x * x + across * z * z,
-            (g - across) * x * z,
-            g * z * z + across * x * x,
-        ];
-        let least = g.min(across);
+        self.planes[i] = directions.matrix(HELD * own);
+        let least = directions.slopes.map(|g| g.clamp(0.0, HELD * own));
+        let least = least[0].min(least[1]);
         for row in i..i + 2 {
             self.compliance[row] = least;
             (self.low[row], self.high[row]) = (f64::NEG_INFINITY, f64::INFINITY);
