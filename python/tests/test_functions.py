@@ -350,7 +350,11 @@ def test_a_run_warns_of_cases_that_may_mislead() -> None:
     # pi sqrt(1/1e6) is 0.3 steps.
     short = by_kind["short-contact"]
     assert (short.cases, short.case, short.parameters) == (1, 1, {"gap": 0.1})
-    assert "no-contact" not in by_kind
+    # A gap that stays open in some cases is a result: a note says it.
+    note = by_kind["no-contact"]
+    assert (note.cases, note.case, note.parameters) == (1, 0, {"gap": 9})
+    assert f"(note {note.kind};" in note.message
+    assert "never-slides" not in by_kind
     assert [entry["kind"] for entry in results.manifest["warnings"]] == list(by_kind)
     structure["contacts"] = {}
     study["parameters"] = {"dt": 0.01, "duration": 2}
