@@ -10,6 +10,7 @@ mod checks;
 mod claims;
 mod claims_near;
 mod compare;
+mod cut;
 mod designs;
 #[cfg(unix)]
 mod ended;

@@ -89,8 +89,8 @@ warnings! {
         "have a bar with a wave speed below 500 m/s or above 8000 m/s: look at the units of EA, mass and length"
         "With `units`, sqrt(EA L/mass) of a bar is below 500 m/s or above 8000 m/s; steel has 5000 m/s, concrete 3500 m/s. A bar of one element may be stiffer: it is rigid.",
     MotionCut "motion-cut"
-        "have a recorded motion of which less than 95 % is computed: the rest lies after `duration` or between steps"
-        "The accelerations at the steps up to `duration` have less than 95 % of the peak, of the Arias intensity or of the target `Sa` of a recorded motion of the ground or of a support.",
+        "have a recorded or scaled motion of which less than 95 % is computed: the rest lies after `duration` or between steps"
+        "The accelerations at the steps up to `duration` have less than 95 % of the peak, of the Arias intensity or of the target spectrum of a recorded motion of the ground, of a support or of `vertical`, or of the target of another one; or a displacement file of a support has a larger displacement than its steps.",
     EndsInContact "ends-in-contact"
         "end while the bars touch; `contact_duration` and `contact_steps` are undefined: take a longer `duration`"
         "The bars of bar-impact touch at the last step.",

@@ -53,6 +53,9 @@ pub enum TargetSpectrum {
 /// Damping ratio of spectra without one.
 pub const RATIO: f64 = 0.05;
 
+/// Of the periods of a target spectrum, each so many-th is looked at in every case: all of them would take longer than the case.
+const EVERY: usize = 25;
+
 /// The value of a measure of the motion.
 type Own<'a> = &'a dyn Fn(Measure) -> Result<f64, Violation>;
 
@@ -110,6 +113,22 @@ impl ScaleTo {
                 let ordinates = ordinates.collect::<Result<Vec<f64>, Violation>>()?;
                 let wanted: Vec<f64> = periods.iter().map(|t| unit * target.at(*t)).collect();
                 Ok(target::nearest(&ordinates, &wanted))
+            }
+        }
+    }
+
+    /// Periods of oscillators, and their damping ratio, whose pseudo-accelerations the motion is scaled to; of a target spectrum a
+    /// few. `None` if a number breaks a rule.
+    pub fn periods(&self, case: &Case) -> Option<(Vec<f64>, f64)> {
+        match &self.goal {
+            Goal::PeakAcceleration(_) => Some((Vec::new(), RATIO)),
+            Goal::Spectral { period, ratio, .. } => {
+                Some((vec![period.value(case).ok()?], damping(ratio, case).ok()?))
+            }
+            Goal::Spectrum { between, ratio, .. } => {
+                let all = target::periods(bounds(between, case).ok()?);
+                let few = all.into_iter().step_by(EVERY).collect();
+                Some((few, damping(ratio, case).ok()?))
             }
         }
     }
