@@ -172,6 +172,35 @@ fn files_of_the_user_remain_and_links_are_not_followed() {
 
 #[cfg(unix)]
 #[test]
+fn a_pipe_in_place_of_a_result_does_not_stop_a_run() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(ONE, ""));
+    bench.expect(0, &["run", "s.json"]);
+    let everything = bench.everything("figures/s");
+    let part = everything.iter().find(|name| name.ends_with(".parquet"));
+    let part = part.unwrap().rsplit('/').next().unwrap();
+    for name in ["manifest.json", &format!("store/{part}")] {
+        let path = bench.path(&format!("figures/s/{name}"));
+        fs::remove_file(&path).unwrap();
+        let made = Command::new("mkfifo").arg(&path).status().unwrap();
+        assert!(made.success());
+        let mut command = bench.command();
+        let command = command.args(["run", "s.json"]).stderr(Stdio::null());
+        let mut child = command.stdout(Stdio::null()).spawn().unwrap();
+        // A run takes a fraction of a second; a reader of the pipe waits for ever.
+        let mut waits = 0..3000;
+        while child.try_wait().unwrap().is_none() && waits.next().is_some() {
+            sleep(Duration::from_millis(20));
+        }
+        let ended = child.try_wait().unwrap();
+        child.kill().unwrap();
+        assert_eq!(ended.and_then(|ended| ended.code()), Some(1), "{name}");
+        fs::remove_file(&path).unwrap();
+    }
+}
+
+#[cfg(unix)]
+#[test]
 fn more_studies_than_open_files_allowed() {
     let bench = Bench::new();
     for study in 0..60 {

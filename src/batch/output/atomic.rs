@@ -159,6 +159,14 @@ fn refuse_others(path: &Path) -> io::Result<()> {
     }
 }
 
+/// The bytes of a file, or of the one that a link leads to: a pipe would wait for a writer, and a device may have no end.
+pub(in crate::batch) fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+    match fs::metadata(path)?.is_file() {
+        true => fs::read(path),
+        false => Err(io::Error::other("it is not a file; remove it")),
+    }
+}
+
 /// Whether files can be written in a folder.
 pub(in crate::batch) fn can_write(folder: &Path) -> io::Result<()> {
     new_temporary(folder).map(drop)
@@ -293,6 +301,24 @@ mod tests {
         file.write_all(b"complete").unwrap();
         file.commit().unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"complete");
+    }
+
+    #[test]
+    fn only_files_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        fs::write(&path, "own").unwrap();
+        assert_eq!(read_file(&path).unwrap(), b"own");
+        let why = |path: &Path| read_file(path).unwrap_err();
+        assert!(why(folder.path()).to_string().contains("not a file"));
+        assert!(
+            !cfg!(unix)
+                || why(Path::new("/dev/zero"))
+                    .to_string()
+                    .contains("not a file")
+        );
+        let none = folder.path().join("b.csv");
+        assert_eq!(why(&none).kind(), io::ErrorKind::NotFound);
     }
 
     #[cfg(unix)]

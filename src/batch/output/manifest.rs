@@ -2,7 +2,7 @@
 //!
 //! During a run the manifest also lists the files that the run may write. The next run removes those of a killed run.
 
-use super::atomic::write_atomically;
+use super::atomic::{read_file, write_atomically};
 use super::names::{HISTORIES, RESULTS, history_name};
 use crate::batch::WarnedCases;
 use crate::batch::key::SOLVER_VERSION;
@@ -46,7 +46,7 @@ pub fn problem_of(folder: &Path) -> Option<String> {
 
 /// The JSON in a file, if there is any.
 fn json_of(file: &Path) -> Option<Value> {
-    serde_json::from_slice(&fs::read(file).ok()?).ok()
+    serde_json::from_slice(&read_file(file).ok()?).ok()
 }
 
 /// The manifest of a folder.
@@ -74,7 +74,7 @@ impl Manifest {
     /// The manifest does not list the files that runs wrote.
     pub fn read(folder: &Path) -> Result<Manifest, Error> {
         let path = folder.join(MANIFEST);
-        let bytes = match fs::read(&path) {
+        let bytes = match read_file(&path) {
             Err(e) if e.kind() == ErrorKind::NotFound => return Ok(Manifest::default()),
             read => read.map_err(Error::io("cannot read", &path))?,
         };

@@ -3,6 +3,7 @@
 use super::catch_panic::catch_panic;
 use super::reading;
 use crate::batch::key::checksum;
+use crate::batch::output::atomic::read_file;
 use crate::compare::Rows;
 use slipgap_study::error::Error;
 use std::fs;
@@ -91,7 +92,7 @@ fn similar_in_one(folder: &Path) -> Result<Vec<PathBuf>, Error> {
 
 /// The bytes of a part, if they have the checksum in its name.
 pub fn read_checked(path: &Path) -> Option<Vec<u8>> {
-    let bytes = fs::read(path).ok()?;
+    let bytes = read_file(path).ok()?;
     is_undamaged(path, &bytes).then_some(bytes)
 }
 
@@ -107,7 +108,7 @@ pub fn rows(results: &Path) -> Result<Rows, Error> {
     let folder = results.join(STORE);
     let mut rows = Rows::default();
     for (_, path) in all_in(&folder)? {
-        let bytes = fs::read(&path).map_err(Error::io("cannot read", &path))?;
+        let bytes = read_file(&path).map_err(Error::io("cannot read", &path))?;
         let damaged = || {
             let source = io::Error::other("damaged; run the study again");
             Error::io("cannot read", &path)(source)
