@@ -80,12 +80,15 @@ pub fn sampling(study: &Study) -> f64 {
     }
 }
 
+/// Most cases with the signals of one case that stand in for others.
+const MOST_ALIKE: usize = 512;
+
 /// Computes groups of cases from the whole study, which has the work `total`, until all are computed or the time is over.
 /// It uses as many threads as a run can use. Cases with a reference are computed one by one with their whole duration, since its cost
 /// is that of the events of a motion, which the first steps of a record do not have.
 ///
-/// No sampled signals are made but those of `like`: a case with others is left out if it has a reference, else `like` is computed in its
-/// place.
+/// No sampled signals are made but those of `like`: a case with others is left out if it has a reference, else the one with the signals of
+/// `like` that is most like it, such as one with the same law, is computed in its place.
 ///
 /// # Errors
 /// The first of `on_solution`.
@@ -99,6 +102,10 @@ pub fn measure(
     let tasks = parallel_tasks(study, options, total).max(1);
     let threads = rayon::current_num_threads().min(tasks);
     let one_by_one = study.problem.reference_work(like, &study.metrics) > 0;
+    let instead = match one_by_one || limit.is_zero() {
+        true => Vec::new(),
+        false => with_signals_of(study, like),
+    };
     // As many combinations as in one sweep of a run.
     let size = match one_by_one {
         true => 1,
@@ -126,10 +133,7 @@ pub fn measure(
             let group = (u128::from(index) * u128::from(stride) % u128::from(groups)) as u64;
             let first = group * size;
             let (_, cases) = study.columns(first, (first + size).min(study.raw_len()));
-            let cases = match one_by_one {
-                true => alike(study, like, &cases, None),
-                false => alike(study, like, &cases, Some(like)),
-            };
+            let cases = alike(study, like, &cases, &instead);
             compute(shortened(study, cases, most))?;
         }
         Ok(())
@@ -186,17 +190,44 @@ fn shortened(study: &Study, cases: Cases, most: f64) -> Cases {
     short
 }
 
-/// The cases that need no other sampled signals than those of `like`; in the places of the others `instead`, or nothing.
-fn alike(study: &Study, like: &Case, cases: &Cases, instead: Option<&Case>) -> Cases {
+/// Cases that need the sampled signals of `like`, evenly spaced; only `like` if the study has no such signals.
+fn with_signals_of(study: &Study, like: &Case) -> Vec<Case> {
+    let own = study.problem.samples(like);
+    if own.key.is_empty() {
+        return vec![like.clone()];
+    }
+    let raw = study.raw_len();
+    let stride = raw.div_ceil(MOST_SUMMED);
+    let cases = (0..raw).step_by(stride as usize);
+    let cases = cases.filter_map(|raw| study.combination(raw));
+    let found: Vec<Case> = cases
+        .filter(|case| study.problem.samples(case) == own)
+        .collect();
+    let every = found.len().div_ceil(MOST_ALIKE).max(1);
+    match found.is_empty() {
+        true => vec![like.clone()],
+        false => found.into_iter().step_by(every).collect(),
+    }
+}
+
+/// The cases that need no other sampled signals than those of `like`; in the places of the others those of `instead` with the most of
+/// their values, or nothing.
+fn alike(study: &Study, like: &Case, cases: &Cases, instead: &[Case]) -> Cases {
     let own = study.problem.samples(like);
     let rows = solvable_rows(cases);
     let (mut found, mut shown) = (Cases::new(study.problem.schema()), cases.shown());
     for row in rows {
         let case = shown.at(row as usize);
-        match study.problem.samples(case) == own {
-            true => found.push(case),
-            false => instead.into_iter().for_each(|other| found.push(other)),
+        if study.problem.samples(case) == own {
+            found.push(case);
+            continue;
         }
+        let differing = |other: &&Case| {
+            let values = other.values.iter().zip(&case.values);
+            values.filter(|(own, other)| own != other).count()
+        };
+        let nearest = instead.iter().min_by_key(differing);
+        nearest.into_iter().for_each(|other| found.push(other));
     }
     found
 }
@@ -277,12 +308,39 @@ mod tests {
         let study = study(r#""beta": {"linspace": [1, 2, 64]}, "dT": 1e-7, "duration": 3"#);
         let like = study.case(0).unwrap();
         let (_, cases) = study.columns(0, slice(study.raw_len(), total(&study)));
-        let cases = alike(&study, &like, &cases, Some(&like));
+        let cases = alike(&study, &like, &cases, &[like.clone()]);
         let cases = shortened(&study, cases, SWEEP_WORK);
         assert_eq!(cases.len(), 64);
         let work = work(&study, &cases, &solvable_rows(&cases));
         // The number of steps is rounded: up to one step in each case.
         assert!((work - SWEEP_WORK).abs() <= 64.0, "{work}");
+    }
+
+    #[test]
+    fn cases_with_other_signals_are_replaced_by_those_with_the_same_law() {
+        let text = r#"{"problem": "structure", "parameters": {"seed": {"range": [1, 40, 1]}, "law": ["hertz", "ye", "impact"],
+              "restitution": 0.6, "dt": 0.01, "duration": 1},
+              "structure": {"masses": {"a": 1}, "springs": [{"between": ["ground", "a"], "k": 40}],
+              "contacts": {"c": {"law": "law", "between": ["ground", "a"], "gap": 0.01, "k": 100, "k_h": 100, "restitution": "restitution"}},
+              "ground": {"synthetic": "seed"}}, "metrics": ["peak(a)"]}"#;
+        let study = parse("s.json", text).unwrap();
+        let like = study.case(0).unwrap();
+        let instead = with_signals_of(&study, &like);
+        assert_eq!(instead.len(), 3);
+        let (_, cases) = study.columns(0, study.raw_len());
+        let cases = alike(&study, &like, &cases, &instead);
+        let schema = study.problem.schema();
+        let row = |name: &str| schema.parameters.iter().position(|own| own.name == name);
+        let (law, seed) = (row("law").unwrap(), row("seed").unwrap());
+        let mut shown = cases.shown();
+        let mut laws = [0; 3];
+        for row in 0..cases.len() {
+            let case = shown.at(row);
+            assert_eq!(case.values[seed], like.values[seed]);
+            let of = |other: &Case| other.values[law] == case.values[law];
+            laws[instead.iter().position(of).unwrap()] += 1;
+        }
+        assert_eq!(laws, [40; 3]);
     }
 
     #[test]
