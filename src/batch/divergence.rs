@@ -136,6 +136,41 @@ mod tests {
     }
 
     #[test]
+    fn round_off_of_a_body_that_friction_holds_is_no_motion() {
+        // The limit is above the largest force of the ground, so that the displacement is round-off of a step.
+        let study = |limit: f64| {
+            let text = format!(
+                r#"{{"problem": "structure", "parameters": {{"dt": 0.002, "duration": 0.6, "method": ["linear-acceleration", "generalized-alpha"]}},
+                  "structure": {{"masses": {{"m": 2.687}}, "springs": [{{"between": ["ground", "m"], "k": 1839, "c": 0.8812}}],
+                  "ground": {{"pulse": {{"cosine": {{"amplitude": 1.042, "period": 0.2812, "sampled": 0.01}}}}}},
+                  "contacts": {{"c": {{"law": "coulomb", "limit": {limit}, "between": ["m", "ground"]}}}}}},
+                  "metrics": ["peak(m)", "difference(m)", "divergence(m, 0.01)", "difference(c.rdot)"]}}"#
+            );
+            parse("s", &text).unwrap()
+        };
+        let (stuck, slides) = (study(8.246), study(0.5));
+        let of = |study: &Study| {
+            let found = sampled(study).unwrap();
+            assert_eq!((found.looked_at, found.diverging), (2, 0), "{found:?}");
+            let case = study.case(0).unwrap();
+            study.problem.solve(&case, &study.metrics).unwrap().metrics
+        };
+        let [peak, rest @ ..] = &of(&stuck)[..] else {
+            panic!();
+        };
+        assert!(
+            peak.unwrap() < 1e-15 && rest.iter().all(Option::is_none),
+            "{peak:?} {rest:?}"
+        );
+        // Where it slides, the difference is that of the start and the loads.
+        let moving = of(&slides);
+        assert!(
+            moving[1].unwrap() < 1e-8 && moving[3].unwrap() < 1e-8,
+            "{moving:?}"
+        );
+    }
+
+    #[test]
     fn the_cases_that_diverge_are_those_of_the_metrics() {
         // By displacement, by the contact alone, and by no part at all.
         for metrics in [

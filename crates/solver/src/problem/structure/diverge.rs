@@ -1,21 +1,19 @@
 //! Whether a change of 1e-10 in start and loads reaches 1 % of the motion.
 
 use super::StructureProblem;
-use super::channel::{Channel, Number, Quantity};
+use super::channel::{Number, Quantity};
 use super::metric::{Reduction, StructureMetric};
 use super::metric_values::{Motions, Recorded};
 use super::motion::{self, Recording};
 use super::node::Numbering;
 use super::solve::distinct;
+use super::still::Still;
 use super::sweep::Ready;
 use crate::metrics::structure as reduce;
 use crate::problem::Case;
 
 /// The share of the peak from which two motions are different ones.
 const DIFFERENT: f64 = 0.01;
-
-/// A sum of quantities below this part of them is round-off, such as forces that are in equilibrium. It is no motion.
-const ROUND_OFF: f64 = 1e-10;
 
 impl StructureProblem {
     /// Whether the two motions of a case part in a channel of a metric; `None` if it cannot be solved.
@@ -43,11 +41,12 @@ impl StructureProblem {
             perturbed: Some(other.ok()?.0),
             ..Motions::default()
         };
-        Some(self.channels_part(&motions, &numbering))
+        let still = Still::of(&structure, dt, last as usize);
+        Some(self.channels_part(&motions, &numbering, still))
     }
 
     /// Whether a quantity that is watched parts.
-    fn channels_part(&self, motions: &Motions, numbering: &Numbering) -> bool {
+    fn channels_part(&self, motions: &Motions, numbering: &Numbering, still: Still) -> bool {
         let Some(other) = &motions.perturbed else {
             return false;
         };
@@ -55,17 +54,14 @@ impl StructureProblem {
         let mut channels = self.metrics.iter().filter_map(|m| m.channel.as_ref());
         let of = |motion: &Recorded, channel| motion.channel(channel, numbering);
         let computed = &motions.computed;
-        let vanishes = |channel: &Channel, sum: &[f64]| {
-            let terms = channel.numbers(numbering);
-            let size: f64 = terms.map(|term| reduce::peak(computed.of(term))).sum();
-            reduce::peak(sum) <= ROUND_OFF * size
-        };
         channels.any(|channel| {
             let own = of(computed, channel);
-            !vanishes(channel, &own) && part(&own, &of(other, channel))
+            !still.is_channel(channel, (computed, numbering), &own)
+                && part(&own, &of(other, channel))
         }) || self
             .plain(numbering)
             .into_iter()
+            .filter(|number| !still.is(*number, computed))
             .any(|number| part(computed.of(number), other.of(number)))
     }
 

@@ -7,6 +7,7 @@ use super::metric::{Reduction, StructureMetric};
 use super::motion::Energies;
 use super::node::Numbering;
 use super::solve::FEW;
+use super::still::Still;
 use crate::contact::ContactKind;
 use crate::metrics::measured::energy_per_cycle;
 use crate::metrics::structure as reduce;
@@ -176,6 +177,10 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         false => exact(&motions.softened),
     };
     let c = series(&motions.computed);
+    let is_still = || {
+        let still = Still::of(of.structure, of.dt, c.len().saturating_sub(1));
+        still.is_channel(channel, (&motions.computed, of.numbering), &c)
+    };
     match metric.reduction {
         Reduction::Peak => Some(reduce::peak(&c)),
         Reduction::Last => c.last().copied(),
@@ -209,6 +214,7 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
             let unreduced = unreduced.channel(channel, numbering);
             Some(reduce::rms_error(&c, &unreduced))
         }
+        Reduction::Divergence | Reduction::Difference if is_still() => None,
         Reduction::Divergence => {
             let perturbed = exact(&motions.perturbed)?;
             let step = reduce::divergence(&c, &perturbed, metric.threshold)?;
@@ -217,7 +223,8 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         Reduction::Difference => reduce::difference(&c, &exact(&motions.perturbed)?),
         Reduction::ImpactsBeforeDivergence => {
             let perturbed = exact(&motions.perturbed)?;
-            let end = reduce::divergence(&c, &perturbed, metric.threshold).unwrap_or(c.len());
+            let end = reduce::divergence(&c, &perturbed, metric.threshold);
+            let end = end.filter(|_| !is_still()).unwrap_or(c.len());
             let contacts = of.structure.contacts.iter().enumerate();
             let impacts = contacts.filter(|(_, contact)| contact.law.kind() == ContactKind::Impact);
             let closings = impacts.map(|(place, _)| {

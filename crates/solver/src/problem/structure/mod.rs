@@ -40,6 +40,7 @@ pub mod scheme;
 pub mod shape;
 mod signal_cache;
 mod solve;
+mod still;
 mod supports;
 mod sweep;
 pub mod template;
