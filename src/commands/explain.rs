@@ -124,24 +124,25 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     Ok(broken.map_or(code, |_| UNSOLVED))
 }
 
-/// Most work of a case that is solved for its warnings: a fraction of a second.
-const SOLVED: u64 = 100_000_000;
+/// Most work of a case that is solved for its warnings: about a second.
+const SOLVED: u64 = 500_000_000;
 
 /// The warnings of the case, as a run reports them.
 fn warnings(study: &Study, case: &Case) -> String {
     let doubts = study.problem.doubts(case);
     let line = |kind: Warning| {
-        let mut text = format!(
-            "{}: {}: cases {}",
-            if kind.is_note() { "note" } else { "warning" },
-            kind.name(),
-            kind.message()
-        );
+        // Of one of several cases it is none: the others may have another result.
+        let is_of_others = kind.is_of_all_cases() && study.len() > 1;
+        let word = match kind.is_note() || is_of_others {
+            true => "note",
+            false => "warning",
+        };
+        let mut text = format!("{word}: {}: cases {}", kind.name(), kind.message());
         if let Some((_, detail)) = doubts.iter().find(|doubt| doubt.0 == kind) {
             text += &format!("; {detail}");
         }
-        if kind.is_of_all_cases() && study.len() > 1 {
-            text += "; `run` says it if it is so in all cases";
+        if is_of_others {
+            text += "; `run` warns of it if it is so in all cases";
         }
         text + "\n"
     };

@@ -281,7 +281,7 @@ fn warnings_name_a_case_are_the_same_from_everywhere_and_are_denied_on_request()
     assert!(
         explained
             .out
-            .contains("warning: no-contact: cases have no contact"),
+            .contains("note: no-contact: cases have no contact"),
         "{explained:?}"
     );
     bench.expect(0, &["report", "s.json"]);

@@ -195,3 +195,19 @@ fn a_spring_on_a_contact_without_mass_shares_its_compression() {
         "{errors:?}"
     );
 }
+
+#[test]
+fn friction_takes_a_body_with_its_support_from_the_start() {
+    // The support has the acceleration 4 at t = 0, the body the mass 2: friction gives it 8, or its limit.
+    for (limit, force) in [(100.0, -8.0), (5.0, -5.0)] {
+        let contact = json!({"law": "coulomb", "limit": limit, "between": ["s", "m"]});
+        let more = json!({
+            "masses": {"m": 2},
+            "supports": {"s": {"sine": {"amplitude": 4, "omega": 3, "phase": std::f64::consts::FRAC_PI_2}}}
+        });
+        let solution = solve(&read(&oscillator(&contact, &more, 0.01, &["peak(m)"])));
+        let first = solution.computed.channel(1)[0];
+        // The sine of pi/2 as a number.
+        assert!((first - force).abs() < 1e-12, "{first} {force}");
+    }
+}

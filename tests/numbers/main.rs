@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod all_metrics;
 mod at_rest;
 mod bridge_parts;
 mod budget;
