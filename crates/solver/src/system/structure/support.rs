@@ -267,7 +267,7 @@ mod tests {
 
     #[test]
     fn loads_of_supports_are_by_their_accelerations_and_velocities() {
-        // A mass of 2 on springs of 6 and 2 to two supports, with a dashpot of 3 to the first one, one of 5 to the ground, and a mass of
+        // A mass of 2 on springs of 6 and 2 to two supports, with a dashpot of 3 to the first one, one of 7 to the ground, and a mass of
         // 0.5 that it shares with the second one. It follows them by 6/8 and 2/8, so that they need no load by u.
         let mut coupled_mass = Symmetric::zeros(3);
         let (mut stiffness, mut damping) = (Symmetric::zeros(3), Symmetric::zeros(3));
@@ -275,7 +275,7 @@ mod tests {
         stiffness.add_spring([Some(0), Some(1)], 6.0);
         stiffness.add_spring([Some(0), Some(2)], 2.0);
         damping.add_spring([Some(0), Some(1)], 3.0);
-        damping.add_spring([Some(0), None], 5.0);
+        damping.add_spring([Some(0), None], 7.0);
         let mut structure = Structure {
             nodes: vec![Node {
                 name: "m".into(),
@@ -301,12 +301,12 @@ mod tests {
         let motion = Motion::new(&signal, 1.0, 0.0, Baseline::None).unwrap();
         let motion = Arc::new(motion);
         structure.prescribe(vec![("a".into(), motion.clone()), ("b".into(), motion)]);
-        // M R + M_fs = 2 (3/4) and 2/4 + 0.5; C R + C_fs = 8 (3/4) - 3 and 8/4.
+        // M R + M_fs = 2 (3/4) and 2/4 + 0.5; C R + C_fs = 10 (3/4) - 3 and 10/4.
         let expected = [
             (Quantity::Acceleration, -1.5),
-            (Quantity::Velocity, -3.0),
+            (Quantity::Velocity, -4.5),
             (Quantity::Acceleration, -1.0),
-            (Quantity::Velocity, -2.0),
+            (Quantity::Velocity, -2.5),
         ];
         assert_eq!(structure.loads.len(), expected.len());
         for (load, (quantity, force)) in structure.loads.iter().zip(expected) {
