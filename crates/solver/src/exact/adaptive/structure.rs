@@ -15,6 +15,10 @@ const DIFFERENCE: f64 = 1e-4;
 /// hardly moves under forces in equilibrium has no better velocity.
 const ROUND_OFF_OF_STEP: f64 = 1e-3;
 
+/// Part of the whole motion in which a motion from rest does not matter, and times at which its loads are measured.
+const SHORT: f64 = 1e-6;
+const SAMPLES: usize = 64;
+
 /// A structure with its contacts.
 pub struct Moving<'a> {
     model: Model<'a>,
@@ -31,6 +35,8 @@ pub struct Moving<'a> {
     t: f64,
     /// The largest sum of the sizes of the terms of an acceleration there, whose round-off it has.
     acceleration_terms: f64,
+    /// Sizes of u and u' below which they do not matter.
+    least: [f64; 2],
     /// The state there, if contacts in a plane are rigid: they may hold a structure that no load has moved yet.
     last: Option<Vec<f64>>,
     work: f64,
@@ -98,11 +104,40 @@ impl<'a> Moving<'a> {
             watched: Vec::new(),
             t: 0.0,
             acceleration_terms: 0.0,
+            least: [0.0; 2],
             last: None,
             work: 12.0 * once as f64,
             model,
         };
         (moving, y)
+    }
+
+    /// Takes what loads and supports do up to a time as the measure of u and u'. Behind a damper whose force is a power of velocity, a
+    /// motion from rest may have the same shape at all times, so that the first step has the same part of u' as its error however short.
+    pub fn measure(&mut self, length: f64) {
+        let structure = self.model.structure;
+        let between = (0..=SAMPLES).map(|i| length * i as f64 / SAMPLES as f64);
+        let points = self.model.points.iter().copied();
+        let (mut acceleration, mut moved) = (0.0_f64, [0.0_f64; 2]);
+        for t in between.chain(points.take_while(|point| *point < length)) {
+            let mut sums = vec![0.0; self.model.len()];
+            for (load, pattern) in structure.loads.iter().zip(&self.model.patterns) {
+                pattern.add_sizes(load.signal.at(t), &mut sums);
+            }
+            let accelerations = sums.iter().zip(&self.model.inverse_masses);
+            acceleration = accelerations.fold(acceleration, |most, (sum, w)| most.max(sum * w));
+            for support in &structure.supports {
+                let [u, v, _] = support.motion.at(t);
+                let gaps = support.gaps.iter();
+                let factor = gaps.fold(0.0_f64, |most, gap| most.max(gap.abs()));
+                moved = [moved[0].max(factor * u.abs()), moved[1].max(factor * v.abs())];
+            }
+        }
+        let time = SHORT * length;
+        self.least = [
+            (acceleration * time * time).max(SHORT * moved[0]),
+            (acceleration * time).max(SHORT * moved[1]),
+        ];
     }
 
     /// Times at which the equations are not smooth.
@@ -451,6 +486,9 @@ impl Flow for Moving<'_> {
             None => self.acceleration_terms,
         };
         largest[1] = largest[1].max(ROUND_OFF_OF_STEP * h * terms);
+        for (largest, least) in largest.iter_mut().zip(self.least) {
+            *largest = largest.max(least);
+        }
         if self.last.is_some() {
             largest[0] = largest[0].max(h * largest[1]);
         }
