@@ -243,7 +243,12 @@ fn a_damper_with_a_root_of_the_velocity_leaves_rest_under_a_load_that_grows() {
     let more = json!({
         "springs": [], "loads": [{"at": "m", "table": {"t": [0, 1], "f": [0, p]}}]
     });
-    let solution = solve(&read(&oscillator(&contact, &more, 0.004, &["rms_error(m)"])));
+    let solution = solve(&read(&oscillator(
+        &contact,
+        &more,
+        0.004,
+        &["rms_error(m)"],
+    )));
     for (i, u) in solution.exact.channel(0).iter().enumerate() {
         let t = 0.004 * i as f64;
         let expected = s * s * t * t * t / 3.0;

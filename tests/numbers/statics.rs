@@ -217,7 +217,10 @@ fn a_mass_beside_does_not_change_an_equilibrium() {
         if let Some(mass) = beside {
             study["structure"]["masses"]["a"] = json!(mass);
             let spring = json!({"between": ["ground", "a"], "k": 1});
-            study["structure"]["springs"].as_array_mut().unwrap().push(spring);
+            study["structure"]["springs"]
+                .as_array_mut()
+                .unwrap()
+                .push(spring);
         }
         let motion = solve(&read(&study), 0).computed;
         [0, 1].map(|channel| motion.channel(channel)[0])
@@ -227,7 +230,10 @@ fn a_mass_beside_does_not_change_an_equilibrium() {
         let both = equilibrium(Some(mass)).into_iter().zip(alone);
         for (with, without) in both {
             // An equilibrium has 1e-11 of u.
-            assert!((with / without - 1.0).abs() < 1e-10, "{mass}: {with} {without}");
+            assert!(
+                (with / without - 1.0).abs() < 1e-10,
+                "{mass}: {with} {without}"
+            );
         }
     }
 }

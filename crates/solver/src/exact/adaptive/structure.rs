@@ -15,8 +15,8 @@ const DIFFERENCE: f64 = 1e-4;
 /// hardly moves under forces in equilibrium has no better velocity.
 const ROUND_OFF_OF_STEP: f64 = 1e-3;
 
-/// Part of the whole motion in which a motion from rest does not matter, and times at which its loads are measured.
-const SHORT: f64 = 1e-6;
+/// Part of velocities, and of the time of the motion, that does not matter, and the times at which loads are measured.
+const SHORT: f64 = 1e-3;
 const SAMPLES: usize = 64;
 
 /// A structure with its contacts.
@@ -118,26 +118,38 @@ impl<'a> Moving<'a> {
         let structure = self.model.structure;
         let between = (0..=SAMPLES).map(|i| length * i as f64 / SAMPLES as f64);
         let points = self.model.points.iter().copied();
-        let (mut acceleration, mut moved) = (0.0_f64, [0.0_f64; 2]);
-        for t in between.chain(points.take_while(|point| *point < length)) {
-            let mut sums = vec![0.0; self.model.len()];
+        let mut times: Vec<f64> = between.chain(points.filter(|t| *t < length)).collect();
+        times.sort_by(f64::total_cmp);
+        // Without springs and contacts, and of the supports.
+        let mut velocities = vec![0.0; self.model.len()];
+        let (mut fastest, mut moved) = (0.0_f64, [0.0_f64; 2]);
+        let mut last: Option<(f64, Vec<f64>)> = None;
+        for t in times {
+            let mut forces = vec![0.0; self.model.len()];
             for (load, pattern) in structure.loads.iter().zip(&self.model.patterns) {
-                pattern.add_sizes(load.signal.at(t), &mut sums);
+                pattern.add(load.signal.at(t), &mut forces);
             }
-            let accelerations = sums.iter().zip(&self.model.inverse_masses);
-            acceleration = accelerations.fold(acceleration, |most, (sum, w)| most.max(sum * w));
+            if let Some((before, others)) = last {
+                let means = forces.iter().zip(&others).map(|(a, b)| 0.5 * (a + b));
+                let masses = self.model.inverse_masses.iter();
+                for ((v, mean), w) in velocities.iter_mut().zip(means).zip(masses) {
+                    *v += (t - before) * mean * w;
+                    fastest = fastest.max(v.abs());
+                }
+            }
+            last = Some((t, forces));
             for support in &structure.supports {
                 let [u, v, _] = support.motion.at(t);
                 let gaps = support.gaps.iter();
                 let factor = gaps.fold(0.0_f64, |most, gap| most.max(gap.abs()));
-                moved = [moved[0].max(factor * u.abs()), moved[1].max(factor * v.abs())];
+                moved = [
+                    moved[0].max(factor * u.abs()),
+                    moved[1].max(factor * v.abs()),
+                ];
             }
         }
-        let time = SHORT * length;
-        self.least = [
-            (acceleration * time * time).max(SHORT * moved[0]),
-            (acceleration * time).max(SHORT * moved[1]),
-        ];
+        let [u, v] = [SHORT * SHORT * length * fastest, SHORT * fastest];
+        self.least = [u.max(SHORT * SHORT * moved[0]), v.max(SHORT * moved[1])];
     }
 
     /// Times at which the equations are not smooth.

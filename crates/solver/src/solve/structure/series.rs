@@ -204,8 +204,8 @@ impl Series<'_> {
                 let changes = changes.map(|(place, part)| place - part.own * force);
                 let mut changes: Vec<f64> = changes.collect();
                 // Round-off of the force is most of the change of the softest one: it has what the others leave, wherever it is.
-                let softest = (0..answers.len())
-                    .min_by(|i, j| answers[*i][1].total_cmp(&answers[*j][1]))?;
+                let softest =
+                    (0..answers.len()).min_by(|i, j| answers[*i][1].total_cmp(&answers[*j][1]))?;
                 changes[softest] = 0.0;
                 let others: f64 = changes.iter().sum();
                 changes[softest] = y - self.own * force - others;
