@@ -196,3 +196,44 @@ fn dampers_of_contacts_have_no_static_force() {
         .unwrap_err();
     assert!(why.to_string().contains("nothing holds node a"), "{why}");
 }
+
+#[test]
+fn a_mass_beside_does_not_change_an_equilibrium() {
+    // Forces of these laws depend on the way, and nothing but the contacts holds the node between them.
+    let series = json!([
+        {"law": "lugre", "sigma0": 15377, "sigma1": 5.9, "limit": 2},
+        {"law": "multilinear", "table": {"r": [0.0002, 0.0007, 0.002], "S": [0.4, 0.7, 1]}},
+        {"law": "bouc-wen", "k": 2000, "limit": 1.5, "exponent": 2}
+    ]);
+    let equilibrium = |beside: Option<f64>| {
+        let mut study = json!({
+            "problem": "structure", "parameters": {"dt": 0.002, "duration": 0.002},
+            "structure": {
+                "masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 300}], "static": {"m": 0.9},
+                "contacts": {"c": {"between": ["ground", "m"], "series": series}}
+            },
+            "metrics": ["max(c.1.S)", "max(m)"], "figures": [{"name": "h", "kind": "history", "y": ["m", "c.1.S"]}]
+        });
+        if let Some(mass) = beside {
+            study["structure"]["masses"]["a"] = json!(mass);
+            let spring = json!({"between": ["ground", "a"], "k": 1});
+            study["structure"]["springs"]
+                .as_array_mut()
+                .unwrap()
+                .push(spring);
+        }
+        let motion = solve(&read(&study), 0).computed;
+        [0, 1].map(|channel| motion.channel(channel)[0])
+    };
+    let alone = equilibrium(None);
+    for mass in [1e-3, 1.0, 1e3] {
+        let both = equilibrium(Some(mass)).into_iter().zip(alone);
+        for (with, without) in both {
+            // An equilibrium has 1e-11 of u.
+            assert!(
+                (with / without - 1.0).abs() < 1e-10,
+                "{mass}: {with} {without}"
+            );
+        }
+    }
+}

@@ -8,6 +8,9 @@ use crate::lane::Lane;
 /// Relative size of values that are round-off.
 pub const ROUND_OFF: f64 = 1e-15;
 
+/// The same of a force, the sum of some terms.
+const BOUND: f64 = 4.0 * ROUND_OFF;
+
 /// Part of r and rdot over which the slope of a force is a difference.
 const SLOPE: f64 = 1e-6;
 
@@ -30,6 +33,8 @@ pub struct Contact {
     bound: Option<f64>,
     /// Largest sizes of r and rdot so far: sums of the sizes of their terms, whose round-off they have.
     largest: [f64; 2],
+    /// The size of S at the last end of a step, whose round-off it has.
+    force_size: f64,
 }
 
 /// The motion of a contact, and the sizes of the terms of which r and rdot are the sums.
@@ -91,6 +96,7 @@ impl Contact {
             at_rest,
             bound: None,
             largest: [0.0; 2],
+            force_size: 0.0,
         }
     }
 
@@ -202,8 +208,14 @@ impl Contact {
             _ => {
                 let [low, high] = law.properties().bounds();
                 let s = self.force([r, rdot], z, limit);
-                let cut = s <= low || s >= high;
-                to.push(two_sided(if cut { 1.0 } else { -1.0 }, 0.5));
+                let inside = (s - low).min(high - s);
+                // A force that stays at a bound comes off it by round-off.
+                let side = match inside {
+                    _ if inside <= 0.0 => 1.0,
+                    _ if inside <= BOUND * self.force_size => 0.0,
+                    _ => -1.0,
+                };
+                to.push(two_sided(side, 0.5));
                 to.push(two_sided(law.corner(rdot), 0.0));
             }
         }
@@ -244,6 +256,7 @@ impl Contact {
             sizes,
         } = motion;
         self.largest = [0, 1].map(|i| self.largest[i].max(sizes[i]));
+        self.force_size = self.force_terms(motion, z, limit);
         let law = self.law(limit);
         if let (Some(own), Some(z)) = (law.evolution(), z) {
             let bound = own.bound();

@@ -152,6 +152,7 @@ fn run_model(
     let mut room = StateBuffers::new(&model);
     let (mut moving, start) = Moving::new(model);
     let length = times.last().copied().unwrap_or(0.0);
+    moving.measure(length);
     let mut points = moving.points().to_vec();
     points.reverse();
     let mut drive = Drive::new(&mut moving, start, length, tolerance, work);

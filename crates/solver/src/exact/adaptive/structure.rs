@@ -15,6 +15,10 @@ const DIFFERENCE: f64 = 1e-4;
 /// hardly moves under forces in equilibrium has no better velocity.
 const ROUND_OFF_OF_STEP: f64 = 1e-3;
 
+/// Part of velocities, and of the time of the motion, that does not matter, and the times at which loads are measured.
+const SHORT: f64 = 1e-3;
+const SAMPLES: usize = 64;
+
 /// A structure with its contacts.
 pub struct Moving<'a> {
     model: Model<'a>,
@@ -31,6 +35,8 @@ pub struct Moving<'a> {
     t: f64,
     /// The largest sum of the sizes of the terms of an acceleration there, whose round-off it has.
     acceleration_terms: f64,
+    /// Sizes of u and u' below which they do not matter.
+    least: [f64; 2],
     /// The state there, if contacts in a plane are rigid: they may hold a structure that no load has moved yet.
     last: Option<Vec<f64>>,
     work: f64,
@@ -98,11 +104,52 @@ impl<'a> Moving<'a> {
             watched: Vec::new(),
             t: 0.0,
             acceleration_terms: 0.0,
+            least: [0.0; 2],
             last: None,
             work: 12.0 * once as f64,
             model,
         };
         (moving, y)
+    }
+
+    /// Takes what loads and supports do up to a time as the measure of u and u'. Behind a damper whose force is a power of velocity, a
+    /// motion from rest may have the same shape at all times, so that the first step has the same part of u' as its error however short.
+    pub fn measure(&mut self, length: f64) {
+        let structure = self.model.structure;
+        let between = (0..=SAMPLES).map(|i| length * i as f64 / SAMPLES as f64);
+        let points = self.model.points.iter().copied();
+        let mut times: Vec<f64> = between.chain(points.filter(|t| *t < length)).collect();
+        times.sort_by(f64::total_cmp);
+        // Without springs and contacts, and of the supports.
+        let mut velocities = vec![0.0; self.model.len()];
+        let (mut fastest, mut moved) = (0.0_f64, [0.0_f64; 2]);
+        let mut last: Option<(f64, Vec<f64>)> = None;
+        for t in times {
+            let mut forces = vec![0.0; self.model.len()];
+            for (load, pattern) in structure.loads.iter().zip(&self.model.patterns) {
+                pattern.add(load.signal.at(t), &mut forces);
+            }
+            if let Some((before, others)) = last {
+                let means = forces.iter().zip(&others).map(|(a, b)| 0.5 * (a + b));
+                let masses = self.model.inverse_masses.iter();
+                for ((v, mean), w) in velocities.iter_mut().zip(means).zip(masses) {
+                    *v += (t - before) * mean * w;
+                    fastest = fastest.max(v.abs());
+                }
+            }
+            last = Some((t, forces));
+            for support in &structure.supports {
+                let [u, v, _] = support.motion.at(t);
+                let gaps = support.gaps.iter();
+                let factor = gaps.fold(0.0_f64, |most, gap| most.max(gap.abs()));
+                moved = [
+                    moved[0].max(factor * u.abs()),
+                    moved[1].max(factor * v.abs()),
+                ];
+            }
+        }
+        let [u, v] = [SHORT * SHORT * length * fastest, SHORT * fastest];
+        self.least = [u.max(SHORT * SHORT * moved[0]), v.max(SHORT * moved[1])];
     }
 
     /// Times at which the equations are not smooth.
@@ -451,6 +498,9 @@ impl Flow for Moving<'_> {
             None => self.acceleration_terms,
         };
         largest[1] = largest[1].max(ROUND_OFF_OF_STEP * h * terms);
+        for (largest, least) in largest.iter_mut().zip(self.least) {
+            *largest = largest.max(least);
+        }
         if self.last.is_some() {
             largest[0] = largest[0].max(h * largest[1]);
         }

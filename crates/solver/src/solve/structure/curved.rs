@@ -51,6 +51,13 @@ pub(super) struct Contact {
     pub(super) plane: Option<Plane>,
 }
 
+/// What the law of a contact remembers.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Memory {
+    law: AnyRunningLaw<1>,
+    plane: Option<PlaneMemory>,
+}
+
 /// A flexibility beside which every law is stiff.
 const SOFT: f64 = 1e200;
 
@@ -195,13 +202,19 @@ impl Curved {
     /// Takes over what the laws remember from the sub-step before.
     pub(super) fn remember(&mut self, before: &Curved) {
         for (contact, before) in self.contacts.iter_mut().zip(&before.contacts) {
-            contact.law = before.law;
-            if let (Some(plane), Some(before)) = (&mut contact.plane, &before.plane) {
-                plane.memory = before.memory;
-            }
-            contact
-                .law
-                .change(&contact.now, &contact.scale.steps(contact.own));
+            contact.recall(&before.memory());
+        }
+    }
+
+    /// What the laws remember.
+    pub(super) fn memories(&self) -> Vec<Memory> {
+        self.contacts.iter().map(Contact::memory).collect()
+    }
+
+    /// Lets the laws remember this.
+    pub(super) fn recall(&mut self, memories: &[Memory]) {
+        for (contact, memory) in self.contacts.iter_mut().zip(memories) {
+            contact.recall(memory);
         }
     }
 
@@ -261,6 +274,21 @@ impl Curved {
 }
 
 impl Contact {
+    fn memory(&self) -> Memory {
+        Memory {
+            law: self.law,
+            plane: self.plane.map(|plane| plane.memory),
+        }
+    }
+
+    fn recall(&mut self, memory: &Memory) {
+        self.law = memory.law;
+        if let (Some(plane), Some(memory)) = (&mut self.plane, memory.plane) {
+            plane.memory = memory;
+        }
+        self.law.change(&self.now, &self.scale.steps(self.own));
+    }
+
     /// The trial with this y.
     fn trial(&self, y: f64) -> Trial<1> {
         let motion = &self.motion;

@@ -10,7 +10,7 @@
 //! no velocity. What is left out of the equilibrium is q M (u' - u), which tells when the steps may end. Where they converge slowly,
 //! q is made smaller; with a regular K it is 0 from the beginning.
 
-use super::curved::Curved;
+use super::curved::{Curved, Memory};
 use super::curved_step::Motion;
 use crate::contact::{ContactKind, ContactLaw};
 use crate::solve::Unsolvable;
@@ -78,6 +78,13 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
     Ok(())
 }
 
+/// The state from which the steps with a part of the load start.
+struct Start {
+    u: Vec<f64>,
+    forces: Vec<f64>,
+    memories: Vec<Memory>,
+}
+
 /// The steps to equilibrium.
 struct Equilibrium<'a> {
     structure: &'a Structure,
@@ -136,9 +143,14 @@ impl<'a> Equilibrium<'a> {
         let mut before = f64::INFINITY;
         let mut last = Vec::new();
         let mut near = false;
+        let start = Start {
+            u: self.u.clone(),
+            forces: self.forces.clone(),
+            memories: self.curved.memories(),
+        };
         for _ in 0..STEPS {
             let forces = self.forces.clone();
-            let change = self.step(&load)?;
+            let change = self.step(&load, &start)?;
             let mut left = vec![0.0; load.len()];
             self.mass.add_product(&change, &mut left);
             let size = largest(&load).max(largest(&self.forces));
@@ -158,11 +170,8 @@ impl<'a> Equilibrium<'a> {
             near = reached;
             if !reached && residual > SLOW * before {
                 self.q *= LESS;
-                let curved = std::mem::replace(&mut self.curved, {
-                    (self.factor, self.columns) = linear(self.structure, &self.mass, self.q)?;
-                    curved(self.structure, &self.columns)
-                });
-                self.curved.remember(&curved);
+                (self.factor, self.columns) = linear(self.structure, &self.mass, self.q)?;
+                self.curved = curved(self.structure, &self.columns);
             }
             (before, last) = (residual, change);
         }
@@ -174,8 +183,10 @@ impl<'a> Equilibrium<'a> {
         Err(Unsolvable::NoEquilibrium { node })
     }
 
-    /// One step; returns u' - u.
-    fn step(&mut self, load: &[f64]) -> Result<Vec<f64>, Unsolvable> {
+    /// One step; returns u' - u. The laws answer to the motion since the start: how many steps there are, which depends on q and so on
+    /// all masses, does not matter to a law whose memory is exact for lines only.
+    fn step(&mut self, load: &[f64], start: &Start) -> Result<Vec<f64>, Unsolvable> {
+        self.curved.recall(&start.memories);
         let mut inner = vec![0.0; load.len()];
         self.structure.stiffness.add_product(&self.u, &mut inner);
         let mut change: Vec<f64> = load
@@ -192,17 +203,19 @@ impl<'a> Equilibrium<'a> {
                 self.curved.limit(c, limit);
             }
         }
-        let (structure, u, forces) = (self.structure, &self.u, &self.forces);
+        let (structure, u) = (self.structure, &self.u);
         let motion = |c: usize| {
-            let displacement = structure.relative(c, u) + structure.contacts[c].gap;
-            let change = structure.relative(c, &change);
+            let displacement = structure.relative(c, &start.u) + structure.contacts[c].gap;
+            let now = structure.relative(c, u) + structure.contacts[c].gap;
+            let free = structure.relative(c, &change);
+            let change = (now - displacement) + free;
             Motion {
                 displacement,
                 velocity: 0.0,
-                force: forces[c],
+                force: start.forces[c],
                 change,
                 rate: change / LONG,
-                size: displacement.abs() + change.abs(),
+                size: displacement.abs() + now.abs() + free.abs(),
             }
         };
         let solved = self.curved.solve(motion);

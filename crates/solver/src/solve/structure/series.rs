@@ -202,10 +202,14 @@ impl Series<'_> {
             if is_near {
                 let changes = places.iter().zip(self.parts);
                 let changes = changes.map(|(place, part)| place - part.own * force);
-                return Some(Shares {
-                    force,
-                    changes: changes.collect(),
-                });
+                let mut changes: Vec<f64> = changes.collect();
+                // Round-off of the force is most of the change of the softest one: it has what the others leave, wherever it is.
+                let softest =
+                    (0..answers.len()).min_by(|i, j| answers[*i][1].total_cmp(&answers[*j][1]))?;
+                changes[softest] = 0.0;
+                let others: f64 = changes.iter().sum();
+                changes[softest] = y - self.own * force - others;
+                return Some(Shares { force, changes });
             }
         }
         None
@@ -454,5 +458,37 @@ mod tests {
                 changes: vec![1.5, 1.5, 0.0]
             }
         );
+    }
+
+    #[test]
+    fn changes_add_up_where_one_contact_hardly_gains_force() {
+        // A force that tends to a limit, and a spring: at the limit a force with all its digits says nothing of the first change.
+        let (limit, length, k) = (2.44, 1e-3, 8.7e3);
+        let parts = [1e-6, 2e-6].map(|own| Part {
+            own,
+            bounds: [f64::NEG_INFINITY, f64::INFINITY],
+        });
+        let answer = |i: usize, y: f64| match i {
+            0 => limit * (1.0 - libm::exp(-y / length)),
+            _ => y / (1.0 / k + parts[1].own),
+        };
+        for order in [[0, 1], [1, 0]] {
+            let series = Series {
+                parts: &order.map(|i| parts[i]),
+                answer: &|i, y| answer(order[i], y),
+                own: 3e-6,
+                size: 0.03,
+            };
+            for i in 0..20 {
+                let y = 0.02 + 1e-4 * f64::from(i);
+                let guess = limit * (1.0 - libm::exp(-y / length));
+                let Shares { force, changes } = series.share(y, guess);
+                let spring = changes[order[1]];
+                assert!((spring * k / force - 1.0).abs() < 1e-14, "{spring}");
+                let sum: f64 = changes.iter().sum();
+                // Round-off of 0.02.
+                assert!((sum + 3e-6 * force - y).abs() < 1e-17, "{sum} {y}");
+            }
+        }
     }
 }
