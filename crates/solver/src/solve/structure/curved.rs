@@ -51,6 +51,9 @@ pub(super) struct Contact {
     pub(super) plane: Option<Plane>,
 }
 
+/// What the law of a contact remembers, also of a contact in a plane.
+pub(super) type Memory = (AnyRunningLaw<1>, Option<PlaneMemory>);
+
 /// A flexibility beside which every law is stiff.
 const SOFT: f64 = 1e200;
 
@@ -192,17 +195,26 @@ impl Curved {
         }
     }
 
+    /// What the laws remember.
+    pub(super) fn memory(&self) -> Vec<Memory> {
+        self.contacts.iter().map(Contact::memory).collect()
+    }
+
+    /// Lets the laws remember this, with their present limits and flexibilities.
+    pub(super) fn recall(&mut self, all: impl Iterator<Item = Memory>) {
+        for (contact, (law, memory)) in self.contacts.iter_mut().zip(all) {
+            contact.law = law;
+            if let (Some(plane), Some(memory)) = (&mut contact.plane, memory) {
+                plane.memory = memory;
+            }
+            let steps = contact.scale.steps(contact.own);
+            contact.law.change(&contact.now, &steps);
+        }
+    }
+
     /// Takes over what the laws remember from the sub-step before.
     pub(super) fn remember(&mut self, before: &Curved) {
-        for (contact, before) in self.contacts.iter_mut().zip(&before.contacts) {
-            contact.law = before.law;
-            if let (Some(plane), Some(before)) = (&mut contact.plane, &before.plane) {
-                plane.memory = before.memory;
-            }
-            contact
-                .law
-                .change(&contact.now, &contact.scale.steps(contact.own));
-        }
+        self.recall(before.contacts.iter().map(Contact::memory));
     }
 
     /// The forces at the end of the step with these motions.
@@ -261,6 +273,10 @@ impl Curved {
 }
 
 impl Contact {
+    fn memory(&self) -> Memory {
+        (self.law, self.plane.map(|plane| plane.memory))
+    }
+
     /// The trial with this y.
     fn trial(&self, y: f64) -> Trial<1> {
         let motion = &self.motion;
