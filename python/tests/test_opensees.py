@@ -206,6 +206,93 @@ def test_what_is_no_structure_is_named(model: Callable[[], None], supports: dict
         export(tmp_path / "m", supports=supports)
 
 
+def floor(unit: float) -> None:
+    """A wide rigid floor at the top of a column, a second one on it; `unit` is the length of a metre, forces are kN."""
+    ops.wipe()
+    ops.model("basic", "-ndm", 2, "-ndf", 3)
+    ops.geomTransf("Linear", 1)
+    for node, x, y in [(1, 0.0, 0.0), (2, 0.0, 5.0), (3, 60.0, 5.0), (4, 90.0, 6.0), (5, 90.0, 0.0)]:
+        ops.node(node, x * unit, y * unit)
+    for node in (1, 5):
+        ops.fix(node, 1, 1, 1)
+    for node, mass in [(2, 40.0), (3, 70.0), (4, 10.0)]:
+        ops.mass(node, mass / unit, mass / unit, 3.0 * mass * unit)
+    for element, ends in enumerate([(1, 2), (5, 4)], 1):
+        ops.element("elasticBeamColumn", element, *ends, unit**2, 3e7 / unit**2, 0.1 * unit**4, 1)
+    ops.rigidLink("beam", 2, 3)
+    ops.rigidLink("beam", 3, 4)
+
+
+def test_constraints_do_not_depend_on_the_unit_of_length(export: Callable[..., None], tmp_path: Path) -> None:
+    values = []
+    for unit in (1.0, 1000.0):
+        floor(unit)
+        export(tmp_path / "m")
+        values.append(ours(tmp_path / "m", 3))
+    assert [len(found) for found in values] == [3, 3]
+    # Round-off of the matrices, more where a floor turns than where it moves.
+    assert values[1] == pytest.approx(values[0], rel=1e-9, abs=0)
+
+
+@pytest.mark.parametrize("unit", [1.0, 1000.0])
+def test_a_rigid_body_on_nothing_has_no_stiffness(unit: float, export: Callable[..., None], tmp_path: Path) -> None:
+    ops.wipe()
+    ops.model("basic", "-ndm", 2, "-ndf", 3)
+    ops.geomTransf("Linear", 1)
+    for node, x, y in [(1, 0.0, 0.0), (2, 0.7, 3.1), (3, 5.3, 1.7), (4, -2.3, 0.9)]:
+        ops.node(node, x * unit, y * unit)
+        ops.mass(node, 10.0, 10.0, 0.0)
+    for element in (1, 2):
+        ops.element("elasticBeamColumn", element, element + 1, element + 2, 1.0, 1e12, 0.1, 1)
+    for node in (2, 3, 4):
+        ops.rigidLink("beam", 1, node)
+    export(tmp_path / "m")
+    # Its elements do not deform: what is left of them is round-off.
+    assert not io.mmread(tmp_path / "m.K.mtx").toarray().any()
+    assert len((tmp_path / "m.dofs.csv").read_text().splitlines()) == 4
+
+
+@pytest.mark.parametrize("factor", [-0.99, -1.01])
+def test_a_slender_column_that_a_spring_pushes_over_is_named(factor: float, export: Callable[..., None], tmp_path: Path) -> None:
+    # The stiffness of the tip, 3 EI/L^3, is 1e-8 of that of a dof.
+    count = 60
+    ops.wipe()
+    ops.model("basic", "-ndm", 2, "-ndf", 3)
+    ops.geomTransf("Linear", 1)
+    for node in range(count + 1):
+        ops.node(node + 1, 0.0, 10.0 * node / count)
+        ops.mass(node + 1, 1.0, 1.0, 0.0)
+    ops.node(999, 0.0, 10.0)
+    for node in (1, 999):
+        ops.fix(node, 1, 1, 1)
+    for element in range(1, count + 1):
+        ops.element("elasticBeamColumn", element, element, element + 1, 1.0, 3e7, 0.1, 1)
+    ops.uniaxialMaterial("Elastic", 1, factor * 3.0 * 3e7 * 0.1 / 1000.0)
+    ops.element("zeroLength", 999, 999, count + 1, "-mat", 1, "-dir", 1)
+    if factor > -1.0:
+        export(tmp_path / "m")
+        return
+    with pytest.raises(ValueError, match=r"K has an eigenvalue below 0 .* at (5\d|6\d)\.x"):
+        export(tmp_path / "m")
+
+
+def test_directions_are_those_of_the_space(export: Callable[..., None], tmp_path: Path) -> None:
+    ops.wipe()
+    ops.model("basic", "-ndm", 3, "-ndf", 3)
+    ops.uniaxialMaterial("Elastic", 1, 1e5)
+    ops.node(9, 0.1, 0.2, 3.0)
+    ops.mass(9, 1.0, 1.0, 1.0)
+    for node, x, y in [(1, 0.0, 0.0), (2, 2.0, 0.0), (3, 0.0, 2.0)]:
+        ops.node(node, x, y, 0.0)
+        ops.fix(node, 1, 1, 1)
+        ops.element("Truss", node, node, 9, 0.01, 1)
+    export(tmp_path / "m")
+    rows = (tmp_path / "m.dofs.csv").read_text().splitlines()[1:]
+    assert [row.split(",")[:2] for row in rows] == [["9", "x"], ["9", "y"], ["9", "z"]]
+    with pytest.raises(ValueError, match="has 3 dofs and 3 coordinates"):
+        export(tmp_path / "m", directions=["x", "y"])
+
+
 DT, STEPS = 0.005, 600
 METRICS = [f"{reduction}(mast.4.{direction})" for direction in "xy" for reduction in ("peak", "last", "rms")]
 

@@ -237,3 +237,82 @@ fn a_mass_beside_does_not_change_an_equilibrium() {
         }
     }
 }
+
+#[test]
+fn contacts_hold_what_nothing_else_holds_however_soft_they_become() {
+    // Forces by Newton's method on the potential of springs and contacts, in Python. Some contacts slide or yield, so that what
+    // still holds the masses is up to 1e5 times softer than at the start.
+    let soft = json!({
+        "masses": {"m0": 0.113, "m1": 6.504},
+        "springs": [{"between": ["m0", "m1"], "k": 62303.5}],
+        "contacts": {
+            "c0": {"law": "displacement-control", "between": ["m0", "m1"], "k": 309974.7, "limit": 18.9615},
+            "c1": {"law": "displacement-control", "between": ["ground", "m0"], "k": 25872.8, "limit": 8.3871},
+            "c2": {"law": "bilinear", "between": ["m0", "ground"], "k1": 587.8, "Fy": 0.267, "ratio": 0.01},
+            "c3": {"law": "dahl", "between": ["m1", "m0"], "k": 480742, "limit": 5.932}
+        },
+        "static": {"m1": 17.325}
+    });
+    let pushed = json!({
+        "masses": {"m0": 0.419, "m1": 89.73},
+        "contacts": {
+            "c0": {"law": "displacement-control", "between": ["m0", "m1"], "k": 20585, "limit": 0.166},
+            "c1": {"law": "displacement-control", "between": ["m1", "m0"], "k": 6471, "limit": 4.213},
+            "c2": {"law": "hertz", "between": ["ground", "m0"], "k_h": 8860.9, "gap": 0},
+            "c3": {"law": "hertz", "between": ["m0", "m1"], "k_h": 1432.5, "gap": 0.001},
+            "c4": {"law": "bilinear", "between": ["ground", "m1"], "k1": 19821.9, "Fy": 1.014, "ratio": 0.1}
+        },
+        "static": {"m0": -5.135, "m1": -0.35}
+    });
+    let stuck = json!({
+        "masses": {"m0": 35.809, "m1": 0.165},
+        "contacts": {
+            "c0": {"between": ["ground", "m0"], "series": [
+                {"law": "impact", "gap": 0, "k": 416.5}, {"law": "displacement-control", "k": 138.8, "limit": 0.118}]},
+            "c1": {"law": "displacement-control", "between": ["m0", "m1"], "k": 18448.5, "limit": 0.675},
+            "c2": {"law": "dahl", "between": ["ground", "m1"], "k": 4113.6, "limit": 73.302},
+            "c3": {"law": "impact", "between": ["ground", "m1"], "k": 353978.1, "gap": 0.01},
+            "c4": {"law": "coulomb", "between": ["m1", "ground"], "limit": 0.273}
+        },
+        "static": {"m0": -0.188, "m1": 2.316}
+    });
+    // The last number is the tolerance: laws with a memory are loaded in 50 parts, whose rule is of first order.
+    let cases = [
+        (
+            soft,
+            vec![9.861238514295424, 8.3871, -8.9379, -5.481697550242707],
+            1e-4,
+        ),
+        (
+            pushed,
+            vec![
+                0.166,
+                -3.932622398197047,
+                -1.036377601802955,
+                0.0,
+                -4.448622398197045,
+            ],
+            1e-9,
+        ),
+        (stuck, vec![0.188, 1.855, 0.0, -0.273], 1e-9),
+    ];
+    for (structure, expected, tolerance) in cases {
+        let names = match expected.len() {
+            4 if structure["contacts"]["c3"]["law"] == "impact" => vec!["c1", "c2", "c3", "c4"],
+            m => ["c0", "c1", "c2", "c3", "c4"][..m].to_vec(),
+        };
+        let metrics: Vec<String> = names.iter().map(|name| format!("last({name}.S)")).collect();
+        let study = read(
+            &json!({"problem": "structure", "parameters": {"dt": 1e-5, "duration": 1e-5}, "structure": structure,
+                                     "metrics": metrics.clone()}),
+        );
+        let found = solve(&study, 0).metrics;
+        for ((name, found), expected) in names.iter().zip(found).zip(&expected) {
+            let found = found.unwrap();
+            assert!(
+                (found - expected).abs() < tolerance * 20.0,
+                "{name} {found} {expected}"
+            );
+        }
+    }
+}

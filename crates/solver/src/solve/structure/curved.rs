@@ -51,12 +51,8 @@ pub(super) struct Contact {
     pub(super) plane: Option<Plane>,
 }
 
-/// What the law of a contact remembers.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Memory {
-    law: AnyRunningLaw<1>,
-    plane: Option<PlaneMemory>,
-}
+/// What the law of a contact remembers, also of a contact in a plane.
+pub(super) type Memory = (AnyRunningLaw<1>, Option<PlaneMemory>);
 
 /// A flexibility beside which every law is stiff.
 const SOFT: f64 = 1e200;
@@ -199,23 +195,26 @@ impl Curved {
         }
     }
 
-    /// Takes over what the laws remember from the sub-step before.
-    pub(super) fn remember(&mut self, before: &Curved) {
-        for (contact, before) in self.contacts.iter_mut().zip(&before.contacts) {
-            contact.recall(&before.memory());
-        }
-    }
-
     /// What the laws remember.
-    pub(super) fn memories(&self) -> Vec<Memory> {
+    pub(super) fn memory(&self) -> Vec<Memory> {
         self.contacts.iter().map(Contact::memory).collect()
     }
 
-    /// Lets the laws remember this.
-    pub(super) fn recall(&mut self, memories: &[Memory]) {
-        for (contact, memory) in self.contacts.iter_mut().zip(memories) {
-            contact.recall(memory);
+    /// Lets the laws remember this, with their present limits and flexibilities.
+    pub(super) fn recall(&mut self, all: impl Iterator<Item = Memory>) {
+        for (contact, (law, memory)) in self.contacts.iter_mut().zip(all) {
+            contact.law = law;
+            if let (Some(plane), Some(memory)) = (&mut contact.plane, memory) {
+                plane.memory = memory;
+            }
+            let steps = contact.scale.steps(contact.own);
+            contact.law.change(&contact.now, &steps);
         }
+    }
+
+    /// Takes over what the laws remember from the sub-step before.
+    pub(super) fn remember(&mut self, before: &Curved) {
+        self.recall(before.contacts.iter().map(Contact::memory));
     }
 
     /// The forces at the end of the step with these motions.
@@ -275,18 +274,7 @@ impl Curved {
 
 impl Contact {
     fn memory(&self) -> Memory {
-        Memory {
-            law: self.law,
-            plane: self.plane.map(|plane| plane.memory),
-        }
-    }
-
-    fn recall(&mut self, memory: &Memory) {
-        self.law = memory.law;
-        if let (Some(plane), Some(memory)) = (&mut self.plane, memory.plane) {
-            plane.memory = memory;
-        }
-        self.law.change(&self.now, &self.scale.steps(self.own));
+        (self.law, self.plane.map(|plane| plane.memory))
     }
 
     /// The trial with this y.

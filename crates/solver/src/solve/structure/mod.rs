@@ -66,6 +66,7 @@ mod curved_group;
 mod curved_lanes;
 mod curved_plane;
 mod curved_step;
+mod equilibrium;
 mod forces;
 mod general;
 mod initial;

@@ -1,0 +1,371 @@
+//! The steps to the equilibrium K u + B S = p of a structure with its contacts.
+//!
+//! Contacts alone may hold a part, so that K may be singular. The equilibrium is therefore the limit of the steps
+//!
+//! ```text
+//! (K + W) (u' - u) + B (S' - S) = p - K u - B S,   r' = r + B^T (u' - u),   W = q M + sum of k_c B_c B_c^T
+//! ```
+//!
+//! (the proximal point method, Rockafellar 1976). The laws give S' as in one long step from the start of the load, whatever the steps
+//! to it, and without velocity. What is left out of the equilibrium is W (u' - u), which tells when the steps may end. k_c is a small
+//! part of the stiffness of a contact, so that neither the units nor the masses change the number of steps. Where they converge
+//! slowly, W is made smaller: that of a contact which yields follows its present stiffness. With a regular K, W is 0.
+
+use super::curved::{Curved, Memory};
+use super::curved_step::Motion;
+use crate::contact::Unsolved;
+use crate::solve::Unsolvable;
+use crate::system::structure::factor::Factor;
+use crate::system::structure::{Structure, Symmetric};
+
+/// Pivots of K below this part of the diagonal with the contacts are too soft: contacts hold something.
+const SOFT: f64 = 1e-4;
+
+/// Entries of K with the elastic contacts over those of W, for the first W. Larger numbers need fewer steps, but each one
+/// leaves their round-off in u where contacts alone hold it.
+const LARGE: f64 = 100.0;
+
+/// Part of W at slow convergence, and what slow is: the part of the residual that a step leaves.
+const LESS: f64 = 0.01;
+const SLOW: f64 = 0.1;
+
+/// Smallest part of the first W.
+const LEAST: f64 = 1e-12;
+
+/// Change of forces and displacements, over the largest ones, from which on one step more leaves round-off only.
+const TARGET: f64 = 1e-11;
+
+/// Round-off of a solution and of its contact forces, some fifty times the unit round-off.
+const ROUND_OFF: f64 = 1e-14;
+
+/// Most steps for a load. With W 100 times smaller after each slow one, a dozen reach round-off.
+const STEPS: usize = 100;
+
+/// Time of a step: dashpots have no force in it.
+const LONG: f64 = 1e15;
+
+/// The steps to equilibrium.
+pub(super) struct Equilibrium<'a> {
+    structure: &'a Structure,
+    massless: Vec<bool>,
+    /// M, and a weight of nodes without mass beside it, which contacts alone may hold, too.
+    mass: Symmetric,
+    weights: Weights,
+    linear: Linear,
+    pub(super) curved: Curved,
+    pub(super) u: Vec<f64>,
+    pub(super) forces: Vec<f64>,
+    /// u, S and the memory of the laws at the start of the load.
+    start: (Vec<f64>, Vec<f64>, Vec<Memory>),
+    /// Largest u of a step without contact forces, of whose round-off no change tells anything.
+    free: f64,
+    /// The largest stiffness, with which forces have the round-off of u.
+    stiffest: f64,
+}
+
+/// The numbers of W.
+#[derive(Debug, Clone)]
+struct Weights {
+    q: f64,
+    /// k_c.
+    contacts: Vec<f64>,
+    /// Part of the first W below which that of no contact falls.
+    part: f64,
+}
+
+/// The factor of K + W, and (K + W)^-1 B by columns.
+struct Linear {
+    factor: Factor,
+    columns: Vec<Vec<f64>>,
+}
+
+impl<'a> Equilibrium<'a> {
+    pub(super) fn new(structure: &'a Structure) -> Result<Equilibrium<'a>, Unsolvable> {
+        let mut mass = structure.mass();
+        let massless = structure.massless();
+        let own = stiffnesses(structure);
+        let stiffened = stiffened(structure, &own);
+        let m = structure.contacts.len();
+        let mut weights = Weights {
+            q: 0.0,
+            contacts: vec![0.0; m],
+            part: 1.0,
+        };
+        if !holds(&structure.stiffness, &stiffened) {
+            weights.q = first_q(structure, &stiffened);
+            weights.contacts = own.iter().map(|k| k / LARGE).collect();
+        }
+        for (node, k) in diagonal(&stiffened).into_iter().enumerate() {
+            if massless[node] && weights.q > 0.0 {
+                mass.add(node, node, k / (LARGE * weights.q));
+            }
+        }
+        let linear = linear(structure, &mass, &weights)?;
+        let curved = curved(structure, &linear.columns);
+        let (u, forces) = (structure.displacement.clone(), vec![0.0; m]);
+        Ok(Equilibrium {
+            structure,
+            massless,
+            mass,
+            weights,
+            linear,
+            start: (u.clone(), forces.clone(), curved.memory()),
+            curved,
+            u,
+            forces,
+            free: 0.0,
+            stiffest: largest(&diagonal(&stiffened)),
+        })
+    }
+
+    /// Finds the equilibrium with a part of the load.
+    pub(super) fn find(&mut self, part: f64) -> Result<(), Unsolvable> {
+        let load = self.structure.preload.load.iter().map(|p| part * p);
+        let load: Vec<f64> = load.collect();
+        self.start = (self.u.clone(), self.forces.clone(), self.curved.memory());
+        let first = self.weights.clone();
+        let (mut before, mut near, mut least) = (f64::INFINITY, false, false);
+        let mut last = vec![0.0; load.len()];
+        for _ in 0..STEPS {
+            let forces = self.forces.clone();
+            let change = match self.step(&load) {
+                Ok(change) => change,
+                // Round-off of a W that is too small.
+                Err(Unsolved::Singular) if !least && self.weights.part < first.part => {
+                    least = true;
+                    self.weights = first.clone();
+                    self.renew()?;
+                    near = false;
+                    continue;
+                }
+                Err(why) => return Err(Unsolvable::NoForces { step: 0, why }),
+            };
+            let size = largest(&load).max(largest(&self.forces));
+            let residual = self.left_out(&change);
+            let differences = forces.iter().zip(&self.forces).map(|(a, b)| (a - b).abs());
+            let moved = differences.fold(0.0, f64::max);
+            // Nodes without mass have a place of their own only where contacts press; `balance` finds it.
+            let of_masses = change.iter().zip(&self.massless);
+            let changes = of_masses.filter(|(_, massless)| !**massless);
+            let largest_change = changes.fold(0.0, |most: f64, (x, _)| most.max(x.abs()));
+            let round_off = ROUND_OFF * self.free;
+            let still = largest_change <= (TARGET * largest(&self.u)).max(round_off);
+            let of_forces = (TARGET * size).max(self.stiffest * 0.1 * round_off);
+            let reached = still && moved <= of_forces && residual <= of_forces;
+            if reached && near {
+                return Ok(());
+            }
+            near = reached;
+            if !reached && !least && residual > SLOW * before {
+                self.soften(&forces, &change)?;
+            }
+            (before, last) = (residual, change);
+        }
+        let moved = last.iter().enumerate();
+        let node = moved.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+        let name = |(node, _): (usize, &f64)| self.structure.nodes[node].name.clone();
+        let node = node.map_or(String::new(), name);
+        Err(Unsolvable::NoEquilibrium { node })
+    }
+
+    /// The largest force of W (u' - u).
+    fn left_out(&self, change: &[f64]) -> f64 {
+        let mut left = vec![0.0; change.len()];
+        self.mass.add_product(change, &mut left);
+        left.iter_mut().for_each(|x| *x *= self.weights.q);
+        for (c, k) in self.weights.contacts.iter().enumerate() {
+            let force = k * self.structure.relative(c, change);
+            for (node, factor) in self.structure.column(c) {
+                left[node] += factor * force;
+            }
+        }
+        largest(&left)
+    }
+
+    /// Makes W smaller, of contacts down to a part of the stiffness that they had in the last step.
+    fn soften(&mut self, before: &[f64], change: &[f64]) -> Result<(), Unsolvable> {
+        let weights = &mut self.weights;
+        if weights.q == 0.0 || weights.part <= LEAST {
+            return Ok(());
+        }
+        weights.part *= LESS;
+        weights.q *= LESS;
+        for (c, k) in stiffnesses(self.structure).into_iter().enumerate() {
+            let moved = self.structure.relative(c, change).abs();
+            let present = (self.forces[c] - before[c]).abs() / moved;
+            let present = if present.is_nan() { k } else { present };
+            let own = &mut weights.contacts[c];
+            *own = own.min(present.max(weights.part * k) / LARGE);
+        }
+        self.renew()
+    }
+
+    /// Takes over a new W.
+    fn renew(&mut self) -> Result<(), Unsolvable> {
+        self.linear = linear(self.structure, &self.mass, &self.weights)?;
+        self.curved = curved(self.structure, &self.linear.columns);
+        Ok(())
+    }
+
+    /// One step; returns u' - u.
+    fn step(&mut self, load: &[f64]) -> Result<Vec<f64>, Unsolved> {
+        let structure = self.structure;
+        let mut inner = vec![0.0; load.len()];
+        structure.stiffness.add_product(&self.u, &mut inner);
+        for (c, force) in self.forces.iter().enumerate() {
+            for (node, factor) in structure.column(c) {
+                inner[node] += factor * force;
+            }
+        }
+        let left = load.iter().zip(&inner).map(|(p, inner)| p - inner);
+        let mut change: Vec<f64> = left.collect();
+        self.linear.factor.solve(&mut change);
+        // From the start of the load, without the contact forces of the end.
+        let (u, forces, laws) = &self.start;
+        let mut whole: Vec<f64> = change.iter().zip(&self.u).map(|(x, own)| own + x).collect();
+        for (column, force) in self.linear.columns.iter().zip(&self.forces) {
+            add(&mut whole, column, *force);
+        }
+        whole.iter_mut().zip(u).for_each(|(x, start)| *x -= start);
+        self.free = self.free.max(largest(&whole));
+        self.curved.recall(laws.iter().copied());
+        for (c, contact) in structure.contacts.iter().enumerate() {
+            if let Some(limit) = contact.law.limit().filter(|own| own.pressed_by.is_some()) {
+                let at_rest = |node: usize| [self.u[node], 0.0];
+                let limit = limit.pressed_in(0.0, |other| self.forces[other], at_rest);
+                self.curved.limit(c, limit);
+            }
+        }
+        let motion = |c: usize| {
+            let displacement = structure.relative(c, u) + structure.contacts[c].gap;
+            let change = structure.relative(c, &whole);
+            Motion {
+                displacement,
+                velocity: 0.0,
+                force: forces[c],
+                change,
+                rate: change / LONG,
+                size: displacement.abs() + change.abs(),
+            }
+        };
+        let solved = self.curved.solve(motion)?;
+        for ((column, force), new) in self.linear.columns.iter().zip(&mut self.forces).zip(solved) {
+            add(&mut change, column, *force - new);
+            *force = *new;
+        }
+        add(&mut self.u, &change, 1.0);
+        Ok(change)
+    }
+}
+
+fn add(to: &mut [f64], what: &[f64], factor: f64) {
+    to.iter_mut()
+        .zip(what)
+        .for_each(|(to, x)| *to += factor * x);
+}
+
+/// The largest stiffnesses of the contacts, as far as they are finite, else 0: what their forces are compared with.
+fn stiffnesses(structure: &Structure) -> Vec<f64> {
+    let contacts = structure.contacts.iter();
+    let stiffness = contacts.map(|contact| {
+        let limit = contact.law.limit().map_or(0.0, |limit| limit.at(0.0));
+        let law = contact.law.law(limit);
+        let k = law.properties().largest_stiffness(contact.gap.abs());
+        if k > 0.0 && k.is_finite() { k } else { 0.0 }
+    });
+    stiffness.collect()
+}
+
+/// K with the contacts at their largest stiffness.
+fn stiffened(structure: &Structure, own: &[f64]) -> Symmetric {
+    let mut stiffness = structure.initial_stiffness();
+    for (contact, k) in structure
+        .contacts
+        .iter()
+        .zip(own)
+        .filter(|(_, k)| **k > 0.0)
+    {
+        stiffness.add_along(&contact.along, *k);
+    }
+    stiffness
+}
+
+/// Whether K holds all nodes beside the contacts: no pivot is small beside the stiffness with them.
+fn holds(stiffness: &Symmetric, stiffened: &Symmetric) -> bool {
+    let size = stiffness.size();
+    let Ok(factor) = Factor::new(stiffness, &vec![false; size]) else {
+        return false;
+    };
+    let diagonal = diagonal(stiffened);
+    let mut pivots = factor.order().iter().zip(factor.reciprocals());
+    pivots.all(|(row, reciprocal)| 1.0 >= SOFT * diagonal[*row] * *reciprocal)
+}
+
+fn diagonal(matrix: &Symmetric) -> Vec<f64> {
+    let mut diagonal = vec![0.0; matrix.size()];
+    for ((i, _), x) in matrix.entries().filter(|((i, j), _)| i == j) {
+        diagonal[i] += x;
+    }
+    diagonal
+}
+
+/// q for which q M is a small part of K with the contacts.
+fn first_q(structure: &Structure, stiffened: &Symmetric) -> f64 {
+    let ratios = diagonal(stiffened)
+        .into_iter()
+        .zip(diagonal(&structure.mass()));
+    let ratios = ratios
+        .filter(|(k, m)| *k > 0.0 && *m > 0.0)
+        .map(|(k, m)| k / m);
+    let least = ratios.fold(f64::INFINITY, f64::min);
+    match least.is_finite() {
+        true => least / LARGE,
+        false => 1.0,
+    }
+}
+
+/// The factor of K + W, and (K + W)^-1 B by columns.
+fn linear(
+    structure: &Structure,
+    mass: &Symmetric,
+    weights: &Weights,
+) -> Result<Linear, Unsolvable> {
+    let mut matrix = structure.stiffness.clone();
+    matrix.add_matrix(mass, weights.q);
+    for (contact, k) in structure.contacts.iter().zip(&weights.contacts) {
+        if *k > 0.0 {
+            matrix.add_along(&contact.along, *k);
+        }
+    }
+    let factor = Factor::new(&matrix, &vec![false; structure.len()]);
+    let factor = factor.map_err(|why| Unsolvable::NoEquilibrium {
+        node: structure.nodes[why.row].name.clone(),
+    })?;
+    let column = |contact: usize| {
+        let mut column = vec![0.0; structure.len()];
+        for (node, x) in structure.column(contact) {
+            column[node] += x;
+        }
+        factor.solve(&mut column);
+        column
+    };
+    let columns = (0..structure.contacts.len()).map(column).collect();
+    Ok(Linear { factor, columns })
+}
+
+/// The laws of the contacts with H = B^T (K + W)^-1 B.
+fn curved(structure: &Structure, columns: &[Vec<f64>]) -> Curved {
+    let m = columns.len();
+    let mut flexibility = vec![0.0; m * m];
+    for i in 0..m {
+        for j in 0..=i {
+            let h = structure.relative(i, &columns[j]);
+            (flexibility[i * m + j], flexibility[j * m + i]) = (h, h);
+        }
+    }
+    Curved::of_all(structure, &[], &flexibility, 1.0 / LONG, LONG)
+}
+
+fn largest(all: &[f64]) -> f64 {
+    all.iter().fold(0.0, |a, x| f64::max(a, x.abs()))
+}
