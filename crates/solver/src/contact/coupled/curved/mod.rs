@@ -339,13 +339,16 @@ impl CurvedForces {
             if step.laws.is_plane(i) {
                 let pair = |of: &[f64]| [of[i], of[i + 1]];
                 let (y, force) = (pair(&self.now.y), pair(&self.now.answer));
+                // In the directions of the law, so that no large 1/f' along hides what is left across.
                 let directions = step.laws.directions(i, y, force);
-                let [own, between, next] = directions.matrix(LEVEL * self.own[i]);
-                free.extend([i, i + 1]);
-                matrix[i * m + i] += own;
-                matrix[i * m + i + 1] += between;
-                matrix[(i + 1) * m + i] += between;
-                matrix[(i + 1) * m + i + 1] += next;
+                turn(&mut matrix, m, i, directions.along);
+                for (row, slope) in directions.slopes.into_iter().enumerate() {
+                    let (row, slope) = (i + row, slope.max(0.0));
+                    if slope < LEVEL * self.own[i] {
+                        free.push(row);
+                        matrix[row * m + row] += slope;
+                    }
+                }
                 i += 2;
                 continue;
             }
@@ -363,5 +366,18 @@ impl CurvedForces {
             i += 1;
         }
         Factor::new(m).compute(&Matrix::new(matrix, m), &free)
+    }
+}
+
+/// Turns the rows and columns i and i + 1 of a symmetric matrix to a unit vector and the direction across it.
+fn turn(matrix: &mut [f64], m: usize, i: usize, [x, z]: [f64; 2]) {
+    let turned = |first: f64, second: f64| (x * first + z * second, x * second - z * first);
+    for k in 0..m {
+        let (row, next) = (i * m + k, (i + 1) * m + k);
+        (matrix[row], matrix[next]) = turned(matrix[row], matrix[next]);
+    }
+    for k in 0..m {
+        let (column, next) = (k * m + i, k * m + i + 1);
+        (matrix[column], matrix[next]) = turned(matrix[column], matrix[next]);
     }
 }
