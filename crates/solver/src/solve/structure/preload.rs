@@ -14,8 +14,9 @@ use super::curved::Curved;
 use super::curved_step::Motion;
 use crate::contact::{ContactKind, ContactLaw};
 use crate::solve::Unsolvable;
+use crate::system::import::negative_pivot;
 use crate::system::structure::factor::Factor;
-use crate::system::structure::{Structure, StructureLaw, Symmetric};
+use crate::system::structure::{Limit, Structure, StructureLaw, Symmetric};
 
 /// Pivots of K below this part of the diagonal are round-off: contacts hold something.
 const SINGULAR: f64 = 1e-10;
@@ -27,6 +28,9 @@ const LARGE: f64 = 100.0;
 /// Part of q at slow convergence, and what slow is: the part of the residual that a step leaves.
 const LESS: f64 = 0.01;
 const SLOW: f64 = 0.1;
+
+/// Growth of q until K + q M is positive definite.
+const MORE: f64 = 10.0;
 
 /// Change of forces and displacements, over the largest ones, from which on one step more leaves round-off only.
 const TARGET: f64 = 1e-11;
@@ -62,6 +66,7 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
     for part in 1..=parts {
         equilibrium.find(part as f64 / parts as f64)?;
     }
+    equilibrium.refuse_loose()?;
     let Equilibrium {
         u, forces, curved, ..
     } = equilibrium;
@@ -85,6 +90,8 @@ struct Equilibrium<'a> {
     /// M, and a weight of nodes without mass beside it, which contacts alone may hold, too.
     mass: Symmetric,
     q: f64,
+    /// Whether K has a negative pivot.
+    is_negative: bool,
     factor: Factor,
     /// (K + q M)^-1 B by columns.
     columns: Vec<Vec<f64>>,
@@ -100,10 +107,18 @@ impl<'a> Equilibrium<'a> {
         let mut mass = structure.mass();
         let massless = structure.massless();
         let stiffened = stiffened(structure);
-        let q = match holds(&structure.stiffness, &stiffened) {
+        let mut q = match holds(&structure.stiffness, &stiffened) {
             true => 0.0,
             false => first_q(structure, &stiffened),
         };
+        // A negative stiffness needs more of M beside it.
+        for _ in 0..STEPS {
+            let shifted = shifted(structure, &mass, q);
+            if q == 0.0 || Factor::new(&shifted, &vec![false; structure.len()]).is_ok() {
+                break;
+            }
+            q *= MORE;
+        }
         for node in (0..structure.len()).filter(|node| massless[*node]) {
             let k = diagonal(&stiffened)[node];
             mass.add(node, node, if q > 0.0 { k / (LARGE * q) } else { 0.0 });
@@ -115,6 +130,7 @@ impl<'a> Equilibrium<'a> {
             massless,
             mass,
             q,
+            is_negative: negative_pivot(&structure.stiffness).is_some(),
             factor,
             columns,
             curved,
@@ -157,12 +173,16 @@ impl<'a> Equilibrium<'a> {
             }
             near = reached;
             if !reached && residual > SLOW * before {
-                self.q *= LESS;
-                let curved = std::mem::replace(&mut self.curved, {
-                    (self.factor, self.columns) = linear(self.structure, &self.mass, self.q)?;
-                    curved(self.structure, &self.columns)
-                });
-                self.curved.remember(&curved);
+                let less = LESS * self.q;
+                let linear = linear(self.structure, &self.mass, less);
+                // A negative stiffness keeps q above a number.
+                if linear.is_ok() || !self.is_negative {
+                    self.q = less;
+                    (self.factor, self.columns) = linear?;
+                    let new = curved(self.structure, &self.columns);
+                    let before = std::mem::replace(&mut self.curved, new);
+                    self.curved.remember(&before);
+                }
             }
             (before, last) = (residual, change);
         }
@@ -172,6 +192,24 @@ impl<'a> Equilibrium<'a> {
             self.structure.nodes[node].name.clone()
         });
         Err(Unsolvable::NoEquilibrium { node })
+    }
+
+    /// Refuses a contact that the load breaks loose: where it comes to rest depends on the motion.
+    fn refuse_loose(&self) -> Result<(), Unsolvable> {
+        for (contact, force) in self.structure.contacts.iter().zip(&self.forces) {
+            let ratio = contact.law.static_ratio();
+            let limit = contact.law.limit().map_or(0.0, |limit| {
+                let at_rest = |node: usize| [self.u[node], 0.0];
+                limit.pressed_in(0.0, |other| self.forces[other], at_rest)
+            });
+            if ratio > 1.0 && force.abs() >= ratio * limit * (1.0 - TARGET) {
+                let name = &contact.name;
+                return Err(Unsolvable::BrokenRules(format!(
+                    "the static loads break contact '{name}' loose: where it comes to rest depends on the motion; apply them as loads in time, or choose static_ratio 1"
+                )));
+            }
+        }
+        Ok(())
     }
 
     /// One step; returns u' - u.
@@ -186,10 +224,12 @@ impl<'a> Equilibrium<'a> {
         self.factor.solve(&mut change);
         self.free = self.free.max(largest(&change));
         for (c, contact) in self.structure.contacts.iter().enumerate() {
-            if let Some(limit) = contact.law.limit().filter(|own| own.pressed_by.is_some()) {
+            let changes = |own: &&Limit| own.pressed_by.is_some() || own.static_ratio > 1.0;
+            if let Some(limit) = contact.law.limit().filter(changes) {
                 let at_rest = |node: usize| [self.u[node], 0.0];
                 let limit = limit.pressed_in(0.0, |other| self.forces[other], at_rest);
-                self.curved.limit(c, limit);
+                let held = contact.law.static_ratio() * limit;
+                self.curved.limit(c, held);
             }
         }
         let (structure, u, forces) = (self.structure, &self.u, &self.forces);
@@ -305,14 +345,20 @@ fn first_q(structure: &Structure, stiffened: &Symmetric) -> f64 {
     }
 }
 
+/// K + q M.
+fn shifted(structure: &Structure, mass: &Symmetric, q: f64) -> Symmetric {
+    let mut matrix = structure.stiffness.clone();
+    matrix.add_matrix(mass, q);
+    matrix
+}
+
 /// The factor of K + q M, and (K + q M)^-1 B by columns.
 fn linear(
     structure: &Structure,
     mass: &Symmetric,
     q: f64,
 ) -> Result<(Factor, Vec<Vec<f64>>), Unsolvable> {
-    let mut matrix = structure.stiffness.clone();
-    matrix.add_matrix(mass, q);
+    let matrix = shifted(structure, mass, q);
     let factor = Factor::new(&matrix, &vec![false; structure.len()]);
     let factor = factor.map_err(|why| Unsolvable::NoEquilibrium {
         node: structure.nodes[why.row].name.clone(),

@@ -405,8 +405,7 @@ fn a_lane_with_curved_laws_has_its_own_bits_and_leaves_others_alone() {
     let varying = Limit {
         constant: 200.0,
         varying: Some((30.0, ground.clone())),
-        pressure: None,
-        pressed_by: None,
+        ..Limit::constant(0.0)
     };
     let law = ContactLaw::Tanh(Tanh {
         compliance: 1e-4,
