@@ -34,7 +34,14 @@ pub fn determine_rigid_phases(
     [u, v]: [&mut [f64]; 2],
 ) -> Result<(), Singular> {
     let mut loose = vec![[false; 2]; states.len()];
-    while determine(model, series, scales, states, [&mut *u, &mut *v], &mut loose)? {}
+    while determine(
+        model,
+        series,
+        scales,
+        states,
+        [&mut *u, &mut *v],
+        &mut loose,
+    )? {}
     Ok(())
 }
 
@@ -121,11 +128,7 @@ fn decide_order(
         } else {
             f64::NEG_INFINITY
         };
-        high[i] = if candidate.at[1] {
-            most
-        } else {
-            f64::INFINITY
-        };
+        high[i] = if candidate.at[1] { most } else { f64::INFINITY };
     }
     let size: Vec<f64> = d.iter().map(|d| d.abs()).collect();
     let bounds = [low, high];

@@ -58,7 +58,8 @@ impl Modes {
     /// The node that moves most in a mode, by its share of the mass.
     pub fn most_moved(&self, mode: usize) -> usize {
         let shape = self.shapes.column(mode);
-        let places = (0..self.nodes.len()).max_by(|i, j| shape[*i].abs().total_cmp(&shape[*j].abs()));
+        let places =
+            (0..self.nodes.len()).max_by(|i, j| shape[*i].abs().total_cmp(&shape[*j].abs()));
         places.map_or(0, |place| self.nodes[place])
     }
 }

@@ -195,7 +195,9 @@ fn periods(which: &str, modes: &Modes, structure: &Structure) -> String {
     if free > 0 {
         text += &format!("rigid-body modes {which}: {free}\n");
     }
-    let mut pulled: Vec<usize> = (0..omega2.len()).filter(|k| omega2[*k] < -round_off).collect();
+    let mut pulled: Vec<usize> = (0..omega2.len())
+        .filter(|k| omega2[*k] < -round_off)
+        .collect();
     pulled.sort_by(|a, b| omega2[*a].total_cmp(&omega2[*b]));
     let pulled = pulled.iter().map(|k| {
         let time = short(1.0 / (-omega2[*k]).sqrt());
@@ -241,7 +243,10 @@ fn law(relation: &StructureLaw) -> String {
         } => format!("velocity-control c = {}, {}", short(*viscosity), limit(own)),
         StructureLaw::Coulomb { limit: own } if own.static_ratio > 1.0 => {
             let ratio = short(own.static_ratio);
-            format!("Coulomb friction, {}, sticks up to {ratio} times it", limit(own))
+            format!(
+                "Coulomb friction, {}, sticks up to {ratio} times it",
+                limit(own)
+            )
         }
         StructureLaw::Coulomb { limit: own } => format!("Coulomb friction, {}", limit(own)),
         StructureLaw::CurvedImpact { law, .. } | StructureLaw::Link { law } => curved(law),

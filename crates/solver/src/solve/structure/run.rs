@@ -174,9 +174,13 @@ impl<const L: usize> Average<'_, L> {
         let size = |c: usize, l: usize| size(&contacts[c], l);
         let lines = |l: usize| !matches!(self.curved.get(l), Some(Some(_)));
         for l in (0..L).filter(|l| lines(*l)) {
-            while friction.break_loose(l, |c| self.force[c].0[l], |c, bounds| {
-                self.forces.bound_lane([c, l], bounds);
-            }) {
+            while friction.break_loose(
+                l,
+                |c| self.force[c].0[l],
+                |c, bounds| {
+                    self.forces.bound_lane([c, l], bounds);
+                },
+            ) {
                 self.forces
                     .solve_lane([l, step], &self.trial, &size, &mut self.force);
             }

@@ -53,11 +53,21 @@ impl Structure {
         let rigid = RIGID * stiffness.largest();
         for contact in &self.contacts {
             let initial = contact.initial_stiffness();
-            let square: f64 = contact.along.iter().map(|(_, factor)| factor * factor).sum();
+            let square: f64 = contact
+                .along
+                .iter()
+                .map(|(_, factor)| factor * factor)
+                .sum();
             let holds = match contact.law.kind() {
                 ContactKind::Link => false,
                 ContactKind::Impact => true,
-                ContactKind::Friction => contact.law.is_rigid() && contact.holds(),
+                // Whatever is stuck where another part presses it.
+                ContactKind::Friction => {
+                    let pressed = |limit: &super::Limit| limit.pressed_by.is_some();
+                    let sticks = !contact.law.law(1.0).of_velocity();
+                    let pressed = contact.law.limit().is_some_and(pressed) && sticks;
+                    contact.holds() && (contact.law.is_rigid() || pressed)
+                }
             };
             if initial > 0.0 {
                 stiffness.add_along(&contact.along, initial);

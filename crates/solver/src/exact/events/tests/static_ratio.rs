@@ -34,14 +34,25 @@ fn the_published_numbers_of_two_masses_are_met() {
     let mut u = Vec::new();
     let summary = run(&s, &[0.15, 0.34], |_, state| u.push(state.u.to_vec())).unwrap();
     let events = changes(&summary);
-    let loose = events.iter().find(|(_, phase)| *phase == Phase::Sliding(1.0));
+    let loose = events
+        .iter()
+        .find(|(_, phase)| *phase == Phase::Sliding(1.0));
     let stops = events.iter().skip_while(|(time, _)| *time < 0.2);
     let stops = stops.copied().next().unwrap();
     let own = [loose.unwrap().0, u[0][0], u[0][1], stops.0, u[1][1]];
     let published = [0.03512, 1.35332, 1.80751, 0.31492, 3.96813];
-    for (own, published) in own.iter().zip(published) {
-        // Five digits are printed.
-        assert!((own - published).abs() <= 0.5e-5 * 1.01, "{own} {published}");
+    // DOP853 with restarts (scipy, tolerances 1e-12).
+    let integrated = [
+        0.03512407365521,
+        1.35333766,
+        1.80753247,
+        0.31492327548,
+        3.96812463,
+    ];
+    for ((own, published), integrated) in own.iter().zip(published).zip(integrated) {
+        // Five digits; the sixth one that is printed of two displacements is 2 too small.
+        assert!((own - published).abs() <= 2.3e-5, "{own} {published}");
+        assert!((own - integrated).abs() <= 1e-8, "{own} {integrated}");
     }
     // The spring has to hold 3000 = 1.5 2000 N.
     let omega = f64::sqrt(2000.0);
@@ -75,7 +86,10 @@ fn a_rising_load_moves_a_mass_in_equal_slips() {
             _ => (start + slide, Phase::Closed),
         };
         // Tolerance of events, 1e-12 of the largest force, over its slope; some slips.
-        assert!((time - expected).abs() < 1e-10 && *phase == own, "{i} {time} {expected} {phase:?}");
+        assert!(
+            (time - expected).abs() < 1e-10 && *phase == own,
+            "{i} {time} {expected} {phase:?}"
+        );
     }
     let start = ratio * limit / a;
     for (i, state) in states.iter().enumerate() {
@@ -85,7 +99,11 @@ fn a_rising_load_moves_a_mass_in_equal_slips() {
         let own = a * t / k - a / (k * omega) * libm::sin(omega * t)
             + drop / k * (1.0 - libm::cos(omega * t));
         let expected = if since < 0.0 { 0.0 } else { slips * slip + own };
-        assert!((state.u - expected).abs() < 1e-10, "{i} {} {expected}", state.u);
+        assert!(
+            (state.u - expected).abs() < 1e-10,
+            "{i} {} {expected}",
+            state.u
+        );
         assert!(state.force.abs() <= ratio * limit * (1.0 + 1e-12));
     }
     assert!(summary.book.residual < 1e-13 * summary.book.largest);
@@ -101,16 +119,25 @@ fn a_contact_that_breaks_loose_takes_others_with_it() {
         .contact([None, Some(1)], 0.0, two_limits(3.0, 1.1))
         .load(&[(0, 1.0), (1, 1.0)], table(&[[0.0, 0.0], [10.0, 10.0]]));
     let (_, summary) = last(&s, 9.0);
-    let own: Vec<_> = changes(&summary).into_iter().filter(|(time, _)| *time > 0.0).collect();
+    let own: Vec<_> = changes(&summary)
+        .into_iter()
+        .filter(|(time, _)| *time > 0.0)
+        .collect();
     // The first one at 2; the stiff spring then gives its load to the other one, which holds it until 3.3 + 1.
-    assert!((own[0].0 - 2.0).abs() < 1e-9 && own[0].1 == Phase::Sliding(1.0), "{own:?}");
+    assert!(
+        (own[0].0 - 2.0).abs() < 1e-9 && own[0].1 == Phase::Sliding(1.0),
+        "{own:?}"
+    );
     assert!(summary.book.residual < 1e-12 * summary.book.largest);
     // In the other order of contacts, and mirrored: the same times.
     let mut other = s.clone();
     other.contacts.swap(0, 1);
     let mut mirrored = s.clone();
     for contact in &mut mirrored.contacts {
-        contact.along.iter_mut().for_each(|(_, factor)| *factor = -*factor);
+        contact
+            .along
+            .iter_mut()
+            .for_each(|(_, factor)| *factor = -*factor);
     }
     for variant in [other, mirrored] {
         let (u, again) = last(&variant, 9.0);
@@ -131,5 +158,8 @@ fn a_ratio_of_one_is_the_law_with_one_limit() {
             .contact([None, Some(0)], 0.0, law)
             .load(&[(0, 1.0)], sine(3.0, 2.0, 0.3))
     };
-    assert_eq!(last(&s(coulomb(1.0)), 7.0).0, last(&s(two_limits(1.0, 1.0)), 7.0).0);
+    assert_eq!(
+        last(&s(coulomb(1.0)), 7.0).0,
+        last(&s(two_limits(1.0, 1.0)), 7.0).0
+    );
 }

@@ -459,6 +459,7 @@ fn a_limit_that_varies_moves_the_curved_laws_as_the_line() {
             exponent: 0.3,
         }),
         pressed_by: None,
+        static_ratio: 1.0,
     };
     let mut structure = masses(&[1.0]);
     structure.velocity[0] = 3.0;

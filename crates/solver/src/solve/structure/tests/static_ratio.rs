@@ -87,11 +87,17 @@ fn steps_tend_to_the_exact_motion_with_order_one() {
         ..Limit::constant(1.0 + 0.13 * i as f64)
     };
     let constant = |i: usize| Limit::constant(1.0 + 0.13 * i as f64);
-    for s in [blocks(&[1.5, 1.2, 2.0], constant), blocks(&[1.5, 1.0, 1.3], varying)] {
+    for s in [
+        blocks(&[1.5, 1.2, 2.0], constant),
+        blocks(&[1.5, 1.0, 1.3], varying),
+    ] {
         for method in [AVERAGE, IMPULSES] {
             let errors = [1e-2, 1e-3, 1e-4].map(|dt| error(&method, &s, dt, 9.0));
             // Of displacements of about 1; the place in the step at which contacts break loose scatters.
-            assert!(errors[0] < 0.1 && errors[1] < 1e-2 && errors[2] < 1e-3, "{method:?} {errors:?}");
+            assert!(
+                errors[0] < 0.1 && errors[1] < 1e-2 && errors[2] < 1e-3,
+                "{method:?} {errors:?}"
+            );
             assert!(errors[2] < 0.05 * errors[0], "{method:?} {errors:?}");
         }
     }
@@ -112,7 +118,11 @@ fn a_force_that_holds_does_not_alternate() {
     for method in [AVERAGE, IMPULSES] {
         let mut s = masses(&[1.0]);
         s.velocity[0] = 1.0;
-        s.contacts = vec![contact([None, Some(0)], 0.0, two_limits(Limit::constant(1.0), 2.0))];
+        s.contacts = vec![contact(
+            [None, Some(0)],
+            0.0,
+            two_limits(Limit::constant(1.0), 2.0),
+        )];
         s.loads = vec![Load {
             pattern: vec![(0, -1.5)],
             signal: Arc::new(Signal::Table(Table::new(vec![0.0], vec![1.0]).unwrap())),
@@ -179,7 +189,8 @@ fn an_idle_contact_with_a_curved_law_changes_nothing() {
 #[test]
 fn lanes_with_other_ratios_do_not_meet() {
     let limit = |i: usize| Limit::constant(1.0 + 0.13 * i as f64);
-    let cases = [[1.5, 1.0, 2.0], [1.0; 3], [1.1, 1.7, 1.0], [3.0; 3]].map(|own| blocks(&own, limit));
+    let cases =
+        [[1.5, 1.0, 2.0], [1.0; 3], [1.1, 1.7, 1.0], [3.0; 3]].map(|own| blocks(&own, limit));
     for method in [AVERAGE, IMPULSES] {
         let prepared = Prepared::by(&method, &cases[0], 0.003).unwrap();
         let [a, b, c, d] = &cases;
@@ -193,7 +204,10 @@ fn lanes_with_other_ratios_do_not_meet() {
             let [done] = run::<1>(&[case], &prepared, 3000, |_, state| {
                 for (i, both) in together[step].iter().enumerate() {
                     let Lane([own]) = state.displacement(i);
-                    assert!(own.to_bits() == both.0[l].to_bits(), "{method:?} {l} {step}");
+                    assert!(
+                        own.to_bits() == both.0[l].to_bits(),
+                        "{method:?} {l} {step}"
+                    );
                 }
                 step += 1;
             });
