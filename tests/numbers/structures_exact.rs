@@ -49,8 +49,7 @@ fn limit(json: &Json) -> Limit {
     Limit {
         constant: number(&json["constant"]),
         varying: varying.then(|| (number(&json["factor"]), signal(&json["signal"]))),
-        pressure: None,
-        pressed_by: None,
+        ..Limit::constant(0.0)
     }
 }
 

@@ -225,7 +225,7 @@ pub mod structure {
     pub const LIMIT: Number = Number::new(
         ["limit", "*νN*", "force"],
         Range::NotNegative,
-        "friction limit, instead of nu and N; of stribeck and lugre the kinetic one",
+        "friction limit, instead of nu and N; of coulomb, stribeck and lugre the kinetic one",
     );
     /// nu
     pub const NU: Number = Number::new(

@@ -63,7 +63,10 @@ pub enum Form {
         viscosity: f64,
     },
     /// Friction without compliance.
-    Coulomb,
+    Coulomb {
+        /// Static limit over the kinetic one, >= 1.
+        static_ratio: f64,
+    },
     /// Another law of impact.
     Impact {
         /// The law.

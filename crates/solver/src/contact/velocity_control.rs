@@ -93,10 +93,13 @@ impl Described for VelocityControl {
             }),
             bars: None,
             structure: Some(In {
-                meaning: "friction without compliance: sticks below the limit, slides at it",
-                numbers: &[],
+                meaning: "friction without compliance: sticks below the static limit, slides at the limit",
+                numbers: &[&structure::STATIC_RATIO],
             }),
-            form: |_| Ok(Form::Coulomb),
+            form: |given| {
+                let static_ratio = given.need("static_ratio")?;
+                Ok(Form::Coulomb { static_ratio })
+            },
         },
     ];
     const CLOSED_FORM: ClosedForm<Self> =

@@ -27,6 +27,13 @@ pub enum Unsolvable {
         /// A node with a pivot that is not positive.
         node: String,
     },
+    /// The same, because of a negative stiffness: shorter steps have a positive definite matrix.
+    TooLongStep {
+        /// A node with a pivot that is not positive.
+        node: String,
+        /// About the longest step that is allowed.
+        longest: String,
+    },
     /// The static loads have no equilibrium.
     NoEquilibrium {
         /// A node that nothing holds.
@@ -65,6 +72,10 @@ impl fmt::Display for Unsolvable {
             Unsolvable::Indefinite { node } => write!(
                 f,
                 "the matrix of a step, 4/dt^2 M + 2/dt C + K, is not positive definite at node {node}"
+            ),
+            Unsolvable::TooLongStep { node, longest } => write!(
+                f,
+                "the matrix of a step, 4/dt^2 M + 2/dt C + K, is not positive definite at node {node}: K pulls it away; allowed: dt up to about {longest}"
             ),
             Unsolvable::NoEquilibrium { node } => write!(
                 f,

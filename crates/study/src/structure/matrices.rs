@@ -17,7 +17,7 @@ use slipgap_solver::problem::structure::reduce::{Modes, Reduce, named_rows};
 use slipgap_solver::problem::structure::rows::Rows;
 use slipgap_solver::problem::structure::schema::Drawn;
 use slipgap_solver::problem::structure::template::{Matrices, Template, Variant};
-use slipgap_solver::system::import::{Dofs, ImportFault, Imported, Matrix};
+use slipgap_solver::system::import::{Dofs, ImportFault, Imported, Matrix, negative_pivot};
 use slipgap_solver::system::structure::Symmetric;
 use std::sync::Arc;
 
@@ -34,6 +34,7 @@ pub(super) fn matrices(parts: &[Part], reader: &Reader, faults: &mut Faults) -> 
         Some(Matrices {
             name: name.clone(),
             rows: Arc::new(Rows::new(&imported.dofs, motion)),
+            place: (node.at, path.clone()),
             imported,
             variants,
             reduce: None,
@@ -199,6 +200,7 @@ fn variants(
                 let imported = Imported {
                     mass: mass.2.clone(),
                     stiffness: stiffness.2.clone(),
+                    is_negative: negative_pivot(&stiffness.2).is_some(),
                     damping: damping.as_ref().map(|damping| damping.2.clone()),
                     dofs: dofs.clone(),
                 };
@@ -222,7 +224,7 @@ pub(super) fn inline<T>(
         .ok()
 }
 
-/// A matrix that fits the rows and has no negative pivot.
+/// A matrix that fits the rows, and M without a negative pivot. What K pulls away contacts may hold, which a case tells.
 fn checked(
     matrix: Matrix,
     name: &str,
@@ -235,7 +237,7 @@ fn checked(
     if matrix.len() != dofs.len() {
         return Err(matrix.wrong_size(dofs.len()));
     }
-    if key != "C" {
+    if key == "M" {
         matrix.check_pivots(|row| format!("{name}.{}", dofs.name(row)))?;
     }
     Ok(matrix.matrix)

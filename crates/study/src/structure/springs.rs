@@ -117,7 +117,7 @@ fn numbers(
             object.fault("missing: k and c, or mass, period and ratio", faults);
             None
         }
-        (Some(_), _) => needed("k", Range::NotNegative, faults),
+        (Some(_), _) => needed("k", Range::Any, faults),
     };
     Some(SpringNumbers::Stiffness { k: k?, c })
 }

@@ -9,6 +9,7 @@ use crate::contact::ContactKind;
 use crate::system::structure::StructureLaw;
 
 /// A contact that may stick or stay shut.
+#[derive(Clone, Copy)]
 pub struct RestingContact {
     /// The contact.
     pub contact: usize,
@@ -16,6 +17,8 @@ pub struct RestingContact {
     pub at: [bool; 2],
     /// Whether it is a friction contact, or a stop.
     pub friction: bool,
+    /// Of a friction contact: the limits that the lower bound and the upper one of its force are, over that of sliding.
+    pub ratios: [f64; 2],
 }
 
 impl RestingContact {
@@ -28,12 +31,14 @@ impl RestingContact {
     }
 }
 
-/// Contacts with rdot = 0, and r = 0 if they are stops, in phase closed; the others slide or are open.
+/// Contacts with rdot = 0, and r = 0 if they are stops, in phase closed; the others slide or are open. `loose` says which bounds of
+/// friction forces are those of sliding, because the contacts have broken loose.
 pub fn candidates(
     model: &Model,
     series: &Series,
     scales: &Scales,
     states: &mut [ContactState],
+    loose: &[[bool; 2]],
 ) -> Vec<RestingContact> {
     let tolerance = scales.rate(series.length) * series.length;
     let mut candidates = Vec::new();
@@ -56,11 +61,13 @@ pub fn candidates(
             _ => continue,
         }
         state.phase = Phase::Closed;
-        let friction = model.contacts[contact].law.kind() == ContactKind::Friction;
+        let law = &model.contacts[contact].law;
+        let friction = law.kind() == ContactKind::Friction;
         candidates.push(RestingContact {
             contact,
             at: [friction, true],
             friction,
+            ratios: loose[contact].map(|loose| if loose { 1.0 } else { law.static_ratio() }),
         });
     }
     candidates

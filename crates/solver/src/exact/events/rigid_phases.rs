@@ -2,6 +2,9 @@
 //!
 //! Their forces minimise 1/2 S^T A S - S^T d within their bounds, A = B^T M^-1 B, where d is r'' without them. A contact at its
 //! limit with r'' = 0 is decided by r''', and so on: then the derivatives of its force have the bound.
+//!
+//! A contact that leaves its static limit breaks loose: its force falls to the limit of sliding. All that do so at one time break loose
+//! together, and the forces are found again, as in a step (`solve/structure/static_friction.rs`).
 
 use super::least::{Singular, least};
 use super::model::Model;
@@ -30,15 +33,47 @@ pub fn determine_rigid_phases(
     states: &mut [ContactState],
     [u, v]: [&mut [f64]; 2],
 ) -> Result<(), Singular> {
-    let mut candidates = candidates(model, series, scales, states);
+    let mut loose = vec![[false; 2]; states.len()];
+    while determine(
+        model,
+        series,
+        scales,
+        states,
+        [&mut *u, &mut *v],
+        &mut loose,
+    )? {}
+    Ok(())
+}
+
+/// The phases with these bounds of friction; returns whether more contacts break loose, which changes the bounds.
+fn determine(
+    model: &Model,
+    series: &mut Series,
+    scales: &Scales,
+    states: &mut [ContactState],
+    [u, v]: [&mut [f64]; 2],
+    loose: &mut [[bool; 2]],
+) -> Result<bool, Singular> {
+    let mut candidates = candidates(model, series, scales, states, loose);
     if candidates.is_empty() {
-        return Ok(());
+        return Ok(false);
     }
+    let mut breaks = false;
     stop(model, &series.gaps, &candidates, u, v);
     series.begin(model, [series.start, series.length, series.phase], [u, v]);
     for order in 0..ORDERS {
         series.free_acceleration(order, model, states);
-        decide_order(model, series, order, scales, states, &mut candidates)?;
+        let left = decide_order(model, series, order, scales, states, &mut candidates)?;
+        for (candidate, upper) in left {
+            let end = usize::from(upper);
+            if candidate.ratios[end] > 1.0 {
+                loose[candidate.contact][end] = true;
+                breaks = true;
+            }
+        }
+        if breaks {
+            return Ok(true);
+        }
         series.advance(order, model);
         if candidates
             .iter()
@@ -48,14 +83,17 @@ pub fn determine_rigid_phases(
         }
     }
     for candidate in &candidates {
-        if candidate.at[0] != candidate.at[1] && candidate.friction {
+        let end = usize::from(candidate.at[1]);
+        // At its static limit a contact sticks.
+        let slides = candidate.friction && candidate.ratios[end] == 1.0;
+        if candidate.at[0] != candidate.at[1] && slides {
             candidate.leave(candidate.at[1], states);
         }
     }
-    Ok(())
+    Ok(false)
 }
 
-/// The forces of one order, and the contacts that they decide.
+/// The forces of one order, and the contacts that they decide; those that leave their bounds, and whether it is the upper one.
 fn decide_order(
     model: &Model,
     series: &mut Series,
@@ -63,7 +101,7 @@ fn decide_order(
     scales: &Scales,
     states: &mut [ContactState],
     candidates: &mut Vec<RestingContact>,
-) -> Result<(), Singular> {
+) -> Result<Vec<(RestingContact, bool)>, Singular> {
     let contacts: Vec<usize> = candidates
         .iter()
         .map(|candidate| candidate.contact)
@@ -84,16 +122,13 @@ fn decide_order(
         } else {
             limit
         };
+        let [least, most] = candidate.ratios.map(|ratio| ratio * limit);
         low[i] = if candidate.at[0] {
-            -limit
+            -least
         } else {
             f64::NEG_INFINITY
         };
-        high[i] = if candidate.at[1] {
-            limit
-        } else {
-            f64::INFINITY
-        };
+        high[i] = if candidate.at[1] { most } else { f64::INFINITY };
     }
     let size: Vec<f64> = d.iter().map(|d| d.abs()).collect();
     let bounds = [low, high];
@@ -109,12 +144,14 @@ fn decide_order(
     let round_off = (ROUND_OFF + instant) * scales.force();
     let zero = ZERO * largest + round_off;
     let mut i = 0..m;
+    let mut gone = Vec::new();
     candidates.retain_mut(|candidate| {
         let i = i.next().unwrap_or_default();
         let left = series.relative_acceleration(candidate.contact, model) / flexibility[i * m + i];
         let [over, under] = [force[i] - low[i], high[i] - force[i]];
         if left.abs() > zero && candidate.at[usize::from(left > 0.0)] {
             candidate.leave(left > 0.0, states);
+            gone.push((*candidate, left > 0.0));
             return false;
         }
         let both = candidate.at == [true; 2] && order > 0;
@@ -130,9 +167,10 @@ fn decide_order(
                 force[i] >= 0.0
             };
             candidate.leave(upper, states);
+            gone.push((*candidate, upper));
             return false;
         }
         true
     });
-    Ok(())
+    Ok(gone)
 }

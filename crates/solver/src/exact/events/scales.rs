@@ -47,8 +47,9 @@ impl Scales {
                 self.acceleration = self.acceleration.max(of_gap.abs());
             }
         }
-        for (largest, series) in self.limits.iter_mut().zip(&series.contacts) {
-            *largest = largest.max(series.limit[0].abs());
+        let contacts = model.contacts.iter().zip(&series.contacts);
+        for (largest, (contact, series)) in self.limits.iter_mut().zip(contacts) {
+            *largest = largest.max(contact.law.static_ratio() * series.limit[0].abs());
         }
         if model.modes.is_some() {
             return self.include_modes(model, u, v, series);

@@ -100,8 +100,9 @@ impl Watched<'_> {
                 test(Crossing::Release, &force.map(|s| -s), force_tolerance);
             }
             Phase::Closed => {
+                let ratio = law.static_ratio();
                 for direction in [1.0, -1.0] {
-                    let distance = std::array::from_fn(|k| limit[k] - direction * force[k]);
+                    let distance = std::array::from_fn(|k| ratio * limit[k] - direction * force[k]);
                     test(Crossing::Limit(direction), &distance, force_tolerance);
                 }
             }

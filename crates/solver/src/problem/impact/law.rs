@@ -102,7 +102,7 @@ pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<Con
         // No impacts.
         Form::Elastic { .. }
         | Form::Viscous { .. }
-        | Form::Coulomb
+        | Form::Coulomb { .. }
         | Form::Friction(_)
         | Form::Link(_) => None,
     }

@@ -54,6 +54,16 @@ pub struct Modes {
     root: Option<DMatrix<f64>>,
 }
 
+impl Modes {
+    /// The node that moves most in a mode, by its share of the mass.
+    pub fn most_moved(&self, mode: usize) -> usize {
+        let shape = self.shapes.column(mode);
+        let places =
+            (0..self.nodes.len()).max_by(|i, j| shape[*i].abs().total_cmp(&shape[*j].abs()));
+        places.map_or(0, |place| self.nodes[place])
+    }
+}
+
 /// The modes of M and this K; `None` if there are too many nodes, or a matrix is not positive definite.
 pub fn modes(structure: &Structure, stiffness: &Symmetric) -> Option<Modes> {
     let size = structure.len();

@@ -1,7 +1,7 @@
 //! The assembled structure as text, for `explain`.
 
 use super::contact_duration;
-use super::damping::modes;
+use super::damping::{Modes, modes};
 use super::models::Models;
 use super::warn::Restitution;
 use crate::contact::{ContactKind, ContactLaw};
@@ -54,7 +54,7 @@ pub fn describe(
         .map(|node| format!("{} {}", node.name, short(node.mass)));
     text += &list("nodes and masses", nodes.collect());
     if let Some(modes) = modes(structure, &structure.stiffness) {
-        text += &periods("without contacts", modes.omega2);
+        text += &periods("without contacts", &modes, structure);
     }
     let elastic = |contact: &Contact| contact.initial_stiffness() > 0.0;
     if structure.contacts.iter().any(elastic)
@@ -62,7 +62,8 @@ pub fn describe(
     {
         text += &periods(
             "with the elastic contacts at their initial stiffness",
-            modes.omega2,
+            &modes,
+            structure,
         );
     }
     let contacts = structure
@@ -181,18 +182,30 @@ fn closes(structure: &Structure, contact: &Contact) -> String {
 }
 
 /// The periods of these squares of natural frequencies, and the number of rigid-body modes.
-fn periods(which: &str, omega2: Vec<f64>) -> String {
-    let largest = omega2.iter().fold(0.0, |a: f64, b| a.max(*b));
+fn periods(which: &str, modes: &Modes, structure: &Structure) -> String {
+    let omega2 = &modes.omega2;
+    let largest = omega2.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
     // Round-off of the eigensolver.
-    let (free, mut held): (Vec<f64>, Vec<f64>) =
-        omega2.into_iter().partition(|x| *x <= 1e-12 * largest);
+    let round_off = 1e-12 * largest;
+    let free = omega2.iter().filter(|x| x.abs() <= round_off).count();
+    let mut held: Vec<f64> = omega2.iter().copied().filter(|x| *x > round_off).collect();
     held.sort_by(f64::total_cmp);
     let periods = held.iter().map(|x| short(2.0 * PI / x.sqrt())).collect();
     let mut text = list(&format!("natural periods {which}"), periods);
-    if !free.is_empty() {
-        text += &format!("rigid-body modes {which}: {}\n", free.len());
+    if free > 0 {
+        text += &format!("rigid-body modes {which}: {free}\n");
     }
-    text
+    let mut pulled: Vec<usize> = (0..omega2.len())
+        .filter(|k| omega2[*k] < -round_off)
+        .collect();
+    pulled.sort_by(|a, b| omega2[*a].total_cmp(&omega2[*b]));
+    let pulled = pulled.iter().map(|k| {
+        let time = short(1.0 / (-omega2[*k]).sqrt());
+        let node = &structure.nodes[modes.most_moved(*k)].name;
+        format!("mostly {node}, grows by e in {time}")
+    });
+    let name = format!("modes that the stiffness pulls away {which}");
+    text + &list(&name, pulled.collect())
 }
 
 fn law(relation: &StructureLaw) -> String {
@@ -228,6 +241,13 @@ fn law(relation: &StructureLaw) -> String {
             viscosity,
             limit: own,
         } => format!("velocity-control c = {}, {}", short(*viscosity), limit(own)),
+        StructureLaw::Coulomb { limit: own } if own.static_ratio > 1.0 => {
+            let ratio = short(own.static_ratio);
+            format!(
+                "Coulomb friction, {}, sticks up to {ratio} times it",
+                limit(own)
+            )
+        }
         StructureLaw::Coulomb { limit: own } => format!("Coulomb friction, {}", limit(own)),
         StructureLaw::CurvedImpact { law, .. } | StructureLaw::Link { law } => curved(law),
         StructureLaw::CurvedFriction { law, limit: own } => {

@@ -28,6 +28,7 @@ mod metric_values;
 mod models;
 mod motion;
 pub mod names;
+mod negative;
 pub mod node;
 mod observer;
 pub mod reduce;
@@ -279,6 +280,8 @@ impl Problem for StructureProblem {
                 }
                 if violations.is_empty() {
                     violations.extend(self.ignored_restitutions(case));
+                    violations.extend(self.negative_stiffness(case));
+                    violations.extend(self.static_ratio_rules(case));
                     violations.extend(self.step_rules(case, step));
                 }
             }

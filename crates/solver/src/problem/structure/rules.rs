@@ -1,13 +1,13 @@
 //! The rules that a case must keep: of its method, its measures of the ground, its measurements and its channels.
 
-use super::assemble::Model;
+use super::assemble::{self, Model};
 use super::channel::Term;
 use super::metric::StructureMetric;
 use super::node::Numbering;
 use super::{StructureProblem, columns, contacts, massless};
 use crate::methods::Method;
 use crate::problem::{Case, Violation, method};
-use crate::solve::structure::critical_fault;
+use crate::solve::structure::{critical_fault, static_ratio_fault};
 
 impl StructureProblem {
     /// Rigid impacts whose restitution the method of the case ignores.
@@ -24,6 +24,19 @@ impl StructureProblem {
         rigid
             .map(|(given, e)| given.violation(method::ignores_restitution(name, e)))
             .collect()
+    }
+
+    /// Contacts with a static limit above the kinetic one that the method or their nodes cannot have.
+    pub(super) fn static_ratio_rules(&self, case: &Case) -> Option<Violation> {
+        let mut contacts = self.template.contacts.iter();
+        if !contacts.any(|contact| contact.number("static_ratio").is_some()) {
+            return None;
+        }
+        let method = self.method(case)?;
+        let structure = assemble::outline(&self.template, case, Model::Study).ok()?;
+        let (contact, why) = static_ratio_fault(&structure, &method)?;
+        let contact = &self.template.contacts[contact];
+        Some(contact.number("static_ratio")?.violation(why))
     }
 
     /// The rules of a method with a critical step.

@@ -139,6 +139,8 @@ pub struct Mass {
 pub struct Matrices {
     /// Its name.
     pub name: String,
+    /// Its place in the study, and its path there.
+    pub place: (usize, String),
     /// The first of the variants; all have the same rows.
     pub imported: Arc<Imported>,
     /// The matrices by the files that parameters choose.
@@ -255,7 +257,7 @@ pub struct Spring {
 pub enum SpringNumbers {
     /// Stiffness k and dashpot c.
     Stiffness {
-        /// k, >= 0.
+        /// k; below 0 where other parts hold the nodes.
         k: Amount,
         /// c, >= 0; none for 0.
         c: Option<Amount>,

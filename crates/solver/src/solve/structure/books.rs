@@ -138,7 +138,7 @@ impl<const L: usize> Books<L> {
         }
         let contacts = self.contacts.iter_mut().zip(&mut self.work);
         for (c, ((before, work), [r, s])) in contacts.zip(state.contact_states()).enumerate() {
-            let mean = (before[1] + s) * 0.5;
+            let mean = state.mean_force(c, [before[1], s]);
             let step = mean * (r - before[0]);
             *work = *work + step;
             supplied = supplied - step;

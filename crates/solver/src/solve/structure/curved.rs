@@ -43,6 +43,8 @@ pub(super) struct Contact {
     /// 1/f' of a clipped line.
     line: Option<f64>,
     pub(super) bounds: [f64; 2],
+    /// Whether they are those of Coulomb friction with two limits, and not those of the law.
+    two_limits: bool,
     /// The motion over the step without the forces at its end.
     pub(super) motion: Motion,
     /// r at the end of the step.
@@ -135,6 +137,7 @@ impl Curved {
                 },
                 scale,
                 bounds: law.properties().bounds(),
+                two_limits: false,
                 plane: curved_plane::first(structure, i, limit, scale, own),
                 relation,
                 motion: Motion::default(),
@@ -212,6 +215,12 @@ impl Curved {
         }
     }
 
+    /// Changes the bounds of Coulomb friction with two limits.
+    pub(super) fn bound(&mut self, contact: usize, bounds: [f64; 2]) {
+        let contact = &mut self.contacts[contact];
+        (contact.bounds, contact.two_limits) = (bounds, true);
+    }
+
     /// Takes over what the laws remember from the sub-step before.
     pub(super) fn remember(&mut self, before: &Curved) {
         self.recall(before.contacts.iter().map(Contact::memory));
@@ -219,6 +228,15 @@ impl Curved {
 
     /// The forces at the end of the step with these motions.
     pub(super) fn solve(&mut self, motion: impl Fn(usize) -> Motion) -> Result<&[f64], Unsolved> {
+        self.solve_until(motion, |_, _| false)
+    }
+
+    /// The same; `breaks` changes bounds as long as contacts break loose.
+    pub(super) fn solve_until(
+        &mut self,
+        motion: impl Fn(usize) -> Motion,
+        mut breaks: impl FnMut(&[f64], &mut dyn FnMut(usize, [f64; 2])) -> bool,
+    ) -> Result<&[f64], Unsolved> {
         for (g, group) in self.groups.iter().enumerate() {
             for i in group.contacts() {
                 self.contacts[i].motion = motion(i);
@@ -241,18 +259,26 @@ impl Curved {
             self.size[g] = group.size(&self.contacts);
             self.together[g] = group.force(&self.contacts);
         }
-        let groups = Groups {
-            contacts: &self.contacts,
-            groups: &self.groups,
-            own: &self.own,
-        };
-        self.forces
-            .solve(&self.d, &self.size, &groups, &mut self.together)?;
+        loop {
+            let groups = Groups {
+                contacts: &self.contacts,
+                groups: &self.groups,
+                own: &self.own,
+            };
+            self.forces
+                .solve(&self.d, &self.size, &groups, &mut self.together)?;
+            for (g, group) in self.groups.iter().enumerate() {
+                for (i, sign) in group.members() {
+                    self.force[i] = sign * self.together[g];
+                }
+            }
+            let contacts = &mut self.contacts;
+            if !breaks(&self.force, &mut |c, bounds| contacts[c].bounds = bounds) {
+                break;
+            }
+        }
         for (g, group) in self.groups.iter().enumerate() {
             let y = self.forces.argument(g);
-            for (i, sign) in group.members() {
-                self.force[i] = sign * self.together[g];
-            }
             match group.row(&self.contacts) {
                 None => group.end(y, self.own[g], &mut self.contacts),
                 Some(PlaneRow::First) => {
@@ -351,6 +377,12 @@ impl Contact {
 
     /// S of the trial with this y. The memory changes when the step is done.
     pub(super) fn answer(&self, y: f64) -> f64 {
+        if self.two_limits {
+            // What keeps rdot' = 0, within the bounds.
+            let [low, high] = self.bounds;
+            let rate = self.motion.rate + self.scale.pace * (y - self.motion.change);
+            return (rate / (self.scale.pace * self.own)).clamp(low, high);
+        }
         let mut law = self.law;
         let Lane([force]) = ContactResponse::force(&mut law, 0, &self.trial(y));
         force

@@ -39,16 +39,18 @@ pub(super) fn curved_lanes<const L: usize>(
     all
 }
 
-/// Writes the forces of lane `l` at the end of step `end` to `force`. Without an answer they are NaN and the lane fails.
+/// Writes the forces of lane `l` at the end of step `end` to `force`. Without an answer they are NaN and the lane fails. `breaks`
+/// changes bounds as long as contacts break loose.
 pub(super) fn meet_lane<const L: usize>(
     curved: &mut Curved,
     motion: impl Fn(usize) -> Motion,
     force: &mut [Lane<L>],
     forces: &mut Forces<L>,
     (l, end): (usize, usize),
+    breaks: impl FnMut(&[f64], &mut dyn FnMut(usize, [f64; 2])) -> bool,
 ) {
     let finite = (0..force.len()).all(|c| motion(c).change.is_finite());
-    match curved.solve(motion) {
+    match curved.solve_until(motion, breaks) {
         Ok(solved) => {
             for (force, own) in force.iter_mut().zip(solved) {
                 force.0[l] = *own;

@@ -15,8 +15,9 @@ use super::curved::{Curved, Memory};
 use super::curved_step::Motion;
 use crate::contact::Unsolved;
 use crate::solve::Unsolvable;
+use crate::system::import::negative_pivot;
 use crate::system::structure::factor::Factor;
-use crate::system::structure::{Structure, Symmetric};
+use crate::system::structure::{Limit, Structure, Symmetric};
 
 /// Pivots of K below this part of the diagonal with the contacts are too soft: contacts hold something.
 const SOFT: f64 = 1e-4;
@@ -28,6 +29,9 @@ const LARGE: f64 = 100.0;
 /// Part of W at slow convergence, and what slow is: the part of the residual that a step leaves.
 const LESS: f64 = 0.01;
 const SLOW: f64 = 0.1;
+
+/// Growth of q until K + W is positive definite.
+const MORE: f64 = 10.0;
 
 /// Smallest part of the first W.
 const LEAST: f64 = 1e-12;
@@ -50,6 +54,8 @@ pub(super) struct Equilibrium<'a> {
     massless: Vec<bool>,
     /// M, and a weight of nodes without mass beside it, which contacts alone may hold, too.
     mass: Symmetric,
+    /// Whether K has a negative pivot.
+    is_negative: bool,
     weights: Weights,
     linear: Linear,
     pub(super) curved: Curved,
@@ -95,6 +101,10 @@ impl<'a> Equilibrium<'a> {
             weights.q = first_q(structure, &stiffened);
             weights.contacts = own.iter().map(|k| k / LARGE).collect();
         }
+        let is_negative = negative_pivot(&structure.stiffness).is_some();
+        if is_negative {
+            weights.enlarge(structure, &mass);
+        }
         for (node, k) in diagonal(&stiffened).into_iter().enumerate() {
             if massless[node] && weights.q > 0.0 {
                 mass.add(node, node, k / (LARGE * weights.q));
@@ -107,6 +117,7 @@ impl<'a> Equilibrium<'a> {
             structure,
             massless,
             mass,
+            is_negative,
             weights,
             linear,
             start: (u.clone(), forces.clone(), curved.memory()),
@@ -188,6 +199,7 @@ impl<'a> Equilibrium<'a> {
         if weights.q == 0.0 || weights.part <= LEAST {
             return Ok(());
         }
+        let larger = weights.clone();
         weights.part *= LESS;
         weights.q *= LESS;
         for (c, k) in stiffnesses(self.structure).into_iter().enumerate() {
@@ -197,7 +209,33 @@ impl<'a> Equilibrium<'a> {
             let own = &mut weights.contacts[c];
             *own = own.min(present.max(weights.part * k) / LARGE);
         }
-        self.renew()
+        match self.renew() {
+            // A negative stiffness keeps W above a number.
+            Err(_) if self.is_negative => self.weights = larger,
+            renewed => renewed?,
+        }
+        Ok(())
+    }
+
+    /// Refuses a contact that the load breaks loose: where it comes to rest depends on the motion.
+    pub(super) fn refuse_loose(&self) -> Result<(), Unsolvable> {
+        for (c, contact) in self.structure.contacts.iter().enumerate() {
+            let ratio = contact.law.static_ratio();
+            let limit = contact.law.limit().map_or(0.0, |limit| self.pressed(limit));
+            if ratio > 1.0 && self.forces[c].abs() >= ratio * limit * (1.0 - TARGET) {
+                let name = &contact.name;
+                return Err(Unsolvable::BrokenRules(format!(
+                    "the static loads break contact '{name}' loose: where it comes to rest depends on the motion; apply them as loads in time, or choose static_ratio 1"
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    /// The limit with the present forces.
+    fn pressed(&self, limit: &Limit) -> f64 {
+        let at_rest = |node: usize| [self.u[node], 0.0];
+        limit.pressed_in(0.0, |other| self.forces[other], at_rest)
     }
 
     /// Takes over a new W.
@@ -230,10 +268,10 @@ impl<'a> Equilibrium<'a> {
         self.free = self.free.max(largest(&whole));
         self.curved.recall(laws.iter().copied());
         for (c, contact) in structure.contacts.iter().enumerate() {
-            if let Some(limit) = contact.law.limit().filter(|own| own.pressed_by.is_some()) {
-                let at_rest = |node: usize| [self.u[node], 0.0];
-                let limit = limit.pressed_in(0.0, |other| self.forces[other], at_rest);
-                self.curved.limit(c, limit);
+            let changes = |own: &&Limit| own.pressed_by.is_some() || own.static_ratio > 1.0;
+            if let Some(limit) = contact.law.limit().filter(changes) {
+                let held = contact.law.static_ratio() * self.pressed(limit);
+                self.curved.limit(c, held);
             }
         }
         let motion = |c: usize| {
@@ -324,19 +362,38 @@ fn first_q(structure: &Structure, stiffened: &Symmetric) -> f64 {
     }
 }
 
+impl Weights {
+    /// K + W.
+    fn weighted(&self, structure: &Structure, mass: &Symmetric) -> Symmetric {
+        let mut matrix = structure.stiffness.clone();
+        matrix.add_matrix(mass, self.q);
+        for (contact, k) in structure.contacts.iter().zip(&self.contacts) {
+            if *k > 0.0 {
+                matrix.add_along(&contact.along, *k);
+            }
+        }
+        matrix
+    }
+
+    /// Makes q so large that K + W is positive definite, also with a negative stiffness.
+    fn enlarge(&mut self, structure: &Structure, mass: &Symmetric) {
+        let free = vec![false; structure.len()];
+        for _ in 0..STEPS {
+            if Factor::new(&self.weighted(structure, mass), &free).is_ok() {
+                return;
+            }
+            self.q *= MORE;
+        }
+    }
+}
+
 /// The factor of K + W, and (K + W)^-1 B by columns.
 fn linear(
     structure: &Structure,
     mass: &Symmetric,
     weights: &Weights,
 ) -> Result<Linear, Unsolvable> {
-    let mut matrix = structure.stiffness.clone();
-    matrix.add_matrix(mass, weights.q);
-    for (contact, k) in structure.contacts.iter().zip(&weights.contacts) {
-        if *k > 0.0 {
-            matrix.add_along(&contact.along, *k);
-        }
-    }
+    let matrix = weights.weighted(structure, mass);
     let factor = Factor::new(&matrix, &vec![false; structure.len()]);
     let factor = factor.map_err(|why| Unsolvable::NoEquilibrium {
         node: structure.nodes[why.row].name.clone(),

@@ -96,6 +96,12 @@ impl<const L: usize> Forces<L> {
         (contact.low, contact.high) = (low, high);
     }
 
+    /// Changes the bounds of a contact in a lane; [`Forces::hold`] must follow, or [`Forces::solve_lane`].
+    pub(super) fn bound_lane(&mut self, [contact, l]: [usize; 2], [low, high]: [f64; 2]) {
+        let contact = &mut self.contacts[contact];
+        (contact.low.0[l], contact.high.0[l]) = (low, high);
+    }
+
     /// Changes the bounds of a contact, also from finite to infinite ones; [`Forces::hold`] must follow.
     #[inline(always)]
     pub(super) fn rebound(&mut self, contact: usize, bounds: [Lane<L>; 2]) {

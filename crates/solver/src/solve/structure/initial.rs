@@ -126,13 +126,33 @@ fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(
         .iter()
         .map(|i| structure.relative(*i, &acceleration) + structure.gap_acceleration(*i))
         .collect();
-    let bound = |k: usize| -> Vec<f64> {
-        let bounds = active.iter().map(|i| bounds_at_start(structure, *i)[k]);
-        bounds.collect()
-    };
+    let mut bounds: Vec<[f64; 2]> = active
+        .iter()
+        .map(|i| {
+            let ratio = structure.contacts[*i].law.static_ratio();
+            bounds_at_start(structure, *i).map(|bound| ratio * bound)
+        })
+        .collect();
     let sizes: Vec<f64> = active.iter().zip(&columns).map(size).collect();
     let mut held = vec![0.0; active.len()];
-    problem.solve(&d, [&bound(0), &bound(1)], &sizes, &mut held)?;
+    loop {
+        let [low, high] = [0, 1].map(|k| bounds.iter().map(|own| own[k]).collect::<Vec<f64>>());
+        problem.solve(&d, [&low, &high], &sizes, &mut held)?;
+        // Those at their static limit break loose together, as in a step.
+        let mut breaks = false;
+        for ((contact, bounds), force) in active.iter().zip(&mut bounds).zip(&held) {
+            let kinetic = bounds_at_start(structure, *contact);
+            for end in 0..2 {
+                if *force == bounds[end] && bounds[end] != kinetic[end] {
+                    bounds[end] = kinetic[end];
+                    breaks = true;
+                }
+            }
+        }
+        if !breaks {
+            break;
+        }
+    }
     for (contact, force) in active.iter().zip(held) {
         forces[*contact] = force;
     }

@@ -83,6 +83,7 @@ mod rigid_forces;
 mod run;
 mod series;
 mod state;
+mod static_friction;
 mod step_view;
 mod watch;
 
@@ -93,6 +94,7 @@ pub use ledger::Ledger;
 pub use preload::settle;
 pub use prepared::Prepared;
 pub use run::run;
+pub use static_friction::static_ratio_fault;
 pub use step_view::{ContactStep, State};
 pub use watch::{Watch, Watched, WatchedContact};
 

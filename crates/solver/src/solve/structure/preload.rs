@@ -29,6 +29,7 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
     for part in 1..=parts {
         equilibrium.find(part as f64 / parts as f64)?;
     }
+    equilibrium.refuse_loose()?;
     let Equilibrium {
         u, forces, curved, ..
     } = equilibrium;

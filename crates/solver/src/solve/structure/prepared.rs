@@ -10,6 +10,10 @@ use crate::system::structure::factor::{Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Along, Inertia, Load, Structure, Symmetric};
 
+/// Halvings in the search of a step that is short enough, and bisections for three digits of the longest one.
+const HALVINGS: i32 = 40;
+const BISECTIONS: usize = 12;
+
 /// The linear part of a step, in the order of elimination of its matrix.
 ///
 /// The rows and what follows from them are those of the constant average acceleration method. For the other methods they are empty,
@@ -74,19 +78,14 @@ impl Prepared {
     /// # Errors
     /// [`Unsolvable::Indefinite`] with the name of a node if Khat is not positive definite.
     pub fn new(structure: &Structure, dt: f64) -> Result<Prepared, Unsolvable> {
-        let n = structure.len();
-        let mut matrix = Symmetric::zeros(n);
         let inertia = |node: usize| structure.nodes[node].mass / (dt * dt);
-        for i in 0..n {
-            matrix.add(i, i, inertia(i));
-        }
-        matrix.add_matrix(&structure.coupled_mass, 1.0 / (dt * dt));
-        matrix.add_matrix(&structure.damping, 0.5 / dt);
-        matrix.add_matrix(&structure.stiffness, 0.25);
-        between::hold(structure, &mut matrix);
+        let matrix = step_matrix(structure, dt);
         let factor = Factor::new(&matrix, &touches(structure)).map_err(|NotPositive { row }| {
             let node = structure.nodes[row].name.clone();
-            Unsolvable::Indefinite { node }
+            match longest_step(dt, |dt| step_matrix(structure, dt)) {
+                Some(longest) => Unsolvable::TooLongStep { node, longest },
+                None => Unsolvable::Indefinite { node },
+            }
         })?;
         let place = place_of(&factor);
         let places = places(structure, &place);
@@ -225,6 +224,40 @@ impl Key {
                 .collect(),
         }
     }
+}
+
+/// The matrix of a step, K^/4.
+fn step_matrix(structure: &Structure, dt: f64) -> Symmetric {
+    let n = structure.len();
+    let mut matrix = Symmetric::zeros(n);
+    for (i, node) in structure.nodes.iter().enumerate() {
+        matrix.add(i, i, node.mass / (dt * dt));
+    }
+    matrix.add_matrix(&structure.coupled_mass, 1.0 / (dt * dt));
+    matrix.add_matrix(&structure.damping, 0.5 / dt);
+    matrix.add_matrix(&structure.stiffness, 0.25);
+    between::hold(structure, &mut matrix);
+    matrix
+}
+
+/// About the longest step, in words, with which the matrix of a step is positive definite; `None` if there is none. It is not with
+/// `dt`: a negative stiffness needs short steps.
+pub(super) fn longest_step(dt: f64, matrix: impl Fn(f64) -> Symmetric) -> Option<String> {
+    let is_positive = |dt: f64| {
+        let matrix = matrix(dt);
+        Factor::new(&matrix, &vec![false; matrix.size()]).is_ok()
+    };
+    let mut steps = (1..=HALVINGS).map(|k| dt * 0.5f64.powi(k));
+    let mut low = steps.find(|dt| is_positive(*dt))?;
+    let mut high = 2.0 * low;
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        (low, high) = match is_positive(middle) {
+            true => (middle, high),
+            false => (low, middle),
+        };
+    }
+    Some(format!("{low:.3}"))
 }
 
 /// Whether each node has a contact.

@@ -6,6 +6,7 @@ use super::laws::friction;
 use super::links::{Elimination, Link};
 use super::loads::Inputs;
 use super::state::{Average, ContactState, Nodes};
+use super::static_friction::{StaticFriction, breaks};
 use super::step_view::Kind;
 use super::{Prepared, State};
 use crate::lane::Lane;
@@ -135,8 +136,63 @@ impl<const L: usize> Average<'_, L> {
                         curved.limit(contact, limit.0[l]);
                     }
                 }
+                if let Some(friction) = &mut self.two_limits {
+                    friction.limit(contact, limit);
+                }
             }
             self.forces.hold();
+        }
+        if self.two_limits.is_some() {
+            self.begin_friction();
+        }
+    }
+
+    /// Bounds of contacts with two limits.
+    #[cold]
+    fn begin_friction(&mut self) {
+        let Some(friction) = &mut self.two_limits else {
+            return;
+        };
+        for own in friction.all() {
+            let (c, l) = (own.contact, own.lane);
+            let bounds = own.begin(Some(self.contacts[c].force.0[l]));
+            self.forces.bound_lane([c, l], bounds);
+            if let Some(Some(curved)) = self.curved.get_mut(l) {
+                curved.bound(c, bounds);
+            }
+        }
+        self.forces.hold();
+    }
+
+    /// Finds the forces again as long as contacts break loose, of lanes whose laws are clipped lines.
+    #[cold]
+    fn break_loose(&mut self, step: usize) {
+        let Some(friction) = &mut self.two_limits else {
+            return;
+        };
+        let contacts = &self.contacts;
+        let size = |c: usize, l: usize| size(&contacts[c], l);
+        let lines = |l: usize| !matches!(self.curved.get(l), Some(Some(_)));
+        for l in (0..L).filter(|l| lines(*l)) {
+            while friction.break_loose(
+                l,
+                |c| self.force[c].0[l],
+                |c, bounds| {
+                    self.forces.bound_lane([c, l], bounds);
+                },
+            ) {
+                self.forces
+                    .solve_lane([l, step], &self.trial, &size, &mut self.force);
+            }
+        }
+    }
+
+    /// The mean forces of contacts with two limits, which the next step starts with.
+    #[cold]
+    fn end_friction(&mut self) {
+        for own in self.two_limits.iter_mut().flat_map(StaticFriction::all) {
+            let force = &mut self.contacts[own.contact].force.0[own.lane];
+            *force = own.end(*force);
         }
     }
 
@@ -195,18 +251,11 @@ impl<const L: usize> Average<'_, L> {
             self.move_gaps(step);
         }
         let contacts = &self.contacts;
-        let size = |c: usize, l: usize| {
-            let contact: &ContactState<L> = &contacts[c];
-            let line = &contact.line;
-            let terms = [
-                contact.change * 0.5,
-                contact.w * line.by_increment,
-                contact.p * line.by_displacement,
-                contact.force * line.by_force,
-            ];
-            terms.iter().map(|x| x.0[l].abs()).sum()
-        };
+        let size = |c: usize, l: usize| size(&contacts[c], l);
         self.forces.solve(step, &self.trial, size, &mut self.force);
+        if self.two_limits.is_some() {
+            self.break_loose(step);
+        }
         if !self.curved.is_empty() {
             self.meet_curved(step);
         }
@@ -217,6 +266,9 @@ impl<const L: usize> Average<'_, L> {
             for entry in reduced.list(c) {
                 self.work[entry.at] = self.work[entry.at] - mean * entry.value;
             }
+        }
+        if self.two_limits.is_some() {
+            self.end_friction();
         }
     }
 
@@ -239,7 +291,9 @@ impl<const L: usize> Average<'_, L> {
                 }
                 motion
             };
-            meet_lane(curved, motion, &mut self.force, &mut self.forces, (l, step));
+            let breaks = breaks(&mut self.two_limits, l);
+            let forces = &mut self.forces;
+            meet_lane(curved, motion, &mut self.force, forces, (l, step), breaks);
         }
     }
 
@@ -293,4 +347,17 @@ impl<const L: usize> Average<'_, L> {
             self.add_gaps();
         }
     }
+}
+
+/// The size of the terms of d of a contact in a lane.
+#[inline(always)]
+fn size<const L: usize>(contact: &ContactState<L>, l: usize) -> f64 {
+    let line = &contact.line;
+    let terms = [
+        contact.change * 0.5,
+        contact.w * line.by_increment,
+        contact.p * line.by_displacement,
+        contact.force * line.by_force,
+    ];
+    terms.iter().map(|x| x.0[l].abs()).sum()
 }

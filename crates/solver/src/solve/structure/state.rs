@@ -8,6 +8,7 @@ use super::initial;
 use super::laws::{Line, bounds};
 use super::loads::Inputs;
 use super::moving::Moving;
+use super::static_friction::StaticFriction;
 use super::{ContactStep, Prepared};
 use crate::lane::Lane;
 use crate::system::structure::Structure;
@@ -35,6 +36,8 @@ pub(super) struct Average<'a, const L: usize> {
     pub(super) moved: Vec<Lane<L>>,
     /// Supports that move.
     pub(super) moving: Option<Moving<L>>,
+    /// Friction with two limits.
+    pub(super) two_limits: Option<StaticFriction>,
 }
 
 /// The motion of a contact, and its law.
@@ -113,11 +116,31 @@ impl<const L: usize> Average<'_, L> {
         }
     }
 
+    /// The friction limit of a contact.
+    #[inline(always)]
+    pub(super) fn limit(&self, contact: usize) -> Lane<L> {
+        let [_, mut limit] = self.forces.bounds(contact);
+        if let Some(friction) = &self.two_limits {
+            friction.show(contact, &mut limit);
+        }
+        limit
+    }
+
+    /// The mean force of a contact over the last step, from its forces at both ends.
+    #[inline(always)]
+    pub(super) fn mean_force(&self, contact: usize, [start, end]: [Lane<L>; 2]) -> Lane<L> {
+        let mut mean = (start + end) * 0.5;
+        if let Some(friction) = &self.two_limits {
+            friction.show_mean(contact, end, &mut mean);
+        }
+        mean
+    }
+
     /// A contact.
     #[inline(always)]
     pub(super) fn contact(&self, contact: usize) -> ContactStep<L> {
         let dt = self.prepared.dt;
-        let [_, limit] = self.forces.bounds(contact);
+        let limit = self.limit(contact);
         let mut change = self.contacts[contact].w;
         if !self.moved.is_empty() {
             for (at, factor) in self.prepared.along.list(contact) {
@@ -251,6 +274,7 @@ impl<'a, const L: usize> Average<'a, L> {
                 false => vec![zero; n + 1],
             },
             moving: Moving::new(cases, dt),
+            two_limits: StaticFriction::new(cases),
         };
         state.touch();
         state

@@ -115,12 +115,17 @@ impl<const L: usize> Watch<L> {
                     let now = &state.contacts[*c];
                     let now = [now.p - now.w * 0.5, now.force];
                     let [r, s] = contact.last;
-                    contact.add(now, (s + now[1]) * 0.5 * (now[0] - r));
+                    let mean = state.mean_force(*c, [s, now[1]]);
+                    contact.add(now, mean * (now[0] - r));
                 }
                 for (c, most) in &mut self.friction {
-                    let [_, limit] = state.forces.bounds(*c);
+                    let limit = state.limit(*c);
                     let force = size(self.planes.contains(c), |of| state.contacts[*c + of].force);
-                    *most = most.larger(of_limit(force, limit));
+                    let mut share = of_limit(force, limit);
+                    if let Some(friction) = &state.two_limits {
+                        friction.show_share(*c, &mut share);
+                    }
+                    *most = most.larger(share);
                 }
             }
             Kind::General(general) => {
@@ -133,7 +138,11 @@ impl<const L: usize> Watch<L> {
                 for (c, most) in &mut self.friction {
                     let limit = state.contact(*c).limit;
                     let force = size(self.planes.contains(c), |of| state.contact(*c + of).force);
-                    *most = most.larger(of_limit(force, limit));
+                    let mut share = of_limit(force, limit);
+                    if let Some(friction) = general.two_limits() {
+                        friction.show_share(*c, &mut share);
+                    }
+                    *most = most.larger(share);
                 }
             }
         }

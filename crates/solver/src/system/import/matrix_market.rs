@@ -111,29 +111,33 @@ impl Matrix {
         )
     }
 
-    /// Refuses a matrix with a negative pivot, one below -1e-9 of the largest entry: M and K are positive semidefinite. `name` gives
-    /// the name of a row.
+    /// Refuses a matrix with a negative pivot ([`negative_pivot`]): M is positive semidefinite. `name` gives the name of a row.
     ///
     /// # Errors
     /// The line of the pivot.
     pub fn check_pivots(&self, name: impl Fn(usize) -> String) -> Result<(), ImportFault> {
-        let n = self.len();
-        let largest = self.matrix.largest();
-        if largest == 0.0 {
-            return Ok(());
-        }
-        let mut shifted = self.matrix.clone();
-        for i in 0..n {
-            shifted.add(i, i, ROUND_OFF * largest);
-        }
-        match Factor::new(&shifted, &vec![false; n]) {
-            Ok(_) => Ok(()),
-            Err(NotPositive { row }) => Err(fault(
+        match negative_pivot(&self.matrix) {
+            None => Ok(()),
+            Some(row) => Err(fault(
                 self.diagonal[row],
                 format!("the matrix has a negative pivot at {}", name(row)),
             )),
         }
     }
+}
+
+/// A row with a negative pivot, one below -1e-9 of the largest entry; `None` of a positive semidefinite matrix.
+pub fn negative_pivot(matrix: &Symmetric) -> Option<usize> {
+    let (n, largest) = (matrix.size(), matrix.largest());
+    if largest == 0.0 {
+        return None;
+    }
+    let mut shifted = matrix.clone();
+    for i in 0..n {
+        shifted.add(i, i, ROUND_OFF * largest);
+    }
+    let factor = Factor::new(&shifted, &vec![false; n]);
+    factor.err().map(|NotPositive { row }| row)
 }
 
 /// The form that the first line says.

@@ -8,7 +8,7 @@ mod tests;
 mod ties;
 
 pub use dofs::{Dof, Dofs};
-pub use matrix_market::Matrix;
+pub use matrix_market::{Matrix, negative_pivot};
 pub use pairs::{Pair, pairs};
 pub use ties::Tie;
 
@@ -23,6 +23,8 @@ pub struct Imported {
     pub mass: Arc<Symmetric>,
     /// K.
     pub stiffness: Arc<Symmetric>,
+    /// Whether K has a negative pivot: it pulls something away, which contacts have to hold.
+    pub is_negative: bool,
     /// C, if there is one.
     pub damping: Option<Arc<Symmetric>>,
     /// The rows.

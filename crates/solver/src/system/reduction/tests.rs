@@ -13,6 +13,7 @@ fn imported(mass: Symmetric, stiffness: Symmetric, damping: Option<Symmetric>) -
         dofs: Dofs::parse(text.as_bytes()).unwrap().into(),
         mass: mass.into(),
         stiffness: stiffness.into(),
+        is_negative: false,
         damping: damping.map(Into::into),
     })
 }
@@ -348,6 +349,7 @@ fn supports_without_mass_hold_the_rows_between_them() {
         dofs: Dofs::parse(text.as_bytes()).unwrap().into(),
         mass: Arc::new(diagonal(masses.into_iter())),
         stiffness: Arc::new(k),
+        is_negative: false,
         damping: None,
     });
     let kept = vec![0, 4, n - 1];

@@ -1,7 +1,12 @@
 //! The elastic contacts of a structure at rest, with their initial stiffness.
 
 use super::{Contact, Structure, StructureLaw, Symmetric};
+use crate::contact::ContactKind;
+use crate::system::import::negative_pivot;
 use std::collections::BTreeMap;
+
+/// Stiffness of a contact that touches, over the largest entry of K: below the inverse of what is round-off of a pivot.
+const RIGID: f64 = 1e4;
 
 impl Contact {
     /// Initial stiffness dS/dr at S = 0; 0 for a contact that is not elastic at t = 0.
@@ -39,6 +44,38 @@ impl Structure {
             }
         }
         stiffness
+    }
+
+    /// A node that a negative stiffness pulls away although all contacts stick or touch: K with the contacts is not positive
+    /// semidefinite. Elastic contacts have their initial stiffness, others that hold their nodes are rigid; dashpots do not hold.
+    pub fn pulled_node(&self) -> Option<usize> {
+        let mut stiffness = self.stiffness.clone();
+        let rigid = RIGID * stiffness.largest();
+        for contact in &self.contacts {
+            let initial = contact.initial_stiffness();
+            let square: f64 = contact
+                .along
+                .iter()
+                .map(|(_, factor)| factor * factor)
+                .sum();
+            let holds = match contact.law.kind() {
+                ContactKind::Link => false,
+                ContactKind::Impact => true,
+                // Whatever is stuck where another part presses it.
+                ContactKind::Friction => {
+                    let pressed = |limit: &super::Limit| limit.pressed_by.is_some();
+                    let sticks = !contact.law.law(1.0).of_velocity();
+                    let pressed = contact.law.limit().is_some_and(pressed) && sticks;
+                    contact.holds() && (contact.law.is_rigid() || pressed)
+                }
+            };
+            if initial > 0.0 {
+                stiffness.add_along(&contact.along, initial);
+            } else if holds && square > 0.0 {
+                stiffness.add_along(&contact.along, rigid / square);
+            }
+        }
+        negative_pivot(&stiffness)
     }
 
     /// The part of each node, by a node of it: the nodes that K connects.

@@ -87,7 +87,12 @@ impl StructureLaw {
             Form::Stop { restitution } => StructureLaw::RigidStop { restitution },
             Form::Elastic { stiffness } => StructureLaw::DisplacementControl { stiffness, limit },
             Form::Viscous { viscosity } => StructureLaw::VelocityControl { viscosity, limit },
-            Form::Coulomb => StructureLaw::Coulomb { limit },
+            Form::Coulomb { static_ratio } => StructureLaw::Coulomb {
+                limit: Limit {
+                    static_ratio,
+                    ..limit
+                },
+            },
             Form::Impact { law, restitution } => StructureLaw::CurvedImpact { law, restitution },
             Form::Friction(law) => StructureLaw::CurvedFriction { law, limit },
             Form::Link(law) => StructureLaw::Link { law },
@@ -175,6 +180,14 @@ impl StructureLaw {
         }
     }
 
+    /// Static limit over the kinetic one; 1 where both are the same, or where the law itself has both.
+    pub fn static_ratio(&self) -> f64 {
+        match self {
+            StructureLaw::Coulomb { limit } => limit.static_ratio,
+            _ => 1.0,
+        }
+    }
+
     /// Whether the law is not a clipped line over a step.
     pub fn is_curved(&self) -> bool {
         matches!(
@@ -230,6 +243,8 @@ pub struct Limit {
     pub pressure: Option<Pressure>,
     /// What presses the contact with its force at the start of a step, which is added.
     pub pressed_by: Option<PressedBy>,
+    /// Of Coulomb friction: up to so many times the limit a contact sticks, >= 1. 1 of other laws.
+    pub static_ratio: f64,
 }
 
 /// nu = nu0 (N/N0)^(-p).
@@ -259,6 +274,7 @@ impl Limit {
             varying: None,
             pressure: None,
             pressed_by: None,
+            static_ratio: 1.0,
         }
     }
 

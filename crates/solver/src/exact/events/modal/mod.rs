@@ -18,6 +18,9 @@ use std::borrow::Cow;
 /// Damping between two modes over that of both is round-off below this.
 const COUPLED: f64 = 1e-11;
 
+/// Squares of frequencies below this part of the largest are those of rigid bodies.
+const RIGID_BODY: f64 = 1e-10;
+
 /// Most iterations of the eigensolver for each mode; it needs about two.
 const ITERATIONS: usize = 100;
 
@@ -90,11 +93,14 @@ pub fn model(structure: &Structure) -> Result<Model<'_>, EventsFault> {
         return Err(not_positive);
     }
     let modes = condensed.modes(structure, &shapes);
-    // Round-off of a mode of a rigid body is below 0.
-    let mut squares: Vec<f64> = (0..n)
-        .map(|mode| modes.square(structure, mode).max(0.0))
-        .collect();
-    let fastest = squares.iter().copied().fold(0.0, f64::max);
+    let mut squares: Vec<f64> = (0..n).map(|mode| modes.square(structure, mode)).collect();
+    let fastest = squares.iter().fold(0.0, |most: f64, w2| most.max(w2.abs()));
+    for w2 in &mut squares {
+        // Round-off of a mode of a rigid body is below 0, a negative stiffness is further below.
+        if *w2 < 0.0 && *w2 > -RIGID_BODY * fastest {
+            *w2 = 0.0;
+        }
+    }
     // Modes without motion, so that loops over vectors of modes have no rest.
     let count = n.next_multiple_of(LANES);
     squares.resize(count, 0.0);

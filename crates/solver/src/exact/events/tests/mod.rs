@@ -11,6 +11,7 @@ mod restarts;
 mod rigid;
 mod series;
 mod several;
+mod static_ratio;
 
 use super::*;
 use crate::system::structure::{
@@ -152,10 +153,8 @@ pub fn steps(step: f64, count: usize) -> Vec<f64> {
 /// A limit constant + factor signal.
 pub fn varying(constant: f64, factor: f64, signal: Signal) -> Limit {
     Limit {
-        constant,
         varying: Some((factor, Arc::new(signal))),
-        pressure: None,
-        pressed_by: None,
+        ..Limit::constant(constant)
     }
 }
 

@@ -58,10 +58,8 @@ fn limit(random: &mut Random) -> Limit {
     match random.below(3) {
         0 => Limit::constant(constant),
         _ => Limit {
-            constant,
             varying: Some((random.number(0.0, 1.0), Arc::new(signal(random)))),
-            pressure: None,
-            pressed_by: None,
+            ..Limit::constant(constant)
         },
     }
 }

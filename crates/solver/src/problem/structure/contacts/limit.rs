@@ -48,6 +48,7 @@ fn without_pressure(
         varying,
         pressure: None,
         pressed_by: None,
+        static_ratio: 1.0,
     };
     match normal {
         Normal::Constant(force) => {

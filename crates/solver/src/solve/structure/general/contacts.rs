@@ -204,6 +204,15 @@ impl<const L: usize> LaneContact<L> {
     }
 }
 
+impl<const L: usize> LaneContact<L> {
+    /// Changes the bounds of a lane.
+    pub(super) fn bound_lane(&mut self, l: usize, bounds: [f64; 2]) {
+        for (bound, new) in self.bounds.iter_mut().zip(bounds) {
+            bound.0[l] = new;
+        }
+    }
+}
+
 /// 1/k of the spring of a law; 0 without one.
 fn softness(law: &StructureLaw) -> f64 {
     match law {

@@ -75,7 +75,10 @@ impl<const L: usize> General<'_, L> {
                 }
             };
             let forces = &mut self.forces[part];
-            meet_lane(curved, motion, &mut self.force, forces, (l, end));
+            // Methods with two limits of friction have no such laws beside them.
+            meet_lane(curved, motion, &mut self.force, forces, (l, end), |_, _| {
+                false
+            });
         }
         // The first sub-step of the next step goes on from the last one.
         if part > 0 {

@@ -31,13 +31,8 @@ impl Linear {
         touches: &[bool],
         sub_step: SubStep,
     ) -> Result<(Linear, Vec<usize>), Unsolvable> {
-        let n = structure.len();
-        let mut matrix = Symmetric::zeros(n);
-        structure.add_mass(sub_step.inertia[1], &mut matrix);
+        let matrix = matrix(structure, &sub_step);
         let [of_c, of_k] = [sub_step.d1, sub_step.d2].map(|d| sub_step.weights[1] * d);
-        matrix.add_matrix(&structure.damping, of_c);
-        matrix.add_matrix(&structure.stiffness, of_k);
-        between::hold(structure, &mut matrix);
         let factor = Factor::new(&matrix, touches).map_err(|NotPositive { row }| {
             Unsolvable::BrokenRules(format!(
                 "the matrix of a step, {m} M + {of_c:e} C + {of_k:e} K, is not positive definite at node {}",
@@ -58,4 +53,15 @@ impl Linear {
         };
         Ok((linear, place))
     }
+}
+
+/// The matrix of a sub-step.
+fn matrix(structure: &Structure, sub_step: &SubStep) -> Symmetric {
+    let mut matrix = Symmetric::zeros(structure.len());
+    structure.add_mass(sub_step.inertia[1], &mut matrix);
+    let [of_c, of_k] = [sub_step.d1, sub_step.d2].map(|d| sub_step.weights[1] * d);
+    matrix.add_matrix(&structure.damping, of_c);
+    matrix.add_matrix(&structure.stiffness, of_k);
+    between::hold(structure, &mut matrix);
+    matrix
 }

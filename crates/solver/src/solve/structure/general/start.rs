@@ -11,6 +11,7 @@ use crate::solve::Unsolvable;
 use crate::solve::structure::forces::Forces;
 use crate::solve::structure::loads::Inputs;
 use crate::solve::structure::moving::Moving;
+use crate::solve::structure::static_friction::{StaticFriction, static_ratio_fault};
 use crate::solve::structure::{Prepared, initial};
 use crate::system::structure::Structure;
 
@@ -61,7 +62,13 @@ impl<'a, const L: usize> General<'a, L> {
         for (l, case) in cases.iter().enumerate() {
             let fault = critical_fault(case, &prepared.method, prepared.dt);
             let words = |fault: CriticalFault| format!("{}: {fault}", fault.parameter());
-            let fault = fault.map(words).or_else(|| curved::refused(case, prepared));
+            let two_limits = || {
+                let (contact, why) = static_ratio_fault(case, &prepared.method)?;
+                Some(format!("{}: {why}", case.contacts[contact].name))
+            };
+            let fault = fault.map(words);
+            let fault = fault.or_else(|| curved::refused(case, prepared));
+            let fault = fault.or_else(two_limits);
             refused[l] = fault.map(Unsolvable::BrokenRules);
             let start = initial::forces(case).unwrap_or_else(|why| {
                 forces[0].fail(l, 0, why);
@@ -103,6 +110,7 @@ impl<'a, const L: usize> General<'a, L> {
             force: vec![zero; m],
             moving,
             refused,
+            two_limits: StaticFriction::new(cases),
         };
         state.touch(parts.len());
         state

@@ -6,6 +6,7 @@ use crate::lane::Lane;
 use crate::solve::Unsolvable;
 use crate::solve::structure::ContactStep;
 use crate::solve::structure::forces::Forces;
+use crate::solve::structure::static_friction::StaticFriction;
 
 impl<const L: usize> General<'_, L> {
     /// Displacement of a node, numbered as in the structure.
@@ -24,14 +25,23 @@ impl<const L: usize> General<'_, L> {
     #[inline(always)]
     pub(in crate::solve::structure) fn contact(&self, contact: usize) -> ContactStep<L> {
         let [displacement, velocity, force] = self.last().contacts[contact];
+        let mut limit = self.contacts[contact].bounds[1];
+        if let Some(friction) = &self.two_limits {
+            friction.show(contact, &mut limit);
+        }
         let contact = &self.contacts[contact];
         ContactStep {
             displacement,
             velocity,
             force,
-            limit: contact.bounds[1],
+            limit,
             slip: displacement - force * contact.by_force,
         }
+    }
+
+    /// Friction with two limits.
+    pub(in crate::solve::structure) fn two_limits(&self) -> Option<&StaticFriction> {
+        self.two_limits.as_ref()
     }
 
     /// g of the line of a contact in the first sub-step; 0 without compliance.

@@ -14,6 +14,7 @@ use crate::solve::structure::laws::friction;
 use crate::solve::structure::links::{Elimination, Link};
 use crate::solve::structure::loads::Inputs;
 use crate::solve::structure::moving::Moving;
+use crate::solve::structure::static_friction::StaticFriction;
 
 /// The state of L structures after a step.
 #[derive(Debug)]
@@ -47,6 +48,8 @@ pub(in crate::solve::structure) struct General<'a, const L: usize> {
     pub(in crate::solve::structure) moving: Option<Moving<L>>,
     /// Why a lane cannot start.
     pub(super) refused: [Option<Unsolvable>; L],
+    /// Friction with two limits.
+    pub(super) two_limits: Option<StaticFriction>,
 }
 
 /// The motion at one time.
@@ -173,8 +176,50 @@ impl<const L: usize> General<'_, L> {
                         curved.limit(contact, limit.0[l]);
                     }
                 }
+                if let Some(friction) = &mut self.two_limits {
+                    friction.limit(contact, limit);
+                }
             }
             forces.hold();
+        }
+        if self.two_limits.is_some() {
+            self.begin_friction(part);
+        }
+    }
+
+    /// Bounds of contacts with two limits: S' is the mean over the step.
+    #[cold]
+    fn begin_friction(&mut self, part: usize) {
+        for own in self.two_limits.iter_mut().flat_map(StaticFriction::all) {
+            let bounds = own.begin(None);
+            self.contacts[own.contact].bound_lane(own.lane, bounds);
+            self.forces[part].bound_lane([own.contact, own.lane], bounds);
+        }
+        self.forces[part].hold();
+    }
+
+    /// Finds the forces again as long as contacts break loose.
+    #[cold]
+    fn break_loose(&mut self, part: usize, end: usize) {
+        let Some(friction) = &mut self.two_limits else {
+            return;
+        };
+        let (contacts, forces) = (&mut self.contacts, &mut self.forces[part]);
+        for l in 0..L {
+            loop {
+                let bound = |c: usize, bounds: [f64; 2]| {
+                    contacts[c].bound_lane(l, bounds);
+                    forces.bound_lane([c, l], bounds);
+                };
+                if !friction.break_loose(l, |c| self.force[c].0[l], bound) {
+                    break;
+                }
+                let size = |c: usize, l: usize| contacts[c].size.0[l];
+                forces.solve_lane([l, end], &self.trial, &size, &mut self.force);
+            }
+        }
+        for own in friction.all() {
+            own.end(self.force[own.contact].0[own.lane]);
         }
     }
 
@@ -273,6 +318,9 @@ impl<const L: usize> General<'_, L> {
         let contacts = &self.contacts;
         let size = |c: usize, l: usize| contacts[c].size.0[l];
         self.forces[part].solve(end, &self.trial, size, &mut self.force);
+        if self.two_limits.is_some() {
+            self.break_loose(part, end);
+        }
         if !self.curved.is_empty() {
             self.meet_curved(part, end);
         }

@@ -73,8 +73,7 @@ fn friction(number: usize, random: &mut Random) -> StructureLaw {
     let own = Limit {
         constant,
         varying,
-        pressure: None,
-        pressed_by: None,
+        ..Limit::constant(0.0)
     };
     let limit = constant;
     let (k, c) = (random.scale(1e2, 1e5), random.scale(1e1, 1e4));

@@ -405,8 +405,7 @@ fn a_lane_with_curved_laws_has_its_own_bits_and_leaves_others_alone() {
     let varying = Limit {
         constant: 200.0,
         varying: Some((30.0, ground.clone())),
-        pressure: None,
-        pressed_by: None,
+        ..Limit::constant(0.0)
     };
     let law = ContactLaw::Tanh(Tanh {
         compliance: 1e-4,
@@ -460,6 +459,7 @@ fn a_limit_that_varies_moves_the_curved_laws_as_the_line() {
             exponent: 0.3,
         }),
         pressed_by: None,
+        static_ratio: 1.0,
     };
     let mut structure = masses(&[1.0]);
     structure.velocity[0] = 3.0;

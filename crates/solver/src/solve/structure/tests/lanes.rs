@@ -162,8 +162,7 @@ fn a_lane_fails_at_the_step_from_which_its_forces_are_not_unique() {
     let limit = Limit {
         constant: 0.0,
         varying: Some((1e3, Arc::new(signal))),
-        pressure: None,
-        pressed_by: None,
+        ..Limit::constant(0.0)
     };
     let mut stuck = masses(&[1.0]);
     let law = StructureLaw::Coulomb { limit };

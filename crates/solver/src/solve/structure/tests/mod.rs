@@ -13,6 +13,7 @@ mod methods;
 mod motion;
 mod preload;
 mod pushed;
+mod static_ratio;
 
 use crate::system::structure::{
     Contact, Limit, Load, Node, Signal, Structure, StructureLaw, Symmetric, Table,
@@ -129,8 +130,7 @@ fn mixed(n: usize, factor: f64, ground: &Arc<Signal>) -> Structure {
     let weight = Limit {
         constant: 200.0,
         varying: Some((30.0 * factor, ground.clone())),
-        pressure: None,
-        pressed_by: None,
+        ..Limit::constant(0.0)
     };
     structure.contacts[2].law = StructureLaw::VelocityControl {
         viscosity: 2e4,

@@ -340,8 +340,7 @@ fn random(seed: u64, rigid: bool) -> Structure {
     let limit = Limit {
         constant: random.between(0.5, 2.0),
         varying: Some((1.5, sine(random.between(1.0, 5.0), 0.0))),
-        pressure: None,
-        pressed_by: None,
+        ..Limit::constant(0.0)
     };
     let impact = match rigid {
         true => StructureLaw::RigidStop {
