@@ -28,6 +28,9 @@ const LARGE: f64 = 100.0;
 const LESS: f64 = 0.01;
 const SLOW: f64 = 0.1;
 
+/// Most times that the steps become smaller, each one as much, until laws that fall have one answer.
+const SMALLER: usize = 4;
+
 /// Change of forces and displacements, over the largest ones, from which on one step more leaves round-off only.
 const TARGET: f64 = 1e-11;
 
@@ -100,7 +103,7 @@ impl<'a> Equilibrium<'a> {
         let mut mass = structure.mass();
         let massless = structure.massless();
         let stiffened = stiffened(structure);
-        let q = match holds(&structure.stiffness, &stiffened) {
+        let mut q = match holds(&structure.stiffness, &stiffened) {
             true => 0.0,
             false => first_q(structure, &stiffened),
         };
@@ -108,8 +111,23 @@ impl<'a> Equilibrium<'a> {
             let k = diagonal(&stiffened)[node];
             mass.add(node, node, if q > 0.0 { k / (LARGE * q) } else { 0.0 });
         }
-        let (factor, columns) = linear(structure, &mass, q)?;
-        let curved = curved(structure, &columns);
+        let begin = |q: f64| -> Result<_, Unsolvable> {
+            let (factor, columns) = linear(structure, &mass, q)?;
+            let curved = curved(structure, &columns);
+            Ok((factor, columns, curved))
+        };
+        let (mut factor, mut columns, mut curved) = begin(q)?;
+        // A law that falls has one answer in small steps.
+        for _ in 0..SMALLER {
+            if !softens(&curved) {
+                break;
+            }
+            q = match q > 0.0 {
+                true => q / LESS,
+                false => first_q(structure, &stiffened),
+            };
+            (factor, columns, curved) = begin(q)?;
+        }
         Ok(Equilibrium {
             structure,
             massless,
@@ -157,12 +175,7 @@ impl<'a> Equilibrium<'a> {
             }
             near = reached;
             if !reached && residual > SLOW * before {
-                self.q *= LESS;
-                let curved = std::mem::replace(&mut self.curved, {
-                    (self.factor, self.columns) = linear(self.structure, &self.mass, self.q)?;
-                    curved(self.structure, &self.columns)
-                });
-                self.curved.remember(&curved);
+                self.go_faster()?;
             }
             (before, last) = (residual, change);
         }
@@ -172,6 +185,19 @@ impl<'a> Equilibrium<'a> {
             self.structure.nodes[node].name.clone()
         });
         Err(Unsolvable::NoEquilibrium { node })
+    }
+
+    /// Makes q smaller, if steps still have one answer then.
+    fn go_faster(&mut self) -> Result<(), Unsolvable> {
+        let (factor, columns) = linear(self.structure, &self.mass, LESS * self.q)?;
+        let mut faster = curved(self.structure, &columns);
+        if softens(&faster) {
+            return Ok(());
+        }
+        self.q *= LESS;
+        faster.remember(&self.curved);
+        (self.factor, self.columns, self.curved) = (factor, columns, faster);
+        Ok(())
     }
 
     /// One step; returns u' - u.
@@ -340,6 +366,11 @@ fn curved(structure: &Structure, columns: &[Vec<f64>]) -> Curved {
         }
     }
     Curved::of_all(structure, &[], &flexibility, 1.0 / LONG, LONG)
+}
+
+/// Whether a link softens so much that a step may have several answers. Friction falls with velocity, of which there is none.
+fn softens(curved: &Curved) -> bool {
+    curved.is_ambiguous_in(|kind| kind == ContactKind::Link)
 }
 
 fn largest(all: &[f64]) -> f64 {
