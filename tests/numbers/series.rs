@@ -138,3 +138,239 @@ fn a_node_between_two_contacts_is_seen_from_either_side() {
     assert!(along[1] > 61.0 && along[1] == along[2], "{along:?}");
     assert_eq!(along, against);
 }
+
+/// A triple pendulum of W = 1000 kN as three bearings in series (Fenz and Constantinou 2008): mu, the effective radius, and the way to
+/// the stop of each. With R1 = R4 = 2 and R2 = R3 = 0.4 they are R2 + R3, R1 - R2 and R4 - R3; the inner bearing has no stop.
+const TRIPLE: [[f64; 3]; 3] = [[0.02, 0.8, 9.0], [0.06, 1.6, 0.2], [0.12, 1.6, 0.25]];
+const WEIGHT: f64 = 1000.0;
+/// Elastic deflection of the friction, and the stiffness of the stops.
+const ELASTIC: f64 = 5e-4;
+const STOP: f64 = 1e5;
+
+/// One bearing: a pendulum, and a stop in each direction.
+fn bearing([mu, radius, way]: [f64; 3]) -> Vec<Json> {
+    vec![
+        json!({"law": "pendulum", "nu": mu, "N": WEIGHT, "R": radius, "rE": ELASTIC}),
+        json!({"law": "restrainer", "slack": way, "k": STOP, "Fy": 1e9, "hardening": 0}),
+        json!({"law": "impact", "gap": way, "k": STOP}),
+    ]
+}
+
+fn triple() -> Vec<Json> {
+    TRIPLE.map(|own| json!({"parallel": bearing(own)})).to_vec()
+}
+
+/// How a bearing of the triple pendulum moves under a first loading of F.
+fn moved([mu, radius, way]: [f64; 3], force: f64) -> f64 {
+    let [spring, limit] = [WEIGHT / radius, mu * WEIGHT];
+    let elastic = force / (limit / ELASTIC + spring);
+    let sliding = (force - limit) / spring;
+    let stopped = (force - limit + STOP * way) / (spring + STOP);
+    elastic.max(sliding.min(stopped))
+}
+
+#[test]
+fn a_triple_pendulum_has_its_five_regimes() {
+    // Regimes: the inner bearing slides alone, then with one and with both of the others, of which one and both stop.
+    let slopes = [0.8, 2.4, 4.0, 2.4, 0.8].map(|radius| WEIGHT / radius);
+    let forces = [20.0, 60.0, 120.0, 60.0 + 125.0, 120.0 + 156.25, 320.0];
+    let total = |force: f64| TRIPLE.iter().map(|own| moved(*own, force)).sum::<f64>();
+    for (pair, slope) in forces.windows(2).zip(slopes) {
+        // Beside the elastic parts, which are some 1e-2 of the way.
+        let [start, end] = [0.2, 0.9].map(|part| pair[0] + part * (pair[1] - pair[0]));
+        let own = (end - start) / (total(end) - total(start));
+        assert!((own / slope - 1.0).abs() < 0.03, "{pair:?} {own} {slope}");
+        for sign in [1.0, -1.0] {
+            for force in [start, end] {
+                let u = sign * total(force);
+                let study = json!({
+                    "problem": "structure", "parameters": {"dt": 0.01, "duration": 1},
+                    "structure": {
+                        "masses": {"idle": 1}, "springs": [{"between": ["ground", "idle"], "k": 1}],
+                        "supports": {"test": {"displacement": {"t": [0, 1], "u": [0, u]}}},
+                        "contacts": {"f": {"between": ["ground", "test"], "series": triple()}}
+                    },
+                    "metrics": ["last(f.1.1.S)", "last(f.1.2.S)", "last(f.1.3.S)", "last(f.2.1.S)", "last(f.2.2.S)", "last(f.2.3.S)",
+                        "last(f.3.1.S)", "last(f.3.2.S)", "last(f.3.3.S)", "last(f.1.1.r)", "last(f.2.1.r)", "last(f.3.1.r)"]
+                });
+                let all = solved(&study);
+                for (i, own) in TRIPLE.iter().enumerate() {
+                    let sum: f64 = all[3 * i..3 * i + 3].iter().sum();
+                    // Round-off of 100 steps, of r through the slope of the stop.
+                    assert!((sum - sign * force).abs() < 1e-9, "{i} {sum} {force}");
+                    let r = all[9 + i] - sign * moved(*own, force);
+                    assert!(r.abs() < 1e-13, "{i} {r}");
+                }
+            }
+        }
+    }
+}
+
+/// The metrics of the first case of a study.
+fn solved(study: &Json) -> Vec<f64> {
+    let study =
+        study::parse("study.json", &study.to_string()).unwrap_or_else(|why| panic!("{why}"));
+    let case = study.case(0).unwrap();
+    let solution = study.problem.solve(&case, &study.metrics);
+    let metrics = solution.unwrap_or_else(|why| panic!("{why}")).metrics;
+    metrics.into_iter().map(Option::unwrap).collect()
+}
+
+/// A deck on a triple pendulum on a ground that shakes by this, to where the outer stops push.
+fn shaken(between: [&str; 2], series: &[Json], scale: f64) -> Vec<f64> {
+    solved(&json!({
+        "problem": "structure", "parameters": {"dt": 0.002, "duration": 10},
+        "structure": {
+            "masses": {"deck": WEIGHT / 9.81},
+            "contacts": {"f": {"between": between, "series": series}},
+            "ground": {"sine": {"amplitude": 2.5 * scale, "omega": 2.2, "phase": 0.4}}
+        },
+        "metrics": ["max(deck)", "min(deck)", "peak(f.1.1.S)", "peak(f.2.1.r)", "peak(f.2.2.S)", "energy_error"]
+    }))
+}
+
+#[test]
+fn a_triple_pendulum_has_no_order_and_no_side() {
+    let [first, second, third] = TRIPLE;
+    let plain = shaken(["ground", "deck"], &triple(), 1.0);
+    assert!(
+        plain[0] > 0.2 && plain[1] < -0.2 && plain[4] > 10.0,
+        "{plain:?}"
+    );
+    let near = |a: &[f64], b: &[f64], what: &str| {
+        for (a, b) in a.iter().zip(b) {
+            // Round-off of 5000 steps through the stops.
+            assert!((a - b).abs() < 1e-9 * (1.0 + b.abs()), "{what} {a} {b}");
+        }
+    };
+    // Books: round-off of the forces of a bearing over those of a step.
+    assert!(plain[5] < 1e-11, "{plain:?}");
+    let of = |own: [[f64; 3]; 3], turned: usize| {
+        own.map(|own| {
+            let mut laws = bearing(own);
+            laws.rotate_left(turned);
+            json!({"parallel": laws})
+        })
+    };
+    for (order, turned) in [([second, first, third], 1), ([third, second, first], 2)] {
+        let own = shaken(["ground", "deck"], &of(order, turned), 1.0);
+        near(&own[..2], &plain[..2], "order");
+        assert!(own[5] < 1e-11, "{own:?}");
+    }
+    let other = shaken(["deck", "ground"], &triple(), 1.0);
+    near(&other[..5], &plain[..5], "side");
+    let mirrored = shaken(["ground", "deck"], &triple(), -1.0);
+    near(&[-mirrored[1], -mirrored[0]], &plain[..2], "mirror");
+}
+
+#[test]
+fn springs_in_series_and_parallel_are_one_spring() {
+    let link = |k: f64| json!({"law": "bilinear", "k1": k, "Fy": 1e9, "k2": k});
+    let beside = |a: f64, b: f64| json!({"parallel": [link(a), link(b)]});
+    let chain = |all: [f64; 3]| 1.0 / all.iter().map(|k| 1.0 / k).sum::<f64>();
+    let names = ["peak(a)", "peak(b)"];
+    let alone = |spring: f64| {
+        metrics(
+            &[("springs", json!([{"between": ["a", "b"], "k": spring}]))],
+            &names,
+        )
+    };
+    let near = |own: &[f64], alone: &[f64]| {
+        for (own, alone) in own.iter().zip(alone) {
+            // Round-off of 1000 steps.
+            assert!((own / alone - 1.0).abs() < 1e-11, "{own} {alone}");
+        }
+    };
+    let laws = [beside(1e4, 2e4), link(4e4), beside(5e4, 1e3)];
+    let own = metrics(
+        &series(&laws),
+        &["peak(a)", "peak(b)", "peak(f.3.2.S)", "energy_error"],
+    );
+    near(&own[..2], &alone(chain([3e4, 4e4, 5.1e4])));
+    assert!(own[2] > 0.0 && own[3] < 1e-12, "{own:?}");
+    // Series in parallel, with parallel in it.
+    let inner = json!({"series": [beside(1e4, 2e4), link(4e4), link(1e4)]});
+    let contact = json!({"f": {"between": ["a", "b"], "parallel": [link(5e3), inner]}});
+    let own = metrics(
+        &[("contacts", contact)],
+        &["peak(a)", "peak(b)", "peak(f.2.1.2.S)", "peak(f.2.node1)"],
+    );
+    near(&own[..2], &alone(5e3 + chain([3e4, 4e4, 1e4])));
+    assert!(own[2] > 0.0 && own[3] > 0.0);
+}
+
+#[test]
+fn friction_without_compliance_beside_a_spring_is_in_series() {
+    // A block that holds up to 100 beside a spring, behind a spring: until it slides the outer spring alone acts.
+    let link = |k: f64| json!({"law": "bilinear", "k1": k, "Fy": 1e9, "k2": k});
+    let stuck = json!({"parallel": [{"law": "coulomb", "limit": 1e6}, link(2e4)]});
+    let own = metrics(
+        &series(&[link(3e4), stuck]),
+        &["peak(a)", "peak(b)", "peak(f.2.1.r)"],
+    );
+    let alone = metrics(
+        &[("springs", json!([{"between": ["a", "b"], "k": 3e4}]))],
+        &["peak(a)", "peak(b)"],
+    );
+    for (own, alone) in own.iter().zip(alone) {
+        assert!((own / alone - 1.0).abs() < 1e-11, "{own} {alone}");
+    }
+    assert!(own[2] < 1e-15, "{own:?}");
+    let slides = json!({"parallel": [{"law": "coulomb", "limit": 100}, link(2e4)]});
+    let own = metrics(
+        &series(&[link(3e4), slides]),
+        &["peak(f.2.1.S)", "peak(f.2.1.r)", "energy_error"],
+    );
+    assert!(
+        (own[0] - 100.0).abs() < 1e-10 && own[1] > 1e-3 && own[2] < 1e-11,
+        "{own:?}"
+    );
+}
+
+#[test]
+fn lists_in_lists_of_their_kind_are_refused() {
+    let law = json!({"law": "bilinear", "k1": 1e4, "Fy": 100, "k2": 0});
+    let of = |outer: &str, inner: Json| {
+        let study = json!({
+            "problem": "structure", "parameters": {"dt": 0.01, "duration": 1},
+            "structure": {
+                "masses": {"a": 1}, "contacts": {"f": {"between": ["ground", "a"], outer: [law.clone(), inner]}}
+            },
+            "metrics": ["peak(a)"]
+        });
+        study::parse("study.json", &study.to_string())
+            .unwrap_err()
+            .to_string()
+    };
+    let two = json!([law, law]);
+    for (outer, inner, expected) in [
+        (
+            "series",
+            json!({"series": two}),
+            "write its laws into the outer one",
+        ),
+        (
+            "parallel",
+            json!({"parallel": two}),
+            "write its laws into the outer one",
+        ),
+        (
+            "series",
+            json!({"parallel": [law, {"series": two}]}),
+            "parallel in series has laws only",
+        ),
+        (
+            "series",
+            json!({"parallel": two, "gap": 0.1}),
+            "has no gap: the laws of the list have their own",
+        ),
+        (
+            "series",
+            json!({"parallel": [law]}),
+            "a list of two laws or more",
+        ),
+    ] {
+        let why = of(outer, inner);
+        assert!(why.contains(expected), "{why}");
+    }
+}

@@ -49,7 +49,8 @@ def forces(material, xs):
 def materials():
     k, fy, gap = 2.5, 3.0, 0.4
     table = [0.5, 1.0, 1.5, 2.0, 4.0, 2.5]
-    yield "bilinear", {"k1": k, "Fy": fy, "ratio": 0.1}, 0.0, ["Steel01", fy, k, 0.1]
+    for ratio in (0.1, -0.1):
+        yield "bilinear", {"k1": k, "Fy": fy, "ratio": ratio}, 0.0, ["Steel01", fy, k, ratio]
     for eta in (0.0, 0.1):
         for damage in (1, 0):
             numbers = {"k": k, "Fy": fy, "hardening": eta, "damage": damage}

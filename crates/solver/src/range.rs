@@ -15,6 +15,8 @@ pub enum Range {
     ZeroOrOne,
     /// 0.1 <= x <= 2
     FromTenthToTwo,
+    /// x <= 1
+    AtMostOne,
     /// x >= 1
     AtLeastOne,
     /// 1/2 <= x <= 1
@@ -38,6 +40,7 @@ impl Range {
             Range::UpToOne => (0.0..=1.0).contains(&x),
             Range::ZeroOrOne => x == 0.0 || x == 1.0,
             Range::FromTenthToTwo => (0.1..=2.0).contains(&x),
+            Range::AtMostOne => x <= 1.0,
             Range::AtLeastOne => x >= 1.0,
             Range::FromHalfToOne => (0.5..=1.0).contains(&x),
             Range::HilberHughesTaylor => (-1.0 / 3.0..=0.0).contains(&x),
@@ -56,6 +59,7 @@ impl fmt::Display for Range {
             Range::UpToOne => "from 0 to 1",
             Range::ZeroOrOne => "0 or 1",
             Range::FromTenthToTwo => "from 0.1 to 2",
+            Range::AtMostOne => "<= 1",
             Range::AtLeastOne => ">= 1",
             Range::FromHalfToOne => "from 1/2 to 1",
             Range::HilberHughesTaylor => "from -1/3 to 0",

@@ -167,6 +167,13 @@ macro_rules! laws {
                 }
             }
 
+            /// What has a meaning in time steps only, see [`Law::only_in_steps`].
+            pub fn only_in_steps(&self) -> Option<&'static str> {
+                match self {
+                    $(ContactLaw::$law(law) => law.only_in_steps()),+
+                }
+            }
+
             /// The law as the papers print it, at r under S; `None` if they do not.
             pub fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
                 match self {
@@ -234,7 +241,7 @@ macro_rules! laws {
 laws!(
     direct: DisplacementControl, VelocityControl, ImpactSpring;
     others: KelvinVoigt, Hertz, HertzDamp, HuntCrossley, Ye, Jankowski, Rigid,
-        Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre, Bilinear, GapYield, Restrainer, Viscous, Multilinear, HyperbolicGap, Pendulum, ImpactYield
+        Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre, Bilinear, GapYield, Restrainer, Viscous, Multilinear, HyperbolicGap, Pendulum, ImpactYield, Imk
 );
 
 /// All laws by the names of studies: impacts, friction, links.

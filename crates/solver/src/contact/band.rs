@@ -11,11 +11,11 @@ use crate::lane::Lane;
 /// S' = max(min(S + k1 (r' - r), k2 r' + high), k2 r' + low)
 /// ```
 ///
-/// All three lines rise with r', so that S' less each of them rises with S': the root is the same maximum and minimum of the roots
+/// S' less each of the three lines rises with S' if 1 + k2 h > 0: the root is the same maximum and minimum of the roots
 /// of the lines, (S + k1 (y - r))/(1 + k1 h) and (k2 y + high)/(1 + k2 h).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Band {
-    /// k1 > 0 and k2, from 0 to k1.
+    /// k1 > 0 and k2 <= k1.
     pub(super) stiffness: [f64; 2],
     /// low <= 0 and high >= 0, of r = 0.
     pub(super) bounds: [f64; 2],

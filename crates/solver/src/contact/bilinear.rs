@@ -13,6 +13,9 @@ use crate::lane::Lane;
 /// Elastic with k1 up to the force Fy, then hardening with k2 <= k1: kinematic, so that the elastic range keeps its width 2 Fy and
 /// moves with the force (Prager 1956). A column, a lead-rubber bearing; OpenSees has it as `Steel01` with b = k2/k1.
 ///
+/// With k2 < 0 it softens: the lines fall with r, through S = 0 and beyond, as those of a column under its weight (P-delta). The spring
+/// k2 then stores less than nothing, and gives it back. A step has one root while 1 + k2 h > 0.
+///
 /// The force stays between the lines k2 r - q and k2 r + q, q = Fy (1 - k2/k1), and is elastic between them. The part stores
 /// k2 r^2/2 + (S - k2 r)^2/(2 (k1 - k2)); while it yields it dissipates q |dr|, so that a closed loop between -a and a,
 /// a > Fy/k1, takes 4 q (a - Fy/k1). At t = 0 it has the force of its first loading from r = 0 to r(0).
@@ -22,7 +25,7 @@ pub struct Bilinear {
     pub stiffness: f64,
     /// Fy > 0.
     pub yield_force: f64,
-    /// k2, from 0 to k1.
+    /// k2 <= k1; below 0 it softens.
     pub hardening: f64,
 }
 
@@ -41,7 +44,7 @@ pub struct Begun(bool);
 /// k2/k1
 const RATIO: Number = Number::new(
     ["ratio", "*k*_2_/*k*_1_", "1"],
-    Range::UpToOne,
+    Range::AtMostOne,
     "k2/k1, instead of k2",
 )
 .instead_of("k2");
@@ -80,7 +83,7 @@ impl Described for Bilinear {
         oscillator: None,
         bars: None,
         structure: Some(In {
-            meaning: "yields at Fy in both directions, with kinematic hardening: a column, a lead-rubber bearing (Prager 1956)",
+            meaning: "yields at Fy in both directions, with kinematic hardening, or softening if k2 < 0: a column, a lead-rubber bearing (Prager 1956)",
             numbers: &[&structure::K1, &structure::FY, &structure::K2, &RATIO],
         }),
         form: |given| {
@@ -122,9 +125,9 @@ impl Properties for Bilinear {
     }
 
     fn bounds(&self) -> [f64; 2] {
-        let most = match self.hardening > 0.0 {
-            true => f64::INFINITY,
-            false => self.yield_force,
+        let most = match self.hardening == 0.0 {
+            true => self.yield_force,
+            false => f64::INFINITY,
         };
         [-most, most]
     }
@@ -134,7 +137,11 @@ impl Properties for Bilinear {
     }
 
     fn falls(&self) -> bool {
-        false
+        self.hardening < 0.0
+    }
+
+    fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
+        1.0 + self.hardening * on.end.h.0[0] > 0.0
     }
 
     fn unbent_force(&self, _: f64) -> Option<f64> {

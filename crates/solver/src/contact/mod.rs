@@ -31,6 +31,7 @@ mod fault;
 #[cfg(test)]
 mod friction_tests;
 mod given;
+mod imk;
 pub mod impact;
 mod impact_spring;
 mod kind;
@@ -46,6 +47,7 @@ mod restrainer;
 mod roots;
 mod saturation;
 mod series;
+mod shared;
 mod stribeck;
 mod tanh;
 mod velocity_control;
@@ -62,6 +64,7 @@ pub use displacement_control::DisplacementControl;
 pub use evolution::Evolution;
 pub use fault::LawFault;
 pub use given::GivenNumbers;
+pub use imk::Imk;
 pub use impact::{
     GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, ImpactYield, Jankowski, KelvinVoigt,
     Rigid, Ye,
@@ -157,6 +160,11 @@ pub trait Law: Described + Properties {
     /// A number that changes its sign where S has a corner at this rdot, besides rdot = 0 and the bounds of S; 0 for a law without one.
     fn corner(&self, _rdot: f64) -> f64 {
         0.0
+    }
+
+    /// What the law does that has a meaning in time steps only; `None` if its steps tend to a motion in continuous time that is known.
+    fn only_in_steps(&self) -> Option<&'static str> {
+        None
     }
 
     /// The law as the papers print it, at r under S; `None` if they do not.

@@ -269,8 +269,8 @@ pub mod structure {
     /// k2
     pub const K2: Number = Number::new(
         ["k2", "*k*_2_", "force/length"],
-        Range::NotNegative,
-        "stiffness of {laws} after yielding, at most k1",
+        Range::Any,
+        "stiffness of {laws} after yielding, at most k1; of impact-yield > 0",
     );
     /// Fy
     pub const FY: Number = Number::new(

@@ -27,11 +27,15 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
         refer(&name)
     };
     let function = define("function", described(keys::FUNCTION, function_value, &[]));
-    let mut contact = described(&keys::CONTACT, |key| contact_value(key, &function), &[]);
-    let relations = ["law"].into_iter().chain(keys::LISTS.map(|list| list.0));
-    let relations = relations.map(|key| json!({ "required": [key] }));
-    contact["oneOf"] = relations.collect();
-    let contact = define("contact", contact);
+    let mut of_laws = |what: &str, keys: Keys| {
+        let mut one = described(keys, |key| contact_value(key, &function), &[]);
+        let relations = ["law"].into_iter().chain(keys::LISTS.map(|list| list.0));
+        let relations = relations.map(|key| json!({ "required": [key] }));
+        one["oneOf"] = relations.collect();
+        define(what, one)
+    };
+    let contact = of_laws("contact", &keys::CONTACT);
+    of_laws(PART, &keys::PART);
     let parameters = define("parameters", parameters());
     let structure = define("structure", structure(&function, &contact));
     let metric = define("metric", metric());
@@ -60,6 +64,14 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
         } },
         "else": { "properties": { "structure": false, "measured": false } },
     })
+}
+
+/// What a list of laws consists of.
+const PART: &str = "part";
+
+/// The name of its definition.
+fn part() -> String {
+    format!("{NAME}.{PART}")
 }
 
 /// An object with these keys; `value` gives the schema of each.
@@ -209,8 +221,7 @@ fn contact_value(key: &str, function: &Json) -> Json {
             json!({ "anyOf": [any(), table, weight, pressing] })
         }
         "series" | "parallel" => {
-            let law = described(&keys::PART, |key| contact_value(key, function), &["law"]);
-            json!({ "type": "array", "minItems": 2, "items": law })
+            json!({ "type": "array", "minItems": 2, "items": refer(&part()) })
         }
         "table" => described(keys::LAW_TABLE, |_| numbers(), &["r", "S"]),
         _ => any(),

@@ -147,6 +147,7 @@ pub(super) fn number(range: Range) -> Json {
         Range::ZeroOrOne => json!({ "enum": [0, 1] }),
         Range::FromTenthToTwo => json!({ "type": "number", "minimum": 0.1, "maximum": 2 }),
         Range::UpToOne => json!({ "type": "number", "minimum": 0, "maximum": 1 }),
+        Range::AtMostOne => json!({ "type": "number", "maximum": 1 }),
         Range::AtLeastOne => json!({ "type": "number", "minimum": 1 }),
         Range::FromHalfToOne => json!({ "type": "number", "minimum": 0.5, "maximum": 1 }),
         Range::HilberHughesTaylor => {

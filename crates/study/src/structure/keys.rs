@@ -232,7 +232,8 @@ pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
 /// Keys of a law in a list of laws.
 pub(crate) static PART: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
     let of_all = [CONTACT[0], ("gap", "r at rest of this law")];
-    of_all.into_iter().chain(numbers()).collect()
+    let inner = INNER_LISTS.iter().copied();
+    of_all.into_iter().chain(numbers()).chain(inner).collect()
 });
 
 /// Keys of lists of laws.
@@ -244,6 +245,18 @@ pub(crate) const LISTS: [(&str, &str); 2] = [
     (
         "parallel",
         "instead of law: laws side by side, NAME.1, NAME.2, ..",
+    ),
+];
+
+/// The same in a list.
+const INNER_LISTS: [(&str, &str); 2] = [
+    (
+        LISTS[0].0,
+        "in parallel, instead of law: laws one behind the other, NAME.i.1, .., with nodes NAME.i.node1, ..",
+    ),
+    (
+        LISTS[1].0,
+        "in series, instead of law: laws side by side, NAME.i.1, ..; they are laws only",
     ),
 ];
 

@@ -34,7 +34,7 @@ pub enum Unsolved {
     Singular,
     /// No pattern is right: a number is not finite, or the matrix is not positive semidefinite.
     TooManyRounds,
-    /// A friction force falls with velocity so fast that a step may have several answers.
+    /// A force falls with velocity or displacement so fast that a step may have several answers.
     Falling,
 }
 
@@ -46,7 +46,7 @@ impl fmt::Display for Unsolved {
             }
             Unsolved::TooManyRounds => "no contact forces satisfy all laws",
             Unsolved::Falling => {
-                "a friction force falls with velocity so fast that a step may have several answers; take a smaller dt"
+                "a force falls with velocity or displacement so fast that a step may have several answers; take a smaller dt"
             }
         })
     }

@@ -191,7 +191,10 @@ fn refuse(structure: &Structure) -> Result<(), AdaptiveFault> {
             _ if nodes.any(|(node, _)| structure.nodes[*node].mass <= 0.0) => {
                 "is at a node without mass"
             }
-            _ => continue,
+            law => match law.law(1.0).only_in_steps() {
+                Some(what) => what,
+                None => continue,
+            },
         };
         let name = contact.name.clone();
         return Err(AdaptiveFault::Contact { name, what });

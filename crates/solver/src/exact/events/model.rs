@@ -142,7 +142,8 @@ impl<'a> Model<'a> {
                 for (contact, force) in self.contacts.iter().zip(forces) {
                     let (sums, coefficient) = match force {
                         Force::Spring { k, .. } | Force::Line { slope: k, .. } => {
-                            (&mut stiffness, k)
+                            // A law that softens has slopes below 0.
+                            (&mut stiffness, k.abs())
                         }
                         Force::Dashpot { c } => (&mut damping, c),
                         Force::None | Force::Limit(_) | Force::Constraint => continue,
@@ -157,7 +158,7 @@ impl<'a> Model<'a> {
                     match force {
                         Force::Spring { k, .. } if !self.is_flexible(i) => springs[i] = k,
                         Force::Spring { .. } => {}
-                        Force::Line { slope, .. } => springs[i] = slope,
+                        Force::Line { slope, .. } => springs[i] = slope.abs(),
                         Force::Dashpot { c } => dashpots[i] = c,
                         Force::None | Force::Limit(_) | Force::Constraint => {}
                     }

@@ -157,12 +157,12 @@ pub fn place(structure: &mut Structure) {
 fn spread(structure: &mut Structure) {
     for chain in structure.chains() {
         let u = &structure.displacement;
-        let members = chain.members.iter();
-        let ends = members.map(|own| own.sign * structure.relative(own.contact, u));
-        let share = ends.sum::<f64>() / chain.members.len() as f64;
-        for (member, inner) in chain.members.iter().zip(&chain.nodes) {
+        let leaders = chain.leaders();
+        let ends = leaders.map(|own| own.sign * structure.relative(own.contact, u));
+        let share = ends.sum::<f64>() / chain.links.len() as f64;
+        for (member, inner) in chain.leaders().zip(&chain.nodes) {
             let r = structure.relative(member.contact, &structure.displacement);
-            structure.displacement[inner.node] += inner.factors[0] * (member.sign * share - r);
+            structure.displacement[inner.node] += inner.factor * (member.sign * share - r);
         }
     }
 }

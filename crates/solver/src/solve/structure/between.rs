@@ -7,23 +7,36 @@ use crate::system::structure::{Structure, Symmetric};
 /// The entries that hold these nodes in the matrix of a step, over its largest one: what moves them there is round-off.
 const HELD: f64 = (1_u64 << 60) as f64;
 
-/// A node between two contacts, of which the first one says where it is.
-#[derive(Debug, Clone, Copy)]
+/// A node between two links of a chain, of which the first contact says where it is.
+#[derive(Debug, Clone)]
 pub(super) struct Between {
     /// Its place.
     pub(super) place: usize,
-    /// Both contacts with its factors.
-    pub(super) contacts: [(usize, f64); 2],
+    /// The first contact of the link before it, with its factor.
+    pub(super) first: (usize, f64),
+    /// All its contacts with its factors.
+    pub(super) contacts: Vec<(usize, f64)>,
 }
 
 /// The nodes between contacts in series by place, from end to end of each chain.
 pub(super) fn nodes(structure: &Structure, place: &[usize]) -> Vec<Between> {
     let chains = structure.chains();
     let between = chains.iter().flat_map(|chain| {
-        let pairs = chain.members.windows(2).zip(&chain.nodes);
-        pairs.map(|(pair, own)| Between {
-            place: place[own.node],
-            contacts: [0, 1].map(|i| (pair[i].contact, own.factors[i])),
+        let pairs = chain.links.windows(2).zip(&chain.nodes);
+        pairs.map(|(pair, own)| {
+            let factor = |contact: usize| {
+                let mut column = structure.column(contact);
+                column.find(|(node, _)| *node == own.node)
+            };
+            let contacts = pair.iter().flatten().filter_map(|member| {
+                let (_, factor) = factor(member.contact)?;
+                Some((member.contact, factor))
+            });
+            Between {
+                place: place[own.node],
+                first: (pair[0][0].contact, own.factor),
+                contacts: contacts.collect(),
+            }
         })
     });
     between.collect()
@@ -43,8 +56,13 @@ impl<const L: usize> Average<'_, L> {
     /// Moves the nodes between contacts in series to where the laws have them after the step.
     #[cold]
     pub(super) fn move_between(&mut self) {
-        for Between { place, contacts } in &self.prepared.between {
-            let (first, factor) = contacts[0];
+        for Between {
+            place,
+            first: (first, factor),
+            contacts,
+        } in &self.prepared.between
+        {
+            let first = *first;
             let mut change = Lane::splat(0.0);
             for (l, curved) in self.curved.iter().enumerate() {
                 if let Some(curved) = curved {

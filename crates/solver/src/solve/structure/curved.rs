@@ -174,7 +174,15 @@ impl Curved {
 
     /// Whether a contact's law may have several answers in a step.
     pub(super) fn is_ambiguous(&self) -> bool {
+        self.is_ambiguous_in(|_| true)
+    }
+
+    /// Whether the law of a contact of such kinds may.
+    pub(super) fn is_ambiguous_in(&self, kinds: impl Fn(ContactKind) -> bool) -> bool {
         let has_one = |group: &Group, contact: &Contact| {
+            if !kinds(contact.relation.kind()) {
+                return true;
+            }
             let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
             let law = contact.relation.law(limit);
             // Another contact in series may be as soft as it likes.
@@ -268,9 +276,7 @@ impl Curved {
             self.forces
                 .solve(&self.d, &self.size, &groups, &mut self.together)?;
             for (g, group) in self.groups.iter().enumerate() {
-                for (i, sign) in group.members() {
-                    self.force[i] = sign * self.together[g];
-                }
+                group.write(self.together[g], &mut self.force);
             }
             let contacts = &mut self.contacts;
             if !breaks(&self.force, &mut |c, bounds| contacts[c].bounds = bounds) {
@@ -280,7 +286,7 @@ impl Curved {
         for (g, group) in self.groups.iter().enumerate() {
             let y = self.forces.argument(g);
             match group.row(&self.contacts) {
-                None => group.end(y, self.own[g], &mut self.contacts),
+                None => group.end(y, self.own[g], &mut self.contacts, &mut self.force),
                 Some(PlaneRow::First) => {
                     let y = [y, self.forces.argument(g + 1)];
                     group.end_plane(y, &mut self.contacts);
@@ -352,8 +358,15 @@ impl Contact {
         }
     }
 
+    /// The end of the step of a contact of a chain.
+    pub(super) fn end_in_chain(&mut self, change: f64, force: f64, round_off: f64) {
+        let change = self.without_round_off(change, force, round_off);
+        self.displacement = self.motion.displacement + change;
+        self.end(change + self.own * force);
+    }
+
     /// A change without force, of an impact that overlaps by round-off only: it has not begun.
-    pub(super) fn without_round_off(&self, change: f64, force: f64, round_off: f64) -> f64 {
+    fn without_round_off(&self, change: f64, force: f64, round_off: f64) -> f64 {
         let r = self.motion.displacement;
         let is_impact = self.relation.kind() == ContactKind::Impact;
         match is_impact && force == 0.0 && (r + change).abs() <= round_off {
@@ -396,12 +409,22 @@ impl Contact {
             return if inside { line } else { f64::INFINITY };
         }
         let change = y - self.own * force;
-        let at = |change: f64| {
-            let mut law = self.law;
-            let Lane([force]) = ContactResponse::force(&mut law, 1, &self.trial(change));
-            force
-        };
-        2.0 * width / (at(change + width) - at(change - width))
+        2.0 * width / (self.follow(change + width) - self.follow(change - width))
+    }
+
+    /// S of the trial in which r changes by this.
+    pub(super) fn follow(&self, change: f64) -> f64 {
+        let mut law = self.law;
+        let Lane([force]) = ContactResponse::force(&mut law, 1, &self.trial(change));
+        force
+    }
+
+    /// Bounds of S of a contact without compliance whose r changes by this; `None` of others, whose force follows the change.
+    pub(super) fn free_force(&self, change: f64, round_off: f64) -> Option<[f64; 2]> {
+        let is_open = self.relation.kind() == ContactKind::Impact
+            && self.motion.displacement + change > round_off;
+        let bounds = if is_open { [0.0; 2] } else { self.bounds };
+        self.relation.is_rigid().then_some(bounds)
     }
 
     /// The end of the step with this y.

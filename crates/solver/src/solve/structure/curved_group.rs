@@ -1,33 +1,30 @@
 //! Contacts in series as one contact: a chain has one force, and its motion is the sum of those of its members.
 
 use super::curved::Contact;
+use super::curved_link::{self as link, Link, ROUND_OFF, leader};
 use super::instant::SHORT;
 use super::series::{Part, Series, Shares};
 use crate::contact::coupled::curved::{Directions, Laws};
 use crate::contact::plane::{Pair, PlaneMemory};
 use crate::system::structure::{Chain, PlaneRow, Structure};
 
-/// Round-off of a displacement over the numbers that it is the difference of.
-const ROUND_OFF: f64 = 1e-14;
-
-/// A contact, or a chain of them: their numbers and signs, as [`crate::system::structure::Member`].
+/// A contact, or a chain of links.
 #[derive(Debug, Clone)]
-pub(super) struct Group(Vec<(usize, f64)>);
+pub(super) struct Group(Vec<Link>);
 
 /// The groups of all contacts: each chain where its first contact is.
 pub(super) fn groups(contacts: usize, chains: &[Chain]) -> Vec<Group> {
-    let mut of_contact: Vec<Option<Vec<(usize, f64)>>> =
-        (0..contacts).map(|i| Some(vec![(i, 1.0)])).collect();
+    let mut of_contact: Vec<Option<Vec<Link>>> =
+        (0..contacts).map(|i| Some(vec![vec![(i, 1.0)]])).collect();
     for chain in chains {
-        let members: Vec<_> = chain
-            .members
-            .iter()
-            .map(|own| (own.contact, own.sign))
-            .collect();
-        for (contact, _) in &members {
-            of_contact[*contact] = None;
+        let links = chain.links.iter().map(|link| {
+            let members = link.iter().map(|own| (own.contact, own.sign));
+            members.collect()
+        });
+        for member in chain.members() {
+            of_contact[member.contact] = None;
         }
-        of_contact[chain.members[0].contact] = Some(members);
+        of_contact[chain.links[0][0].contact] = Some(links.collect());
     }
     of_contact.into_iter().flatten().map(Group).collect()
 }
@@ -38,7 +35,7 @@ pub(super) fn grouped(flexibility: &[f64], groups: &[Group], contacts: usize) ->
         return flexibility.to_vec();
     }
     let entry = |a: &Group, b: &Group| -> f64 {
-        let pairs = a.0.iter().flat_map(|a| b.0.iter().map(move |b| (a, b)));
+        let pairs = a.leaders().flat_map(|a| b.leaders().map(move |b| (a, b)));
         let terms = pairs.map(|((i, one), (j, other))| one * other * flexibility[i * contacts + j]);
         terms.sum()
     };
@@ -58,7 +55,7 @@ pub(super) fn grouped(flexibility: &[f64], groups: &[Group], contacts: usize) ->
 /// A flexibility for the contacts of a chain whose ends do not move, as at t = 0: that of their masses in a step of the motion.
 pub(super) fn of_masses(structure: &Structure, group: &Group, dt: f64) -> f64 {
     let dt = dt / SHORT;
-    let nodes = group.contacts().flat_map(|i| structure.column(i));
+    let nodes = group.leaders().flat_map(|(i, _)| structure.column(i));
     let terms = nodes.map(|(node, factor)| (structure.nodes[node].mass, factor));
     let terms = terms.filter(|(mass, _)| *mass > 0.0);
     let sum: f64 = terms.map(|(mass, factor)| factor * factor / mass).sum();
@@ -70,43 +67,42 @@ impl Group {
         self.0.len() > 1
     }
 
-    /// The contacts with their signs.
-    pub(super) fn members(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
-        self.0.iter().copied()
-    }
-
     pub(super) fn contacts(&self) -> impl Iterator<Item = usize> + '_ {
-        self.0.iter().map(|(contact, _)| *contact)
+        self.0.iter().flatten().map(|(contact, _)| *contact)
     }
 
-    /// A relative motion of the group from those of its contacts.
+    /// The first contact of each link with its sign.
+    fn leaders(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.0.iter().map(|link| leader(link))
+    }
+
+    /// A relative motion of the group from those of its links.
     pub(super) fn sum(&self, contacts: &[Contact], of: impl Fn(&Contact) -> f64) -> f64 {
-        let terms = self.members().map(|(i, sign)| sign * of(&contacts[i]));
+        let terms = self.leaders().map(|(i, sign)| sign * of(&contacts[i]));
         // Without a first term of 0, which would change the sign of a negative zero.
         terms.reduce(|sum, term| sum + term).unwrap_or(0.0)
     }
 
     /// The size of the numbers that the motion is the difference of.
     pub(super) fn size(&self, contacts: &[Contact]) -> f64 {
-        let sizes = self.contacts().map(|i| contacts[i].motion.size);
+        let sizes = self.leaders().map(|(i, _)| contacts[i].motion.size);
         sizes.reduce(|sum, size| sum + size).unwrap_or(0.0)
     }
 
     /// S at the start of the step.
     pub(super) fn force(&self, contacts: &[Contact]) -> f64 {
-        let (first, sign) = self.0[0];
-        sign * contacts[first].motion.force
+        link::force(&self.0[0], contacts)
     }
 
     /// Sets the closing speed of impacts that may begin in this step: that of the ends of the chain, when its gaps are closed. The laws
     /// are those of collisions of the bodies at the ends; how fast each contact closes follows from them.
     pub(super) fn begin(&self, contacts: &mut [Contact]) {
-        let gap: f64 = self.contacts().map(|i| contacts[i].open()).sum();
+        let gap: f64 = self.0.iter().map(|own| link::open(own, contacts)).sum();
         let change = self.sum(contacts, |contact| contact.motion.change);
         let start = self.sum(contacts, |contact| contact.motion.velocity);
         let end = self.sum(contacts, |contact| contact.motion.rate);
-        for (i, sign) in self.members() {
-            let contact = &mut contacts[i];
+        for (i, sign) in self.0.iter().flatten() {
+            let contact = &mut contacts[*i];
             let [change, start, end] = [change, start, end].map(|x| sign * x);
             // Without forces the gap closes in this step, or other contacts close it.
             let rate = match gap + change < 0.0 {
@@ -118,55 +114,60 @@ impl Group {
         }
     }
 
-    /// The end of the step with this y.
-    pub(super) fn end(&self, y: f64, own: f64, contacts: &mut [Contact]) {
+    /// The end of the step with this y; the forces of its contacts are those of the group, or written to `forces`.
+    pub(super) fn end(&self, y: f64, own: f64, contacts: &mut [Contact], forces: &mut [f64]) {
         if !self.is_chain() {
-            contacts[self.0[0].0].end(y);
+            contacts[self.first()].end(y);
             return;
         }
         let Shares { force, changes } = self.share(y, own, contacts);
         let round_off = ROUND_OFF * self.size(contacts);
-        for ((i, sign), change) in self.members().zip(changes) {
-            let contact = &mut contacts[i];
-            let change = contact.without_round_off(sign * change, force, round_off);
-            contact.displacement = contact.motion.displacement + change;
-            contact.end(change + contact.own * (sign * force));
+        for (members, change) in self.0.iter().zip(changes) {
+            if let [(i, sign)] = members[..] {
+                contacts[i].end_in_chain(sign * change, sign * force, round_off);
+                continue;
+            }
+            let own = link::forces(members, change, force, contacts);
+            for ((i, sign), force) in members.iter().zip(own) {
+                contacts[*i].end_in_chain(sign * change, sign * force, round_off);
+                forces[*i] = sign * force;
+            }
         }
+    }
+
+    /// Writes the forces of its contacts, of which this is the sum.
+    pub(super) fn write(&self, force: f64, forces: &mut [f64]) {
+        for (i, sign) in self.0.iter().flatten() {
+            forces[*i] = sign * force;
+        }
+    }
+
+    fn first(&self) -> usize {
+        self.0[0][0].0
     }
 
     /// The direction of a contact in a plane, which is in no chain.
     pub(super) fn row(&self, contacts: &[Contact]) -> Option<PlaneRow> {
-        contacts[self.0[0].0].row()
+        contacts[self.first()].row()
     }
 
     /// The end of the step of both directions of a contact in a plane, of which this is the first one.
     pub(super) fn end_plane(&self, y: Pair, contacts: &mut [Contact]) {
-        let first = self.0[0].0;
+        let first = self.first();
         let after = in_plane(contacts, first, y).map(|own| own.1);
         if let (Some(plane), Some(after)) = (&mut contacts[first].plane, after) {
             plane.memory = after;
         }
     }
 
-    /// The force of a chain and the changes of its contacts, in its own signs.
+    /// The force of a chain and the changes of its links, in its own signs.
     fn share(&self, y: f64, own: f64, contacts: &[Contact]) -> Shares {
-        let part = |(i, sign): (usize, f64)| {
-            let contact: &Contact = &contacts[i];
-            let [low, high] = contact.bounds;
-            Part {
-                own: contact.own,
-                bounds: if sign < 0.0 {
-                    [-high, -low]
-                } else {
-                    [low, high]
-                },
-            }
+        let part = |members: &Link| Part {
+            own: link::own(members, contacts),
+            bounds: link::bounds(members, contacts),
         };
-        let parts: Vec<Part> = self.members().map(part).collect();
-        let answer = |place: usize, y: f64| {
-            let (i, sign) = self.0[place];
-            sign * contacts[i].answer(sign * y)
-        };
+        let parts: Vec<Part> = self.0.iter().map(part).collect();
+        let answer = |place: usize, y: f64| link::answer(&self.0[place], y, contacts);
         let series = Series {
             parts: &parts,
             answer: &answer,
@@ -198,12 +199,12 @@ impl Laws for Groups<'_> {
     }
 
     fn answer_plane(&self, group: usize, y: Pair) -> Pair {
-        let first = self.groups[group].0[0].0;
+        let first = self.groups[group].first();
         in_plane(self.contacts, first, y).map_or([f64::NAN; 2], |(force, _)| force)
     }
 
     fn directions(&self, group: usize, y: Pair, force: Pair) -> Directions {
-        let first = self.groups[group].0[0].0;
+        let first = self.groups[group].first();
         let motions = [first, first + 1].map(|i| &self.contacts[i].motion);
         match &self.contacts[first].plane {
             Some(plane) => plane.directions(motions, y, force),
@@ -216,36 +217,29 @@ impl Laws for Groups<'_> {
 
     fn answer(&self, group: usize, y: f64) -> f64 {
         let own = &self.groups[group];
-        match own.0[..] {
-            [(contact, _)] => self.contacts[contact].answer(y),
-            _ => own.share(y, self.own[group], self.contacts).force,
+        match own.is_chain() {
+            false => self.contacts[own.first()].answer(y),
+            true => own.share(y, self.own[group], self.contacts).force,
         }
     }
 
     fn compliance(&self, group: usize, y: f64, force: f64, width: f64) -> f64 {
         let own = &self.groups[group];
-        if let [(contact, _)] = own.0[..] {
-            return self.contacts[contact].compliance(y, force, width);
+        if !own.is_chain() {
+            return self.contacts[own.first()].compliance(y, force, width);
         }
         let Shares { force, changes } = own.share(y, self.own[group], self.contacts);
-        let compliance = |((i, sign), change): ((usize, f64), f64)| {
-            let contact = &self.contacts[i];
-            let force = sign * force;
-            let g = contact.compliance(sign * change + contact.own * force, force, width);
-            if g >= 0.0 { g } else { f64::INFINITY }
-        };
-        own.members().zip(changes).map(compliance).sum()
+        let links = own.0.iter().zip(changes);
+        links
+            .map(|(own, change)| link::compliance(own, change, force, width, self.contacts))
+            .sum()
     }
 
     fn bounds(&self, group: usize) -> [f64; 2] {
-        let members = self.groups[group].members();
-        members.fold(
-            [f64::NEG_INFINITY, f64::INFINITY],
-            |[low, high], (i, sign)| {
-                let [l, h] = self.contacts[i].bounds;
-                let [l, h] = if sign < 0.0 { [-h, -l] } else { [l, h] };
-                [low.max(l), high.min(h)]
-            },
-        )
+        let links = self.groups[group].0.iter();
+        links.fold([f64::NEG_INFINITY, f64::INFINITY], |[low, high], own| {
+            let [l, h] = link::bounds(own, self.contacts);
+            [low.max(l), high.min(h)]
+        })
     }
 }

@@ -13,7 +13,7 @@
 
 use super::curved::{Curved, Memory};
 use super::curved_step::Motion;
-use crate::contact::Unsolved;
+use crate::contact::{ContactKind, Unsolved};
 use crate::solve::Unsolvable;
 use crate::system::import::negative_pivot;
 use crate::system::structure::factor::Factor;
@@ -32,6 +32,9 @@ const SLOW: f64 = 0.1;
 
 /// Growth of q until K + W is positive definite.
 const MORE: f64 = 10.0;
+
+/// Most times that q becomes larger, each one by 1/[`LESS`], until laws that fall have one answer.
+const SMALLER: usize = 4;
 
 /// Smallest part of the first W.
 const LEAST: f64 = 1e-12;
@@ -110,8 +113,23 @@ impl<'a> Equilibrium<'a> {
                 mass.add(node, node, k / (LARGE * weights.q));
             }
         }
-        let linear = linear(structure, &mass, &weights)?;
-        let curved = curved(structure, &linear.columns);
+        let begin = |weights: &Weights| -> Result<_, Unsolvable> {
+            let linear = linear(structure, &mass, weights)?;
+            let curved = curved(structure, &linear.columns);
+            Ok((linear, curved))
+        };
+        let (mut linear, mut curved) = begin(&weights)?;
+        // A law that falls has one answer in small steps.
+        for _ in 0..SMALLER {
+            if !softens(&curved) {
+                break;
+            }
+            weights.q = match weights.q > 0.0 {
+                true => weights.q / LESS,
+                false => first_q(structure, &stiffened),
+            };
+            (linear, curved) = begin(&weights)?;
+        }
         let (u, forces) = (structure.displacement.clone(), vec![0.0; m]);
         Ok(Equilibrium {
             structure,
@@ -210,9 +228,10 @@ impl<'a> Equilibrium<'a> {
             *own = own.min(present.max(weights.part * k) / LARGE);
         }
         match self.renew() {
-            // A negative stiffness keeps W above a number.
-            Err(_) if self.is_negative => self.weights = larger,
-            renewed => renewed?,
+            Ok(true) => {}
+            Err(why) if !self.is_negative => return Err(why),
+            // A negative stiffness and laws that fall keep W above a number.
+            Ok(false) | Err(_) => self.weights = larger,
         }
         Ok(())
     }
@@ -238,11 +257,15 @@ impl<'a> Equilibrium<'a> {
         limit.pressed_in(0.0, |other| self.forces[other], at_rest)
     }
 
-    /// Takes over a new W.
-    fn renew(&mut self) -> Result<(), Unsolvable> {
-        self.linear = linear(self.structure, &self.mass, &self.weights)?;
-        self.curved = curved(self.structure, &self.linear.columns);
-        Ok(())
+    /// Takes over a new W, if steps have one answer with it; returns whether they have.
+    fn renew(&mut self) -> Result<bool, Unsolvable> {
+        let linear = linear(self.structure, &self.mass, &self.weights)?;
+        let curved = curved(self.structure, &linear.columns);
+        let has_one = !softens(&curved);
+        if has_one {
+            (self.linear, self.curved) = (linear, curved);
+        }
+        Ok(has_one)
     }
 
     /// One step; returns u' - u.
@@ -421,6 +444,11 @@ fn curved(structure: &Structure, columns: &[Vec<f64>]) -> Curved {
         }
     }
     Curved::of_all(structure, &[], &flexibility, 1.0 / LONG, LONG)
+}
+
+/// Whether a link softens so much that a step may have several answers. Friction falls with velocity, of which there is none.
+fn softens(curved: &Curved) -> bool {
+    curved.is_ambiguous_in(|kind| kind == ContactKind::Link)
 }
 
 fn largest(all: &[f64]) -> f64 {

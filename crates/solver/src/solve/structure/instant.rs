@@ -130,14 +130,14 @@ pub fn balance(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
         structure.displacement[*node] += change;
     }
     for chain in &chains {
-        for (member, inner) in chain.members.iter().zip(&chain.nodes) {
+        for (member, inner) in chain.leaders().zip(&chain.nodes) {
             let Ok(place) = own.binary_search(&member.contact) else {
                 continue;
             };
             let r = structure.relative(member.contact, &structure.displacement)
                 + structure.contacts[member.contact].gap;
             let change = curved.displacement(place) - r;
-            structure.displacement[inner.node] += inner.factors[0] * change;
+            structure.displacement[inner.node] += inner.factor * change;
         }
     }
     let preload = &mut structure.preload;
@@ -174,7 +174,8 @@ fn free_change(structure: &Structure, nodes: &[usize], factor: &Factor) -> Vec<f
 /// The chains with the numbers that their contacts have among these.
 fn numbered(chains: &[Chain], own: &[usize]) -> Vec<Chain> {
     let mut chains = chains.to_vec();
-    for member in chains.iter_mut().flat_map(|chain| &mut chain.members) {
+    let links = chains.iter_mut().flat_map(|chain| &mut chain.links);
+    for member in links.flatten() {
         member.contact = own.binary_search(&member.contact).unwrap_or_default();
     }
     chains

@@ -64,6 +64,7 @@ mod books;
 mod curved;
 mod curved_group;
 mod curved_lanes;
+mod curved_link;
 mod curved_plane;
 mod curved_step;
 mod equilibrium;

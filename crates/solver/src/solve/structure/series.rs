@@ -14,7 +14,7 @@
 /// A contact in series.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Part {
-    /// a_i > 0.
+    /// a_i > 0, or 0 for a force that is known from the change.
     pub(super) own: f64,
     /// The bounds of its force.
     pub(super) bounds: [f64; 2],
@@ -304,7 +304,7 @@ impl Series<'_> {
         // A line would be there.
         let mut step = (own * first).abs().max(1e-3 * (self.size + start.abs()));
         if step == 0.0 {
-            step = own;
+            step = own.max(f64::MIN_POSITIVE);
         }
         let [mut near, mut other] = [(start, first), (start, first)];
         for _ in 0..TRIES {
@@ -381,7 +381,7 @@ fn search(
 }
 
 /// Numbers in these intervals with this sum: all the same, as far as their intervals allow.
-fn filled(intervals: &[[f64; 2]], sum: f64) -> Vec<f64> {
+pub(super) fn filled(intervals: &[[f64; 2]], sum: f64) -> Vec<f64> {
     let at = |level: f64| {
         intervals
             .iter()

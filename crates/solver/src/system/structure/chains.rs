@@ -2,22 +2,22 @@
 
 use super::Structure;
 
-/// Contacts in series. All of them have one force, but for its sign.
+/// Contacts in series, each alone or several side by side. All of these links have one force, but for its sign.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
-    /// The contacts from end to end.
-    pub members: Vec<Member>,
-    /// The nodes between them: node i is between the members i and i + 1.
+    /// The links from end to end. Those of one link are side by side: they have the same motion, and share the force.
+    pub links: Vec<Vec<Member>>,
+    /// The nodes between them: node i is between the links i and i + 1.
     pub nodes: Vec<InnerNode>,
 }
 
-/// A node between two contacts of a chain.
+/// A node between two links of a chain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InnerNode {
     /// The node.
     pub node: usize,
-    /// Its factors in both contacts, 1 or -1.
-    pub factors: [f64; 2],
+    /// Its factor in the first contact of the link before it, 1 or -1.
+    pub factor: f64,
 }
 
 /// A contact of a chain.
@@ -29,53 +29,68 @@ pub struct Member {
     pub sign: f64,
 }
 
+/// Contacts side by side: the first one, and all with their signs beside it.
+type Link = Vec<(usize, f64)>;
+
+impl Chain {
+    /// All contacts.
+    pub fn members(&self) -> impl Iterator<Item = &Member> {
+        self.links.iter().flatten()
+    }
+
+    /// The first contact of each link, which has the motion of the link.
+    pub fn leaders(&self) -> impl Iterator<Item = &Member> {
+        self.links.iter().filter_map(|link| link.first())
+    }
+}
+
 impl Structure {
-    /// Its contacts in series. A node between them has no mass, spring, dashpot or load, and two contacts, both with a factor of 1 or -1.
+    /// Its contacts in series. A node between them has no mass, spring, dashpot or load, and two links, both with a factor of 1 or -1.
     pub fn chains(&self) -> Vec<Chain> {
         if self.has_mass_everywhere() {
             return Vec::new();
         }
-        let free = self.free_nodes();
-        let inner = |contact: usize| -> Vec<(usize, f64)> {
-            let nodes = self.column(contact);
+        let is_free = self.nodes_with_contacts_only();
+        let links = self.links(&is_free);
+        let free = self.nodes_of_two(&is_free, &links);
+        let inner = |link: usize| -> Vec<(usize, f64)> {
+            let nodes = self.column(links[link][0].0);
             nodes.filter(|(node, _)| free[*node].is_some()).collect()
         };
+        let members = |link: usize, sign: f64| -> Vec<Member> {
+            let members = links[link].iter();
+            members
+                .map(|(contact, own)| Member {
+                    contact: *contact,
+                    sign: sign * own,
+                })
+                .collect()
+        };
         let mut chains = Vec::new();
-        let mut is_done = vec![false; self.contacts.len()];
-        for first in 0..self.contacts.len() {
+        let mut is_done = vec![false; links.len()];
+        for first in 0..links.len() {
             if is_done[first] || inner(first).len() != 1 {
                 continue;
             }
+            let (mut last, mut sign) = (first, 1.0);
             let mut chain = Chain {
-                members: vec![Member {
-                    contact: first,
-                    sign: 1.0,
-                }],
+                links: vec![members(first, sign)],
                 nodes: Vec::new(),
             };
-            let mut last = chain.members[0];
             is_done[first] = true;
-            let next = |contact: usize, before: Option<usize>| {
-                let mut nodes = inner(contact).into_iter();
+            let next = |link: usize, before: Option<usize>| {
+                let mut nodes = inner(link).into_iter();
                 nodes.find(|(node, _)| Some(*node) != before)
             };
-            while let Some((node, factor)) =
-                next(last.contact, chain.nodes.last().map(|own| own.node))
-            {
+            while let Some((node, factor)) = next(last, chain.nodes.last().map(|own| own.node)) {
                 let Some([a, b]) = free[node] else { break };
-                let other = if a.0 == last.contact { b } else { a };
+                let other = if a.0 == last { b } else { a };
                 // The forces at the node are in equilibrium.
-                let sign = -last.sign * factor * other.1;
-                last = Member {
-                    contact: other.0,
-                    sign,
-                };
-                is_done[last.contact] = true;
-                chain.nodes.push(InnerNode {
-                    node,
-                    factors: [factor, other.1],
-                });
-                chain.members.push(last);
+                sign *= -factor * other.1;
+                last = other.0;
+                is_done[last] = true;
+                chain.nodes.push(InnerNode { node, factor });
+                chain.links.push(members(last, sign));
             }
             chains.push(chain);
         }
@@ -91,8 +106,8 @@ impl Structure {
         is_between
     }
 
-    /// Both contacts of each node that has nothing else, with their factors.
-    fn free_nodes(&self) -> Vec<Option<[(usize, f64); 2]>> {
+    /// Whether each node has nothing but contacts.
+    fn nodes_with_contacts_only(&self) -> Vec<bool> {
         let held = self.stiffness.nonzero_rows();
         let mut is_free: Vec<bool> = self
             .massless()
@@ -109,8 +124,37 @@ impl Structure {
         for (node, _) in preload.filter(|(_, load)| **load != 0.0) {
             is_free[node] = false;
         }
-        let mut of_node: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.len()];
+        is_free
+    }
+
+    /// The contacts at free nodes, those side by side together: they move by the same factors of the same nodes, but for a sign.
+    fn links(&self, is_free: &[bool]) -> Vec<Link> {
+        let mut links: Vec<Link> = Vec::new();
+        let is_free = |node: usize| is_free.get(node) == Some(&true);
         for (contact, own) in self.contacts.iter().enumerate() {
+            if !own.along.iter().any(|(node, _)| is_free(*node)) {
+                continue;
+            }
+            // Directions of a plane are no links of a chain.
+            let is_alone = own.law.row().is_some();
+            let beside = links.iter_mut().filter(|_| !is_alone).find_map(|link| {
+                let first = &self.contacts[link[0].0];
+                let sign = sign_beside(&first.along, &own.along)?;
+                first.law.row().is_none().then_some((link, sign))
+            });
+            match beside {
+                Some((link, sign)) => link.push((contact, sign)),
+                None => links.push(vec![(contact, 1.0)]),
+            }
+        }
+        links
+    }
+
+    /// Both links of each node that has nothing else, with their factors.
+    fn nodes_of_two(&self, is_free: &[bool], links: &[Link]) -> Vec<Option<[(usize, f64); 2]>> {
+        let mut of_node: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.len()];
+        for (link, members) in links.iter().enumerate() {
+            let own = &self.contacts[members[0].0];
             // More than two nodes would be no chain, nor is a direction of a plane.
             let is_alone = own.law.row().is_some();
             let free = own
@@ -124,19 +168,29 @@ impl Structure {
                 } else {
                     *factor
                 };
-                of_node[*node].push((contact, factor));
+                of_node[*node].push((link, factor));
             }
         }
-        let both = |contacts: Vec<(usize, f64)>| -> Option<[(usize, f64); 2]> {
-            let both: [(usize, f64); 2] = contacts.try_into().ok()?;
+        let both = |links: Vec<(usize, f64)>| -> Option<[(usize, f64); 2]> {
+            let both: [(usize, f64); 2] = links.try_into().ok()?;
             both.iter()
                 .all(|(_, factor)| factor.abs() == 1.0)
                 .then_some(both)
         };
-        let is_free = is_free.into_iter();
+        let is_free = is_free.iter();
         let pairs = of_node.into_iter().zip(is_free);
         pairs
-            .map(|(contacts, is_free)| both(contacts).filter(|_| is_free))
+            .map(|(links, is_free)| both(links).filter(|_| *is_free))
             .collect()
     }
+}
+
+/// 1 or -1 for columns that are the same but for this sign.
+fn sign_beside(first: &[(usize, f64)], other: &[(usize, f64)]) -> Option<f64> {
+    let factor = |node: usize| other.iter().find(|own| own.0 == node).map(|own| own.1);
+    let is = |sign: f64| {
+        let mut terms = first.iter();
+        first.len() == other.len() && terms.all(|(node, own)| factor(*node) == Some(sign * own))
+    };
+    [1.0, -1.0].into_iter().find(|sign| is(*sign))
 }

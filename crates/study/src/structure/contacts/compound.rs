@@ -1,4 +1,4 @@
-//! Laws in series, with nodes without mass between them, and laws in parallel.
+//! Laws in series, with nodes without mass between them, and laws in parallel; one list may hold the other.
 
 use super::{Relation, relation};
 use crate::source::faults::Faults;
@@ -13,33 +13,75 @@ use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
 use slipgap_solver::problem::structure::template::{Contact, Mass, Term};
 use slipgap_solver::system::structure::Direction;
 
+/// A law of a list, or a list in it.
+enum Item {
+    Law(Box<Relation>),
+    List(Laws),
+}
+
+/// A list of laws.
+struct Laws {
+    is_series: bool,
+    items: Vec<Item>,
+}
+
+/// Where a contact is in its file.
+type Place<'a> = (usize, &'a str);
+
 /// The list of laws of a contact that has one.
 pub(super) fn list<'a>(object: &Object<'a>) -> Option<&'a Member> {
     let mut members = object.members.iter().copied();
-    members.find(|member| LISTS.iter().any(|list| list.0 == member.key))
+    members.find(|member| is_list(member))
+}
+
+fn is_list(member: &Member) -> bool {
+    LISTS.iter().any(|list| list.0 == member.key)
+}
+
+fn is_series(list: &Member) -> bool {
+    list.key == LISTS[0].0
 }
 
 /// The nodes between laws in series, as masses of 0: NAME.node1, NAME.node2, ..
 pub(in crate::structure) fn inner_nodes(parts: &[Part]) -> Vec<Mass> {
     let mut nodes = Vec::new();
     for (name, node, path) in parts {
-        let Tree::Object(members) = &node.tree else {
-            continue;
-        };
-        let series = members.iter().find(|member| member.key == LISTS[0].0);
-        let Some(Tree::List(items)) = series.map(|member| &member.node.tree) else {
-            continue;
-        };
-        nodes.extend((1..items.len()).map(|i| Mass {
-            name: format!("{name}.node{i}"),
-            mass: number(0.0, node.at, path),
-            direction: Direction::X,
-        }));
+        add_inner_nodes(name, node, (node.at, path), &mut nodes);
     }
     nodes
 }
 
-/// The contacts NAME.1, NAME.2, .. of a list of laws.
+fn add_inner_nodes(name: &str, node: &Node, (at, path): Place, nodes: &mut Vec<Mass>) {
+    let Tree::Object(members) = &node.tree else {
+        return;
+    };
+    for list in members.iter().filter(|member| is_list(member)) {
+        let Tree::List(items) = &list.node.tree else {
+            continue;
+        };
+        if is_series(list) {
+            nodes.extend((1..items.len()).map(|i| Mass {
+                name: inner_node(name, i),
+                mass: number(0.0, at, path),
+                direction: Direction::X,
+            }));
+        }
+        for (i, item) in items.iter().enumerate() {
+            add_inner_nodes(&numbered(name, i), item, (at, path), nodes);
+        }
+    }
+}
+
+fn inner_node(name: &str, number: usize) -> String {
+    format!("{name}.node{number}")
+}
+
+/// The name of an item of a list.
+fn numbered(name: &str, index: usize) -> String {
+    format!("{name}.{}", index + 1)
+}
+
+/// The contacts NAME.1, NAME.2, .. of a list of laws; those of a list in it are NAME.1.1, NAME.1.2, ..
 pub(super) fn contacts(
     (name, node, path): (&str, &Node, &str),
     object: &Object,
@@ -47,47 +89,102 @@ pub(super) fn contacts(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Vec<Contact>> {
-    let allowed = ["between", "along", &list.key];
+    alone(object, list, &["between", "along", &list.key], faults)?;
+    let laws = laws(list, &object.path(&list.key), &[], reader, faults);
+    let along = reader.along(object, "a contact", faults);
+    let (laws, along) = (laws?, along?);
+    let mut contacts = Vec::new();
+    add(laws, name, &along, (node.at, path), reader, &mut contacts)?;
+    Some(contacts)
+}
+
+/// Whether an object with a list has no other keys.
+fn alone(object: &Object, list: &Member, allowed: &[&str], faults: &mut Faults) -> Option<()> {
     let mut others = object.members.iter();
-    if let Some(other) = others.find(|own| !allowed.contains(&own.key.as_str())) {
-        let message = format!(
-            "a contact with {} has no {}: the laws of the list have their own",
-            list.key, other.key
-        );
-        faults.add(other.node.at, &object.path(&other.key), message);
-        return None;
-    }
-    let list_path = object.path(&list.key);
-    let relations: Vec<Option<Relation>> = match &list.node.tree {
-        Tree::List(items) if items.len() > 1 => {
-            let items = items.iter().enumerate();
-            let items = items.map(|(i, item)| {
-                let own = open(item, &format!("{list_path}[{i}]"), &PART, faults)?;
-                relation(&own, reader, faults)
-            });
-            items.collect()
-        }
+    let Some(other) = others.find(|own| !allowed.contains(&own.key.as_str())) else {
+        return Some(());
+    };
+    let message = format!(
+        "a contact with {} has no {}: the laws of the list have their own",
+        list.key, other.key
+    );
+    faults.add(other.node.at, &object.path(&other.key), message);
+    None
+}
+
+/// The laws of a list within these lists.
+fn laws(
+    list: &Member,
+    path: &str,
+    within: &[bool],
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Laws> {
+    let items = match &list.node.tree {
+        Tree::List(items) if items.len() > 1 => items,
         _ => {
-            faults.must_be(&list.node, &list_path, "a list of two laws or more");
+            faults.must_be(&list.node, path, "a list of two laws or more");
             return None;
         }
     };
-    let along = reader.along(object, "a contact", faults);
-    let relations: Vec<Relation> = relations.into_iter().collect::<Option<_>>()?;
-    let along = along?;
-    let places = match list.key == LISTS[0].0 {
-        true => in_series(name, &along, relations.len(), (node.at, path), reader)?,
-        false => vec![along; relations.len()],
+    let is_series = is_series(list);
+    let within = [within, &[is_series]].concat();
+    let items = items.iter().enumerate().map(|(i, item)| {
+        let own = open(item, &format!("{path}[{i}]"), &PART, faults)?;
+        match self::list(&own) {
+            None => Some(Item::Law(Box::new(relation(&own, reader, faults)?))),
+            Some(inner) => {
+                alone(&own, inner, &[&inner.key], faults)?;
+                let inner_path = own.path(&inner.key);
+                if let Some(why) = misplaced(&within, inner) {
+                    faults.add(inner.node.at, &inner_path, why.to_owned());
+                    return None;
+                }
+                let inner = laws(inner, &inner_path, &within, reader, faults)?;
+                Some(Item::List(inner))
+            }
+        }
+    });
+    let items: Vec<Option<Item>> = items.collect();
+    let items = items.into_iter().collect::<Option<_>>()?;
+    Some(Laws { is_series, items })
+}
+
+/// Why a list may not be within these, series or not.
+fn misplaced(within: &[bool], inner: &Member) -> Option<&'static str> {
+    match within {
+        [.., last] if *last == is_series(inner) => {
+            Some("a list in a list of its kind: write its laws into the outer one")
+        }
+        [.., true, false] => Some("parallel in series has laws only"),
+        _ => None,
+    }
+}
+
+/// Adds the contacts of a list between these nodes.
+fn add(
+    laws: Laws,
+    name: &str,
+    along: &[Term],
+    place: Place,
+    reader: &Reader,
+    contacts: &mut Vec<Contact>,
+) -> Option<()> {
+    let count = laws.items.len();
+    let places = match laws.is_series {
+        true => in_series(name, along, count, place, reader)?,
+        false => vec![along.to_vec(); count],
     };
-    let contacts = relations.into_iter().zip(places).enumerate();
-    let contact = |(i, (relation, along)): (usize, (Relation, Vec<Term>))| {
-        relation.between(
-            format!("{name}.{}", i + 1),
-            (node.at, path.to_owned()),
-            along,
-        )
-    };
-    Some(contacts.map(contact).collect())
+    for (i, (item, along)) in laws.items.into_iter().zip(places).enumerate() {
+        let name = numbered(name, i);
+        match item {
+            Item::Law(relation) => {
+                contacts.push(relation.between(name, (place.0, place.1.to_owned()), along));
+            }
+            Item::List(laws) => add(laws, &name, &along, place, reader, contacts)?,
+        }
+    }
+    Some(())
 }
 
 /// The nodes of each of several laws in series: from node I over the inner nodes to node J. With other factors, the displacements of the
@@ -96,7 +193,7 @@ fn in_series(
     name: &str,
     along: &[Term],
     count: usize,
-    (at, path): (usize, &str),
+    (at, path): Place,
     reader: &Reader,
 ) -> Option<Vec<Vec<Term>>> {
     let term = |node: NodeRef, factor: f64| Term {
@@ -109,7 +206,7 @@ fn in_series(
         tied: false,
     };
     let inner: Option<Vec<NodeRef>> = (1..count)
-        .map(|i| reader.names.node(&format!("{name}.node{i}")))
+        .map(|i| reader.names.node(&inner_node(name, i)))
         .collect();
     let inner = inner?;
     let is =

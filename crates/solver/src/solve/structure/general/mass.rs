@@ -67,8 +67,13 @@ impl<const L: usize> General<'_, L> {
     pub(super) fn move_between(&mut self, part: usize) {
         let rate = 1.0 / self.prepared.sub_steps[part].sub_step.length;
         let stage = &mut self.stages[part + 1];
-        for Between { place, contacts } in &self.prepared.between {
-            let (first, factor) = contacts[0];
+        for Between {
+            place,
+            first: (first, factor),
+            contacts,
+        } in &self.prepared.between
+        {
+            let first = *first;
             let mut change = Lane::splat(0.0);
             for (l, curved) in self.curved[part].iter().enumerate() {
                 if let Some(curved) = curved {

@@ -3,8 +3,8 @@
 use super::*;
 use crate::contact::impact::collision::{DampedHertz, HertzDashpot, Linear as Dashpot};
 use crate::contact::{
-    Bearing, BoucWen, ContactKind, ContactLaw, Dahl, Hertz, HertzDamp, HuntCrossley, ImpactSpring,
-    Jankowski, KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
+    Bearing, Bilinear, BoucWen, ContactKind, ContactLaw, Dahl, Hertz, HertzDamp, HuntCrossley,
+    ImpactSpring, Jankowski, KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
 };
 use crate::lane::Lane;
 use crate::methods::{AverageAcceleration, Method};
@@ -517,5 +517,29 @@ fn friction_that_falls_too_fast_is_refused() {
         let prepared = Prepared::new(&structure, 0.01).unwrap();
         let [done] = run::<1>(&[&structure], &prepared, 300, |_, _| ());
         assert_eq!(done, expected, "{velocity}");
+    }
+}
+
+#[test]
+fn a_link_that_softens_too_fast_is_refused() {
+    // Of a free mass of 1: h = dt^2/4.
+    let dt = 0.01;
+    let falling = Err(Unsolvable::NoForces {
+        step: 0,
+        why: Unsolved::Falling,
+    });
+    for (part, expected) in [(0.99, Ok(())), (1.01, falling)] {
+        let hardening = -part * 4.0 / (dt * dt);
+        let law = ContactLaw::Bilinear(Bilinear {
+            stiffness: 1e5,
+            yield_force: 1.0,
+            hardening,
+        });
+        let mut structure = masses(&[1.0]);
+        structure.velocity[0] = 1e-4;
+        structure.contacts = vec![contact([None, Some(0)], 0.0, StructureLaw::Link { law })];
+        let prepared = Prepared::new(&structure, dt).unwrap();
+        let [done] = run::<1>(&[&structure], &prepared, 30, |_, _| ());
+        assert_eq!(done, expected, "{part}");
     }
 }
