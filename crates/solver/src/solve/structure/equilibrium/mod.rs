@@ -11,27 +11,22 @@
 //! part of the stiffness of a contact, so that neither the units nor the masses change the number of steps. Where they converge
 //! slowly, W is made smaller: that of a contact which yields follows its present stiffness. With a regular K, W is 0.
 
+mod weights;
+
 use super::curved::{Curved, Memory};
 use super::curved_step::Motion;
-use crate::contact::{ContactKind, Unsolved};
+use crate::contact::Unsolved;
 use crate::solve::Unsolvable;
 use crate::system::import::negative_pivot;
-use crate::system::structure::factor::Factor;
 use crate::system::structure::{Limit, Structure, Symmetric};
-
-/// Pivots of K below this part of the diagonal with the contacts are too soft: contacts hold something.
-const SOFT: f64 = 1e-4;
-
-/// Entries of K with the elastic contacts over those of W, for the first W. Larger numbers need fewer steps, but each one
-/// leaves their round-off in u where contacts alone hold it.
-const LARGE: f64 = 100.0;
+use weights::{
+    LARGE, LONG, Linear, Weights, add, curved, diagonal, first_q, holds, largest, linear, softens,
+    stiffened, stiffnesses,
+};
 
 /// Part of W at slow convergence, and what slow is: the part of the residual that a step leaves.
 const LESS: f64 = 0.01;
 const SLOW: f64 = 0.1;
-
-/// Growth of q until K + W is positive definite.
-const MORE: f64 = 10.0;
 
 /// Most times that q becomes larger, each one by 1/[`LESS`], until laws that fall have one answer.
 const SMALLER: usize = 4;
@@ -47,9 +42,6 @@ const ROUND_OFF: f64 = 1e-14;
 
 /// Most steps for a load. With W 100 times smaller after each slow one, a dozen reach round-off.
 const STEPS: usize = 100;
-
-/// Time of a step: dashpots have no force in it.
-const LONG: f64 = 1e15;
 
 /// The steps to equilibrium.
 pub(super) struct Equilibrium<'a> {
@@ -70,22 +62,6 @@ pub(super) struct Equilibrium<'a> {
     free: f64,
     /// The largest stiffness, with which forces have the round-off of u.
     stiffest: f64,
-}
-
-/// The numbers of W.
-#[derive(Debug, Clone)]
-struct Weights {
-    q: f64,
-    /// k_c.
-    contacts: Vec<f64>,
-    /// Part of the first W below which that of no contact falls.
-    part: f64,
-}
-
-/// The factor of K + W, and (K + W)^-1 B by columns.
-struct Linear {
-    factor: Factor,
-    columns: Vec<Vec<f64>>,
 }
 
 impl<'a> Equilibrium<'a> {
@@ -317,140 +293,4 @@ impl<'a> Equilibrium<'a> {
         add(&mut self.u, &change, 1.0);
         Ok(change)
     }
-}
-
-fn add(to: &mut [f64], what: &[f64], factor: f64) {
-    to.iter_mut()
-        .zip(what)
-        .for_each(|(to, x)| *to += factor * x);
-}
-
-/// The largest stiffnesses of the contacts, as far as they are finite, else 0: what their forces are compared with.
-fn stiffnesses(structure: &Structure) -> Vec<f64> {
-    let contacts = structure.contacts.iter();
-    let stiffness = contacts.map(|contact| {
-        let limit = contact.law.limit().map_or(0.0, |limit| limit.at(0.0));
-        let law = contact.law.law(limit);
-        let k = law.properties().largest_stiffness(contact.gap.abs());
-        if k > 0.0 && k.is_finite() { k } else { 0.0 }
-    });
-    stiffness.collect()
-}
-
-/// K with the contacts at their largest stiffness.
-fn stiffened(structure: &Structure, own: &[f64]) -> Symmetric {
-    let mut stiffness = structure.initial_stiffness();
-    for (contact, k) in structure
-        .contacts
-        .iter()
-        .zip(own)
-        .filter(|(_, k)| **k > 0.0)
-    {
-        stiffness.add_along(&contact.along, *k);
-    }
-    stiffness
-}
-
-/// Whether K holds all nodes beside the contacts: no pivot is small beside the stiffness with them.
-fn holds(stiffness: &Symmetric, stiffened: &Symmetric) -> bool {
-    let size = stiffness.size();
-    let Ok(factor) = Factor::new(stiffness, &vec![false; size]) else {
-        return false;
-    };
-    let diagonal = diagonal(stiffened);
-    let mut pivots = factor.order().iter().zip(factor.reciprocals());
-    pivots.all(|(row, reciprocal)| 1.0 >= SOFT * diagonal[*row] * *reciprocal)
-}
-
-fn diagonal(matrix: &Symmetric) -> Vec<f64> {
-    let mut diagonal = vec![0.0; matrix.size()];
-    for ((i, _), x) in matrix.entries().filter(|((i, j), _)| i == j) {
-        diagonal[i] += x;
-    }
-    diagonal
-}
-
-/// q for which q M is a small part of K with the contacts.
-fn first_q(structure: &Structure, stiffened: &Symmetric) -> f64 {
-    let ratios = diagonal(stiffened)
-        .into_iter()
-        .zip(diagonal(&structure.mass()));
-    let ratios = ratios
-        .filter(|(k, m)| *k > 0.0 && *m > 0.0)
-        .map(|(k, m)| k / m);
-    let least = ratios.fold(f64::INFINITY, f64::min);
-    match least.is_finite() {
-        true => least / LARGE,
-        false => 1.0,
-    }
-}
-
-impl Weights {
-    /// K + W.
-    fn weighted(&self, structure: &Structure, mass: &Symmetric) -> Symmetric {
-        let mut matrix = structure.stiffness.clone();
-        matrix.add_matrix(mass, self.q);
-        for (contact, k) in structure.contacts.iter().zip(&self.contacts) {
-            if *k > 0.0 {
-                matrix.add_along(&contact.along, *k);
-            }
-        }
-        matrix
-    }
-
-    /// Makes q so large that K + W is positive definite, also with a negative stiffness.
-    fn enlarge(&mut self, structure: &Structure, mass: &Symmetric) {
-        let free = vec![false; structure.len()];
-        for _ in 0..STEPS {
-            if Factor::new(&self.weighted(structure, mass), &free).is_ok() {
-                return;
-            }
-            self.q *= MORE;
-        }
-    }
-}
-
-/// The factor of K + W, and (K + W)^-1 B by columns.
-fn linear(
-    structure: &Structure,
-    mass: &Symmetric,
-    weights: &Weights,
-) -> Result<Linear, Unsolvable> {
-    let matrix = weights.weighted(structure, mass);
-    let factor = Factor::new(&matrix, &vec![false; structure.len()]);
-    let factor = factor.map_err(|why| Unsolvable::NoEquilibrium {
-        node: structure.nodes[why.row].name.clone(),
-    })?;
-    let column = |contact: usize| {
-        let mut column = vec![0.0; structure.len()];
-        for (node, x) in structure.column(contact) {
-            column[node] += x;
-        }
-        factor.solve(&mut column);
-        column
-    };
-    let columns = (0..structure.contacts.len()).map(column).collect();
-    Ok(Linear { factor, columns })
-}
-
-/// The laws of the contacts with H = B^T (K + W)^-1 B.
-fn curved(structure: &Structure, columns: &[Vec<f64>]) -> Curved {
-    let m = columns.len();
-    let mut flexibility = vec![0.0; m * m];
-    for i in 0..m {
-        for j in 0..=i {
-            let h = structure.relative(i, &columns[j]);
-            (flexibility[i * m + j], flexibility[j * m + i]) = (h, h);
-        }
-    }
-    Curved::of_all(structure, &[], &flexibility, 1.0 / LONG, LONG)
-}
-
-/// Whether a link softens so much that a step may have several answers. Friction falls with velocity, of which there is none.
-fn softens(curved: &Curved) -> bool {
-    curved.is_ambiguous_in(|kind| kind == ContactKind::Link)
-}
-
-fn largest(all: &[f64]) -> f64 {
-    all.iter().fold(0.0, |a, x| f64::max(a, x.abs()))
 }
