@@ -29,8 +29,11 @@ const LARGE: f64 = 100.0;
 const LESS: f64 = 0.01;
 const SLOW: f64 = 0.1;
 
-/// Growth of q until K + q M is positive definite.
-const MORE: f64 = 10.0;
+/// Most doublings of q until K + q M/2 is positive definite.
+const DOUBLINGS: usize = 200;
+
+/// Most steps for a load where a negative stiffness keeps q above a number.
+const STEPS_OF_NEGATIVE: usize = 2000;
 
 /// Change of forces and displacements, over the largest ones, from which on one step more leaves round-off only.
 const TARGET: f64 = 1e-11;
@@ -111,13 +114,15 @@ impl<'a> Equilibrium<'a> {
             true => 0.0,
             false => first_q(structure, &stiffened),
         };
-        // A negative stiffness needs more of M beside it.
-        for _ in 0..STEPS {
-            let shifted = shifted(structure, &mass, q);
-            if q == 0.0 || Factor::new(&shifted, &vec![false; structure.len()]).is_ok() {
-                break;
-            }
-            q *= MORE;
+        // A negative stiffness needs more of M beside it: as little as possible, since more needs more steps.
+        let is_negative = negative_pivot(&structure.stiffness).is_some();
+        if is_negative {
+            let is_positive = |q: f64| {
+                let shifted = shifted(structure, &mass, q);
+                Factor::new(&shifted, &vec![false; structure.len()]).is_ok()
+            };
+            let mut all = std::iter::successors(Some(q), |q| Some(2.0 * q)).take(DOUBLINGS);
+            q = all.find(|q| is_positive(0.5 * q)).unwrap_or(q);
         }
         for node in (0..structure.len()).filter(|node| massless[*node]) {
             let k = diagonal(&stiffened)[node];
@@ -130,7 +135,7 @@ impl<'a> Equilibrium<'a> {
             massless,
             mass,
             q,
-            is_negative: negative_pivot(&structure.stiffness).is_some(),
+            is_negative,
             factor,
             columns,
             curved,
@@ -152,7 +157,11 @@ impl<'a> Equilibrium<'a> {
         let mut before = f64::INFINITY;
         let mut last = Vec::new();
         let mut near = false;
-        for _ in 0..STEPS {
+        let steps = match self.is_negative {
+            true => STEPS_OF_NEGATIVE,
+            false => STEPS,
+        };
+        for _ in 0..steps {
             let forces = self.forces.clone();
             let change = self.step(&load)?;
             let mut left = vec![0.0; load.len()];
