@@ -145,7 +145,11 @@ fn a_static_load_is_held_up_to_the_static_limit() {
         own[0] < 1e-14 && (own[1] - 1.9).abs() < 1e-12 && own[2] < 1e-14,
         "{own:?}"
     );
-    let why = refused(&held(2.1));
+    // Nothing stops it, or a spring does, but where depends on the motion.
+    let mut study = held(2.1);
+    assert!(refused(&study).contains("no equilibrium: nothing holds node m"));
+    study["structure"]["springs"] = json!([{"between": ["ground", "m"], "k": 1}]);
+    let why = refused(&study);
     assert!(
         why.contains("the static loads break contact 'f' loose"),
         "{why}"
@@ -172,4 +176,35 @@ fn limits_that_vary_have_both_parts() {
     // Order 1, of displacements of 0.3.
     assert!(own[0][0] < 1e-2 && own[2][0] < 1e-4, "{own:?}");
     assert!(own.iter().all(|own| own[1] < 1e-12), "{own:?}");
+}
+
+/// A block on a floor: N is the force of another contact, which is the weight.
+#[test]
+fn the_force_of_another_contact_presses_with_both_limits() {
+    let study = |pressed: bool| {
+        let normal = match pressed {
+            true => json!({"contact": "floor"}),
+            false => json!(10),
+        };
+        json!({
+            "problem": "structure", "parameters": {"dt": 0.001, "duration": 6},
+            "structure": {
+                "masses": {"x": 1, "y": {"mass": 1, "direction": "y"}},
+                "springs": [{"between": ["ground", "x"], "k": 8}],
+                "loads": [{"at": "x", "sine": {"amplitude": 3, "omega": 1.7}}],
+                "static": {"y": -10},
+                "contacts": {
+                    "floor": {"law": "impact", "between": ["ground", "y"], "k": 1e4},
+                    "f": {"law": "coulomb", "between": ["ground", "x"], "nu": 0.1, "static_ratio": 1.6, "N": normal}
+                }
+            },
+            "metrics": ["last(x)", "peak(x)", "peak(f.S)", "energy_error"]
+        })
+    };
+    let [own, number] = [true, false].map(|pressed| metrics(&study(pressed), 0));
+    for (own, number) in own.iter().zip(&number) {
+        // Round-off of the equilibrium on the floor.
+        assert!((own - number).abs() < 1e-9, "{own} {number}");
+    }
+    assert!(own[2] > 1.5 && own[1] > 0.1, "{own:?}");
 }

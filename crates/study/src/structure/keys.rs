@@ -171,7 +171,7 @@ pub(crate) const SPRING: Keys = &[
     ),
     ("between", "two nodes"),
     ALONG,
-    ("k", "stiffness"),
+    ("k", "stiffness; below 0 where contacts hold the nodes"),
     ("c", "dashpot"),
     (
         "mass",

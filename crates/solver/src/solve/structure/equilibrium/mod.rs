@@ -43,6 +43,9 @@ const ROUND_OFF: f64 = 1e-14;
 /// Most steps for a load. With W 100 times smaller after each slow one, a dozen reach round-off.
 const STEPS: usize = 100;
 
+/// Most steps where a negative stiffness keeps W above a number.
+const STEPS_OF_NEGATIVE: usize = 2000;
+
 /// The steps to equilibrium.
 pub(super) struct Equilibrium<'a> {
     structure: &'a Structure,
@@ -131,7 +134,11 @@ impl<'a> Equilibrium<'a> {
         let first = self.weights.clone();
         let (mut before, mut near, mut least) = (f64::INFINITY, false, false);
         let mut last = vec![0.0; load.len()];
-        for _ in 0..STEPS {
+        let steps = match self.is_negative {
+            true => STEPS_OF_NEGATIVE,
+            false => STEPS,
+        };
+        for _ in 0..steps {
             let forces = self.forces.clone();
             let change = match self.step(&load) {
                 Ok(change) => change,

@@ -13,11 +13,8 @@ const SOFT: f64 = 1e-4;
 /// leaves their round-off in u where contacts alone hold it.
 pub(super) const LARGE: f64 = 100.0;
 
-/// Growth of q until K + W is positive definite.
-const MORE: f64 = 10.0;
-
-/// Most times that q grows.
-const TRIES: usize = 100;
+/// Most doublings of q until K + W with q/2 is positive definite.
+const DOUBLINGS: usize = 200;
 
 /// Time of a step: dashpots have no force in it.
 pub(super) const LONG: f64 = 1e15;
@@ -111,14 +108,20 @@ impl Weights {
         matrix
     }
 
-    /// Makes q so large that K + W is positive definite, also with a negative stiffness.
+    /// Makes q so large that K + W is positive definite, also with a negative stiffness: as little as possible, since more needs more
+    /// steps.
     pub(super) fn enlarge(&mut self, structure: &Structure, mass: &Symmetric) {
         let free = vec![false; structure.len()];
-        for _ in 0..TRIES {
-            if Factor::new(&self.weighted(structure, mass), &free).is_ok() {
+        let mut half = Weights {
+            q: 0.5 * self.q,
+            ..self.clone()
+        };
+        for _ in 0..DOUBLINGS {
+            if Factor::new(&half.weighted(structure, mass), &free).is_ok() {
+                self.q = 2.0 * half.q;
                 return;
             }
-            self.q *= MORE;
+            half.q *= 2.0;
         }
     }
 }
