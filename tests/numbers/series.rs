@@ -258,7 +258,8 @@ fn a_triple_pendulum_has_no_order_and_no_side() {
         assert!(own[5] < 1e-11, "{own:?}");
     }
     let other = shaken(["deck", "ground"], &triple(), 1.0);
-    near(&other[..5], &plain[..5], "side");
+    // Seen from the other side, restrainers and impacts change their parts.
+    near(&other[..4], &plain[..4], "side");
     let mirrored = shaken(["ground", "deck"], &triple(), -1.0);
     near(&[-mirrored[1], -mirrored[0]], &plain[..2], "mirror");
 }

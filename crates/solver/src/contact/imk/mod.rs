@@ -144,3 +144,21 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         forces
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{Lugre, RunningLaw};
+    use std::mem::size_of;
+
+    /// A law of every kind is copied for each case and step.
+    #[test]
+    fn it_makes_no_other_law_larger() {
+        assert_eq!(size_of::<Imk>(), size_of::<usize>());
+        fn runs<W: Law, const L: usize>() -> usize {
+            size_of::<RunningLaw<W::Step<L>, L>>()
+        }
+        assert!(runs::<Imk, 1>() <= runs::<Lugre, 1>());
+        assert!(runs::<Imk, 8>() <= runs::<Lugre, 8>());
+    }
+}
