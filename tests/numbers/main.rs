@@ -22,6 +22,7 @@ mod mesh;
 mod motions;
 mod own_structure;
 mod plane;
+mod plane_exact;
 mod recommend_laws;
 mod records;
 mod reduction;
