@@ -101,3 +101,32 @@ fn two_contacts_of_one_body_in_two_directions_are_a_square() {
     let all = bench.expect(0, &["check", "s.json"]);
     assert!(!all.err.contains("friction-directions"), "{}", all.err);
 }
+
+#[test]
+fn contacts_along_two_directions_are_a_square_unless_they_are_parallel() {
+    let bench = Bench::new();
+    let study = |second: &str| {
+        format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 0.1}}, "metrics": ["peak(x)"], "structure": {{
+  "masses": {{"x": 1, "y": {{"mass": 1, "direction": "y"}}}},
+  "start": {{"x": {{"v": 1}}}},
+  "contacts": {{
+    "f": {{"law": "displacement-control", "k": 9, "limit": 0.1, "along": {{"x": 0.6, "y": 0.8}}}},
+    "g": {{"law": "displacement-control", "k": 9, "limit": 0.1, "along": {{{second}}}}}
+  }}
+}}}}"#
+        )
+    };
+    bench.file("s.json", study(r#""x": -0.8, "y": 0.6"#));
+    for verb in ["run", "check", "explain"] {
+        let all = bench.expect(0, &[verb, "s.json"]);
+        let text = format!("{}{}", all.out, all.err);
+        let told = "contacts f in (0.600 x, 0.800 y) and g in (-0.800 x, 0.600 y)";
+        assert!(text.contains(told), "{verb}: {text}");
+    }
+    for parallel in [r#""x": 0.6, "y": 0.8"#, r#""x": -1.2, "y": -1.6"#] {
+        bench.file("s.json", study(parallel));
+        let all = bench.expect(0, &["check", "s.json"]);
+        assert!(!all.err.contains("friction-directions"), "{}", all.err);
+    }
+}

@@ -24,6 +24,7 @@ mod motions;
 mod negative;
 mod own_structure;
 mod plane;
+mod plane_exact;
 mod recommend_laws;
 mod records;
 mod reduction;

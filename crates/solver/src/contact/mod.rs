@@ -57,7 +57,7 @@ pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, WhichLaw};
 pub use bearing::Bearing;
 pub use bilinear::Bilinear;
 pub use bouc_wen::BoucWen;
-pub use coupled::{CoupledForces, Unsolved};
+pub use coupled::{CoupledForces, RigidForces, Unsolved};
 pub use dahl::Dahl;
 pub use described::{ClosedForm, Described, Properties};
 pub use displacement_control::DisplacementControl;

@@ -3,6 +3,7 @@
 use super::number::{Number, Range};
 use super::numbers::structure;
 use super::offer::{Form, In, Offer};
+use super::saturation::rise;
 use super::{
     ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, LawFault, Properties,
     StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes,
@@ -14,6 +15,10 @@ use crate::lane::Lane;
 ///
 /// In a step with r' = y - h S' the law lies between the lines (N/R) r' - nu N and (N/R) r' + nu N, with F + k (r' - r) + (N/R) r' between
 /// them. All rise with r', so that the root is cut by the roots of the lines.
+///
+/// The coefficient may rise with velocity, as that of a bearing [Constantinou, Mokha and Reinhorn 1990]: then friction is
+/// nu(rdot)/nu F, with nu = nu_max - (nu_max - nu_min) exp(-a |rdot|) and F elastic up to nu_max N, as in their model with a
+/// hysteretic z. A step takes the speed that the last two tell for its end, which is of second order.
 ///
 /// It stores F^2/(2 k) + N r^2/(2 R), and dissipates nu N |dr| while it slides: a cycle between -a and a takes
 /// 4 nu N (a - nu N/k). OpenSees has it as `singleFPBearing` with constant friction, whose height does not change here, either.
@@ -27,6 +32,8 @@ pub struct Pendulum {
     pub restoring: f64,
     /// The limit at rest, and the power of N/N0 with which the limit follows, > 0: 1 where nu does not depend on N.
     pub at_rest: [f64; 2],
+    /// nu_min/nu_max, in (0, 1], and a, >= 0, in 1/velocity; 1 and 0 for a constant coefficient.
+    pub rising: [f64; 2],
 }
 
 /// The law over a step.
@@ -39,11 +46,26 @@ pub struct Step<const L: usize> {
     share: [Lane<L>; 2],
     /// Flexibilities for S(i) and S(i+1).
     h: [Lane<L>; 2],
+    /// nu_min/nu_max and a, if one of the coefficients rises.
+    rising: Option<[Lane<L>; 2]>,
 }
 
-/// F of L contacts.
+/// F of L contacts, their speeds at the start of the last step, and 1 after the first one.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Friction<const L: usize>(Lane<L>);
+pub struct Friction<const L: usize>(Lane<L>, Lane<L>, Lane<L>);
+
+/// nu/nu_max at a speed.
+pub(super) fn coefficient([ratio, rate]: [f64; 2], speed: f64) -> f64 {
+    match ratio == 1.0 {
+        true => 1.0,
+        false => ratio + (1.0 - ratio) * rise(rate * speed),
+    }
+}
+
+/// The speed at the end of a step, from those at the starts of this one and of the one before.
+pub(super) fn expected(speed: f64, before: f64) -> f64 {
+    (2.0 * speed - before).max(0.0)
+}
 
 /// R
 const RADIUS: Number = Number::new(
@@ -82,7 +104,13 @@ impl Described for Pendulum {
         bars: None,
         structure: Some(In {
             meaning: "friction, elastic up to r^E, on a concave surface: plus (N/R) r (Zayas, Low and Mahin 1990)",
-            numbers: &[&structure::K, &structure::R_E, &RADIUS],
+            numbers: &[
+                &structure::K,
+                &structure::R_E,
+                &RADIUS,
+                &structure::NU_MIN,
+                &structure::NU_RATE,
+            ],
         }),
         form: |given| {
             let radius = given.need("R")?;
@@ -101,12 +129,14 @@ impl Described for Pendulum {
                 limit: given.limit(),
                 restoring: 1.0 / (nu * radius),
                 at_rest: [given.limit(), power],
+                rising: given.bearing()?,
             })))
         },
     }];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
-        Some((r / law.compliance).min(law.limit) + law.stiffness() * r)
+        let friction = (r / law.compliance).min(law.limit);
+        Some(coefficient(law.rising, velocity) * friction + law.stiffness() * r)
     });
 }
 
@@ -182,6 +212,10 @@ impl Law for Pendulum {
             stiffness: [elastic, surface],
             share: [share(elastic + surface), share(surface)],
             h: [on.start.h, on.end.h],
+            rising: laws
+                .iter()
+                .any(|law| law.rising[0] != 1.0)
+                .then(|| [0, 1].map(|i| lanes(laws, |law| law.rising[i]))),
         }
     }
 
@@ -197,12 +231,12 @@ impl Evolution for Pendulum {
         rdot / self.compliance
     }
 
-    fn force(&self, z: f64, r: f64, _: f64) -> f64 {
-        z + self.stiffness() * r
+    fn force(&self, z: f64, r: f64, rdot: f64) -> f64 {
+        coefficient(self.rising, rdot.abs()) * z + self.stiffness() * r
     }
 
     fn state(&self, s: f64, r: f64) -> f64 {
-        s - self.stiffness() * r
+        (s - self.stiffness() * r) / self.rising[0]
     }
 
     fn bound(&self) -> f64 {
@@ -219,11 +253,47 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         let [k, surface] = self.stiffness;
         let free = trial.displacement + change;
         let line = surface * free;
+        if let Some(rising) = self.rising {
+            let part = self.coefficient(rising, trial, friction);
+            let share = (Lane::splat(1.0) + (k * part + surface) * self.h[1]).map(|x| 1.0 / x);
+            let sticking = ((friction.0 + k * change) * part + line) * share;
+            let limit = self.limit * part;
+            let force = sticking
+                .smaller((line + limit) * self.share[1])
+                .larger((line - limit) * self.share[1]);
+            let own = force - surface * (free - self.h[1] * force);
+            friction.0 = (own * part.map(|x| 1.0 / x)).cut(self.limit);
+            return force;
+        }
         let sticking = (friction.0 + k * change + line) * self.share[0];
         let force = sticking
             .smaller((line + self.limit) * self.share[1])
             .larger((line - self.limit) * self.share[1]);
         friction.0 = (force - surface * (free - self.h[1] * force)).cut(self.limit);
         force
+    }
+}
+
+impl<const L: usize> Step<L> {
+    /// nu/nu_max at the end of the step; remembers the speed at its start.
+    fn coefficient(
+        &self,
+        [ratio, rate]: [Lane<L>; 2],
+        trial: &Trial<L>,
+        friction: &mut Friction<L>,
+    ) -> Lane<L> {
+        let mut part = Lane::splat(1.0);
+        for l in 0..L {
+            let speed = trial.velocity.0[l].abs();
+            let before = match friction.2.0[l] > 0.0 {
+                true => friction.1.0[l],
+                false => speed,
+            };
+            let rising = [ratio.0[l], rate.0[l]];
+            part.0[l] = coefficient(rising, expected(speed, before));
+            friction.1.0[l] = speed;
+        }
+        friction.2 = Lane::splat(1.0);
+        part
     }
 }

@@ -14,11 +14,13 @@ pub mod curved;
 mod factor;
 mod matrix;
 mod pivoting;
+mod rigid;
 #[cfg(test)]
 pub(super) mod tests;
 
 use active_set::{ActiveSet, At, Step};
 use matrix::Matrix;
+pub use rigid::RigidForces;
 use std::fmt;
 
 /// Part of A_ii that is added to it where A is singular; see `solve_singular`.

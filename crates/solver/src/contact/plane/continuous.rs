@@ -2,6 +2,7 @@
 
 use super::pair::{Pair, cut, dot, length, map};
 use super::{Form, PlaneLaw, PlaneMemory, PlaneTrial};
+use crate::contact::pendulum::coefficient;
 
 impl PlaneLaw {
     /// Whether the law has a state z: friction without the spring beside it, or the force of bristles.
@@ -11,14 +12,14 @@ impl PlaneLaw {
 
     /// Whether z follows the motion up to its limit, without a bend.
     pub fn is_cut(&self) -> bool {
-        matches!(self.form, Form::Elastic { .. })
+        matches!(self.form, Form::Elastic(_))
     }
 
     /// The largest |z|.
     pub fn bound(&self) -> f64 {
         match &self.form {
             Form::OfVelocity { .. } => f64::INFINITY,
-            Form::Elastic { law, .. } => law.limit,
+            Form::Elastic(own) => own.law.limit,
             Form::BoucWen(law) => law.limit,
             Form::Lugre(law) => law.static_limit,
         }
@@ -27,7 +28,13 @@ impl PlaneLaw {
     /// z of a contact at r, at rest under `at_rest` before; of one that nothing has bent without it.
     pub fn state(&self, at_rest: Option<Pair>, r: Pair) -> Pair {
         match at_rest {
-            Some(force) => map(force, r, |s, r| s - self.spring * r),
+            Some(force) => {
+                let part = match &self.form {
+                    Form::Elastic(own) => own.rising[0],
+                    _ => 1.0,
+                };
+                map(force, r, |s, r| (s - self.spring * r) / part)
+            }
             None => self.unbent(r),
         }
     }
@@ -36,7 +43,7 @@ impl PlaneLaw {
     pub fn rate(&self, z: Pair, rdot: Pair) -> Pair {
         match &self.form {
             Form::OfVelocity { .. } => [0.0; 2],
-            Form::Elastic { law, .. } => rdot.map(|v| v / law.compliance),
+            Form::Elastic(own) => rdot.map(|v| v / own.law.compliance),
             Form::BoucWen(law) if law.limit <= 0.0 => [0.0; 2],
             Form::BoucWen(law) => {
                 let along = dot(z, rdot).max(0.0);
@@ -69,9 +76,10 @@ impl PlaneLaw {
                 };
                 self.follow(&trial, &PlaneMemory::default())
             }
-            Form::Elastic { law, .. } => {
-                let z = cut(z, law.limit);
-                map(r, z, |r, z| self.spring * r + z)
+            Form::Elastic(own) => {
+                let z = cut(z, own.law.limit);
+                let part = coefficient(own.rising, length(rdot));
+                map(r, z, |r, z| self.spring * r + part * z)
             }
             Form::BoucWen(law) => cut(z, law.limit),
             Form::Lugre(law) if law.limit <= 0.0 => [0.0; 2],

@@ -70,6 +70,7 @@ pub(super) fn answer(
         rate: change.map(|change| change * quotient),
         dt,
         begun: true,
+        ..*memory
     };
     (force(change), after)
 }

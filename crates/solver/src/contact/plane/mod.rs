@@ -1,7 +1,7 @@
 //! Friction in a plane: r = (r1, r2), S = (S1, S2), with |S| within the limit in every direction.
 //!
 //! Most laws follow from their scalar form. A law of velocity has the force of the scalar law along rdot. An elastic law has it along
-//! its trial force: the radial return. A spring beside the friction, that of a pendulum or of hardening, acts in both directions alone.
+//! its trial force: the radial return, which allows for the turn of the force. A spring beside the friction, that of a pendulum or of hardening, acts in both directions alone.
 //! Two laws have a form of their own: Bouc-Wen, whose force turns towards the motion as the isotropic model of Park, Wen and Ang (1986),
 //! and LuGre, whose bristles relax towards the direction of the motion.
 //!
@@ -9,6 +9,7 @@
 
 mod bouc_wen;
 mod continuous;
+mod elastic;
 mod lugre;
 mod pair;
 #[cfg(test)]
@@ -22,6 +23,7 @@ use super::{
     StepFlexibility, Trial,
 };
 use crate::lane::Lane;
+use elastic::Elastic;
 
 /// A law of friction in a plane, with what it needs of a step.
 #[derive(Debug, Clone, Copy)]
@@ -40,12 +42,7 @@ enum Form {
         step: AnyRunningLaw<1>,
     },
     /// The scalar law along the trial force.
-    Elastic {
-        law: DisplacementControl,
-        step: AnyRunningLaw<1>,
-        /// Whether it has the force of its first loading from r = 0 on, as hardening has.
-        from_zero: bool,
-    },
+    Elastic(Elastic),
     BoucWen(super::BoucWen),
     Lugre(Lugre),
 }
@@ -81,8 +78,14 @@ pub struct PlaneTrial {
 pub struct PlaneMemory {
     /// Friction without the spring beside it, or the force of the bristles.
     pub(super) friction: Pair,
-    /// Change of the bristles in the last step over its length, and this length.
+    /// Change of the bristles in the last step over its length.
     pub(super) rate: Pair,
+    /// What an elastic law adds to its trial force in the next step, because its friction turns; and whether it slid.
+    pub(super) turn: Pair,
+    pub(super) slides: bool,
+    /// |rdot| at the start of the last step of an elastic law.
+    pub(super) speed: f64,
+    /// Length of the last step.
     pub(super) dt: f64,
     /// Whether there was a step or an equilibrium.
     pub(super) begun: bool,
@@ -118,32 +121,39 @@ impl PlaneLaw {
             law: *law,
             step: running(law, on.h, &on),
         };
-        let elastic = |compliance: f64, limit: f64, spring: f64, from_zero: bool| {
-            let law = DisplacementControl { compliance, limit };
-            let h = on.h / (1.0 + spring * on.h);
-            let step = running(&ContactLaw::DisplacementControl(law), h, &on);
-            Form::Elastic {
-                law,
-                step,
-                from_zero,
-            }
-        };
+        let elastic =
+            |compliance: f64, limit: f64, spring: f64, from_zero: bool, rising: [f64; 2]| {
+                let law = DisplacementControl { compliance, limit };
+                let h = on.h / (1.0 + spring * on.h);
+                let step = running(&ContactLaw::DisplacementControl(law), h, &on);
+                Form::Elastic(Elastic {
+                    law,
+                    step,
+                    from_zero,
+                    spring,
+                    rising,
+                })
+            };
         let (form, spring) = match law {
             ContactLaw::VelocityControl(_)
             | ContactLaw::Bearing(_)
             | ContactLaw::Tanh(_)
             | ContactLaw::Stribeck(_) => (of_velocity(), 0.0),
-            ContactLaw::DisplacementControl(own) => {
-                (elastic(own.compliance, own.limit, 0.0, false), 0.0)
-            }
+            ContactLaw::DisplacementControl(own) => (
+                elastic(own.compliance, own.limit, 0.0, false, [1.0, 0.0]),
+                0.0,
+            ),
             ContactLaw::Pendulum(own) => {
                 let spring = own.stiffness();
-                (elastic(own.compliance, own.limit, spring, false), spring)
+                (
+                    elastic(own.compliance, own.limit, spring, false, own.rising),
+                    spring,
+                )
             }
             ContactLaw::Bilinear(own) => {
                 let [compliance, width] = own.elastic_part();
                 let spring = own.hardening;
-                (elastic(compliance, width, spring, true), spring)
+                (elastic(compliance, width, spring, true, [1.0, 0.0]), spring)
             }
             ContactLaw::BoucWen(own) => (Form::BoucWen(*own), 0.0),
             ContactLaw::Lugre(own) => (Form::Lugre(*own), 0.0),
@@ -179,52 +189,16 @@ impl PlaneLaw {
                 let force = along(*step, part, trial.rate, trial);
                 (force, *memory)
             }
-            Form::Elastic { law, step, .. } => {
-                let before = self.friction(trial, memory);
-                let share = 1.0 / (1.0 + self.spring * on.h);
-                let [r, change] = [trial.displacement, trial.change];
-                let change = pair::map(change, r, |c, r| (c - self.spring * on.h * r) * share);
-                let free = PlaneTrial {
-                    force: before,
-                    change,
-                    ..*trial
-                };
-                let direction = pair::map(before, change, |s, c| s + c / law.compliance);
-                let friction = along(*step, part, direction, &free);
-                // S' = spring r' + friction with r' = r + change - h S'.
-                let force = std::array::from_fn(|i| {
-                    let r = trial.displacement[i] + trial.change[i];
-                    (self.spring * r + friction[i]) * share
-                });
-                let after = PlaneMemory {
-                    friction,
-                    begun: true,
-                    ..*memory
-                };
-                (force, after)
-            }
+            Form::Elastic(own) => own.answer(trial, memory, on, part),
             Form::BoucWen(law) => (bouc_wen::answer(law, on, trial), *memory),
             Form::Lugre(law) => lugre::answer(law, on, trial, memory),
-        }
-    }
-
-    /// Friction at the start of a step.
-    fn friction(&self, trial: &PlaneTrial, memory: &PlaneMemory) -> Pair {
-        match (self.spring == 0.0, memory.begun) {
-            (true, _) => trial.force,
-            (false, true) => memory.friction,
-            (false, false) => self.unbent(trial.displacement),
         }
     }
 
     /// Friction of a contact at r that nothing has moved yet.
     fn unbent(&self, r: Pair) -> Pair {
         match &self.form {
-            Form::Elastic {
-                law,
-                from_zero: true,
-                ..
-            } => pair::cut(r.map(|r| r / law.compliance), law.limit),
+            Form::Elastic(own) => own.unbent(r),
             _ => [0.0; 2],
         }
     }
@@ -262,16 +236,18 @@ impl PlaneLaw {
                 (pair::unit(force), [pace * slope, pace * across])
             }
             _ if is_explicit => ([1.0, 0.0], [0.0; 2]),
-            Form::Elastic { law, .. } => {
-                let before = self.friction(trial, memory);
-                let trial = pair::map(before, moved.change, |s, c| s + c / law.compliance);
+            Form::Elastic(own) => {
+                let law = &own.law;
+                let part = own.coefficient(&moved, memory);
+                let start = own.start(trial, memory, &self.on);
+                let trial = pair::map(start, moved.change, |s, c| s + c / law.compliance);
                 let k = 1.0 / law.compliance;
                 let size = length(trial);
                 let own = match size <= law.limit {
                     true => [k, k],
                     false => [0.0, law.limit * k / size],
                 };
-                (pair::unit(trial), own.map(|k| k + self.spring))
+                (pair::unit(trial), own.map(|k| part * k + self.spring))
             }
             Form::BoucWen(_) | Form::Lugre(_) => {
                 let at = |change: Pair| {
@@ -298,16 +274,13 @@ impl PlaneLaw {
         1e-6 * match &self.form {
             Form::BoucWen(law) => law.compliance * law.limit,
             Form::Lugre(law) => law.static_limit / law.sigma0,
-            Form::OfVelocity { .. } | Form::Elastic { .. } => 1.0,
+            Form::OfVelocity { .. } | Form::Elastic(_) => 1.0,
         }
     }
 
     /// S and the memory of a contact at r with rdot, at rest under `at_rest` before; unbent without it.
     pub fn at_start(&self, at_rest: Option<Pair>, r: Pair, rdot: Pair) -> (Pair, PlaneMemory) {
-        let friction = match at_rest {
-            Some(force) => pair::map(force, r, |s, r| s - self.spring * r),
-            None => self.unbent(r),
-        };
+        let friction = self.state(at_rest, r);
         let memory = PlaneMemory {
             friction,
             begun: at_rest.is_some() || self.spring != 0.0,

@@ -19,6 +19,12 @@ const RESTART: f64 = 0.01;
 /// Part of the whole motion that counts as its beginning: events are found to the round-off of later times.
 const BEGINNING: f64 = 1e-3;
 
+/// Tolerance of a direction over that of a step.
+const OF_DIRECTION: f64 = 100.0;
+
+/// Work of a step from rest over that of another one.
+const BEGIN: f64 = 12.0;
+
 /// Most steps that find one event: each halves the time in which it is.
 const MOST_HALVES: usize = 120;
 
@@ -37,6 +43,8 @@ pub struct Drive<'a, F> {
     /// Length of the whole motion.
     length: f64,
     step: Step,
+    /// The end of a step in one part, where something begins.
+    whole: Vec<f64>,
     /// Largest value of each group so far.
     largest: Vec<f64>,
     scales: Vec<f64>,
@@ -52,6 +60,7 @@ impl<'a, F: Flow> Drive<'a, F> {
         let groups = flow.groups().iter().max().map_or(0, |most| most + 1);
         let mut drive = Drive {
             step: Step::new(y.len()),
+            whole: vec![0.0; y.len()],
             largest: vec![0.0; groups],
             scales: vec![0.0; y.len()],
             sides: Vec::new(),
@@ -98,6 +107,8 @@ impl<'a, F: Flow> Drive<'a, F> {
             self.measure();
             self.orient(false);
             self.h = match (event, cut) {
+                // From rest nothing is fast but what such steps allow for.
+                (true, _) if self.flow.begins() => self.h.min(h),
                 (true, _) => RESTART * self.h.min(h),
                 (false, true) => self.h.max(h * factor(error)),
                 (false, false) => h * factor(error),
@@ -118,7 +129,19 @@ impl<'a, F: Flow> Drive<'a, F> {
         if self.left < 0.0 {
             return Err(AdaptiveFault::Work { time: self.t });
         }
-        self.step.take(self.flow, self.t, h, &self.y);
+        let begins = self.flow.begins();
+        let direction = match begins {
+            true => {
+                self.left -= BEGIN * self.flow.work();
+                let ends = [&mut self.whole[..], &mut self.step.end[..]];
+                let [error, least] = self.flow.begin(self.t, h, &self.y, ends);
+                error / least.max(OF_DIRECTION * self.tolerance)
+            }
+            false => {
+                self.step.take(self.flow, self.t, h, &self.y);
+                0.0
+            }
+        };
         let groups = self.flow.groups();
         let mut own = self.largest.clone();
         for (group, y) in groups.iter().zip(&self.step.end) {
@@ -128,7 +151,17 @@ impl<'a, F: Flow> Drive<'a, F> {
         for (scale, group) in self.scales.iter_mut().zip(groups) {
             *scale = self.tolerance * own[*group];
         }
-        Ok(self.step.error(h, &self.scales))
+        Ok(match begins {
+            true => {
+                let pairs = self.whole.iter().zip(&self.step.end).zip(&self.scales);
+                let errors = pairs.map(|((a, b), scale)| match a == b {
+                    true => 0.0,
+                    false => (a - b).abs() / scale,
+                });
+                errors.fold(direction, larger)
+            }
+            false => self.step.error(h, &self.scales),
+        })
     }
 
     /// Takes the state into account in the scales.
@@ -183,6 +216,11 @@ impl<'a, F: Flow> Drive<'a, F> {
         self.attempt(high)?;
         Ok(high)
     }
+}
+
+/// The larger number; not a number is larger than all.
+fn larger(a: f64, b: f64) -> f64 {
+    if a >= b { a } else { b }
 }
 
 /// The next length over this one.

@@ -13,9 +13,12 @@
 //! Faults that both have, such as a wrong start, show in the convergence of the steps ([`crate::metrics::convergence`]).
 
 pub mod bars;
+mod begin;
 mod contact;
 mod drive;
 mod plane;
+mod radau;
+mod rest;
 mod rigid_planes;
 mod step;
 mod structure;
@@ -57,6 +60,16 @@ trait Flow {
     /// Raises the largest values of groups whose components are round-off below a value in a step of length h.
     fn raise(&self, _h: f64, _largest: &mut [f64]) {}
 
+    /// Whether a part of the motion begins, so slowly that other parts of its equations are fast.
+    fn begins(&self) -> bool {
+        false
+    }
+
+    /// Then: the ends of a step in one and in two parts, the latter last, and the error of the directions and its tolerance.
+    fn begin(&mut self, _t: f64, _h: f64, _y: &[f64], _ends: [&mut [f64]; 2]) -> [f64; 2] {
+        [0.0, 1.0]
+    }
+
     /// Begins a part in which all signals are smooth.
     fn enter(&mut self, part: [f64; 2]);
 
@@ -78,7 +91,7 @@ pub enum AdaptiveFault {
         /// Its number of degrees of freedom.
         count: usize,
     },
-    /// A contact is at a node without mass, or its limit depends on another contact, or it is rigid.
+    /// A contact is at a node without mass, or it is rigid.
     Contact {
         /// Its name.
         name: String,
@@ -178,16 +191,12 @@ pub fn coarse_times(times: &[f64]) -> Vec<f64> {
 fn refuse(structure: &Structure) -> Result<(), AdaptiveFault> {
     for contact in &structure.contacts {
         let mut nodes = contact.along.iter();
-        let limit = contact.law.limit();
         let what = match &contact.law {
             StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. } => "is rigid",
             law if law.row().is_some() && !law.is_rigid() && is_vertical(&law.law(1.0)) => {
                 "is rigid at rest"
             }
             law if law.row().is_none() && is_vertical(&law.law(1.0)) => "is rigid at rest",
-            _ if limit.is_some_and(|limit| limit.pressed_by.is_some()) => {
-                "has a limit that follows another part"
-            }
             _ if nodes.any(|(node, _)| structure.nodes[*node].mass <= 0.0) => {
                 "is at a node without mass"
             }

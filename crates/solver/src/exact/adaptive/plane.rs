@@ -10,12 +10,6 @@ const ROUND_OFF: f64 = 1e-15;
 /// Speed over the largest one so far, below which a rigid contact that slides has come to rest: its way from there is 1e-18 of the whole.
 const STOPS: f64 = 1e-9;
 
-/// Part of the time in which the force of a rigid contact changes by itself, in which it begins to slide.
-const BEGINS: f64 = 3e-4;
-
-/// Speed over the largest one so far, at which a rigid contact has a direction of its own.
-const FAST: f64 = 1e-6;
-
 /// A contact in a plane between two ends of steps of the integration.
 #[derive(Debug, Clone)]
 pub struct PlaneContact {
@@ -25,12 +19,14 @@ pub struct PlaneContact {
     slides: bool,
     /// What a rigid contact does; `None` of a law with compliance.
     pub phase: Option<Phase>,
+    /// A force in place of that of the motion, while one that begins to slide is sought.
+    pub imposed: Option<Imposed>,
+    /// Whether one that begins to slide is fast enough for explicit steps at the end of the last step.
+    pub is_fast: bool,
     /// Largest r and rdot so far, with the sizes of their terms.
     largest: [f64; 2],
     /// Largest speed so far.
     speed: f64,
-    /// S of a rigid contact that sticks, at the last end of a step, and the time there.
-    last: (Pair, f64),
 }
 
 /// What a contact without compliance does.
@@ -38,15 +34,22 @@ pub struct PlaneContact {
 pub enum Phase {
     /// It sticks.
     Sticks,
-    /// It begins to slide, along the force that would hold it: its own velocity has no direction yet. Until this time.
+    /// It slides, so slowly that its direction follows the forces much faster than they change.
     Begins {
-        /// The end.
-        until: f64,
-        /// The speed at which it ends before; infinite for a contact that has not moved yet.
-        fast: f64,
+        /// The time of the begin, at which it rests.
+        since: f64,
     },
     /// It slides.
     Slides,
+}
+
+/// The force of a contact that begins to slide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Imposed {
+    /// The limit along the force that would hold it: its direction at rest.
+    AlongHeld,
+    /// This one.
+    Force(Pair),
 }
 
 /// The motion of a contact at a time.
@@ -77,8 +80,9 @@ impl PlaneContact {
             slides: false,
             phase: is_rigid.then_some(phase),
             largest: [0.0; 2],
+            imposed: None,
+            is_fast: false,
             speed: length(rdot),
-            last: ([0.0; 2], 0.0),
         }
     }
 
@@ -119,15 +123,25 @@ impl PlaneContact {
         match (self.phase, self.law(limit)) {
             (None, Some(law)) => law.force(self.within(state.z, law.bound()), state.r, state.rdot),
             (Some(Phase::Sticks), _) => state.held,
-            (phase, _) => {
-                let along = match phase {
-                    Some(Phase::Begins { .. }) => state.held,
-                    _ => state.rdot,
+            _ => {
+                let along = match (self.imposed, self.has_direction(state.t)) {
+                    (Some(Imposed::Force(force)), _) => return force,
+                    (_, true) => state.rdot,
+                    (_, false) => state.held,
                 };
                 let size = length(along);
                 let limit = self.limit(limit);
                 along.map(|x| if size > 0.0 { x / size * limit } else { 0.0 })
             }
+        }
+    }
+
+    /// Whether a rigid contact slides in the direction of its velocity or of a force that is imposed.
+    pub fn has_direction(&self, t: f64) -> bool {
+        match (self.phase, self.imposed) {
+            (Some(Phase::Begins { .. }), Some(imposed)) => imposed != Imposed::AlongHeld,
+            (Some(Phase::Begins { since }), None) => t > since,
+            (phase, _) => phase == Some(Phase::Slides),
         }
     }
 
@@ -173,8 +187,11 @@ impl PlaneContact {
             let own = self.limit(limit);
             to.push(match phase {
                 Phase::Sticks => one_sided(own - length(state.held), ROUND_OFF * own),
-                Phase::Begins { until, fast } => one_sided(self.left([until, fast], state), 0.0),
-                Phase::Slides => one_sided(length(state.rdot) - STOPS * self.speed, 0.0),
+                Phase::Begins { .. } => one_sided(1.0, 0.0),
+                Phase::Slides if own > 0.0 => {
+                    one_sided(length(state.rdot) - STOPS * self.speed, 0.0)
+                }
+                Phase::Slides => one_sided(1.0, 0.0),
             });
             return;
         }
@@ -232,11 +249,6 @@ impl PlaneContact {
     pub fn commit(&mut self, state: &PlaneState, sizes: [f64; 2], limit: Option<LimitAt>) -> Pair {
         self.largest = [0, 1].map(|i| self.largest[i].max(sizes[i]));
         self.speed = self.speed.max(length(state.rdot));
-        if let Some(phase) = self.phase {
-            self.phase = Some(self.next(phase, state, limit));
-            self.last = (state.held, state.t);
-            return state.z;
-        }
         let Some(law) = self.law(limit).filter(PlaneLaw::has_state) else {
             return state.z;
         };
@@ -252,42 +264,9 @@ impl PlaneContact {
         z
     }
 
-    /// Above 0 while a contact begins to slide: until its time or its speed is reached, and it is faster than one that stops.
-    fn left(&self, [until, fast]: [f64; 2], state: &PlaneState) -> f64 {
-        let speed = length(state.rdot);
-        let reached = (until - state.t).min(fast - speed);
-        reached.max(10.0 * STOPS * self.speed - speed)
-    }
-
-    /// The phase from this state on.
-    fn next(&self, phase: Phase, state: &PlaneState, limit: Option<LimitAt>) -> Phase {
-        let own = self.limit(limit);
-        let begins = || {
-            // The time in which the force that holds would change by itself.
-            let (before, t) = self.last;
-            let change = length(std::array::from_fn(|i| state.held[i] - before[i]));
-            let time = match change > 0.0 && state.t > t {
-                true => length(state.held) / change * (state.t - t),
-                false => 0.0,
-            };
-            Phase::Begins {
-                until: state.t + BEGINS * time,
-                fast: match self.speed > 0.0 {
-                    true => FAST * self.speed,
-                    false => f64::INFINITY,
-                },
-            }
-        };
-        match phase {
-            Phase::Sticks if length(state.held) >= own => begins(),
-            Phase::Sticks => Phase::Sticks,
-            Phase::Begins { until, fast } => match self.left([until, fast], state) <= 0.0 {
-                true => Phase::Slides,
-                false => phase,
-            },
-            Phase::Slides if length(state.rdot) > STOPS * self.speed => Phase::Slides,
-            Phase::Slides if length(state.held) < own => Phase::Sticks,
-            Phase::Slides => begins(),
-        }
+    /// Whether one that slides has come to rest.
+    pub fn stops(&self, rdot: Pair, limit: Option<LimitAt>) -> bool {
+        let slides = self.phase == Some(Phase::Slides) && self.limit(limit) > 0.0;
+        slides && length(rdot) <= STOPS * self.speed
     }
 }

@@ -1,10 +1,12 @@
 //! The forces of contacts in a plane without compliance.
 //!
-//! A contact that sticks keeps its velocity: B^T a + G'' = 0. One that begins to slide has the limit along the force that would hold it.
+//! A contact that sticks keeps its velocity: B^T a + G'' = 0.
 
-use super::plane::Phase;
 use crate::exact::events::Model;
 use crate::exact::events::cholesky::Cholesky;
+
+/// Least limit over the largest one by which forces are shared.
+const LEAST: f64 = 1e-3;
 
 /// The accelerations that contacts leave: a of the coordinates, and G'' of each gap.
 pub struct Accelerations<'a> {
@@ -14,8 +16,8 @@ pub struct Accelerations<'a> {
     pub gaps: &'a dyn Fn(usize) -> f64,
 }
 
-/// The forces that hold these rows.
-pub fn held(model: &Model, rows: &[usize], of: &Accelerations) -> Vec<f64> {
+/// The forces that hold these rows. Contacts that hold a body together share its force as their limits.
+pub fn held(model: &Model, rows: &[usize], of: &Accelerations, limits: &[f64]) -> Vec<f64> {
     let a: Vec<f64> = of
         .sums
         .iter()
@@ -27,22 +29,23 @@ pub fn held(model: &Model, rows: &[usize], of: &Accelerations) -> Vec<f64> {
         .map(|row| model.columns[*row].dot(&a) + (of.gaps)(*row))
         .collect();
     let m = rows.len();
-    let mut matrix = vec![0.0; m * m];
-    for (i, row) in rows.iter().enumerate() {
-        for (j, other) in rows.iter().enumerate() {
-            matrix[i * m + j] =
-                model.columns[*row].form(&model.inverse_masses, &model.columns[*other]);
+    let mut matrix = model.flexibility(rows);
+    let most = limits.iter().copied().fold(0.0, f64::max);
+    let scale = |i: usize| {
+        if most > 0.0 {
+            limits[i].max(LEAST * most)
+        } else {
+            1.0
+        }
+    };
+    for i in 0..m {
+        forces[i] *= scale(i);
+        for j in 0..m {
+            matrix[i * m + j] *= scale(i) * scale(j);
         }
     }
-    // Contacts of one body in one direction share its force.
     if let Some(factor) = Cholesky::of_any(matrix, m) {
         factor.solve(&mut forces);
     }
-    forces
-}
-
-/// The rows of contacts in a plane whose phase this is, by their first rows.
-pub fn rows(phases: &[(usize, Phase)], wanted: impl Fn(Phase) -> bool) -> Vec<usize> {
-    let own = phases.iter().filter(|(_, phase)| wanted(*phase));
-    own.flat_map(|(first, _)| [*first, *first + 1]).collect()
+    (0..m).map(|i| scale(i) * forces[i]).collect()
 }

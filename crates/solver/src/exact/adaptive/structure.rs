@@ -2,9 +2,8 @@
 
 use super::Flow;
 use super::contact::{Contact, LimitAt, Motion, Watched};
-use super::plane::{Phase, PlaneContact, PlaneState};
-use super::rigid_planes::{self, Accelerations};
-use crate::contact::plane::{Pair, length};
+use super::plane::{PlaneContact, PlaneState};
+use crate::contact::plane::Pair;
 use crate::exact::events::{Model, State, StateBuffers};
 use crate::system::structure::{Limit, PlaneRow, Structure, StructureLaw};
 
@@ -21,12 +20,12 @@ const SAMPLES: usize = 64;
 
 /// A structure with its contacts.
 pub struct Moving<'a> {
-    model: Model<'a>,
+    pub(super) model: Model<'a>,
     contacts: Vec<Contact>,
     /// The contacts in a plane, by their first rows.
-    planes: Vec<Option<PlaneContact>>,
+    pub(super) planes: Vec<Option<PlaneContact>>,
     /// Place of z of each contact; `None` without a state.
-    places: Vec<Option<usize>>,
+    pub(super) places: Vec<Option<usize>>,
     groups: Vec<usize>,
     /// Start and end of the present smooth part of all signals.
     part: [f64; 2],
@@ -34,7 +33,7 @@ pub struct Moving<'a> {
     /// The time of the last end of a step.
     t: f64,
     /// The largest sum of the sizes of the terms of an acceleration there, whose round-off it has.
-    acceleration_terms: f64,
+    pub(super) acceleration_terms: f64,
     /// Sizes of u and u' below which they do not matter.
     least: [f64; 2],
     /// The state there, if contacts in a plane are rigid: they may hold a structure that no load has moved yet.
@@ -165,27 +164,82 @@ impl<'a> Moving<'a> {
         }
     }
 
-    fn limit(&self, contact: usize, t: f64) -> Option<LimitAt> {
+    /// A limit that changes, for forces: without its rate.
+    pub(super) fn limit(&self, contact: usize, t: f64, y: &[f64]) -> Option<LimitAt> {
         let limit = self.model.structure.contacts[contact].law.limit()?;
-        limit.varying.as_ref()?;
-        let t = self.inside(t);
+        if limit.varying.is_none() && limit.pressed_by.is_none() {
+            return None;
+        }
         Some(LimitAt {
-            value: limit.at(t),
-            rate: self.limit_rate(limit, t),
+            value: self.limit_value(limit, self.inside(t), y),
+            rate: 0.0,
+        })
+    }
+
+    fn limit_value(&self, limit: &Limit, t: f64, y: &[f64]) -> f64 {
+        let n = self.model.len();
+        let motion = |node: usize| match &self.model.modes {
+            None => [y[node], y[n + node]],
+            Some(modes) => {
+                let of = |part: &[f64]| modes.at(node, part, [&[], &[], &[]]);
+                [of(&y[..n]), of(&y[n..2 * n])]
+            }
+        };
+        limit.pressed_in(t, |other| self.force(other, t, y), motion)
+    }
+
+    /// The same with its rate.
+    pub(super) fn moving_limit(&self, contact: usize, t: f64, y: &[f64]) -> Option<LimitAt> {
+        let limit = self.limit(contact, t, y)?;
+        Some(LimitAt {
+            rate: self.limit_rate(contact, self.inside(t), y),
+            ..limit
         })
     }
 
     /// The rate of a limit. Where a state leaves its bound, it differs from that of the bound by nothing, so that an error of the rate
     /// changes S only by its square.
-    fn limit_rate(&self, limit: &Limit, t: f64) -> f64 {
+    fn limit_rate(&self, contact: usize, t: f64, y: &[f64]) -> f64 {
+        let Some(limit) = self.model.structure.contacts[contact].law.limit() else {
+            return 0.0;
+        };
         let [start, end] = self.part;
         let h = DIFFERENCE * (end - start).min(1.0);
         let [before, after] = [(t - h).max(start), (t + h).min(end.next_down())];
-        (limit.at(after) - limit.at(before)) / (after - before)
+        if limit.pressed_by.is_none() {
+            return (limit.at(after) - limit.at(before)) / (after - before);
+        }
+        // The parts that press move on as their accelerations say.
+        let n = self.model.len();
+        let mut a = vec![0.0; n];
+        self.accelerations(t, y, &mut a);
+        let at = |time: f64| {
+            let by = time - t;
+            let mut moved = y.to_vec();
+            for i in 0..n {
+                moved[i] += by * (y[n + i] + 0.5 * by * a[i]);
+                moved[n + i] += by * a[i];
+            }
+            self.limit_value(limit, time, &moved)
+        };
+        (at(after) - at(before)) / (after - before)
+    }
+
+    /// u'' of the coordinates.
+    fn accelerations(&self, t: f64, y: &[f64], a: &mut [f64]) {
+        let [forces, _] = self.sums(t, y, a);
+        for (i, force) in forces.into_iter().enumerate() {
+            if force != 0.0 {
+                self.model.columns[i].add(-force, a);
+            }
+        }
+        for (a, w) in a.iter_mut().zip(&self.model.inverse_masses) {
+            *a *= w;
+        }
     }
 
     /// r and rdot of a contact.
-    fn relative(&self, contact: usize, t: f64, y: &[f64]) -> [f64; 2] {
+    pub(super) fn relative(&self, contact: usize, t: f64, y: &[f64]) -> [f64; 2] {
         let n = self.model.len();
         let column = &self.model.columns[contact];
         let structure = self.model.structure;
@@ -197,7 +251,7 @@ impl<'a> Moving<'a> {
     }
 
     /// The same with the sizes of their terms.
-    fn motion(&self, contact: usize, t: f64, y: &[f64]) -> Motion {
+    pub(super) fn motion(&self, contact: usize, t: f64, y: &[f64]) -> Motion {
         let n = self.model.len();
         let column = &self.model.columns[contact];
         let structure = self.model.structure;
@@ -234,8 +288,11 @@ impl<'a> Moving<'a> {
                 self.model.columns[i].add_sizes(forces[i], &mut sums);
                 continue;
             }
-            let size =
-                contact.force_terms(self.motion(i, t, y), self.state_of(i, y), self.limit(i, t));
+            let size = contact.force_terms(
+                self.motion(i, t, y),
+                self.state_of(i, y),
+                self.limit(i, t, y),
+            );
             self.model.columns[i].add_sizes(size, &mut sums);
         }
         let accelerations = sums.iter().zip(&self.model.inverse_masses);
@@ -249,17 +306,17 @@ impl<'a> Moving<'a> {
     fn force(&self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let own = &self.contacts[contact];
         let motion = self.relative(contact, t, y);
-        own.force(motion, self.state_of(contact, y), self.limit(contact, t))
+        own.force(motion, self.state_of(contact, y), self.limit(contact, t, y))
     }
 
     /// The contacts in a plane, with their first rows.
-    fn planes(&self) -> impl Iterator<Item = (usize, &PlaneContact)> {
+    pub(super) fn planes(&self) -> impl Iterator<Item = (usize, &PlaneContact)> {
         let planes = self.planes.iter().enumerate();
         planes.filter_map(|(first, plane)| Some((first, plane.as_ref()?)))
     }
 
     /// A contact in a plane at a time; `held` is the force that a rigid one needs to stick.
-    fn in_plane(&self, first: usize, t: f64, y: &[f64], held: Pair) -> PlaneState {
+    pub(super) fn in_plane(&self, first: usize, t: f64, y: &[f64], held: Pair) -> PlaneState {
         let [a, b] = [first, first + 1].map(|row| self.relative(row, t, y));
         PlaneState {
             t,
@@ -271,7 +328,7 @@ impl<'a> Moving<'a> {
     }
 
     /// M a without contacts, and the forces of all contacts; of rigid ones in a plane also those that would hold them.
-    fn sums(&self, t: f64, y: &[f64], a: &mut [f64]) -> [Vec<f64>; 2] {
+    pub(super) fn sums(&self, t: f64, y: &[f64], a: &mut [f64]) -> [Vec<f64>; 2] {
         let n = self.model.len();
         a.fill(0.0);
         self.model.stiffness.subtract_product(1.0, &y[..n], a);
@@ -282,95 +339,22 @@ impl<'a> Moving<'a> {
         }
         let mut forces = vec![0.0; self.contacts.len()];
         let mut held = forces.clone();
-        let mut rigid = Vec::new();
         let laws = self.model.structure.contacts.iter().map(|own| &own.law);
         for (i, (plane, law)) in self.planes.iter().zip(laws).enumerate() {
             match plane {
                 _ if law.row().is_none() => forces[i] = self.force(i, t, y),
-                Some(plane) => match plane.phase {
-                    Some(phase) => rigid.push((i, phase)),
-                    None => {
-                        let state = self.in_plane(i, t, y, [0.0; 2]);
-                        let own = plane.force(&state, self.limit(i, t));
-                        forces[i..i + 2].copy_from_slice(&own);
-                    }
-                },
-                None => {}
+                Some(plane) if plane.phase.is_none() => {
+                    let state = self.in_plane(i, t, y, [0.0; 2]);
+                    let own = plane.force(&state, self.limit(i, t, y));
+                    forces[i..i + 2].copy_from_slice(&own);
+                }
+                _ => {}
             }
         }
-        if !rigid.is_empty() {
-            self.hold(t, y, a, &rigid, [&mut forces, &mut held]);
+        if self.planes().any(|(_, plane)| plane.phase.is_some()) {
+            self.hold(t, y, a, [&mut forces, &mut held]);
         }
         [forces, held]
-    }
-
-    /// Writes the forces of rigid contacts in a plane: those that act, and those that would hold them.
-    fn hold(
-        &self,
-        t: f64,
-        y: &[f64],
-        a: &[f64],
-        rigid: &[(usize, Phase)],
-        [forces, held]: [&mut Vec<f64>; 2],
-    ) {
-        let mut sums = a.to_vec();
-        for (i, force) in forces
-            .iter()
-            .enumerate()
-            .filter(|(_, force)| **force != 0.0)
-        {
-            self.model.columns[i].add(-force, &mut sums);
-        }
-        let own = |first: usize, held: &[f64], forces: &mut Vec<f64>| {
-            if let Some(plane) = &self.planes[first] {
-                let state = self.in_plane(first, t, y, [held[first], held[first + 1]]);
-                let own = plane.force(&state, self.limit(first, t));
-                forces[first..first + 2].copy_from_slice(&own);
-            }
-        };
-        let act = |rows: &[usize], forces: &[f64], sums: &mut Vec<f64>| {
-            for row in rows {
-                self.model.columns[*row].add(-forces[*row], sums);
-            }
-        };
-        let gaps = |row: usize| gap_acceleration(self.model.structure, row, t);
-        let find = |rows: &[usize], sums: &[f64], held: &mut Vec<f64>| {
-            let of = Accelerations { sums, gaps: &gaps };
-            let found = rigid_planes::held(&self.model, rows, &of);
-            for (row, force) in rows.iter().zip(found) {
-                held[*row] = force;
-            }
-        };
-        // What each one that slides would need, without the others that slide.
-        let sliding = rigid_planes::rows(rigid, |phase| phase == Phase::Slides);
-        for first in sliding.iter().step_by(2) {
-            own(*first, held, forces);
-        }
-        act(&sliding, forces, &mut sums);
-        let held_rows = rigid_planes::rows(rigid, |phase| phase != Phase::Slides);
-        find(&held_rows, &sums, held);
-        let begins = rigid_planes::rows(rigid, |phase| matches!(phase, Phase::Begins { .. }));
-        for first in begins.iter().step_by(2) {
-            own(*first, held, forces);
-        }
-        act(&begins, forces, &mut sums);
-        let sticks = rigid_planes::rows(rigid, |phase| phase == Phase::Sticks);
-        if !begins.is_empty() {
-            find(&sticks, &sums, held);
-        }
-        for first in sticks.iter().step_by(2) {
-            own(*first, held, forces);
-        }
-        act(&sticks, forces, &mut sums);
-        // The force that would stop one that slides counts it among those that stick.
-        for first in sliding.iter().step_by(2) {
-            let rows = [*first, *first + 1];
-            let mut without = sums.clone();
-            for row in rows {
-                self.model.columns[row].add(forces[row], &mut without);
-            }
-            find(&rows, &without, held);
-        }
     }
 
     /// The state at a time, which is an end of a step; of modes, u and u' of these nodes only.
@@ -406,74 +390,8 @@ impl<'a> Moving<'a> {
     }
 }
 
-impl Moving<'_> {
-    /// Takes the states of contacts in a plane as their last ones; the velocity of one that comes to rest is taken from the motion.
-    fn commit_planes(&mut self, t: f64, y: &mut [f64]) {
-        if self.planes().next().is_none() {
-            return;
-        }
-        let n = self.model.len();
-        let mut stopped = Vec::new();
-        let [_, held] = self.sums(t, y, &mut vec![0.0; n]);
-        for first in 0..self.planes.len() {
-            let state = match &self.planes[first] {
-                Some(_) => self.in_plane(first, t, y, [held[first], held[first + 1]]),
-                None => continue,
-            };
-            let motions = [first, first + 1].map(|row| self.motion(row, t, y));
-            let size = |which: usize| length(motions.map(|own| own.sizes[which]));
-            let sizes = [size(0), size(1).max(self.acceleration_terms * t)];
-            let limit = self.limit(first, t);
-            if let Some(plane) = &mut self.planes[first] {
-                let before = plane.phase;
-                let z = plane.commit(&state, sizes, limit);
-                if let Some(place) = self.places[first] {
-                    y[place..place + 2].copy_from_slice(&z);
-                }
-                if before == Some(Phase::Slides) && plane.phase != before {
-                    stopped.extend([first, first + 1]);
-                }
-            }
-        }
-        if stopped.is_empty() {
-            return;
-        }
-        // An impulse that takes the rest of the velocity: B^T (v - M^-1 B p) + G' = 0.
-        let sums: Vec<f64> = y[n..2 * n]
-            .iter()
-            .zip(&self.model.inverse_masses)
-            .map(|(v, w)| v / w)
-            .collect();
-        let gaps = |row: usize| moved_gap(self.model.structure, row, t)[1];
-        let of = Accelerations {
-            sums: &sums,
-            gaps: &gaps,
-        };
-        let impulses = rigid_planes::held(&self.model, &stopped, &of);
-        let mut changes = vec![0.0; n];
-        for (row, impulse) in stopped.iter().zip(impulses) {
-            self.model.columns[*row].add(-impulse, &mut changes);
-        }
-        for ((v, change), w) in y[n..2 * n]
-            .iter_mut()
-            .zip(changes)
-            .zip(&self.model.inverse_masses)
-        {
-            *v += change * w;
-        }
-    }
-}
-
-/// What supports that move add to the acceleration of a gap.
-fn gap_acceleration(structure: &Structure, contact: usize, t: f64) -> f64 {
-    let supports = structure.supports.iter();
-    supports.fold(0.0, |sum, support| {
-        sum + support.gaps[contact] * support.motion.at(t)[2]
-    })
-}
-
 /// What supports that move add to a gap and to its rate.
-fn moved_gap(structure: &Structure, contact: usize, t: f64) -> [f64; 2] {
+pub(super) fn moved_gap(structure: &Structure, contact: usize, t: f64) -> [f64; 2] {
     let mut sum = [0.0; 2];
     for support in &structure.supports {
         let [u, v, _] = support.motion.at(t);
@@ -520,31 +438,31 @@ impl Flow for Moving<'_> {
         self.part = part;
     }
 
+    fn begins(&self) -> bool {
+        !self.beginning().is_empty()
+    }
+
+    fn begin(&mut self, t: f64, h: f64, y: &[f64], ends: [&mut [f64]; 2]) -> [f64; 2] {
+        self.begin_to_slide(t, h, y, ends)
+    }
+
     fn rates(&mut self, t: f64, y: &[f64], to: &mut [f64]) {
         let n = self.model.len();
         let (rates, rest) = to.split_at_mut(n);
         let a = &mut rest[..n];
         rates.copy_from_slice(&y[n..2 * n]);
-        let [forces, _] = self.sums(t, y, a);
-        for (i, force) in forces.into_iter().enumerate() {
-            if force != 0.0 {
-                self.model.columns[i].add(-force, a);
-            }
-        }
-        for (a, w) in a.iter_mut().zip(&self.model.inverse_masses) {
-            *a *= w;
-        }
+        self.accelerations(t, y, a);
         for (i, place) in self.places.iter().enumerate() {
             let Some(place) = *place else {
                 continue;
             };
             if let Some(plane) = &self.planes[i] {
                 let state = self.in_plane(i, t, y, [0.0; 2]);
-                let rate = plane.rate(&state, self.limit(i, t));
+                let rate = plane.rate(&state, self.moving_limit(i, t, y));
                 to[place..place + 2].copy_from_slice(&rate);
             } else {
                 let [_, rdot] = self.relative(i, t, y);
-                to[place] = self.contacts[i].rate(y[place], rdot, self.limit(i, t));
+                to[place] = self.contacts[i].rate(y[place], rdot, self.moving_limit(i, t, y));
             }
         }
     }
@@ -562,14 +480,19 @@ impl Flow for Moving<'_> {
         };
         for (first, plane) in self.planes() {
             let state = self.in_plane(first, t, y, [held[first], held[first + 1]]);
-            plane.watch(&state, self.limit(first, t), &mut watched);
+            plane.watch(&state, self.moving_limit(first, t, y), &mut watched);
         }
         for (i, contact) in self.contacts.iter().enumerate() {
             if self.model.structure.contacts[i].law.row().is_some() {
                 continue;
             }
             let motion = self.relative(i, t, y);
-            contact.watch(motion, self.state_of(i, y), self.limit(i, t), &mut watched);
+            contact.watch(
+                motion,
+                self.state_of(i, y),
+                self.moving_limit(i, t, y),
+                &mut watched,
+            );
         }
         self.watched = watched;
         &self.watched
@@ -588,7 +511,7 @@ impl Flow for Moving<'_> {
             let mut motion = self.motion(i, t, y);
             // A velocity has the round-off of the accelerations of which it is the integral.
             motion.sizes[1] = motion.sizes[1].max(self.acceleration_terms * t);
-            let (z, limit) = (self.state_of(i, y), self.limit(i, t));
+            let (z, limit) = (self.state_of(i, y), self.moving_limit(i, t, y));
             let z = self.contacts[i].commit(motion, z, limit);
             if let (Some(place), Some(z)) = (self.places[i], z) {
                 y[place] = z;

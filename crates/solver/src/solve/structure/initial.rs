@@ -3,8 +3,7 @@
 use super::curved::first_force;
 use super::curved_plane::first_forces;
 use super::laws::{bounds, friction};
-use super::rigid_forces::RigidForces;
-use crate::contact::Unsolved;
+use crate::contact::{RigidForces, Unsolved};
 use crate::system::structure::{Inertia, PlaneRow, Structure, StructureLaw};
 
 /// S(0) of every contact.
@@ -120,8 +119,9 @@ fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(
     let rows = active
         .iter()
         .flat_map(|i| columns.iter().map(|column| structure.relative(*i, column)));
-    let laws = active.iter().map(|i| &structure.contacts[*i].law);
-    let mut problem = RigidForces::new(rows.collect(), laws);
+    let rows_of_laws = active.iter().map(|i| structure.contacts[*i].law.row());
+    let firsts = rows_of_laws.map(|row| row == Some(PlaneRow::First));
+    let mut problem = RigidForces::new(rows.collect(), firsts.collect());
     let d: Vec<f64> = active
         .iter()
         .map(|i| structure.relative(*i, &acceleration) + structure.gap_acceleration(*i))

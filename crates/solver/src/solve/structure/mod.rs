@@ -80,7 +80,6 @@ mod massless;
 mod moving;
 mod preload;
 mod prepared;
-mod rigid_forces;
 mod run;
 mod series;
 mod state;

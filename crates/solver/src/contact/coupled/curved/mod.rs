@@ -337,6 +337,11 @@ impl CurvedForces {
         let mut i = 0;
         while i < m {
             if step.laws.is_plane(i) {
+                // A motion that is given has the forces of the law.
+                if self.own[i] <= 0.0 {
+                    i += 2;
+                    continue;
+                }
                 let pair = |of: &[f64]| [of[i], of[i + 1]];
                 let (y, force) = (pair(&self.now.y), pair(&self.now.answer));
                 // In the directions of the law, so that no large 1/f' along hides what is left across.

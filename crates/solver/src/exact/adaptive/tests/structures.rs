@@ -1,7 +1,6 @@
 //! Structures, against the motions by events of laws of straight lines.
 
 use super::*;
-use crate::system::structure::PressedBy;
 use std::sync::Arc;
 
 /// A chain of three masses under a table and a sine, an impact between the first two, friction with a limit that changes in time at
@@ -102,6 +101,7 @@ fn laws_with_a_state_follow_a_limit_that_changes() {
         limit: constant,
         restoring: 1e-14,
         at_rest: [constant, 1.0],
+        rising: [1.0, 0.0],
     });
     for law in [dahl, pendulum] {
         let structure = chain(|limit| StructureLaw::CurvedFriction { law, limit });
@@ -120,23 +120,6 @@ fn what_the_integration_does_not_know_is_said() {
     });
     let text = rigid.unwrap_err().to_string();
     assert!(text.starts_with("contact floor is rigid, which"), "{text}");
-    let limit = Limit {
-        pressed_by: Some(PressedBy {
-            nu: 0.3,
-            contacts: vec![0],
-            springs: Vec::new(),
-        }),
-        ..Limit::constant(1.0)
-    };
-    let text = of(StructureLaw::VelocityControl {
-        viscosity: 5.0,
-        limit,
-    });
-    let text = text.unwrap_err().to_string();
-    assert!(
-        text.contains("has a limit that follows another part"),
-        "{text}"
-    );
     // A law that is nearly vertical: steps of its width would take too long.
     let mut stiff = one(
         1.0,

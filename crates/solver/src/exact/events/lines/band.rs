@@ -25,10 +25,11 @@ impl Band {
         }
     }
 
-    /// `None` without a normal force.
+    /// `None` without a normal force, or with friction that rises with velocity.
     pub fn pendulum(law: &Pendulum) -> Option<Band> {
         let surface = law.stiffness();
-        (law.limit > 0.0).then_some(Band {
+        let is_straight = law.limit > 0.0 && law.rising[0] == 1.0;
+        is_straight.then_some(Band {
             stiffness: [1.0 / law.compliance + surface, surface],
             bounds: [-law.limit, law.limit],
             unbent: true,

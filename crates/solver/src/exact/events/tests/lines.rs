@@ -73,6 +73,7 @@ fn pendulum() -> StructureLaw {
             limit,
             restoring: 2.0,
             at_rest: [limit, 1.0],
+            rising: [1.0, 0.0],
         }),
         limit: Limit::constant(limit),
     }

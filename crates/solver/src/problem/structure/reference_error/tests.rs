@@ -165,6 +165,7 @@ fn a_pendulum_that_starts_away_from_its_middle_with_bent_friction_is_seen() {
         limit: 2.0,
         restoring: 10.0,
         at_rest: [2.0, 1.0],
+        rising: [1.0, 0.0],
     }));
     let mut own = mass(pendulum, [-0.01, 0.0]);
     // A pendulum alone has a motion by events. This contact makes it an integrated one, and never closes.

@@ -9,6 +9,9 @@ use crate::problem::Case;
 use crate::solve::Warning;
 use crate::system::structure::Direction;
 
+/// Sine of the angle between directions that are parallel but for round-off.
+const PARALLEL: f64 = 1e-9;
+
 /// What a contact joins, without its direction.
 #[derive(Debug, PartialEq)]
 enum Body<'a> {
@@ -20,30 +23,26 @@ enum Body<'a> {
     Support(&'a str),
 }
 
+/// A body of a contact, and the direction in which the contact moves it.
+type Joined<'a> = (Body<'a>, [f64; 3]);
+
 /// Two friction contacts of different directions that join the same bodies.
 pub fn of_one_body(template: &Template, case: &Case) -> Option<Doubt> {
     let rubs = |contact: &&Contact| {
         let law = law_named(contact.law.name(case));
         contact.row.is_none() && law.is_some_and(|law| law.kind == ContactKind::Friction)
     };
-    let contacts: Vec<&Contact> = template.contacts.iter().filter(rubs).collect();
-    let all: Vec<_> = contacts.iter().map(|own| bodies(template, own)).collect();
-    for (i, first) in all.iter().enumerate() {
-        for (j, second) in all.iter().enumerate().skip(i + 1) {
-            let (Some((of, a)), Some((to, b))) = (first, second) else {
-                continue;
-            };
-            let are_same = a.len() == b.len()
-                && a.iter()
-                    .all(|own| b.iter().any(|other| is_same(template, case, own, other)));
-            if of != to && are_same {
-                let text = format!(
-                    "contacts {} in {} and {} in {}",
-                    contacts[i].name,
-                    of.name(),
-                    contacts[j].name,
-                    to.name()
-                );
+    let contacts = template.contacts.iter().filter(rubs);
+    let all: Vec<(&Contact, Vec<Joined>)> = contacts
+        .filter_map(|own| Some((own, bodies(template, case, own)?)))
+        .filter(|(_, bodies)| !bodies.is_empty())
+        .collect();
+    for (i, (first, a)) in all.iter().enumerate() {
+        for (second, b) in &all[i + 1..] {
+            if cross(template, case, a, b) {
+                let [of, to] = [a, b].map(|bodies| words(bodies[0].1));
+                let [first, second] = [first, second].map(|own| &own.name);
+                let text = format!("contacts {first} in {of} and {second} in {to}");
                 return Some((Warning::FrictionDirections, text));
             }
         }
@@ -51,10 +50,26 @@ pub fn of_one_body(template: &Template, case: &Case) -> Option<Doubt> {
     None
 }
 
-/// The direction of a contact, and its bodies without the ground; `None` for several directions.
-fn bodies<'a>(template: &'a Template, contact: &'a Contact) -> Option<(Direction, Vec<Body<'a>>)> {
-    let mut found = Vec::new();
-    let mut directions = Vec::new();
+/// Whether two contacts join the same bodies in different directions.
+fn cross(template: &Template, case: &Case, a: &[Joined], b: &[Joined]) -> bool {
+    let mut differ = false;
+    let mut pairs = a.iter().map(|(own, x)| {
+        let other = b
+            .iter()
+            .find(|(other, _)| is_same(template, case, own, other))?;
+        differ |= !are_parallel(*x, other.1);
+        Some(())
+    });
+    a.len() == b.len() && pairs.all(|pair| pair.is_some()) && differ
+}
+
+/// The bodies of a contact without the ground; `None` where it turns one.
+fn bodies<'a>(
+    template: &'a Template,
+    case: &Case,
+    contact: &'a Contact,
+) -> Option<Vec<Joined<'a>>> {
+    let mut found: Vec<Joined> = Vec::new();
     for term in &contact.along {
         let (direction, body) = match term.node.node {
             NodeRef::Ground => continue,
@@ -75,26 +90,57 @@ fn bodies<'a>(template: &'a Template, contact: &'a Contact) -> Option<(Direction
                 (own.direction, Body::Support(&own.name))
             }
         };
-        directions.push(direction);
-        found.push(body);
+        let translations = Direction::TRANSLATIONS.iter();
+        let axis = translations.clone().position(|own| *own == direction)?;
+        let factor = term.factor.value(case).ok()?;
+        let known = found
+            .iter_mut()
+            .find(|(other, moved)| moved[axis] == 0.0 && is_same(template, case, other, &body));
+        match known {
+            Some((_, moved)) => moved[axis] = factor,
+            None => {
+                let mut moved = [0.0; 3];
+                moved[axis] = factor;
+                found.push((body, moved));
+            }
+        }
     }
-    let first = *directions.first()?;
-    directions
-        .iter()
-        .all(|own| *own == first)
-        .then_some((first, found))
+    found.retain(|(_, moved)| *moved != [0.0; 3]);
+    Some(found)
 }
 
 /// Masses of one name are one body; so may be two masses of the same size that move in different directions.
 fn is_same(template: &Template, case: &Case, first: &Body, second: &Body) -> bool {
     match (first, second) {
         (Body::Mass(a, i), Body::Mass(b, j)) => {
-            let mass = |place: usize| template.masses[place].mass.value(case);
-            let are_whole = [*i, *j]
-                .iter()
-                .all(|place| !template.masses[*place].name.contains('.'));
-            a == b || are_whole && mass(*i).is_ok() && mass(*i) == mass(*j)
+            let [own, other] = [*i, *j].map(|place| &template.masses[place]);
+            let are_whole = !own.name.contains('.') && !other.name.contains('.');
+            let [m, n] = [own, other].map(|own| own.mass.value(case));
+            a == b || are_whole && own.direction != other.direction && m.is_ok() && m == n
         }
         (first, second) => first == second,
+    }
+}
+
+fn are_parallel(a: [f64; 3], b: [f64; 3]) -> bool {
+    let product = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    let size = |x: [f64; 3]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    size([product(0, 1), product(1, 2), product(2, 0)]) <= PARALLEL * size(a) * size(b)
+}
+
+/// A direction as x, or by its components.
+fn words(direction: [f64; 3]) -> String {
+    let names = Direction::TRANSLATIONS.map(Direction::name);
+    let parts: Vec<(f64, &str)> = direction.into_iter().zip(names).collect();
+    let parts = parts.into_iter().filter(|(factor, _)| *factor != 0.0);
+    let parts: Vec<(f64, &str)> = parts.collect();
+    match parts[..] {
+        [(_, name)] => name.to_owned(),
+        _ => {
+            let parts = parts
+                .iter()
+                .map(|(factor, name)| format!("{factor:.3} {name}"));
+            format!("({})", parts.collect::<Vec<_>>().join(", "))
+        }
     }
 }

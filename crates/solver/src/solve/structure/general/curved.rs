@@ -35,7 +35,8 @@ pub(super) fn refused(case: &Structure, prepared: &Prepared) -> Option<String> {
     let curved = case.contacts.iter().find(|c| c.law.is_curved())?;
     let impulses = prepared.method.has_impulses();
     let mut contacts = case.contacts.iter();
-    let rigid = contacts.find(|contact| impulses && contact.law.is_rigid())?;
+    let rigid = contacts
+        .find(|contact| impulses && contact.law.is_rigid() && contact.law.row().is_none())?;
     Some(format!(
         "method: moreau-jean has no forces for '{}' without compliance together with the law of '{}'; allowed: another method",
         rigid.name, curved.name

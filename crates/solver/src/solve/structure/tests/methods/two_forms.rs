@@ -84,6 +84,7 @@ fn relations() -> Vec<StructureLaw> {
             limit: 0.8,
             restoring: 5.0,
             at_rest: [0.8, 1.0],
+            rising: [1.0, 0.0],
         })),
         impact(ContactLaw::GapYield(GapYield {
             stiffness: 300.0,

@@ -1,38 +1,36 @@
 //! Forces of rigid contacts: within bounds, and within discs in a plane.
 
-use crate::contact::coupled::curved::{CurvedForces, Directions, Laws};
+use super::curved::{CurvedForces, Directions, Laws};
+use super::{CoupledForces, Unsolved};
 use crate::contact::plane::{Pair, length};
-use crate::contact::{CoupledForces, Unsolved};
-use crate::system::structure::{PlaneRow, StructureLaw};
 
 /// Minimises 1/2 S^T A S - S^T d over intervals, and discs where contacts are in a plane.
-pub(super) enum RigidForces {
+pub enum RigidForces {
+    /// Within bounds.
     Intervals(Box<CoupledForces>),
-    Discs(Box<CurvedForces>, Vec<Option<PlaneRow>>),
+    /// Also within discs; which rows are the first ones of a plane.
+    Discs(Box<CurvedForces>, Vec<bool>),
 }
 
 impl RigidForces {
-    /// A by rows, and the laws of its contacts.
-    pub(super) fn new<'a>(
-        flexibility: Vec<f64>,
-        laws: impl Iterator<Item = &'a StructureLaw>,
-    ) -> RigidForces {
-        let rows: Vec<Option<PlaneRow>> = laws.map(StructureLaw::row).collect();
-        let m = rows.len();
-        let planes = rows.iter().enumerate();
-        let planes = planes.filter(|(_, row)| **row == Some(PlaneRow::First));
-        let planes: Vec<usize> = planes.map(|(i, _)| i).collect();
+    /// A by rows, and which rows are the first of two in a plane.
+    pub fn new(flexibility: Vec<f64>, firsts: Vec<bool>) -> RigidForces {
+        let m = firsts.len();
+        let planes: Vec<usize> = (0..m).filter(|i| firsts[*i]).collect();
         match planes.is_empty() {
             true => RigidForces::Intervals(Box::new(CoupledForces::new(flexibility, m))),
             false => {
                 let forces = CurvedForces::with_planes(flexibility, m, &planes);
-                RigidForces::Discs(Box::new(forces), rows)
+                RigidForces::Discs(Box::new(forces), firsts)
             }
         }
     }
 
     /// The forces; of a plane the bounds of its first row are the radius of its disc.
-    pub(super) fn solve(
+    ///
+    /// # Errors
+    /// The forces are not unique, or a number is not finite.
+    pub fn solve(
         &mut self,
         d: &[f64],
         [low, high]: [&[f64]; 2],
@@ -41,13 +39,13 @@ impl RigidForces {
     ) -> Result<(), Unsolved> {
         match self {
             RigidForces::Intervals(forces) => forces.solve(d, low, high, size, force),
-            RigidForces::Discs(forces, rows) => {
-                let own = (0..rows.len()).map(|i| forces.flexibility(i)).collect();
+            RigidForces::Discs(forces, firsts) => {
+                let own = (0..firsts.len()).map(|i| forces.flexibility(i)).collect();
                 let laws = Bounded {
                     own,
                     low,
                     high,
-                    rows,
+                    firsts,
                 };
                 forces.solve(d, size, &laws, force)
             }
@@ -60,7 +58,7 @@ struct Bounded<'a> {
     own: Vec<f64>,
     low: &'a [f64],
     high: &'a [f64],
-    rows: &'a [Option<PlaneRow>],
+    firsts: &'a [bool],
 }
 
 impl Laws for Bounded<'_> {
@@ -80,7 +78,7 @@ impl Laws for Bounded<'_> {
     }
 
     fn is_plane(&self, contact: usize) -> bool {
-        self.rows[contact] == Some(PlaneRow::First)
+        self.firsts[contact]
     }
 
     fn answer_plane(&self, contact: usize, y: Pair) -> Pair {
