@@ -136,26 +136,27 @@ fn forces_in_discs_meet_the_conditions_of_the_minimum() {
     assert!(most <= 60, "{most}");
 }
 
-/// Two discs on one body: one slides, the other holds what is left. Where both hold, nothing tells their parts.
+/// A disc and an interval in its first direction on one body: the interval is at its bound and the disc slides. Where both hold, nothing
+/// tells their parts.
 #[test]
-fn two_discs_on_one_body_have_one_answer_if_one_slides() {
-    let flexibility: Vec<f64> = (0..16)
-        .map(|ij| if ij / 4 % 2 == ij % 2 { 1.0 } else { 0.0 })
-        .collect();
-    let mut forces = CurvedForces::with_planes(flexibility, 4, &[0, 2]);
+fn a_disc_that_slides_beside_an_interval_has_one_answer() {
+    let flexibility = vec![1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0];
+    let mut forces = CurvedForces::with_planes(flexibility, 3, &[0]);
     let mut laws = Rigid {
-        discs: vec![1.0, 100.0],
-        intervals: Vec::new(),
-        own: (0..4).map(|i| forces.flexibility(i)).collect(),
+        discs: vec![10.0],
+        intervals: vec![[-5.0, 5.0]],
+        own: (0..3).map(|i| forces.flexibility(i)).collect(),
     };
-    let d = [30.0, 40.0, 30.0, 40.0];
-    let mut force = [0.0; 4];
+    let d = [30.0, 40.0, 30.0];
+    let mut force = [0.0; 3];
     forces.solve(&d, &d, &laws, &mut force).unwrap();
-    // Some round-offs of d.
-    for (force, wanted) in force.iter().zip([0.6, 0.8, 29.4, 39.2]) {
+    // Along what the interval leaves of d; some round-offs of d.
+    let length = 25.0_f64.hypot(40.0);
+    for (force, wanted) in force.iter().zip([250.0 / length, 400.0 / length, 5.0]) {
         assert!((force - wanted).abs() < 1e-13, "{force} {wanted}");
     }
     laws.discs[0] = 100.0;
+    laws.intervals[0] = [-100.0, 100.0];
     let unsolved = forces.solve(&d, &d, &laws, &mut force);
     assert_eq!(unsolved, Err(Unsolved::Singular));
 }
