@@ -412,10 +412,24 @@ impl Contact {
         2.0 * width / (self.follow(change + width) - self.follow(change - width))
     }
 
-    /// S of the trial in which r changes by this.
+    /// S of the trial in which r changes by this; of a contact without compliance on the side of the jump.
     pub(super) fn follow(&self, change: f64) -> f64 {
+        let trial = self.trial(change);
+        if self.relation.is_rigid() {
+            let [low, high] = self.bounds;
+            let is_impact = self.relation.kind() == ContactKind::Impact;
+            let motion = match is_impact {
+                true => self.motion.displacement + change,
+                false => trial.rate.0[0],
+            };
+            return match motion.partial_cmp(&0.0) {
+                Some(std::cmp::Ordering::Less) => low,
+                Some(std::cmp::Ordering::Greater) => high,
+                _ => 0.0,
+            };
+        }
         let mut law = self.law;
-        let Lane([force]) = ContactResponse::force(&mut law, 1, &self.trial(change));
+        let Lane([force]) = ContactResponse::force(&mut law, 1, &trial);
         force
     }
 

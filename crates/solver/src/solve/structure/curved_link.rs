@@ -65,7 +65,7 @@ pub(super) fn answer(link: &[(usize, f64)], y: f64, contacts: &[Contact]) -> f64
     let forces = link
         .iter()
         .map(|(i, sign)| sign * contacts[*i].follow(sign * y));
-    forces.filter(|force| !force.is_nan()).sum()
+    forces.sum()
 }
 
 /// The forces of several contacts that change by this under a force, in the signs of the link.
