@@ -55,7 +55,6 @@ fn law(name: &str, numbers: &str) -> ContactLaw {
 const ALL: [(&str, &str); 16] = [
     ("bilinear", r#"{"k1": 2.5, "Fy": 3, "ratio": 0.1}"#),
     ("bilinear", r#"{"k1": 2.5, "Fy": 3, "k2": 0}"#),
-    ("bilinear", r#"{"k1": 2.5, "Fy": 3, "ratio": -0.1}"#),
     ("gap-yield", r#"{"k": 2.5, "Fy": 3, "hardening": 0.1}"#),
     (
         "gap-yield",
@@ -82,6 +81,7 @@ const ALL: [(&str, &str); 16] = [
     ),
     ("pendulum", r#"{"nu": 0.1, "N": 8, "R": 2, "k": 20}"#),
     ("impact-yield", r#"{"k1": 2.5, "k2": 0.8, "delta_y": 0.5}"#),
+    ("bilinear", r#"{"k1": 2.5, "Fy": 3, "ratio": -0.1}"#),
     (
         "imk-peak-oriented",
         r#"{"k": 2.5, "Fy": 3, "Up": 1, "Upc": 30, "Fcap_ratio": 1.1, "Fres_ratio": 0.2, "lambda_S": 200, "lambda_K": 400}"#,

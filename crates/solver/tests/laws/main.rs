@@ -15,7 +15,10 @@ use slipgap_solver::system::structure::{Limit, StructureLaw};
 /// A value of a number that no law treats specially.
 fn sample(number: &Number) -> f64 {
     // A part that fails has a force that jumps.
-    if ["Uu", "lambda"].iter().any(|key| number.key.starts_with(key)) {
+    if ["Uu", "lambda"]
+        .iter()
+        .any(|key| number.key.starts_with(key))
+    {
         return 1e3;
     }
     match number.range {

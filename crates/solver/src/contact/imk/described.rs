@@ -263,7 +263,8 @@ impl Properties for Imk {
     }
 
     fn largest_stiffness(&self, _: f64) -> f64 {
-        self.stiffness
+        let falling = self.sides.iter().map(|side| -side.falling);
+        falling.fold(self.stiffness, f64::max)
     }
 
     fn initial_stiffness(&self, _: f64) -> f64 {

@@ -77,23 +77,25 @@ impl<'a> Walk<'a> {
                 end,
                 excludes_end,
             } = line;
-            let r = (y - h * (f - slope * a)) / (1.0 + h * slope);
-            if r < from[0] && h > 0.0 {
-                // Between the forces of both lines, which are the same but where the next one begins with a larger force.
-                let next = f + slope * (from[0] - a);
-                let s = ((y - from[0]) / h).min(from[1].max(next));
-                return (
-                    turned([from[0], s.max(from[1].min(next))]),
-                    self.state,
-                    fails,
-                );
-            }
-            if r < end || (r == end && !excludes_end) || r.is_nan() {
-                let s = f + slope * (r - a);
-                return (turned([r, s]), self.state, fails);
-            }
             let pushes = from[1] > 0.0;
-            from = [end, f + slope * (end - a)];
+            // A line that ends before it begins is left out, as the one to a cap that has come in front of the peak.
+            if end > from[0] {
+                let r = (y - h * (f - slope * a)) / (1.0 + h * slope);
+                if r < from[0] && h > 0.0 {
+                    // Between the forces of both lines, which are the same but where the next one begins with a larger force.
+                    let next = f + slope * (from[0] - a);
+                    let s = ((y - from[0]) / h).min(from[1].max(next));
+                    return (
+                        turned([from[0], s.max(from[1].min(next))]),
+                        self.state,
+                        fails,
+                    );
+                }
+                if r < end || (r == end && !excludes_end) || r.is_nan() {
+                    return (turned([r, f + slope * (r - a)]), self.state, fails);
+                }
+                from = [end, f + slope * (end - a)];
+            }
             if !self.leave(side, end, pushes) {
                 fails = true;
                 return (turned([y, 0.0]), self.state, fails);
