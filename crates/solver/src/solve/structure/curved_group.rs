@@ -1,14 +1,12 @@
 //! Contacts in series as one contact: a chain has one force, and its motion is the sum of those of its members.
 
 use super::curved::Contact;
+use super::curved_step::ROUND_OFF;
 use super::instant::SHORT;
 use super::series::{Part, Series, Shares};
 use crate::contact::coupled::curved::{Directions, Laws};
 use crate::contact::plane::{Pair, PlaneMemory};
 use crate::system::structure::{Chain, PlaneRow, Structure};
-
-/// Round-off of a displacement over the numbers that it is the difference of.
-const ROUND_OFF: f64 = 1e-14;
 
 /// A contact, or a chain of them: their numbers and signs, as [`crate::system::structure::Member`].
 #[derive(Debug, Clone)]
@@ -104,6 +102,12 @@ impl Group {
         let gap: f64 = self.contacts().map(|i| contacts[i].open()).sum();
         let change = self.sum(contacts, |contact| contact.motion.change);
         let start = self.sum(contacts, |contact| contact.motion.velocity);
+        let terms: f64 = self.contacts().map(|i| contacts[i].terms[1]).sum();
+        let start = if start.abs() <= ROUND_OFF * terms {
+            0.0
+        } else {
+            start
+        };
         let end = self.sum(contacts, |contact| contact.motion.rate);
         for (i, sign) in self.members() {
             let contact = &mut contacts[i];
@@ -119,18 +123,19 @@ impl Group {
     }
 
     /// The end of the step with this y.
-    pub(super) fn end(&self, y: f64, own: f64, contacts: &mut [Contact]) {
+    pub(super) fn end(&self, y: f64, own: f64, force: f64, contacts: &mut [Contact]) {
         if !self.is_chain() {
-            contacts[self.0[0].0].end(y);
+            contacts[self.0[0].0].end(y, force);
             return;
         }
         let Shares { force, changes } = self.share(y, own, contacts);
-        let round_off = ROUND_OFF * self.size(contacts);
+        let terms: f64 = self.contacts().map(|i| contacts[i].terms[0]).sum();
+        let round_off = ROUND_OFF * self.size(contacts).max(terms);
         for ((i, sign), change) in self.members().zip(changes) {
             let contact = &mut contacts[i];
             let change = contact.without_round_off(sign * change, force, round_off);
             contact.displacement = contact.motion.displacement + change;
-            contact.end(change + contact.own * (sign * force));
+            contact.end(change + contact.own * (sign * force), sign * force);
         }
     }
 
