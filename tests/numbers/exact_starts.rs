@@ -220,6 +220,7 @@ fn a_spring_that_yields_at_a_constant_force_has_an_integrated_motion() {
         json!({"law": "restrainer", "k": 402.3754129207024, "Fy": 0.7344961635690357}),
         json!({"law": "restrainer", "slack": 0.003, "k": 3850, "Fy": 1.6}),
         json!({"law": "gap-yield", "k": 1759.8, "Fy": 1.15, "damage": 0}),
+        json!({"law": "gap-yield", "k": 20203.9, "Fy": 0.7}),
         json!({"law": "bilinear", "k1": 900, "Fy": 0.7, "k2": 0}),
     ];
     for law in laws {

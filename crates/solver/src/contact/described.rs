@@ -63,6 +63,11 @@ pub trait Properties {
         true
     }
 
+    /// Whether S has the closing speed of the first touch as a divisor.
+    fn divides_by_closing_speed(&self) -> bool {
+        false
+    }
+
     /// S(0) at a velocity of a law with a state, which is unbent; `None` where S follows from r and rdot.
     fn unbent_force(&self, rdot: f64) -> Option<f64>;
 

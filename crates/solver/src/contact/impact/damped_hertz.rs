@@ -123,6 +123,10 @@ macro_rules! damped_hertz {
                 PUSHES
             }
 
+            fn divides_by_closing_speed(&self) -> bool {
+                true
+            }
+
             fn over_velocity(&self) -> bool {
                 false
             }

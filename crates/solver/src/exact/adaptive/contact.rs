@@ -256,7 +256,6 @@ impl Contact {
             sizes,
         } = motion;
         self.largest = [0, 1].map(|i| self.largest[i].max(sizes[i]));
-        self.force_size = self.force_terms(motion, z, limit);
         let law = self.law(limit);
         if let (Some(own), Some(z)) = (law.evolution(), z) {
             let bound = own.bound();
@@ -281,6 +280,8 @@ impl Contact {
         let s = self.answer(&mut running, law, [r, rdot], limit);
         self.running = running;
         self.last = [r, rdot, s];
+        // From here: behind a long step that yields, a small way back would not leave the bound.
+        self.force_size = self.force_terms(motion, z, limit);
         None
     }
 }

@@ -6,7 +6,7 @@
 
 use super::curved_group::{Group, Groups, grouped, groups, of_masses};
 use super::curved_plane::{self, Plane};
-use super::curved_step::{Motion, Scale, explicit_line, line, trial};
+use super::curved_step::{Motion, ROUND_OFF, Scale, explicit_line, line, trial};
 use crate::contact::coupled::curved::CurvedForces;
 use crate::contact::plane::{PlaneLaw, PlaneMemory};
 use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial, Unsolved};
@@ -47,6 +47,8 @@ pub(super) struct Contact {
     two_limits: bool,
     /// The motion over the step without the forces at its end.
     pub(super) motion: Motion,
+    /// The largest sizes of the terms of r and rdot so far.
+    pub(super) terms: [f64; 2],
     /// r at the end of the step.
     pub(super) displacement: f64,
     /// The law of both directions of a contact in a plane, beside the first one.
@@ -141,6 +143,7 @@ impl Curved {
                 plane: curved_plane::first(structure, i, limit, scale, own),
                 relation,
                 motion: Motion::default(),
+                terms: [0.0; 2],
                 displacement: 0.0,
             }
         };
@@ -247,7 +250,7 @@ impl Curved {
     ) -> Result<&[f64], Unsolved> {
         for (g, group) in self.groups.iter().enumerate() {
             for i in group.contacts() {
-                self.contacts[i].motion = motion(i);
+                self.contacts[i].move_by(motion(i));
             }
             if group.is_chain() {
                 group.begin(&mut self.contacts);
@@ -286,7 +289,10 @@ impl Curved {
         for (g, group) in self.groups.iter().enumerate() {
             let y = self.forces.argument(g);
             match group.row(&self.contacts) {
-                None => group.end(y, self.own[g], &mut self.contacts, &mut self.force),
+                None => {
+                    let force = self.together[g];
+                    group.end((y, self.own[g], force), &mut self.contacts, &mut self.force);
+                }
                 Some(PlaneRow::First) => {
                     let y = [y, self.forces.argument(g + 1)];
                     group.end_plane(y, &mut self.contacts);
@@ -309,9 +315,18 @@ impl Contact {
         (self.law, self.plane.map(|plane| plane.memory))
     }
 
+    /// Takes the motion of a step.
+    fn move_by(&mut self, motion: Motion) {
+        self.terms = [0, 1].map(|i| self.terms[i].max(motion.terms[i]));
+        self.motion = motion;
+    }
+
     /// The trial with this y.
     fn trial(&self, y: f64) -> Trial<1> {
-        let motion = &self.motion;
+        self.trial_of(&self.motion, y)
+    }
+
+    fn trial_of(&self, motion: &Motion, y: f64) -> Trial<1> {
         if self.scale.is_explicit() {
             return trial(motion, motion.change, y);
         }
@@ -328,10 +343,13 @@ impl Contact {
         if self.relation.kind() != ContactKind::Impact {
             return;
         }
-        let motion = self.motion;
+        let motion = match self.now.properties().divides_by_closing_speed() {
+            true => self.motion.without_round_off(self.terms),
+            false => self.motion,
+        };
         let r = motion.displacement;
         if r + motion.change < 0.0 {
-            let free = self.trial(self.scale.free(&motion));
+            let free = self.trial_of(&motion, self.scale.free(&motion));
             ContactResponse::force(&mut self.law, 0, &free);
         } else {
             let rate = f64::min(motion.velocity, -r.max(0.0) / self.scale.dt);
@@ -362,7 +380,7 @@ impl Contact {
     pub(super) fn end_in_chain(&mut self, change: f64, force: f64, round_off: f64) {
         let change = self.without_round_off(change, force, round_off);
         self.displacement = self.motion.displacement + change;
-        self.end(change + self.own * force);
+        self.end(change + self.own * force, force);
     }
 
     /// A change without force, of an impact that overlaps by round-off only: it has not begun.
@@ -441,10 +459,26 @@ impl Contact {
         self.relation.is_rigid().then_some(bounds)
     }
 
-    /// The end of the step with this y.
-    pub(super) fn end(&mut self, y: f64) {
-        let trial = self.trial(y);
+    /// The end of the step with this y, where S' is `force`.
+    pub(super) fn end(&mut self, y: f64, force: f64) {
+        let mut trial = self.trial(y);
+        if self.has_not_begun(y, force) {
+            trial.change = Lane([-self.motion.displacement]);
+        }
         ContactResponse::force(&mut self.law, 0, &trial);
+    }
+
+    /// Whether this is the end of an impact that overlaps by round-off only. Its closing speed would be round-off, too, and a law
+    /// that divides by it would hold the contact from then on.
+    fn has_not_begun(&self, y: f64, force: f64) -> bool {
+        let [change, by_force] = match self.scale.is_explicit() {
+            true => [self.motion.change, 0.0],
+            false => [y - self.own * force, self.own * force],
+        };
+        let least = ROUND_OFF * self.terms[0];
+        self.now.properties().divides_by_closing_speed()
+            && by_force.abs() <= least
+            && (self.motion.displacement + change).abs() <= least
     }
 
     fn stored_energy(&self, r: f64, s: f64) -> f64 {

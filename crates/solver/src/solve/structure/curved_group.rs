@@ -1,7 +1,8 @@
 //! Contacts in series as one contact: a chain has one force, and its motion is the sum of those of its members.
 
 use super::curved::Contact;
-use super::curved_link::{self as link, Link, ROUND_OFF, leader};
+use super::curved_link::{self as link, Link, leader};
+use super::curved_step::ROUND_OFF;
 use super::instant::SHORT;
 use super::series::{Part, Series, Shares};
 use crate::contact::coupled::curved::{Directions, Laws};
@@ -100,6 +101,12 @@ impl Group {
         let gap: f64 = self.0.iter().map(|own| link::open(own, contacts)).sum();
         let change = self.sum(contacts, |contact| contact.motion.change);
         let start = self.sum(contacts, |contact| contact.motion.velocity);
+        let terms: f64 = self.contacts().map(|i| contacts[i].terms[1]).sum();
+        let start = if start.abs() <= ROUND_OFF * terms {
+            0.0
+        } else {
+            start
+        };
         let end = self.sum(contacts, |contact| contact.motion.rate);
         for (i, sign) in self.0.iter().flatten() {
             let contact = &mut contacts[*i];
@@ -114,14 +121,21 @@ impl Group {
         }
     }
 
-    /// The end of the step with this y; the forces of its contacts are those of the group, or written to `forces`.
-    pub(super) fn end(&self, y: f64, own: f64, contacts: &mut [Contact], forces: &mut [f64]) {
+    /// The end of the step with this y, the group's a and its force; the forces of its contacts are that of the group, or written to
+    /// `forces`.
+    pub(super) fn end(
+        &self,
+        (y, own, force): (f64, f64, f64),
+        contacts: &mut [Contact],
+        forces: &mut [f64],
+    ) {
         if !self.is_chain() {
-            contacts[self.first()].end(y);
+            contacts[self.first()].end(y, force);
             return;
         }
         let Shares { force, changes } = self.share(y, own, contacts);
-        let round_off = ROUND_OFF * self.size(contacts);
+        let terms: f64 = self.contacts().map(|i| contacts[i].terms[0]).sum();
+        let round_off = ROUND_OFF * self.size(contacts).max(terms);
         for (members, change) in self.0.iter().zip(changes) {
             if let [(i, sign)] = members[..] {
                 contacts[i].end_in_chain(sign * change, sign * force, round_off);

@@ -4,13 +4,11 @@
 //! compliance have the rest of it while they hold, and share it alike as far as they can.
 
 use super::curved::Contact;
+use super::curved_step::ROUND_OFF;
 use super::series::filled;
 
 /// Contacts with their signs, as [`crate::system::structure::Member`].
 pub(super) type Link = Vec<(usize, f64)>;
-
-/// Round-off of a displacement over the numbers that it is the difference of.
-pub(super) const ROUND_OFF: f64 = 1e-14;
 
 /// The first contact of a link, which has the motion of the link.
 pub(super) fn leader(link: &[(usize, f64)]) -> (usize, f64) {

@@ -29,6 +29,24 @@ pub(super) struct Motion {
     pub(super) rate: f64,
     /// Size of the terms of r* and r*- r(i); in an explicit method of rdot*.
     pub(super) size: f64,
+    /// Sizes of the terms of r(i) and of rdot(i): the motions of nodes, of which they are differences.
+    pub(super) terms: [f64; 2],
+}
+
+/// Round-off of a motion over the sizes of its terms.
+pub(super) const ROUND_OFF: f64 = 1e-14;
+
+impl Motion {
+    /// The same with no motion where r(i) or rdot(i) is round-off of terms of these sizes.
+    pub(super) fn without_round_off(self, terms: [f64; 2]) -> Motion {
+        let [least, least_rate] = terms.map(|size| ROUND_OFF * size);
+        let clean = |x: f64, least: f64| if x.abs() <= least { 0.0 } else { x };
+        Motion {
+            displacement: clean(self.displacement, least),
+            velocity: clean(self.velocity, least_rate),
+            ..self
+        }
+    }
 }
 
 impl Scale {

@@ -111,6 +111,7 @@ pub fn balance(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
                 change,
                 rate: velocity + change / short,
                 size: displacement.abs() + change.abs(),
+                terms: [0.0; 2],
             }
         };
         let solved = curved

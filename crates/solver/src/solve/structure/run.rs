@@ -282,8 +282,16 @@ impl<const L: usize> Average<'_, L> {
                 continue;
             };
             let (contacts, moving) = (&self.contacts, &self.moving);
+            let (p, w, along) = (&self.p, &self.w, &self.prepared.along);
             let motion = |c: usize| {
-                let mut motion = contacts[c].motion(l, dt);
+                let size = |of: &[Lane<L>]| -> f64 {
+                    let terms = along.list(c).iter();
+                    terms
+                        .map(|(at, factor)| (of[*at].0[l] * factor).abs())
+                        .sum()
+                };
+                let terms = [size(p) + contacts[c].gap.0[l].abs(), size(w)];
+                let mut motion = contacts[c].motion(l, dt, terms);
                 if let Some(moving) = moving {
                     let [by_r, by_rate] = moving.excess(c);
                     motion.change += by_r.0[l];

@@ -172,7 +172,9 @@ impl<const L: usize> Average<'_, L> {
 
 impl<const L: usize> ContactState<L> {
     /// The motion of a lane over the step without its forces.
-    pub(super) fn motion(&self, l: usize, dt: f64) -> Motion {
+    ///
+    /// `terms` are the sizes of the terms of P and W.
+    pub(super) fn motion(&self, l: usize, dt: f64, [of_p, of_w]: [f64; 2]) -> Motion {
         let [p, w, change] = [self.p.0[l], self.w.0[l], 0.5 * self.change.0[l]];
         let displacement = p - 0.5 * w;
         Motion {
@@ -183,6 +185,7 @@ impl<const L: usize> ContactState<L> {
             change: change + w,
             rate: (2.0 * change + w) / dt,
             size: change.abs() + w.abs() + displacement.abs(),
+            terms: [of_p + of_w + displacement.abs(), (of_w + w.abs()) / dt],
         }
     }
 }

@@ -290,6 +290,7 @@ impl<'a> Equilibrium<'a> {
                 change,
                 rate: change / LONG,
                 size: displacement.abs() + change.abs(),
+                terms: [0.0; 2],
             }
         };
         let solved = self.curved.solve(motion)?;

@@ -58,7 +58,7 @@ impl<const L: usize> General<'_, L> {
             if let Some(Some(before)) = before.last().map(|before| &before[l]) {
                 curved.remember(before);
             }
-            let contacts = &self.contacts;
+            let (contacts, along) = (&self.contacts, &self.prepared.along);
             let motion = |c: usize| {
                 let [displacement, velocity, force] = start.contacts[c].map(|x| x.0[l]);
                 let (change, rate) = (contacts[c].change.0[l], contacts[c].rate.0[l]);
@@ -66,7 +66,18 @@ impl<const L: usize> General<'_, L> {
                     true => velocity.abs() + rate.abs(),
                     false => displacement.abs() + change.abs(),
                 };
+                let terms = |which: usize| -> f64 {
+                    let nodes = along.list(c).iter();
+                    nodes
+                        .map(|(at, factor)| (start.nodes[*at][which].0[l] * factor).abs())
+                        .sum()
+                };
+                let gap = contacts[c].gap.0[l].abs();
                 Motion {
+                    terms: [
+                        terms(0) + gap + displacement.abs(),
+                        terms(1) + velocity.abs(),
+                    ],
                     displacement,
                     velocity,
                     force,
