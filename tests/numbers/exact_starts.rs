@@ -272,3 +272,58 @@ fn a_damper_with_a_root_of_the_velocity_leaves_rest_under_a_load_that_grows() {
         assert!((u - expected).abs() < 1e-12, "{t} {u:e} {expected:e}");
     }
 }
+
+#[test]
+fn bodies_that_touch_at_rest_close_without_a_closing_speed() {
+    // These laws divide their damping by the closing speed. That of bodies which touch at rest is 0, so that the first contact has the
+    // motion of Hertz's law; an error of the integration in its place made the damping nearly infinite.
+    let study = |law: Json| {
+        let mut contact = law;
+        contact["between"] = json!(["a", "b"]);
+        json!({
+            "problem": "structure", "parameters": {"dt": 0.002, "duration": 0.4},
+            "structure": {
+                "units": "t, kN, m, s",
+                "masses": {"a": 1.930280484157205, "b": 2.35807544590185},
+                "springs": [
+                    {"between": ["ground", "a"], "k": 68.4511536122379, "c": 0.16454912851199277},
+                    {"between": ["ground", "b"], "k": 412.57362292401484, "c": 0.3587689711620866}
+                ],
+                "contacts": {
+                    "c0": {"law": "pendulum", "k": 5565.82544616424, "nu": 0.1, "N": 18.25213491397164, "R": 1.181250642318385, "between": ["a", "b"]},
+                    "c1": contact
+                },
+                "ground": {"pulse": {"ricker": {"amplitude": 1.6681465767863308, "frequency": 2.8455294809093887, "at": 0.10124929943131183, "sampled": 0.005}}},
+                "contacts_reference": "softened"
+            },
+            "metrics": ["rms_error(a)", "reference_error(a)"],
+            "figures": [{"name": "h", "kind": "history", "y": ["a", "c1.S"]}]
+        })
+    };
+    let k = 34562.84162766597;
+    let hertz = solve(&read(&study(json!({"law": "hertz", "k_h": k})))).exact;
+    let pushes = |step: usize| hertz.channel(1)[step] < 0.0;
+    let begin = (1..200).find(|step| pushes(*step)).unwrap();
+    let end = (begin..200).find(|step| !pushes(*step)).unwrap_or(200);
+    for law in ["hunt-crossley", "hertz-damp", "ye"] {
+        let solution = solve(&read(&study(
+            json!({"law": law, "k_h": k, "restitution": 0.4439395921955577}),
+        )));
+        assert!(
+            solution.metrics[1].unwrap() < 1e-12,
+            "{law} {:?}",
+            solution.metrics
+        );
+        if begin > 1 {
+            continue;
+        }
+        for step in 0..end {
+            let [own, undamped] = [&solution.exact, &hertz].map(|exact| exact.channel(0)[step]);
+            // The tolerance of the integration, 1e-12 a step of displacements up to 0.03.
+            assert!(
+                (own - undamped).abs() < 1e-11,
+                "{law} {step} {own:e} {undamped:e}"
+            );
+        }
+    }
+}

@@ -136,7 +136,7 @@ impl Moving<'_> {
                     let speed = length(state.rdot);
                     let limit = self.planes[*first].as_ref()?;
                     let limit = limit.limit(self.limit(*first, times[i], &points.states[i]));
-                    if !(speed > 0.0) {
+                    if speed.is_nan() || speed <= 0.0 {
                         return None;
                     }
                     let unit = state.rdot.map(|v| v / speed);
@@ -158,12 +158,11 @@ impl Moving<'_> {
                             let own = if a == b { 1.0 } else { 0.0 };
                             limit / speed * (own - unit[a] * unit[b])
                         });
-                        for j in 0..POINTS {
+                        for (j, weight) in weights[i].iter().enumerate() {
                             for other in 0..2 * p {
                                 let of = |b: usize| influence[(2 * c + b) * 2 * p + other];
                                 let column = 2 * j * p + other;
-                                matrix[row * m + column] +=
-                                    h * weights[i][j] * dot(turn, [of(0), of(1)]);
+                                matrix[row * m + column] += h * weight * dot(turn, [of(0), of(1)]);
                             }
                         }
                         matrix[row * m + row] += 1.0;

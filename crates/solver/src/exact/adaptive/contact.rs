@@ -14,6 +14,10 @@ const BOUND: f64 = 4.0 * ROUND_OFF;
 /// Part of r and rdot over which the slope of a force is a difference.
 const SLOPE: f64 = 1e-6;
 
+/// Part of the largest r so far, below which the sign of r of a contact that leaves rest is an error of the integration: a thousand
+/// times its tolerance.
+const LEAVES: f64 = 1e-9;
+
 /// A contact between two ends of steps of the integration.
 ///
 /// Most laws answer a motion: S follows from r, rdot and their values and S at the last end of a step. As a reversal and a first
@@ -35,6 +39,9 @@ pub struct Contact {
     largest: [f64; 2],
     /// The size of S at the last end of a step, whose round-off it has.
     force_size: f64,
+    /// Whether the contact has been at rest at r = 0 so far. If it closes from there, its closing speed is 0, and not an error of the
+    /// integration, by which the law would divide.
+    rests: bool,
 }
 
 /// The motion of a contact, and the sizes of the terms of which r and rdot are the sums.
@@ -97,6 +104,7 @@ impl Contact {
             bound: None,
             largest: [0.0; 2],
             force_size: 0.0,
+            rests: law.properties().divides_by_closing_speed() && [r, rdot] == [0.0; 2],
         }
     }
 
@@ -180,8 +188,22 @@ impl Contact {
             least,
             one_sided: false,
         };
-        to.push(two_sided(r, r_scale));
-        to.push(two_sided(rdot, rdot_scale));
+        if self.rests {
+            let [largest, _] = self.largest;
+            to.push(Watched {
+                value: if largest > 0.0 {
+                    LEAVES * largest - r.abs()
+                } else {
+                    1.0
+                },
+                least: 0.0,
+                one_sided: true,
+            });
+            to.push(two_sided(1.0, 0.0));
+        } else {
+            to.push(two_sided(r, r_scale));
+            to.push(two_sided(rdot, rdot_scale));
+        }
         let law = self.law(limit);
         match (law.evolution(), z) {
             (Some(own), Some(z)) => {
@@ -275,6 +297,12 @@ impl Contact {
                 None => None,
             };
             return Some(z);
+        }
+        // The law answers from rest until the contact has left it.
+        self.rests &= r.abs() <= LEAVES * self.largest[0];
+        if self.rests {
+            self.force_size = self.force_terms(motion, z, limit);
+            return None;
         }
         let mut running = self.running;
         let s = self.answer(&mut running, law, [r, rdot], limit);

@@ -7,6 +7,7 @@
 use super::curved_group::{Group, Groups, grouped, groups, of_masses};
 use super::curved_plane::{self, Plane};
 use super::curved_step::{Motion, ROUND_OFF, Scale, explicit_line, line, trial};
+use super::static_friction::Bound;
 use crate::contact::coupled::curved::CurvedForces;
 use crate::contact::plane::{PlaneLaw, PlaneMemory};
 use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial, Unsolved};
@@ -246,7 +247,7 @@ impl Curved {
     pub(super) fn solve_until(
         &mut self,
         motion: impl Fn(usize) -> Motion,
-        mut breaks: impl FnMut(&[f64], &mut dyn FnMut(usize, [f64; 2])) -> bool,
+        mut breaks: impl FnMut(&[f64], &mut Bound) -> bool,
     ) -> Result<&[f64], Unsolved> {
         for (g, group) in self.groups.iter().enumerate() {
             for i in group.contacts() {

@@ -3,6 +3,7 @@
 use super::curved::Curved;
 use super::curved_step::Motion;
 use super::forces::Forces;
+use super::static_friction::Bound;
 use crate::contact::Unsolved;
 use crate::lane::Lane;
 use crate::system::structure::Structure;
@@ -47,7 +48,7 @@ pub(super) fn meet_lane<const L: usize>(
     force: &mut [Lane<L>],
     forces: &mut Forces<L>,
     (l, end): (usize, usize),
-    breaks: impl FnMut(&[f64], &mut dyn FnMut(usize, [f64; 2])) -> bool,
+    breaks: impl FnMut(&[f64], &mut Bound) -> bool,
 ) {
     let finite = (0..force.len()).all(|c| motion(c).change.is_finite());
     match curved.solve_until(motion, breaks) {

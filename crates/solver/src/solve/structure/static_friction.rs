@@ -132,11 +132,14 @@ impl StaticFriction {
     }
 }
 
+/// Takes new bounds of the force of a contact.
+pub(super) type Bound<'a> = dyn FnMut(usize, [f64; 2]) + 'a;
+
 /// The bounds of contacts of a lane that break loose with these forces, if there are any.
 pub(super) fn breaks(
     friction: &mut Option<StaticFriction>,
     lane: usize,
-) -> impl FnMut(&[f64], &mut dyn FnMut(usize, [f64; 2])) -> bool {
+) -> impl FnMut(&[f64], &mut Bound) -> bool {
     move |forces, bound| match friction {
         Some(friction) => friction.break_loose(lane, |c| forces[c], bound),
         None => false,
