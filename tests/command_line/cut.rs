@@ -26,7 +26,7 @@ fn record(bench: &Bench, from: u32, to: u32) {
         }
     };
     let rows = (0..=1000).map(|i| format!("{},{}\n", f64::from(i) / 100.0, value(i)));
-    bench.file("quake.csv", &format!("t,a\n{}", rows.collect::<String>()));
+    bench.file("quake.csv", format!("t,a\n{}", rows.collect::<String>()));
 }
 
 const SPRING: &str =
@@ -119,7 +119,7 @@ fn a_motion_that_loses_its_target_spectrum_is_cut() {
     let rows: String = rows
         .map(|t| format!("{t},{}\n", if t < 10.0 { value(t) } else { 0.0 }))
         .collect();
-    bench.file("quake.csv", &format!("t,a\n{rows}"));
+    bench.file("quake.csv", format!("t,a\n{rows}"));
     let study = |goal: &str, duration: f64| {
         let ground =
             format!(r#", "ground": {{"record": "quake.csv", "unit": "m/s2", "scale_to": {goal}}}"#);
