@@ -20,7 +20,7 @@ use crate::lane::Lane;
 /// nu(rdot)/nu F, with nu = nu_max - (nu_max - nu_min) exp(-a |rdot|) and F elastic up to nu_max N, as in their model with a
 /// hysteretic z. A step takes the speed that the last two tell for its end, which is of second order.
 ///
-/// It stores F^2/(2 k) + N r^2/(2 R), and dissipates nu N |dr| while it slides: a cycle between -a and a takes
+/// It stores F^2/(2 k) + N r^2/(2 R), of a rising coefficient with nu(rdot)/nu F in place of F, which r and S tell; and dissipates nu N |dr| while it slides: a cycle between -a and a takes
 /// 4 nu N (a - nu N/k). OpenSees has it as `singleFPBearing` with constant friction, whose height does not change here, either.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pendulum {
@@ -151,7 +151,7 @@ impl Properties for Pendulum {
 
     fn initial_stiffness(&self, _: f64) -> f64 {
         match self.limit > 0.0 {
-            true => 1.0 / self.compliance + self.stiffness(),
+            true => self.rising[0] / self.compliance + self.stiffness(),
             false => 0.0,
         }
     }
