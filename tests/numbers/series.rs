@@ -20,12 +20,7 @@ fn metrics(more: &[(&str, Json)], metrics: &[&str]) -> Vec<f64> {
             (own, value) => *own = value.clone(),
         }
     }
-    let study =
-        study::parse("study.json", &study.to_string()).unwrap_or_else(|why| panic!("{why}"));
-    let case = study.case(0).unwrap();
-    let solution = study.problem.solve(&case, &study.metrics);
-    let metrics = solution.unwrap_or_else(|why| panic!("{why}")).metrics;
-    metrics.into_iter().map(Option::unwrap).collect()
+    solved(&study)
 }
 
 fn series(laws: &[Json]) -> Vec<(&'static str, Json)> {
