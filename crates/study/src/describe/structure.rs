@@ -13,7 +13,7 @@ use slipgap_solver::problem::method::PARAMETERS;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::contacts::NAMES;
 use slipgap_solver::problem::structure::ground_metric::PREFIX;
-use slipgap_solver::problem::structure::metric::REDUCTIONS;
+use slipgap_solver::problem::structure::reduction::REDUCTIONS;
 use slipgap_solver::problem::structure::schema::{FIXED, MEANING, NAME};
 use slipgap_solver::system::loads::Unit;
 use slipgap_solver::system::loads::record::Mean;

@@ -6,7 +6,7 @@ use slipgap_solver::problem::structure::channel::{
     OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
 };
 use slipgap_solver::problem::structure::contacts::NAMES;
-use slipgap_solver::problem::structure::metric::{REDUCTIONS, of_measured};
+use slipgap_solver::problem::structure::reduction::{REDUCTIONS, of_measured};
 use slipgap_solver::problem::structure::schema::{FIXED, MEANING, NAME};
 
 /// Name of the page.

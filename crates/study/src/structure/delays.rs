@@ -128,8 +128,8 @@ mod tests {
     use slipgap_solver::problem::ParameterExpression;
     use slipgap_solver::problem::parameter::Range;
     use slipgap_solver::problem::structure::amount::Amount;
+    use slipgap_solver::problem::structure::chosen::Chosen;
     use slipgap_solver::problem::structure::schema::named;
-    use slipgap_solver::problem::structure::template::Chosen;
     use std::sync::Arc;
 
     /// The delays of a study with these keys, in which this is the delay.

@@ -13,7 +13,8 @@ use crate::value::text;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::{self, Amount};
 use slipgap_solver::problem::structure::loads::{Kind, LARGEST_SEED, Source};
-use slipgap_solver::problem::structure::template::{Load, Scaled};
+use slipgap_solver::problem::structure::shape::Scaled;
+use slipgap_solver::problem::structure::template::Load;
 use slipgap_solver::system::structure::Direction;
 
 /// A force on a node.

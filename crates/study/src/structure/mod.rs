@@ -151,7 +151,7 @@ pub(super) fn problem(
     let faulty: Vec<String> = faulty.map(|(name, ..)| name.clone()).collect();
     contacts.extend(faulty);
     let known = reader.names.clone().with_contacts(contacts);
-    let known = known.with_structure(&template);
+    let known = known.with_structure(template.names());
     let mut metrics = named_metrics::metrics(root, &known, faults);
     named_metrics::measures(&mut metrics, &template, &reader, faults);
     let mut drawn = named_metrics::drawn(root, &known, faults);

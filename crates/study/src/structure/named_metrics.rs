@@ -11,11 +11,13 @@ use slipgap_solver::expression::printable;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::channel::{Channel, UNKNOWN};
 use slipgap_solver::problem::structure::loads::Kind;
-use slipgap_solver::problem::structure::metric::{Reduction, StructureMetric, looks_like_metric};
+use slipgap_solver::problem::structure::metric::{StructureMetric, looks_like_metric};
 use slipgap_solver::problem::structure::metric_pieces::{Piece, pieces};
 use slipgap_solver::problem::structure::names::Names;
+use slipgap_solver::problem::structure::reduction::Reduction;
 use slipgap_solver::problem::structure::schema::Drawn;
-use slipgap_solver::problem::structure::template::{Scaled, Template};
+use slipgap_solver::problem::structure::shape::Scaled;
+use slipgap_solver::problem::structure::template::Template;
 
 /// The metrics in the list `metrics`, and those that reductions, checks and figures name.
 pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<StructureMetric> {

@@ -8,15 +8,14 @@ use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use crate::value::text;
 use sha2::{Digest, Sha256};
-use slipgap_solver::expression::FUNCTIONS;
-use slipgap_solver::expression::Formula;
+use slipgap_solver::expression::{FUNCTIONS, Formula};
 use slipgap_solver::problem::interned;
 use slipgap_solver::problem::method::PARAMETERS;
 use slipgap_solver::problem::parameter::{Kind, Parameter};
+use slipgap_solver::problem::structure::chosen::Chosen;
 use slipgap_solver::problem::structure::contacts::NAMES;
 use slipgap_solver::problem::structure::metric::OF_ALL;
 use slipgap_solver::problem::structure::schema::{FIXED, Named, of_method};
-use slipgap_solver::problem::structure::template::Chosen;
 
 /// The key of measurements.
 const MEASURED: &str = KEY.0;

@@ -13,7 +13,7 @@ use crate::source::tree::{Node, Tree};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::Amount;
 use slipgap_solver::problem::structure::measured::Test;
-use slipgap_solver::problem::structure::template::{Course, Points, Support};
+use slipgap_solver::problem::structure::supports::{Course, Points, Support};
 use slipgap_solver::problem::unit::Dimension;
 use slipgap_solver::system::structure::{Baseline, Direction};
 use std::sync::Arc;

@@ -1,9 +1,11 @@
 //! The part of the motion of the ground or of a support that a case computes: its accelerations at the steps up to `duration`.
 
-use super::describe::short;
 use super::loads::Kind;
 use super::scale_to::RATIO;
-use super::template::{Course, Normal, Points, Scaled, Support, Template};
+use super::shape::Scaled;
+use super::short::short;
+use super::supports::{Course, Points, Support};
+use super::template::{Normal, Template};
 use crate::problem::Case;
 use crate::solve::Warning;
 use crate::system::loads::STANDARD_GRAVITY;

@@ -3,9 +3,9 @@
 use super::contact_duration;
 use super::damping::{Modes, modes};
 use super::models::Models;
+use super::short::short;
 use super::warn::Restitution;
 use crate::contact::{ContactKind, ContactLaw};
-use crate::problem::parameter::shortest;
 use crate::solve::{FEWEST_STEPS, TOO_FEW_STEPS};
 use crate::system::structure::{
     Contact, Direction, Limit, Load, Motion, Signal, Structure, StructureLaw,
@@ -296,12 +296,6 @@ fn count(number: usize, what: &str) -> String {
         1 => format!("1 {what}"),
         _ => format!("{number} {what}s"),
     }
-}
-
-/// Six significant digits.
-pub fn short(x: f64) -> String {
-    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
-    shortest(rounded)
 }
 
 /// Items on one line; the middle of a long list is left out.

@@ -2,11 +2,11 @@
 
 use super::StructureProblem;
 use super::channel::{Number, Quantity};
-use super::metric::{Reduction, StructureMetric};
-use super::metric_values::{Motions, Recorded};
+use super::metric::StructureMetric;
 use super::motion::{self, Recording};
 use super::node::Numbering;
-use super::solve::distinct;
+use super::recorded::{Motions, Recorded, distinct};
+use super::reduction::Reduction;
 use super::still::Still;
 use super::sweep::Ready;
 use crate::metrics::structure as reduce;

@@ -1,9 +1,10 @@
 //! The acceleration of the ground in a case, for response spectra.
 
 use super::computed_ground::{Steps, measured};
-use super::describe::short;
 use super::loads::Kind;
-use super::template::{Scaled, Template};
+use super::shape::Scaled;
+use super::short::short;
+use super::template::Template;
 use super::units::UnitNames;
 use crate::problem::Case;
 use crate::system::loads::measures::Measure;

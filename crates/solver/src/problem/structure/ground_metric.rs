@@ -2,9 +2,10 @@
 
 use super::amount::Amount;
 use super::computed_ground::{self, Steps};
-use super::metric::Reduction;
+use super::reduction::Reduction;
 use super::scale_to::RATIO;
-use super::template::{Scaled, Template};
+use super::shape::Scaled;
+use super::template::Template;
 use crate::problem::{Case, Violation};
 use crate::system::loads::measures::Measure;
 use crate::system::structure::Direction;

@@ -1,8 +1,8 @@
 //! Functions of time in a study, as signals.
 
 use super::amount::Amount;
+use super::chosen::Chosen;
 use super::signal_cache::SignalCache;
-use super::template::Chosen;
 use crate::problem::parameter::shortest;
 use crate::problem::{Case, Violation};
 use crate::system::loads::pulse::{self, PulseFault};

@@ -2,7 +2,7 @@
 
 use super::amount::Amount;
 use super::channel::{Channel, Quantity, Term};
-use super::template::Chosen;
+use super::chosen::Chosen;
 use crate::expression::quoted;
 use crate::problem::parameter::shortest;
 use crate::problem::{Case, MeasuredChannel, Violation};

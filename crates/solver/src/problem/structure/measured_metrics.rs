@@ -3,8 +3,9 @@
 use super::StructureProblem;
 use super::channel::Channel;
 use super::measured::{Compared, measured_loop};
-use super::metric::{Reduction, StructureMetric};
-use super::metric_values::{MetricContext, Recorded};
+use super::metric::StructureMetric;
+use super::recorded::{MetricContext, Recorded};
+use super::reduction::Reduction;
 use super::sweep::Ready;
 use crate::metrics::measured as reduce;
 use crate::metrics::structure::{peak, rms_error};

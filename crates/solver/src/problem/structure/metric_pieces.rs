@@ -1,7 +1,8 @@
 //! The reductions of channels in arithmetic, such as `max(a3 - a2)` in `max(a3 - a2)/h`.
 
 use super::ground_metric::{PREFIX, without_direction};
-use super::metric::{OF_ALL, REDUCTIONS};
+use super::metric::OF_ALL;
+use super::reduction::REDUCTIONS;
 use crate::expression::FUNCTIONS;
 use std::ops::Range;
 

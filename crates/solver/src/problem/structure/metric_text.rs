@@ -2,8 +2,9 @@
 
 use super::channel::{Channel, QUANTITIES};
 use super::ground_metric::{GroundMetric, without_direction};
-use super::metric::{ALL, REDUCTIONS, Reduction, StructureMetric, Takes};
+use super::metric::StructureMetric;
 use super::names::Names;
+use super::reduction::{ALL, REDUCTIONS, Reduction, Takes};
 
 impl StructureMetric {
     /// The metric of a text such as `peak(g1.right - p2)`.

@@ -1,7 +1,8 @@
 //! Titles of metrics in words, for figures.
 
 use super::channel::{Channel, Quantity, Term};
-use super::metric::{Reduction, StructureMetric};
+use super::metric::StructureMetric;
+use super::reduction::Reduction;
 use crate::problem::unit::Dimension;
 
 /// The title of a metric without its unit, such as `peak relative displacement a3 - a2`.

@@ -1,75 +1,16 @@
 //! The metrics of a case from its recorded motions.
 
-use super::channel::{Channel, Number, Quantity};
-use super::measured::Compared;
+use super::channel::{Number, Quantity};
 use super::measured_metrics;
-use super::metric::{Reduction, StructureMetric};
-use super::motion::Energies;
+use super::metric::StructureMetric;
 use super::node::Numbering;
-use super::solve::FEW;
+use super::recorded::{MetricContext, Motions, Recorded};
+use super::reduction::Reduction;
 use super::still::Still;
 use crate::contact::ContactKind;
 use crate::metrics::measured::energy_per_cycle;
 use crate::metrics::structure as reduce;
-use crate::system::structure::{Structure, StructureLaw};
-use std::collections::HashMap;
-
-/// Quantities of a motion at the steps 0..=N, one list for each number.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Recorded {
-    /// Their values.
-    series: Vec<Vec<f64>>,
-    /// Number of values of each, N + 1.
-    len: usize,
-    /// Which quantities.
-    numbers: Vec<Number>,
-    /// The places of their values, if they are many.
-    places: HashMap<Number, usize>,
-}
-
-impl Recorded {
-    /// `len` values of each of these quantities.
-    pub fn new(numbers: &[Number], series: Vec<Vec<f64>>, len: usize) -> Recorded {
-        let places = match numbers.len() > FEW {
-            true => numbers.iter().enumerate(),
-            false => [].iter().enumerate(),
-        };
-        Recorded {
-            places: places.map(|(place, number)| (*number, place)).collect(),
-            numbers: numbers.to_vec(),
-            series,
-            len,
-        }
-    }
-
-    /// The values of a quantity; none if it is not recorded.
-    pub fn of(&self, number: Number) -> &[f64] {
-        let place = match self.numbers.len() > FEW {
-            true => self.places.get(&number).copied(),
-            false => self.numbers.iter().position(|own| *own == number),
-        };
-        place.map_or(&[], |place| &self.series[place])
-    }
-
-    /// The values of a channel of a structure with this numbering; none if a quantity of it is not recorded.
-    pub fn channel(&self, channel: &Channel, numbering: &Numbering) -> Vec<f64> {
-        let mut sum = vec![0.0; self.len];
-        if channel
-            .numbers(numbering)
-            .any(|number| self.of(number).is_empty())
-        {
-            return Vec::new();
-        }
-        for (sign, term) in &channel.terms {
-            if let Ok(Some(number)) = term.number(numbering) {
-                for (sum, x) in sum.iter_mut().zip(self.of(number)) {
-                    *sum += sign * x;
-                }
-            }
-        }
-        sum
-    }
-}
+use crate::system::structure::StructureLaw;
 
 /// The quantities that a metric of a structure with so many contacts needs.
 pub fn needed(metric: &StructureMetric, numbering: &Numbering, contacts: usize) -> Vec<Number> {
@@ -99,46 +40,6 @@ pub fn needed(metric: &StructureMetric, numbering: &Numbering, contacts: usize) 
     };
     let forces = all.map(|contact| Number::Contact(contact, Quantity::Force));
     of_channel.chain(of_contact).chain(forces).collect()
-}
-
-/// The motions that metrics compare; those that no metric needs are missing.
-#[derive(Debug, Default)]
-pub struct Motions {
-    /// By the time steps.
-    pub computed: Recorded,
-    /// By the time steps, from a start and with loads that are 1e-10 larger.
-    pub perturbed: Option<Recorded>,
-    /// Exact, with the softened laws.
-    pub softened: Option<Recorded>,
-    /// The same at every third step and the last one, if it is integrated: with a coarser tolerance.
-    pub coarse: Option<Recorded>,
-    /// The metrics `reference_error` with their values.
-    pub reference_errors: Vec<(String, f64)>,
-    /// Exact, with the rigid laws.
-    pub rigid: Option<Recorded>,
-    /// Exact, with the softened laws on a finer mesh, and the numbering of that mesh.
-    pub finer: Option<(Recorded, Numbering)>,
-    /// By the same time steps with the whole matrices, and the numbering of that structure.
-    pub unreduced: Option<(Recorded, Numbering)>,
-    /// Energies of the computed motion.
-    pub energies: Option<Energies>,
-}
-
-/// What the motions are of.
-#[derive(Debug, Clone, Copy)]
-pub struct MetricContext<'a> {
-    /// The structure.
-    pub structure: &'a Structure,
-    /// Numbers of its nodes.
-    pub numbering: &'a Numbering,
-    /// What was measured, if a metric compares with it.
-    pub compared: Option<&'a Compared<'a>>,
-    /// Time step.
-    pub dt: f64,
-    /// Whether errors are against the motion of the rigid laws.
-    pub against_rigid: bool,
-    /// Whether rigid contacts act by impulses.
-    pub impulses: bool,
 }
 
 /// The value of a metric; `None` where it is undefined.

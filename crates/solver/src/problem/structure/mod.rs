@@ -3,6 +3,7 @@
 pub mod amount;
 mod assemble;
 pub mod channel;
+pub mod chosen;
 mod columns;
 mod computed_ground;
 pub mod contact_duration;
@@ -15,6 +16,7 @@ mod friction_limits;
 mod ground;
 pub mod ground_metric;
 mod independent;
+pub mod listed;
 pub mod loads;
 mod massless;
 pub mod measured;
@@ -27,11 +29,14 @@ mod metric_title;
 mod metric_values;
 mod models;
 mod motion;
+pub mod named_rows;
 pub mod names;
 mod negative;
 pub mod node;
 mod observer;
+mod recorded;
 pub mod reduce;
+pub mod reduction;
 mod reference_error;
 pub mod rows;
 mod rules;
@@ -39,6 +44,7 @@ pub mod scale_to;
 pub mod schema;
 pub mod scheme;
 pub mod shape;
+mod short;
 mod signal_cache;
 mod solve;
 mod still;
@@ -54,10 +60,10 @@ pub use scheme::Scheme;
 pub use signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 
 use super::cases::Cases;
-use super::method;
 use super::unit::Dimension;
 use super::{
-    Case, HistoryColumn, MeasuredChannel, Problem, Samples, Schema, Solution, Violation, time_rules,
+    Case, HistoryColumn, MeasuredChannel, Problem, Samples, Schema, Solution, Violation, method,
+    time_rules,
 };
 use crate::history::History;
 use crate::methods::Method;
@@ -68,10 +74,9 @@ use assemble::{Model, assemble};
 use channel::{Channel, Number};
 use columns::all_numbers;
 use metric::StructureMetric;
-use metric_values::Recorded;
 use node::Numbering;
+use recorded::{Recorded, distinct};
 use schema::Drawn;
-use solve::distinct;
 use std::sync::Arc;
 use sweep::{Groups, Ready};
 use template::Template;
@@ -455,9 +460,9 @@ impl Problem for StructureProblem {
         let restitutions = warn::restitutions(&self.template, case, &structure);
         let units = &self.template.units;
         let mut text = describe::describe(&structure, &models, times, units, &restitutions);
-        text += &channel::listed(&self.template, numbering.elements());
+        text += &listed::listed(&self.template, numbering.elements());
         text += &ground::described(&self.template, case, self.computed_steps(case)?);
-        text += &reduce::described(&self.template, case, describe::short);
+        text += &named_rows::described(&self.template, case, short::short);
         let dt = case.at(self.schema.step)?;
         if let Some(measured) = &self.template.measured
             && let Ok(compared) = measured.in_case(case, dt, self.steps(case))

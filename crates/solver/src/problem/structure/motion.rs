@@ -1,10 +1,9 @@
 //! Motions of structures as recorded quantities: by time steps, many side by side, and exact.
 
 use super::channel::{Derived, Number, Quantity};
-use super::derived;
-use super::massless;
-use super::metric_values::Recorded;
 use super::observer::Observer;
+use super::recorded::{Energies, Recorded};
+use super::{derived, massless};
 use crate::contact::{ContactKind, ContactLaw, VelocityControl};
 use crate::exact::adaptive::{self, AdaptiveFault};
 use crate::exact::events::{self, EventsFault};
@@ -29,15 +28,6 @@ pub struct Recording<'a> {
     pub energy: bool,
     /// Whether the contacts are watched for warnings, and every how many steps the energy is looked at.
     pub watch: Option<usize>,
-}
-
-/// Energies of a run over the largest energy; NaN if an energy overflows.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Energies {
-    /// Energy error.
-    pub error: f64,
-    /// Numerical dissipation up to the last step.
-    pub dissipation: f64,
 }
 
 /// A run: its quantities, its energies if the books are kept, and what its contacts show if they are watched; or why it failed.

@@ -1,10 +1,9 @@
 //! The names of the parts of a structure.
 
 use super::node::{GROUND, NodeRef};
-use super::template::Template;
 use crate::system::import::Imported;
-use crate::system::structure::{Direction, PlaneRow};
-use std::collections::{HashMap, HashSet};
+use crate::system::structure::Direction;
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Names of masses, bars, matrices and contacts, each found without a search.
@@ -39,6 +38,19 @@ enum Part {
     Bar(usize),
     Matrices(usize),
     Support(usize),
+}
+
+/// What a structure adds to the names.
+#[derive(Debug, Clone, Default)]
+pub struct StructureNames {
+    /// Springs with a name, each with its place in the list.
+    pub springs: Vec<(String, usize)>,
+    /// Contacts in a plane, each with the place of its first direction.
+    pub planes: Vec<(String, usize)>,
+    /// The directions of the ground.
+    pub ground: Vec<Direction>,
+    /// The directions in which nodes move.
+    pub directions: Vec<Direction>,
 }
 
 impl Names {
@@ -83,30 +95,14 @@ impl Names {
     }
 
     /// The same with the springs, the ground and the directions of a structure.
-    pub fn with_structure(mut self, template: &Template) -> Names {
-        let springs = template.springs.iter().enumerate();
-        let named = springs.filter(|(_, spring)| !spring.name.is_empty());
-        self.springs = named
-            .map(|(place, spring)| (spring.name.clone(), place))
-            .collect();
-        let contacts = template.contacts.iter().enumerate();
-        let first = contacts.filter(|(_, own)| own.row == Some(PlaneRow::First));
-        self.planes = first
-            .filter_map(|(place, own)| Some((own.name.strip_suffix(".1")?.to_owned(), place)))
-            .collect();
-        self.ground = template.ground.iter().map(|own| own.0).collect();
-        let masses = template.masses.iter().map(|own| own.direction);
-        let bars = template.bars.iter().map(|own| own.direction);
-        let rows = template.matrices.iter();
-        let rows = rows.flat_map(|own| own.imported.dofs.rows());
-        let all: HashSet<Direction> = masses
-            .chain(bars)
-            .chain(rows.map(|dof| dof.direction))
-            .collect();
-        let moves = |own: &Direction| all.contains(own);
-        let directions = Direction::TRANSLATIONS.into_iter();
-        self.directions = directions.filter(moves).collect();
-        self
+    pub fn with_structure(self, own: StructureNames) -> Names {
+        Names {
+            springs: own.springs,
+            planes: own.planes,
+            ground: own.ground,
+            directions: own.directions,
+            ..self
+        }
     }
 
     /// The place of the first direction of the contact in a plane with this name.

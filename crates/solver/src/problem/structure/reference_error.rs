@@ -1,14 +1,13 @@
 //! The errors of the exact motion of a case: by two tolerances, and by the convergence of the steps.
 
-use super::StructureProblem;
 use super::channel::{Channel, Number};
-use super::metric::{Reduction, StructureMetric};
-use super::metric_values::{Motions, Recorded};
+use super::metric::StructureMetric;
 use super::motion::{self, Recording};
 use super::node::Numbering;
-use super::solve::distinct;
+use super::recorded::{Motions, Recorded, distinct};
+use super::reduction::Reduction;
 use super::sweep::Ready;
-use super::warn;
+use super::{StructureProblem, warn};
 use crate::exact::adaptive::coarse_times;
 use crate::methods::Method;
 use crate::metrics::convergence::{

@@ -1,8 +1,9 @@
 //! The schema of a study of structures: its own parameters, metrics and channels.
 
 use super::channel::Channel;
-use super::metric::{Reduction, StructureMetric};
+use super::metric::StructureMetric;
 use super::metric_title;
+use super::reduction::Reduction;
 use super::units::UnitNames;
 use crate::problem::method::PARAMETERS;
 use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range};

@@ -4,7 +4,6 @@ use super::amount::Amount;
 use super::loads::Source;
 use super::scale_to::ScaleTo;
 use super::signal_cache::SignalCache;
-use super::template::Scaled;
 use crate::problem::{Case, Violation};
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::loads::cut::{cut, delayed, without_baseline};
@@ -249,4 +248,15 @@ impl Scaled {
         };
         Ok((cell.get_or_init(make).clone()?, factor))
     }
+}
+
+/// A function of time, times a factor.
+#[derive(Debug, Clone)]
+pub struct Scaled {
+    /// The function.
+    pub source: Source,
+    /// The factor; none for 1.
+    pub scale: Option<Amount>,
+    /// What is done to the function before.
+    pub shape: Box<Shape>,
 }

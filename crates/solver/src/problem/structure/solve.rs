@@ -1,21 +1,21 @@
 //! The motions that the metrics of a case need, and their values, one case at a time or side by side.
 
-use super::StructureProblem;
 use super::assemble::{self, Model};
 use super::channel::Number;
 use super::computed_ground::Steps;
-use super::metric::{Reduction, StructureMetric};
-use super::metric_values::{self, MetricContext, Motions, Recorded};
+use super::metric::StructureMetric;
+use super::metric_values;
 use super::motion::{self, Recording, Run};
 use super::node::Numbering;
+use super::recorded::{MetricContext, Motions, Recorded, distinct};
+use super::reduction::Reduction;
 use super::sweep::Ready;
 use super::template::Reference;
-use super::warn;
+use super::{StructureProblem, warn};
 use crate::exact::events;
 use crate::problem::Case;
 use crate::solve::structure::Prepared;
 use crate::solve::{Unsolvable, Warnings};
-use std::collections::HashSet;
 
 /// Refinement of the mesh that `mesh_error` compares with.
 const FINER: u32 = 4;
@@ -37,26 +37,6 @@ const SOFTENED: [Reduction; 4] = [
 
 /// The motions of a case, its metrics and its warnings.
 pub type JudgedCase = (Motions, Vec<Option<f64>>, Warnings);
-
-/// Numbers of which each is found faster one after the other than by a hash.
-pub const FEW: usize = 32;
-
-/// Each number once, in the order of their first places.
-pub fn distinct(numbers: impl IntoIterator<Item = Number>) -> Vec<Number> {
-    let numbers: Vec<Number> = numbers.into_iter().collect();
-    if numbers.len() > FEW {
-        let mut known = HashSet::new();
-        let first = |number: &Number| known.insert(*number);
-        return numbers.into_iter().filter(first).collect();
-    }
-    let mut distinct = Vec::with_capacity(numbers.len());
-    for number in numbers {
-        if !distinct.contains(&number) {
-            distinct.push(number);
-        }
-    }
-    distinct
-}
 
 impl StructureProblem {
     /// Whether a metric has one of these reductions, and is not of what was measured.

@@ -1,8 +1,8 @@
 //! Motions that are round-off: of bodies that contacts hold, and of sums of quantities in equilibrium.
 
 use super::channel::{Channel, Derived, Number, Quantity};
-use super::metric_values::Recorded;
 use super::node::Numbering;
+use super::recorded::Recorded;
 use crate::metrics::structure::peak;
 use crate::system::structure::{Load, Structure};
 

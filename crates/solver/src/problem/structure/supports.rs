@@ -1,9 +1,11 @@
 //! Motions of supports in a case.
 
 use super::amount::Amount;
-use super::template::{Course, Points, Scaled, Support};
+use super::chosen::Chosen;
+use super::shape::Scaled;
 use crate::problem::{Case, Violation};
-use crate::system::structure::{Baseline, Motion, MotionFault, Signal};
+use crate::system::structure::{Baseline, Direction, Motion, MotionFault, Signal};
+use std::sync::Arc;
 
 impl Support {
     /// The motion in a case; without samples, a sampled one is only checked and does not move. `metre` is the study's unit of
@@ -60,5 +62,53 @@ impl Support {
         }
         let (signal, scale) = acceleration.in_case(case, metre)?;
         Motion::new(&signal, scale, delay, self.baseline).map_err(broken)
+    }
+}
+
+/// The motion of a support in a direction.
+#[derive(Debug, Clone)]
+pub struct Support {
+    /// Name of the support.
+    pub name: String,
+    /// The direction.
+    pub direction: Direction,
+    /// How it moves.
+    pub course: Course,
+    /// Time by which all of it is later, >= 0; none for 0.
+    pub delay: Option<Amount>,
+    /// What is removed from its velocity.
+    pub baseline: Baseline,
+}
+
+/// How a support moves.
+#[derive(Debug, Clone)]
+pub enum Course {
+    /// An acceleration.
+    Acceleration(Box<Scaled>),
+    /// Displacements at times, with their place in the study.
+    Displacement(Points, (usize, String)),
+}
+
+/// Imposed displacements: t and u of each point.
+#[derive(Debug, Clone)]
+pub enum Points {
+    /// Those of the study.
+    List([Vec<Amount>; 2]),
+    /// Those of a file, or of the one that a parameter chooses, in the units of the study.
+    File(Chosen, Vec<(&'static str, Arc<[Vec<f64>; 2]>)>),
+}
+
+impl Support {
+    /// Its acceleration; `None` with displacements.
+    pub fn acceleration(&self) -> Option<&Scaled> {
+        match &self.course {
+            Course::Acceleration(acceleration) => Some(acceleration),
+            Course::Displacement(..) => None,
+        }
+    }
+
+    /// Its name with its direction, such as `left.x`.
+    pub fn full_name(&self) -> String {
+        format!("{}.{}", self.name, self.direction.name())
     }
 }

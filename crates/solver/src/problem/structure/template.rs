@@ -1,15 +1,17 @@
 //! The structure of a study: nodes, bars, springs, contacts, loads and start, with numbers that may depend on the parameters.
 
 use super::amount::Amount;
+use super::chosen::Chosen;
 use super::loads::Source;
 use super::measured::Measured;
 use super::node::{NodeName, NodeRef};
 use super::reduce::Reduce;
 use super::rows::Rows;
-use super::shape::Shape;
+use super::shape::Scaled;
+use super::supports::Support;
 use crate::problem::{Case, Violation};
 use crate::system::import::Imported;
-use crate::system::structure::{Baseline, Direction, PlaneRow};
+use crate::system::structure::{Direction, PlaneRow};
 use std::sync::Arc;
 
 /// The structure of all cases of a study.
@@ -160,54 +162,6 @@ impl Matrices {
         let chosen = |of: &&Variant| of.0.iter().all(|(row, file)| case.name_at(*row) == *file);
         let variant = self.variants.iter().find(chosen);
         variant.map_or(&self.imported, |variant| &variant.1)
-    }
-}
-
-/// The motion of a support in a direction.
-#[derive(Debug, Clone)]
-pub struct Support {
-    /// Name of the support.
-    pub name: String,
-    /// The direction.
-    pub direction: Direction,
-    /// How it moves.
-    pub course: Course,
-    /// Time by which all of it is later, >= 0; none for 0.
-    pub delay: Option<Amount>,
-    /// What is removed from its velocity.
-    pub baseline: Baseline,
-}
-
-/// How a support moves.
-#[derive(Debug, Clone)]
-pub enum Course {
-    /// An acceleration.
-    Acceleration(Box<Scaled>),
-    /// Displacements at times, with their place in the study.
-    Displacement(Points, (usize, String)),
-}
-
-/// Imposed displacements: t and u of each point.
-#[derive(Debug, Clone)]
-pub enum Points {
-    /// Those of the study.
-    List([Vec<Amount>; 2]),
-    /// Those of a file, or of the one that a parameter chooses, in the units of the study.
-    File(Chosen, Vec<(&'static str, Arc<[Vec<f64>; 2]>)>),
-}
-
-impl Support {
-    /// Its acceleration; `None` with displacements.
-    pub fn acceleration(&self) -> Option<&Scaled> {
-        match &self.course {
-            Course::Acceleration(acceleration) => Some(acceleration),
-            Course::Displacement(..) => None,
-        }
-    }
-
-    /// Its name with its direction, such as `left.x`.
-    pub fn full_name(&self) -> String {
-        format!("{}.{}", self.name, self.direction.name())
     }
 }
 
@@ -367,25 +321,6 @@ pub enum Pressing {
     Spring(usize),
 }
 
-/// A name that is the same in all cases, or that a parameter chooses.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Chosen {
-    /// The name.
-    Name(&'static str),
-    /// Row of the parameter.
-    Parameter(usize),
-}
-
-impl Chosen {
-    /// The name in a case; empty if the parameter has none.
-    pub fn name(self, case: &Case) -> &'static str {
-        match self {
-            Chosen::Name(name) => name,
-            Chosen::Parameter(row) => case.name_at(row),
-        }
-    }
-}
-
 /// A force on nodes.
 #[derive(Debug, Clone)]
 pub struct Load {
@@ -393,17 +328,6 @@ pub struct Load {
     pub at: Moved,
     /// The force.
     pub force: Scaled,
-}
-
-/// A function of time, times a factor.
-#[derive(Debug, Clone)]
-pub struct Scaled {
-    /// The function.
-    pub source: Source,
-    /// The factor; none for 1.
-    pub scale: Option<Amount>,
-    /// What is done to the function before.
-    pub shape: Box<Shape>,
 }
 
 /// A static load, which acts before t = 0 and stays.

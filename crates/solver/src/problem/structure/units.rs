@@ -1,6 +1,7 @@
 //! Names of the units of a structure, for the titles of figures.
 
-use super::metric::{Reduction, StructureMetric};
+use super::metric::StructureMetric;
+use super::reduction::Reduction;
 use super::unit_consistency::size_of;
 use crate::problem::unit::Dimension;
 

@@ -1,6 +1,7 @@
 //! The warnings of a case of structures.
 
 mod directions;
+mod doubt;
 mod doubts;
 mod given;
 mod masses;
@@ -11,14 +12,16 @@ mod unheld;
 pub use restitution::{Restitution, restitutions};
 
 use super::channel::{Number, Quantity};
-use super::contact_duration;
 use super::loads::Kind;
-use super::metric::{Reduction, StructureMetric};
-use super::metric_values::{self, Recorded};
+use super::metric::StructureMetric;
+use super::metric_values;
 use super::motion::{self, Recording};
+use super::recorded::{Recorded, distinct};
+use super::reduction::Reduction;
+use super::shape::Scaled;
 use super::sweep::Ready;
-use super::template::{self, Normal, Scaled};
-use super::{StructureProblem, solve::distinct};
+use super::template::{self, Normal};
+use super::{StructureProblem, contact_duration};
 use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::solve::structure::{Watched, WatchedContact};

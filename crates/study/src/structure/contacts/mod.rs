@@ -6,21 +6,22 @@ mod pressing;
 
 pub(in crate::structure) use compound::inner_nodes;
 
+use super::files;
+use super::keys::{CONTACT, LAW_TABLE, NORMAL_TABLE, PRESSING, WEIGHT};
+use super::loads::{scaled, table};
+use super::parts::Part;
+use super::reader::{Reader, open};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::structure::files;
-use crate::structure::keys::{CONTACT, LAW_TABLE, NORMAL_TABLE, PRESSING, WEIGHT};
-use crate::structure::loads::{scaled, table};
-use crate::structure::parts::Part;
-use crate::structure::reader::{Reader, open};
 use crate::value::{name, text};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::{self, Amount};
+use slipgap_solver::problem::structure::chosen::Chosen;
 use slipgap_solver::problem::structure::contacts::{NAMES, NUMBERS, law_named};
 use slipgap_solver::problem::structure::loads::{Kind, Source};
 use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::template::{Chosen, Contact, Normal, Spring, Term};
+use slipgap_solver::problem::structure::template::{Contact, Normal, Spring, Term};
 use slipgap_solver::system::import::{self, ImportFault, Pair};
 
 /// Most bytes of a file of pairs.

@@ -1,7 +1,8 @@
 //! Loads, ground motion and motions of supports of a structure under construction.
 
 use super::{Detail, Draft};
-use crate::problem::structure::template::{Moved, Scaled, StaticLoad};
+use crate::problem::structure::shape::Scaled;
+use crate::problem::structure::template::{Moved, StaticLoad};
 use crate::system::structure::{Direction, Ground, Load, Node, Signal};
 use std::sync::Arc;
 

@@ -2,7 +2,6 @@
 
 use super::QUANTITIES;
 use crate::problem::structure::names::Names;
-use crate::problem::structure::template::Template;
 use crate::system::structure::Direction;
 
 /// Most names in a message.
@@ -104,33 +103,8 @@ pub(super) fn unknown(word: &str, names: &Names) -> String {
     )
 }
 
-/// The channels of a case on one line, for `explain`: with so many elements in each bar.
-pub fn listed(template: &Template, elements: &[u32]) -> String {
-    let mut parts = vec![format!("{} of nodes", joined(&OF_NODES))];
-    if !template.contacts.is_empty() {
-        parts.push(format!("{} of contacts", joined(&QUANTITIES)));
-    }
-    let springs = template.springs.iter().map(|spring| &spring.name);
-    let springs = springs.filter(|name| !name.is_empty());
-    parts.extend(springs.map(|name| format!("{name}.S")));
-    let bars = template.bars.iter().zip(elements);
-    parts.extend(bars.map(|(bar, n)| match n {
-        1 => format!("{}.1.S", bar.name),
-        n => format!("{0}.1.S to {0}.{n}.S", bar.name),
-    }));
-    parts.push("base".to_owned());
-    let supports = template.supports.iter();
-    parts.extend(supports.map(|own| format!("base.{}", own.full_name())));
-    if !template.ground.is_empty() {
-        parts.push("ground".to_owned());
-    }
-    let energies = OF_ENERGY.map(|own| own.0.trim_start_matches("energy."));
-    parts.push(format!("energy.{{{}}}", energies.join(", ")));
-    format!("channels: {}\n", parts.join("; "))
-}
-
 /// The names of a table.
-fn joined(table: &[(&str, &str)]) -> String {
+pub fn joined(table: &[(&str, &str)]) -> String {
     let names: Vec<&str> = table.iter().map(|own| own.0).collect();
     names.join(", ")
 }

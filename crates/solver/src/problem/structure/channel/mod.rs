@@ -1,10 +1,10 @@
 //! Channels of a structure: a quantity over time, or a difference of such quantities.
 
-mod describe;
+pub(super) mod describe;
 mod number;
 mod term;
 
-pub use describe::{OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, UNKNOWN, listed};
+pub use describe::{OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, UNKNOWN};
 pub use number::{Derived, Energy, Number};
 pub use term::Term;
 

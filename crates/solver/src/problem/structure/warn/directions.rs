@@ -3,7 +3,7 @@
 use super::super::contacts::law_named;
 use super::super::node::NodeRef;
 use super::super::template::{Contact, Template};
-use super::doubts::Doubt;
+use super::doubt::Doubt;
 use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::solve::Warning;

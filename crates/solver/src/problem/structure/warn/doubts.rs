@@ -2,14 +2,11 @@
 
 use super::super::node::Numbering;
 use super::super::{StructureProblem, computed_ground};
+use super::doubt::Doubt;
 use super::masses::Masses;
 use super::{directions, given, matrices, restitution};
 use crate::problem::Case;
-use crate::solve::Warning;
 use crate::system::structure::Structure;
-
-/// A warning with what it is of.
-pub type Doubt = (Warning, String);
 
 impl StructureProblem {
     /// Those of a case with this structure, one of each kind.

@@ -2,13 +2,13 @@
 
 use super::super::amount::Amount;
 use super::super::contacts::law_named;
-use super::super::describe::short;
 use super::super::template::{SpringNumbers, StaticLoad, Template};
 use super::super::unit_consistency::size_of;
 use super::super::units::UnitNames;
-use super::doubts::Doubt;
+use super::doubt::Doubt;
 use super::masses::Masses;
 use crate::problem::Case;
+use crate::problem::structure::short::short;
 use crate::problem::unit::Dimension;
 use crate::solve::Warning;
 

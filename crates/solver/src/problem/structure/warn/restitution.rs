@@ -2,10 +2,10 @@
 
 use super::super::contact_duration;
 use super::super::contacts::law_named;
-use super::super::describe::short;
 use super::super::template::{self, Template};
-use super::doubts::Doubt;
+use super::doubt::Doubt;
 use crate::problem::Case;
+use crate::problem::structure::short::short;
 use crate::solve::Warning;
 use crate::system::structure::{Contact, Structure};
 use std::fmt;
