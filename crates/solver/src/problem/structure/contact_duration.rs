@@ -1,5 +1,8 @@
 //! How long the nodes of an impact touch.
 
+use crate::contact::ContactKind;
+use crate::solve::FEWEST_STEPS;
+use crate::solve::structure::{Watched, WatchedContact};
 use crate::system::structure::{Contact, Direction, Structure};
 
 /// Time for which the nodes of an impact touch as two free masses without other forces; `None` for friction, links and rigid impacts.
@@ -36,4 +39,16 @@ fn mass(structure: &Structure, node: usize) -> f64 {
     let entries = structure.coupled_mass.entries();
     let coupled = entries.filter(|((i, j), _)| *j == node && is_modal(*i));
     own - coupled.map(|(_, m)| m * m).sum::<f64>()
+}
+
+/// Whether an impact touches for too few steps of `dt`.
+pub fn has_short_contact(structure: &Structure, watched: Option<&Watched>, dt: f64) -> bool {
+    let contacts = watched.map_or(&[][..], |watched| &watched.contacts);
+    let short = |(contact, seen): (&Contact, &WatchedContact)| {
+        let touches = contact.law.kind() == ContactKind::Impact && seen.force < 0.0;
+        let overlap = Some(-seen.displacement).filter(|overlap| touches && *overlap > 0.0);
+        let time = overlap.and_then(|_| contact_duration::time(structure, contact, overlap));
+        time.is_some_and(|time| time < FEWEST_STEPS * dt)
+    };
+    structure.contacts.iter().zip(contacts).any(short)
 }

@@ -1,17 +1,29 @@
 //! Motions of structures as recorded quantities: by time steps, many side by side, and exact.
 
 use super::channel::{Derived, Number, Quantity};
+use super::contact_duration::{self, has_short_contact};
+use super::loads::Kind;
+use super::metric::StructureMetric;
 use super::observer::Observer;
-use super::recorded::{Energies, Recorded};
-use super::{derived, massless};
+use super::recorded::{Energies, Recorded, distinct};
+use super::reduction::Reduction;
+use super::shape::Scaled;
+use super::sweep::Ready;
+use super::template::{self, Normal};
+use super::warn::restitution::{Restitution, restitutions};
+use super::{StructureProblem, derived, massless, metric_values};
 use crate::contact::{ContactKind, ContactLaw, VelocityControl};
 use crate::exact::adaptive::{self, AdaptiveFault};
 use crate::exact::events::{self, EventsFault};
 use crate::lane::Lane;
 use crate::methods::Method;
-use crate::solve::Unsolvable;
-use crate::solve::structure::{Books, ContactStep, Prepared, State, Watch, Watched, run, settle};
-use crate::system::structure::{Structure, StructureLaw};
+use crate::problem::Case;
+use crate::solve::structure::{
+    Books, ContactStep, Prepared, State, Watch, Watched, WatchedContact, run, settle,
+};
+use crate::solve::{FEWEST_STEPS, Unsolvable, Warning, Warnings};
+use crate::system::loads::STANDARD_GRAVITY;
+use crate::system::structure::{Contact, Signal, Structure, StructureLaw};
 use std::collections::BTreeSet;
 
 /// Cases side by side.
@@ -347,3 +359,6 @@ pub fn perturbed(structure: &Structure) -> Structure {
     }
     other
 }
+
+/// Steps from one look at the energy to the next: it takes about as long as a step.
+pub const EVERY: usize = 16;

@@ -9,28 +9,24 @@ mod matrices;
 mod restitution;
 mod unheld;
 
-pub use restitution::{Restitution, restitutions};
-
 use super::channel::{Number, Quantity};
+use super::contact_duration::{self, has_short_contact};
 use super::loads::Kind;
 use super::metric::StructureMetric;
-use super::metric_values;
 use super::motion::{self, Recording};
 use super::recorded::{Recorded, distinct};
 use super::reduction::Reduction;
 use super::shape::Scaled;
 use super::sweep::Ready;
 use super::template::{self, Normal};
-use super::{StructureProblem, contact_duration};
+use super::{StructureProblem, metric_values};
 use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::solve::structure::{Watched, WatchedContact};
 use crate::solve::{FEWEST_STEPS, Unsolvable, Warning, Warnings};
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::structure::{Contact, Signal, Structure, StructureLaw};
-
-/// Steps from one look at the energy to the next: it takes about as long as a step.
-pub const EVERY: usize = 16;
+pub use restitution::{Restitution, restitutions};
 
 /// Share of the largest energy that a contact may make.
 const GAIN: f64 = 0.01;
@@ -188,18 +184,6 @@ impl StructureProblem {
             .filter_map(|own| own.acceleration());
         ground.chain(supports).chain(vertical).any(strange)
     }
-}
-
-/// Whether an impact touches for too few steps of `dt`.
-pub fn has_short_contact(structure: &Structure, watched: Option<&Watched>, dt: f64) -> bool {
-    let contacts = watched.map_or(&[][..], |watched| &watched.contacts);
-    let short = |(contact, seen): (&Contact, &WatchedContact)| {
-        let touches = contact.law.kind() == ContactKind::Impact && seen.force < 0.0;
-        let overlap = Some(-seen.displacement).filter(|overlap| touches && *overlap > 0.0);
-        let time = overlap.and_then(|_| contact_duration::time(structure, contact, overlap));
-        time.is_some_and(|time| time < FEWEST_STEPS * dt)
-    };
-    structure.contacts.iter().zip(contacts).any(short)
 }
 
 /// Whether an impact law has a largest force: what lies behind the gap may give way by more than the gap.
