@@ -1,7 +1,7 @@
 //! Every metric that a problem lists has a value in some case: one that is listed and not computed would be an empty column.
 
 use serde_json::{Value as Json, json};
-use slipgap::problem::structure::metric::REDUCTIONS;
+use slipgap::problem::structure::metrics::reduction::REDUCTIONS;
 use slipgap::study::{self, Study};
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -234,7 +234,7 @@ pub static PROBLEMS: LazyLock<[Arc<dyn Problem>; 2]> = LazyLock::new(|| {
 /// The names of all problems: of those in [`PROBLEMS`], and of structures, which studies describe.
 pub fn names() -> impl Iterator<Item = &'static str> {
     let known = PROBLEMS.iter().map(|problem| problem.name());
-    known.chain([structure::schema::NAME])
+    known.chain([structure::tables::schema::NAME])
 }
 
 /// The problem called `name`.

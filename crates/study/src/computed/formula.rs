@@ -4,7 +4,7 @@ use crate::Measure;
 use slipgap_solver::expression::{ExpressionFault, Formula};
 use slipgap_solver::problem::Problem;
 use slipgap_solver::problem::parameter::Parameter;
-use slipgap_solver::problem::structure::schema::named;
+use slipgap_solver::problem::structure::tables::schema::named;
 
 /// The parameters of the problem, then these measures, then other names.
 pub fn table(problem: &dyn Problem, measures: &[Measure], others: &[&str]) -> Vec<Parameter> {

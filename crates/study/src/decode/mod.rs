@@ -31,7 +31,7 @@ use crate::{Check, Figure, Study, calibrate, computed, reduction};
 use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
 use ensemble::ensemble;
-use slipgap_solver::problem::structure::schema::NAME;
+use slipgap_solver::problem::structure::tables::schema::NAME;
 use slipgap_solver::problem::{self, PROBLEMS, Problem};
 use std::sync::Arc;
 use validate::MOST_CASES;

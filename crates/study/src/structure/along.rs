@@ -8,9 +8,9 @@ use crate::value::text;
 use slipgap_solver::expression::Formula;
 use slipgap_solver::problem::ParameterExpression;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::amount::{Amount, Source};
-use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::template::Term;
+use slipgap_solver::problem::structure::given::amount::{Amount, Source};
+use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
+use slipgap_solver::problem::structure::parts::template::Term;
 use std::sync::Arc;
 
 /// What moves at one side, each node with its factor, and its terms.

@@ -7,8 +7,8 @@ use crate::source::faults::Faults;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::expression::Formula;
 use slipgap_solver::problem::parameter::{Parameter, Value};
-use slipgap_solver::problem::structure::amount::Source;
-use slipgap_solver::problem::structure::measured::Measured;
+use slipgap_solver::problem::structure::channels::measured::Measured;
+use slipgap_solver::problem::structure::given::amount::Source;
 
 /// Most parameters of a formula whose ends are all combined.
 const MOST: usize = 12;
@@ -127,9 +127,9 @@ mod tests {
     use crate::source::tree::parse;
     use slipgap_solver::problem::ParameterExpression;
     use slipgap_solver::problem::parameter::Range;
-    use slipgap_solver::problem::structure::amount::Amount;
-    use slipgap_solver::problem::structure::chosen::Chosen;
-    use slipgap_solver::problem::structure::schema::named;
+    use slipgap_solver::problem::structure::given::amount::Amount;
+    use slipgap_solver::problem::structure::given::chosen::Chosen;
+    use slipgap_solver::problem::structure::tables::schema::named;
     use std::sync::Arc;
 
     /// The delays of a study with these keys, in which this is the delay.

@@ -3,12 +3,12 @@
 use crate::source::faults::any_of;
 use crate::source::tree::Node;
 use slipgap_solver::contact::ContactKind;
-use slipgap_solver::problem::structure::amount::Source;
-use slipgap_solver::problem::structure::chosen::Chosen;
-use slipgap_solver::problem::structure::contacts::law_named;
-use slipgap_solver::problem::structure::names::Names;
-use slipgap_solver::problem::structure::node::NodeRef;
-use slipgap_solver::problem::structure::template::{Contact, Template, Term};
+use slipgap_solver::problem::structure::channels::names::Names;
+use slipgap_solver::problem::structure::given::amount::Source;
+use slipgap_solver::problem::structure::given::chosen::Chosen;
+use slipgap_solver::problem::structure::given::node::NodeRef;
+use slipgap_solver::problem::structure::parts::contacts::law_named;
+use slipgap_solver::problem::structure::parts::template::{Contact, Template, Term};
 use slipgap_solver::system::structure::Direction;
 
 /// Coordinates that differ by less than this part of them are one.

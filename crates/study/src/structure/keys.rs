@@ -1,7 +1,7 @@
 //! The keys of a structure in a study, each with its meaning, for decoding, schema and documentation.
 
 use slipgap_solver::contact::number::Number;
-use slipgap_solver::problem::structure::contacts::{NUMBERS, meaning};
+use slipgap_solver::problem::structure::parts::contacts::{NUMBERS, meaning};
 use std::sync::LazyLock;
 
 /// Keys with their meanings.

@@ -7,7 +7,7 @@ use slipgap_solver::expression::Formula;
 use slipgap_solver::expression::unprintable;
 use slipgap_solver::problem::interned;
 use slipgap_solver::problem::parameter::LABEL;
-use slipgap_solver::problem::structure::schema::{FIXED, named, of_method};
+use slipgap_solver::problem::structure::tables::schema::{FIXED, named, of_method};
 
 /// The parameters whose values are texts that are no numbers and that neither the structure nor another parameter contains, with
 /// their texts.

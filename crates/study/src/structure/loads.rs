@@ -11,10 +11,10 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::amount::{self, Amount};
-use slipgap_solver::problem::structure::loads::{Kind, LARGEST_SEED, Source};
-use slipgap_solver::problem::structure::shape::Scaled;
-use slipgap_solver::problem::structure::template::Load;
+use slipgap_solver::problem::structure::given::amount::{self, Amount};
+use slipgap_solver::problem::structure::given::loads::{Kind, LARGEST_SEED, Source};
+use slipgap_solver::problem::structure::given::shape::Scaled;
+use slipgap_solver::problem::structure::parts::template::Load;
 use slipgap_solver::system::structure::Direction;
 
 /// A force on a node.

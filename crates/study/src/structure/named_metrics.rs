@@ -9,15 +9,15 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::expression::printable;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::channel::{Channel, UNKNOWN};
-use slipgap_solver::problem::structure::loads::Kind;
-use slipgap_solver::problem::structure::metric::{StructureMetric, looks_like_metric};
-use slipgap_solver::problem::structure::metric_pieces::{Piece, pieces};
-use slipgap_solver::problem::structure::names::Names;
-use slipgap_solver::problem::structure::reduction::Reduction;
-use slipgap_solver::problem::structure::schema::Drawn;
-use slipgap_solver::problem::structure::shape::Scaled;
-use slipgap_solver::problem::structure::template::Template;
+use slipgap_solver::problem::structure::channels::channel::{Channel, UNKNOWN};
+use slipgap_solver::problem::structure::channels::names::Names;
+use slipgap_solver::problem::structure::given::loads::Kind;
+use slipgap_solver::problem::structure::given::shape::Scaled;
+use slipgap_solver::problem::structure::metrics::metric::{StructureMetric, looks_like_metric};
+use slipgap_solver::problem::structure::metrics::pieces::{Piece, pieces};
+use slipgap_solver::problem::structure::metrics::reduction::Reduction;
+use slipgap_solver::problem::structure::parts::template::Template;
+use slipgap_solver::problem::structure::tables::schema::Drawn;
 
 /// The metrics in the list `metrics`, and those that reductions, checks and figures name.
 pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<StructureMetric> {

@@ -12,10 +12,10 @@ use slipgap_solver::expression::{FUNCTIONS, Formula};
 use slipgap_solver::problem::interned;
 use slipgap_solver::problem::method::PARAMETERS;
 use slipgap_solver::problem::parameter::{Kind, Parameter};
-use slipgap_solver::problem::structure::chosen::Chosen;
-use slipgap_solver::problem::structure::contacts::NAMES;
-use slipgap_solver::problem::structure::metric::OF_ALL;
-use slipgap_solver::problem::structure::schema::{FIXED, Named, of_method};
+use slipgap_solver::problem::structure::given::chosen::Chosen;
+use slipgap_solver::problem::structure::metrics::metric::OF_ALL;
+use slipgap_solver::problem::structure::parts::contacts::NAMES;
+use slipgap_solver::problem::structure::tables::schema::{FIXED, Named, of_method};
 
 /// The key of measurements.
 const MEASURED: &str = KEY.0;

@@ -8,8 +8,8 @@ use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::amount::Amount;
-use slipgap_solver::problem::structure::template::{Bar, Mass, Moved, Start, StaticLoad};
+use slipgap_solver::problem::structure::given::amount::Amount;
+use slipgap_solver::problem::structure::parts::template::{Bar, Mass, Moved, Start, StaticLoad};
 use slipgap_solver::system::structure::Direction;
 use std::collections::HashSet;
 

@@ -7,7 +7,7 @@ use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::value::{name, number};
 use slipgap_solver::problem::parameter::{Range, shortest};
-use slipgap_solver::problem::structure::loads::Kind;
+use slipgap_solver::problem::structure::given::loads::Kind;
 use slipgap_solver::system::loads::record::{Mean, Reading};
 use slipgap_solver::system::loads::{self, SignalFault, Unit};
 use slipgap_solver::system::structure::Signal;

@@ -8,9 +8,9 @@ use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::value::name;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::amount::Amount;
-use slipgap_solver::problem::structure::scale_to::{Goal, ScaleTo, TargetSpectrum};
-use slipgap_solver::problem::structure::shape::Shape;
+use slipgap_solver::problem::structure::given::amount::Amount;
+use slipgap_solver::problem::structure::given::scale_to::{Goal, ScaleTo, TargetSpectrum};
+use slipgap_solver::problem::structure::given::shape::Shape;
 use slipgap_solver::system::loads::Unit;
 use slipgap_solver::system::structure::Baseline;
 

@@ -1,63 +1,19 @@
 //! Structures of a study: masses, bars, springs, contacts, loads and records, with the exact motion by events.
 
-pub mod amount;
-mod assemble;
-pub mod channel;
-pub mod chosen;
-mod columns;
-mod computed_ground;
-pub mod contact_duration;
-pub mod contacts;
-mod damping;
-mod derived;
-mod describe;
-mod diverge;
-mod friction_limits;
-mod ground;
-pub mod ground_metric;
-mod independent;
-pub mod listed;
-pub mod loads;
-mod massless;
-pub mod measured;
-mod measured_metrics;
-mod memory;
-pub mod metric;
-pub mod metric_pieces;
-mod metric_text;
-mod metric_title;
-mod metric_values;
-mod models;
-mod motion;
-pub mod named_rows;
-pub mod names;
-mod negative;
-pub mod node;
-mod observer;
-mod recorded;
-pub mod reduce;
-pub mod reduction;
-mod reference_error;
-pub mod rows;
-mod rules;
-pub mod scale_to;
-pub mod schema;
-pub mod scheme;
-pub mod shape;
-mod short;
-mod signal_cache;
-mod solve;
-mod still;
-mod supports;
-mod sweep;
-pub mod template;
-pub mod unit_consistency;
-pub mod units;
+pub mod channels;
+pub mod described;
+pub mod given;
+pub mod metrics;
+pub mod model;
+mod motions;
+pub mod parts;
+mod refused;
+pub mod tables;
 mod warn;
 
-pub use ground::GroundMotion;
-pub use scheme::Scheme;
-pub use signal_cache::MOST_NUMBERS as MOST_SAMPLED;
+pub use crate::problem::structure::described::ground::GroundMotion;
+pub use crate::problem::structure::described::scheme::Scheme;
+pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 
 use super::cases::Cases;
 use super::unit::Dimension;
@@ -67,19 +23,19 @@ use super::{
 };
 use crate::history::History;
 use crate::methods::Method;
+use crate::problem::structure::channels::channel::{Channel, Number};
+use crate::problem::structure::given::node::Numbering;
+use crate::problem::structure::metrics::metric::StructureMetric;
+use crate::problem::structure::model::assemble::{Model, assemble};
+use crate::problem::structure::motions::recorded::{Recorded, distinct};
+use crate::problem::structure::motions::sweep::{Groups, Ready};
+use crate::problem::structure::parts::template::Template;
+use crate::problem::structure::tables::columns::all_numbers;
+use crate::problem::structure::tables::schema::Drawn;
 use crate::solve::structure::{balance, settle};
 use crate::solve::{MetricTable, Unsolvable, Warning};
 use crate::system::structure::Structure;
-use assemble::{Model, assemble};
-use channel::{Channel, Number};
-use columns::all_numbers;
-use metric::StructureMetric;
-use node::Numbering;
-use recorded::{Recorded, distinct};
-use schema::Drawn;
 use std::sync::Arc;
-use sweep::{Groups, Ready};
-use template::Template;
 
 /// The structure of a study.
 #[derive(Debug)]
@@ -126,13 +82,23 @@ impl StructureProblem {
         let (mut structure, numbering) = assemble(&self.template, case, model).map_err(broken)?;
         if let Some(ratio) = &self.template.modal_damping {
             let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
-            let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
-            if damping::add_modal(&mut structure, &stiffness, ratio).is_none() {
+            let stiffness = crate::problem::structure::model::assemble::damping_stiffness(
+                &self.template,
+                &structure,
+            )
+            .into_owned();
+            if crate::problem::structure::model::damping::add_modal(
+                &mut structure,
+                &stiffness,
+                ratio,
+            )
+            .is_none()
+            {
                 return Err(self.no_modes(&structure, case));
             }
         }
         match structure.preload.load.is_empty() {
-            true => massless::place(&mut structure),
+            true => crate::problem::structure::model::massless::place(&mut structure),
             false => settle(&mut structure)?,
         }
         structure.press_at_start();
@@ -143,18 +109,23 @@ impl StructureProblem {
     }
 
     /// The steps of a case.
-    fn computed_steps(&self, case: &Case) -> Option<computed_ground::Steps> {
+    fn computed_steps(
+        &self,
+        case: &Case,
+    ) -> Option<crate::problem::structure::metrics::computed_ground::Steps> {
         let dt = case.at(self.schema.step)?;
         let last = usize::try_from(self.steps(case)).ok()?;
-        Some(computed_ground::Steps { dt, last })
+        Some(crate::problem::structure::metrics::computed_ground::Steps { dt, last })
     }
 
     /// Why a structure has no modes for its modal damping.
     fn no_modes(&self, structure: &Structure, case: &Case) -> Unsolvable {
         let method = self.method(case);
-        let fault = method.and_then(|method| massless::fault(structure, &method));
+        let fault = method.and_then(|method| {
+            crate::problem::structure::model::massless::fault(structure, &method)
+        });
         match fault {
-            _ if structure.len() > damping::MOST_MODES => Unsolvable::NoModes,
+            _ if structure.len() > crate::problem::structure::model::damping::MOST_MODES => Unsolvable::NoModes,
             Some((node, why)) => {
                 let name = &structure.nodes[node].name;
                 Unsolvable::BrokenRules(format!("node {name} {why}"))
@@ -191,7 +162,7 @@ impl StructureProblem {
 
     /// Cost of one run by steps.
     fn one_run_work(&self, case: &Case) -> u64 {
-        let numbering = assemble::check(&self.template, case);
+        let numbering = crate::problem::structure::model::assemble::check(&self.template, case);
         self.stepping_work(case, numbering.map_or(0, |numbering| numbering.nodes()))
     }
 
@@ -211,8 +182,12 @@ impl StructureProblem {
         numbers: &[Number],
     ) -> Result<Recorded, Unsolvable> {
         match self.against_rigid() {
-            true => motion::exact(&motion::rigid(structure)?, times, numbers),
-            false => motion::exact(structure, times, numbers),
+            true => crate::problem::structure::motions::motion::exact(
+                &crate::problem::structure::motions::motion::rigid(structure)?,
+                times,
+                numbers,
+            ),
+            false => crate::problem::structure::motions::motion::exact(structure, times, numbers),
         }
     }
 
@@ -250,7 +225,12 @@ impl Problem for StructureProblem {
             };
             samples.key.extend(key);
             samples.work += source.sampling_work(points);
-            samples.numbers = samples.numbers.max(signal_cache::numbers(points));
+            samples.numbers =
+                samples
+                    .numbers
+                    .max(crate::problem::structure::given::signal_cache::numbers(
+                        points,
+                    ));
         }
         samples
     }
@@ -273,7 +253,7 @@ impl Problem for StructureProblem {
         if step.is_finite() && duration.is_finite() {
             violations.extend(time_rules("dt", step, duration));
         }
-        match assemble::check(&self.template, case) {
+        match crate::problem::structure::model::assemble::check(&self.template, case) {
             Err(broken) => violations.extend(broken),
             Ok(numbering) => {
                 violations.extend(self.check_channels(&numbering, case));
@@ -373,10 +353,18 @@ impl Problem for StructureProblem {
     fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
         let exact = self.template.reference.is_some();
         match assemble(&self.template, case, Model::Study) {
-            Ok((structure, _)) => columns::of(&structure, &self.template, self.drawn.len(), exact)
-                .into_iter()
-                .chain(columns::of_drawn(&self.drawn, exact))
-                .collect(),
+            Ok((structure, _)) => crate::problem::structure::tables::columns::of(
+                &structure,
+                &self.template,
+                self.drawn.len(),
+                exact,
+            )
+            .into_iter()
+            .chain(crate::problem::structure::tables::columns::of_drawn(
+                &self.drawn,
+                exact,
+            ))
+            .collect(),
             Err(_) => Vec::new(),
         }
     }
@@ -401,7 +389,11 @@ impl Problem for StructureProblem {
         let (Some(one), Some(other)) = (ready(one), ready(other)) else {
             return false;
         };
-        let prepared = motion::prepare(&one.structure, &one.method, one.dt);
+        let prepared = crate::problem::structure::motions::motion::prepare(
+            &one.structure,
+            &one.method,
+            one.dt,
+        );
         one.last == other.last
             && prepared.is_ok_and(|own| own.fits(&other.method, &other.structure, other.dt))
     }
@@ -424,26 +416,29 @@ impl Problem for StructureProblem {
     }
 
     fn scheme(&self, case: &Case) -> Option<Scheme> {
-        scheme::scheme(&self.template, case)
+        crate::problem::structure::described::scheme::scheme(&self.template, case)
     }
 
     fn unit_name(&self, dimension: Dimension) -> Option<String> {
-        let units = units::UnitNames::of(&self.template.units)?;
+        let units = crate::problem::structure::metrics::units::UnitNames::of(&self.template.units)?;
         Some(units.of_dimension(dimension))
     }
 
     fn friction_limits(&self, case: &Case, motion: &History) -> Vec<Option<Vec<f64>>> {
         match self.structure(case, Model::Study) {
-            Ok((structure, _)) => {
-                friction_limits::of(&structure, &self.template, self.drawn.len(), motion)
-            }
+            Ok((structure, _)) => crate::problem::structure::motions::friction_limits::of(
+                &structure,
+                &self.template,
+                self.drawn.len(),
+                motion,
+            ),
             Err(_) => Vec::new(),
         }
     }
 
     fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
         let duration = case.at(self.schema.duration)?;
-        ground::ground_motion(&self.template, case, duration)
+        crate::problem::structure::described::ground::ground_motion(&self.template, case, duration)
     }
 
     fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
@@ -456,13 +451,33 @@ impl Problem for StructureProblem {
     fn description(&self, case: &Case) -> Option<String> {
         let (structure, numbering) = self.structure(case, Model::Study).ok()?;
         let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
-        let models = models::Models::of(&self.template, case, &structure, &numbering);
+        let models = crate::problem::structure::parts::models::Models::of(
+            &self.template,
+            case,
+            &structure,
+            &numbering,
+        );
         let restitutions = warn::restitutions(&self.template, case, &structure);
         let units = &self.template.units;
-        let mut text = describe::describe(&structure, &models, times, units, &restitutions);
-        text += &listed::listed(&self.template, numbering.elements());
-        text += &ground::described(&self.template, case, self.computed_steps(case)?);
-        text += &named_rows::described(&self.template, case, short::short);
+        let mut text = crate::problem::structure::described::describe::describe(
+            &structure,
+            &models,
+            times,
+            units,
+            &restitutions,
+        );
+        text +=
+            &crate::problem::structure::parts::listed::listed(&self.template, numbering.elements());
+        text += &crate::problem::structure::described::ground::described(
+            &self.template,
+            case,
+            self.computed_steps(case)?,
+        );
+        text += &crate::problem::structure::tables::named_rows::described(
+            &self.template,
+            case,
+            crate::problem::structure::given::short::short,
+        );
         let dt = case.at(self.schema.step)?;
         if let Some(measured) = &self.template.measured
             && let Ok(compared) = measured.in_case(case, dt, self.steps(case))

@@ -9,23 +9,24 @@ mod matrices;
 mod restitution;
 mod unheld;
 
-use super::channel::{Number, Quantity};
-use super::contact_duration::{self, has_short_contact};
-use super::loads::Kind;
-use super::metric::StructureMetric;
-use super::motion::{self, Recording};
-use super::recorded::{Recorded, distinct};
-use super::reduction::Reduction;
-use super::shape::Scaled;
-use super::sweep::Ready;
-use super::template::{self, Normal};
-use super::{StructureProblem, metric_values};
+use super::StructureProblem;
 use crate::contact::ContactKind;
 use crate::problem::Case;
+use crate::problem::structure::channels::channel::{Number, Quantity};
+use crate::problem::structure::given::loads::Kind;
+use crate::problem::structure::given::shape::Scaled;
+use crate::problem::structure::metrics::metric::StructureMetric;
+use crate::problem::structure::metrics::reduction::Reduction;
+use crate::problem::structure::model::contact_duration::has_short_contact;
+use crate::problem::structure::motions::metric_values;
+use crate::problem::structure::motions::motion::{self, Recording};
+use crate::problem::structure::motions::recorded::{Recorded, distinct};
+use crate::problem::structure::motions::sweep::Ready;
+use crate::problem::structure::parts::template::{self, Normal};
 use crate::solve::structure::{Watched, WatchedContact};
-use crate::solve::{FEWEST_STEPS, Unsolvable, Warning, Warnings};
+use crate::solve::{Unsolvable, Warning, Warnings};
 use crate::system::loads::STANDARD_GRAVITY;
-use crate::system::structure::{Contact, Signal, Structure, StructureLaw};
+use crate::system::structure::{Contact, Signal, StructureLaw};
 pub use restitution::{Restitution, restitutions};
 
 /// Share of the largest energy that a contact may make.

@@ -14,7 +14,7 @@ use crate::source::tree::{Member, Tree};
 use forms::{check_forms, refused};
 use slipgap_solver::expression::Formula;
 use slipgap_solver::problem::escape;
-use slipgap_solver::problem::structure::schema::{in_unit, symbol};
+use slipgap_solver::problem::structure::tables::schema::{in_unit, symbol};
 
 /// What `metrics` of a study asks for.
 #[derive(Debug, Default)]

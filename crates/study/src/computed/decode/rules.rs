@@ -8,7 +8,7 @@ use crate::source::tree::{Member, Node, Tree};
 use slipgap_solver::expression::ExpressionFault;
 use slipgap_solver::problem::escape;
 use slipgap_solver::problem::parameter::Value;
-use slipgap_solver::problem::structure::schema::title;
+use slipgap_solver::problem::structure::tables::schema::title;
 
 /// What a ratio looks like.
 const FORM: &str = "\"METRIC relative to PARAMETER = VALUE, ...\", as in \"peak(gap.S) relative to gamma = 1, n = 10\"";

@@ -16,12 +16,12 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::{name, text};
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::amount::{self, Amount};
-use slipgap_solver::problem::structure::chosen::Chosen;
-use slipgap_solver::problem::structure::contacts::{NAMES, NUMBERS, law_named};
-use slipgap_solver::problem::structure::loads::{Kind, Source};
-use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::template::{Contact, Normal, Spring, Term};
+use slipgap_solver::problem::structure::given::amount::{self, Amount};
+use slipgap_solver::problem::structure::given::chosen::Chosen;
+use slipgap_solver::problem::structure::given::loads::{Kind, Source};
+use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
+use slipgap_solver::problem::structure::parts::contacts::{NAMES, NUMBERS, law_named};
+use slipgap_solver::problem::structure::parts::template::{Contact, Normal, Spring, Term};
 use slipgap_solver::system::import::{self, ImportFault, Pair};
 
 /// Most bytes of a file of pairs.

@@ -5,7 +5,7 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::keys::PRESSING;
 use crate::structure::reader::open;
 use crate::value::text;
-use slipgap_solver::problem::structure::template::{
+use slipgap_solver::problem::structure::parts::template::{
     Contact, Normal, Pressing, PressingPart, Spring,
 };
 

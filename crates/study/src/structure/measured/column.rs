@@ -5,8 +5,8 @@ use super::super::reader::open;
 use crate::source::faults::{Faults, quoted};
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
-use slipgap_solver::problem::structure::unit_consistency::{dimension_of, examples};
-use slipgap_solver::problem::structure::units::UnitNames;
+use slipgap_solver::problem::structure::metrics::unit_consistency::{dimension_of, examples};
+use slipgap_solver::problem::structure::metrics::units::UnitNames;
 use slipgap_solver::problem::unit::Dimension;
 
 /// A column of a file.

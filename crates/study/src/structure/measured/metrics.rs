@@ -3,8 +3,8 @@
 use super::KEY;
 use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
-use slipgap_solver::problem::structure::measured::{Measured, measured_loop};
-use slipgap_solver::problem::structure::metric::StructureMetric;
+use slipgap_solver::problem::structure::channels::measured::{Measured, measured_loop};
+use slipgap_solver::problem::structure::metrics::metric::StructureMetric;
 
 /// Reports metrics of what was not measured.
 pub(in crate::structure) fn report_not_measured(

@@ -15,10 +15,10 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::channel::Channel;
-use slipgap_solver::problem::structure::measured::{FEWEST, Measured};
-use slipgap_solver::problem::structure::names::Names;
-use slipgap_solver::problem::structure::schema::Drawn;
+use slipgap_solver::problem::structure::channels::channel::Channel;
+use slipgap_solver::problem::structure::channels::measured::{FEWEST, Measured};
+use slipgap_solver::problem::structure::channels::names::Names;
+use slipgap_solver::problem::structure::tables::schema::Drawn;
 use slipgap_solver::problem::unit::Dimension;
 use std::sync::Arc;
 

@@ -6,7 +6,7 @@ use super::column::Column;
 use crate::source::faults::{Faults, quoted};
 use crate::source::hint::nearest;
 use crate::source::tree::Node;
-use slipgap_solver::problem::structure::measured::Test;
+use slipgap_solver::problem::structure::channels::measured::Test;
 use slipgap_solver::system::measured_table::MeasuredTable;
 
 /// Most bytes of a file.

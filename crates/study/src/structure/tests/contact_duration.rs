@@ -4,7 +4,7 @@ use crate::parse;
 use slipgap_solver::contact::{
     ContactLaw, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Ye,
 };
-use slipgap_solver::problem::structure::contact_duration;
+use slipgap_solver::problem::structure::model::contact_duration;
 use slipgap_solver::system::structure::{
     Contact, Node, Structure, StructureLaw, Symmetric, between,
 };

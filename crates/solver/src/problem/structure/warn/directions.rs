@@ -1,11 +1,11 @@
 //! Friction by two contacts in two directions, whose limit is a square in place of a disc.
 
-use super::super::contacts::law_named;
-use super::super::node::NodeRef;
-use super::super::template::{Contact, Template};
 use super::doubt::Doubt;
 use crate::contact::ContactKind;
 use crate::problem::Case;
+use crate::problem::structure::given::node::NodeRef;
+use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::template::{Contact, Template};
 use crate::solve::Warning;
 use crate::system::structure::Direction;
 

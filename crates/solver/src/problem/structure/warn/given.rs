@@ -1,14 +1,14 @@
 //! Numbers of a study that are allowed and unlikely.
 
-use super::super::amount::Amount;
-use super::super::contacts::law_named;
-use super::super::template::{SpringNumbers, StaticLoad, Template};
-use super::super::unit_consistency::size_of;
-use super::super::units::UnitNames;
 use super::doubt::Doubt;
 use super::masses::Masses;
 use crate::problem::Case;
-use crate::problem::structure::short::short;
+use crate::problem::structure::given::amount::Amount;
+use crate::problem::structure::given::short::short;
+use crate::problem::structure::metrics::unit_consistency::size_of;
+use crate::problem::structure::metrics::units::UnitNames;
+use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::template::{SpringNumbers, StaticLoad, Template};
 use crate::problem::unit::Dimension;
 use crate::solve::Warning;
 

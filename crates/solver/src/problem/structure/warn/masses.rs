@@ -1,8 +1,8 @@
 //! The masses that a spring or a contact may move: those of its nodes, and those of all that springs and bars connect with them.
 
-use super::super::node::{NodeRef, Numbering};
-use super::super::template::Term;
 use crate::problem::Case;
+use crate::problem::structure::given::node::{NodeRef, Numbering};
+use crate::problem::structure::parts::template::Term;
 use crate::system::structure::Structure;
 use std::cell::OnceCell;
 

@@ -1,10 +1,10 @@
 //! Natural periods of matrices that no structure has.
 
-use super::super::template::Template;
-use super::super::unit_consistency::size_of;
-use super::super::units::UnitNames;
 use super::doubt::Doubt;
-use crate::problem::structure::short::short;
+use crate::problem::structure::given::short::short;
+use crate::problem::structure::metrics::unit_consistency::size_of;
+use crate::problem::structure::metrics::units::UnitNames;
+use crate::problem::structure::parts::template::Template;
 use crate::problem::unit::Dimension;
 use crate::solve::Warning;
 use crate::system::structure::Structure;

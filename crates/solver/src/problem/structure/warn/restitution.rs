@@ -1,11 +1,11 @@
 //! The restitution that a law of impact gives, beside its target.
 
-use super::super::contact_duration;
-use super::super::contacts::law_named;
-use super::super::template::{self, Template};
 use super::doubt::Doubt;
 use crate::problem::Case;
-use crate::problem::structure::short::short;
+use crate::problem::structure::given::short::short;
+use crate::problem::structure::model::contact_duration;
+use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::template::{self, Template};
 use crate::solve::Warning;
 use crate::system::structure::{Contact, Structure};
 use std::fmt;

@@ -1,0 +1,5 @@
+//! A case for people: in words and as a scheme.
+
+pub(crate) mod describe;
+pub(crate) mod ground;
+pub mod scheme;

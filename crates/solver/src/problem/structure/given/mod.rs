@@ -1,0 +1,12 @@
+//! What a study gives: numbers and names that parameters may set, nodes, and functions of time.
+
+pub mod amount;
+pub mod chosen;
+pub mod loads;
+pub mod node;
+pub mod rows;
+pub mod scale_to;
+pub mod shape;
+pub(crate) mod short;
+pub(crate) mod signal_cache;
+pub mod supports;

@@ -1,0 +1,133 @@
+//! Intensity measures of the ground as metrics, such as `ground.pga` or `ground.y.Sa(T, 0.05)`.
+
+use super::computed_ground::{self, Steps};
+use super::reduction::Reduction;
+use crate::problem::structure::given::amount::Amount;
+use crate::problem::structure::given::scale_to::RATIO;
+use crate::problem::structure::given::shape::Scaled;
+use crate::problem::structure::parts::template::Template;
+use crate::problem::{Case, Violation};
+use crate::system::loads::measures::Measure;
+use crate::system::structure::Direction;
+
+/// What a measure is of.
+#[derive(Debug, Clone, Default)]
+pub struct GroundMetric {
+    /// The direction of the acceleration; none for the only one of the ground.
+    pub direction: Option<Direction>,
+    /// The period and the damping ratio of an oscillator as the study writes them.
+    pub texts: Vec<String>,
+    /// Their numbers.
+    pub amounts: Vec<Amount>,
+}
+
+/// What is before the name of each measure.
+pub const PREFIX: &str = "ground.";
+
+/// The name of a metric without the direction of the ground, and this direction: of `ground.y.pga` `ground.pga` and y.
+pub fn without_direction(name: &str) -> (String, Option<Direction>) {
+    let parts = name
+        .strip_prefix(PREFIX)
+        .and_then(|rest| rest.split_once('.'));
+    let named = parts.and_then(|(direction, rest)| {
+        let mut directions = Direction::TRANSLATIONS.into_iter();
+        let direction = directions.find(|own| own.name() == direction)?;
+        Some((format!("{PREFIX}{rest}"), Some(direction)))
+    });
+    named.unwrap_or_else(|| (name.to_owned(), None))
+}
+
+impl GroundMetric {
+    /// The metric with these texts in brackets, none for a measure without an oscillator.
+    ///
+    /// # Errors
+    /// What is wrong and what is allowed.
+    pub fn new(
+        name: &str,
+        direction: Option<Direction>,
+        oscillator: bool,
+        inside: Option<&str>,
+    ) -> Result<GroundMetric, String> {
+        let texts: Vec<String> = match (oscillator, inside) {
+            (false, None) => Vec::new(),
+            (false, Some(_)) => return Err(format!("{name} has no brackets")),
+            (true, inside) => {
+                let inside = inside.unwrap_or_default();
+                inside
+                    .split(',')
+                    .map(|text| text.trim().to_owned())
+                    .collect()
+            }
+        };
+        let complete = texts.iter().all(|text| !text.is_empty()) && texts.len() <= 2;
+        if oscillator && !complete {
+            return Err(format!(
+                "{name} needs the period and, if it is not 0.05, the damping ratio of an oscillator, as in {name}(1, 0.02)"
+            ));
+        }
+        Ok(GroundMetric {
+            direction,
+            texts,
+            amounts: Vec::new(),
+        })
+    }
+
+    /// The acceleration of the ground that it is of.
+    ///
+    /// # Errors
+    /// There is none, or there are several.
+    pub fn of<'a>(&self, template: &'a Template) -> Result<&'a Scaled, String> {
+        let ground = &template.ground;
+        let chosen =
+            |own: &&(Direction, Scaled)| self.direction.is_none_or(|wanted| own.0 == wanted);
+        let mut found = ground.iter().filter(chosen);
+        match (found.next(), found.next()) {
+            (Some((_, scaled)), None) => Ok(scaled),
+            (None, _) if ground.is_empty() => Err("the study has no \"ground\"".to_owned()),
+            (first, _) => {
+                let directions = ground
+                    .iter()
+                    .map(|own| format!("{PREFIX}{}.", own.0.name()));
+                let directions: Vec<String> = directions.collect();
+                let what = match first {
+                    Some(_) => "the ground has several directions",
+                    None => "the ground does not move in this direction",
+                };
+                Err(format!("{what}; begin with {}", directions.join(" or ")))
+            }
+        }
+    }
+
+    /// The measure in a case.
+    pub fn measure(&self, reduction: Reduction, case: &Case) -> Result<Option<Measure>, Violation> {
+        let measure = match reduction {
+            Reduction::GroundPga => Measure::PeakAcceleration,
+            Reduction::GroundPgv => Measure::PeakVelocity,
+            Reduction::GroundPgd => Measure::PeakDisplacement,
+            Reduction::GroundArias => Measure::Arias,
+            Reduction::GroundDuration => Measure::Duration,
+            Reduction::GroundMeanPeriod => Measure::MeanPeriod,
+            Reduction::GroundSpectral => {
+                let mut amounts = self.amounts.iter().map(|amount| amount.value(case));
+                let period = amounts.next().transpose()?;
+                let ratio = amounts.next().transpose()?.unwrap_or(RATIO);
+                return Ok(period.map(|period| Measure::Spectral { period, ratio }));
+            }
+            _ => return Ok(None),
+        };
+        Ok(Some(measure))
+    }
+
+    /// Its value in a case, for the accelerations at its steps; none if they have no such measure.
+    pub fn value(
+        &self,
+        reduction: Reduction,
+        template: &Template,
+        case: &Case,
+        steps: Steps,
+    ) -> Option<f64> {
+        let measure = self.measure(reduction, case).ok()??;
+        let scaled = self.of(template).ok()?;
+        computed_ground::measured(scaled, measure, case, template.metre, steps)
+    }
+}

@@ -1,0 +1,191 @@
+//! Loads, ground motion and motions of supports of a structure under construction.
+
+use super::{Detail, Draft};
+use crate::problem::structure::given::shape::Scaled;
+use crate::problem::structure::parts::template::{Moved, StaticLoad};
+use crate::system::structure::{Direction, Ground, Load, Node, Signal};
+use std::sync::Arc;
+
+impl Draft<'_> {
+    pub(super) fn loads(&mut self) {
+        for load in &self.template.loads {
+            let nodes = self.loaded(&load.at);
+            self.load(&load.force, |_, scale| {
+                nodes
+                    .iter()
+                    .map(|(node, share)| (*node, scale * share))
+                    .collect()
+            });
+        }
+        for (direction, ground) in &self.template.ground {
+            // u is relative to the ground: the load is -M a_g in the nodes of its direction.
+            let shaken = match self.detail {
+                Detail::Whole => self.shaken(*direction),
+                Detail::Numbers | Detail::WithoutSamples => Vec::new(),
+            };
+            let moved = self.load(ground, |_, scale| {
+                let masses = shaken.iter().enumerate().filter(|(_, mass)| **mass != 0.0);
+                masses.map(|(i, mass)| (i, -scale * mass)).collect()
+            });
+            if let (Some(observed), Some((signal, scale))) = (&mut self.structure.observed, moved) {
+                let direction = *direction;
+                observed.ground.push(Ground {
+                    direction,
+                    signal,
+                    scale,
+                });
+            }
+        }
+    }
+
+    /// Loads that act from before t = 0 on. They are among the loads, and their sum is that of the preload.
+    pub(super) fn static_loads(&mut self) {
+        let template = self.template;
+        if template.at_rest.is_empty() {
+            return;
+        }
+        let mut sum = vec![0.0; self.structure.nodes.len()];
+        for load in &template.at_rest {
+            let (pattern, value) = match load {
+                StaticLoad::Force(at, force) => (self.loaded(at), self.value(force)),
+                StaticLoad::Gravity(direction, acceleration) => {
+                    let shaken = match self.is_built() {
+                        true => self.shaken(*direction),
+                        false => Vec::new(),
+                    };
+                    let pattern = shaken.into_iter().enumerate();
+                    let pattern = pattern.filter(|(_, mass)| *mass != 0.0).collect();
+                    (pattern, self.value(acceleration))
+                }
+            };
+            if !self.is_built() {
+                continue;
+            }
+            let pattern: Vec<_> = pattern
+                .into_iter()
+                .map(|(node, share)| (node, value * share))
+                .collect();
+            for (node, force) in &pattern {
+                sum[*node] += force;
+            }
+            let signal = Arc::new(Signal::constant(1.0));
+            self.structure.loads.push(Load { pattern, signal });
+        }
+        self.structure.preload.load = sum;
+    }
+
+    /// M times 1 in the nodes of a direction and 0 in the others.
+    pub(super) fn shaken(&self, direction: Direction) -> Vec<f64> {
+        let all = &self.structure.nodes;
+        // Supports come after the nodes.
+        let direction_of = |i: usize| match all.get(i) {
+            Some(node) => Some(node.direction),
+            None => self
+                .template
+                .supports
+                .get(i - all.len())
+                .map(|own| own.direction),
+        };
+        let is_shaken = |i: usize| direction_of(i) == Some(direction);
+        let nodes = self.structure.nodes.iter().enumerate();
+        let mut shaken: Vec<f64> = nodes
+            .map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 })
+            .collect();
+        for ((i, j), mass) in self.structure.coupled_mass.entries() {
+            for (row, column) in [(i, j), (j, i)] {
+                if let (Some(sum), true) = (shaken.get_mut(row), is_shaken(column)) {
+                    *sum += mass;
+                }
+            }
+        }
+        for (place, reduced) in self.reduced.iter().enumerate() {
+            if let Some(reduced) = reduced {
+                let inertia = reduced.inertia(direction).into_iter();
+                for (node, inertia) in self.coordinates(place, reduced).into_iter().zip(inertia) {
+                    if let Some(node) = node {
+                        shaken[node] = inertia;
+                    }
+                }
+            }
+        }
+        shaken
+    }
+
+    /// The nodes on which a load acts, with the forces of a load of 1.
+    pub(super) fn loaded(&mut self, of: &Moved) -> Vec<(usize, f64)> {
+        if let Moved::Rows(matrices, direction) = of
+            && let Some(reduced) = &self.reduced[*matrices]
+        {
+            let forces = match self.is_built() {
+                true => reduced.forces(*direction),
+                false => Vec::new(),
+            };
+            let nodes = self.coordinates(*matrices, reduced).into_iter();
+            return nodes
+                .zip(forces)
+                .filter_map(|(node, force)| Some((node?, force)))
+                .collect();
+        }
+        // Those behind the nodes are supports.
+        let nodes_in_case = self.numbering.nodes();
+        match of {
+            Moved::Rows(matrices, direction) => {
+                let forces = self.template.matrices[*matrices]
+                    .imported
+                    .dofs
+                    .forces(*direction);
+                let forces = forces.into_iter().enumerate().filter(|own| own.1 != 0.0);
+                let nodes = forces
+                    .filter_map(|(row, force)| Some((self.numbering.row(*matrices, row)?, force)));
+                nodes.filter(|own| own.0 < nodes_in_case).collect()
+            }
+            Moved::Tied(terms) => {
+                let nodes = terms.iter();
+                let nodes = nodes.filter_map(|(factor, name)| Some((self.node(name)?, *factor)));
+                nodes.filter(|own| own.0 < nodes_in_case).collect()
+            }
+            _ => self.moved(of).into_iter().map(|node| (node, 1.0)).collect(),
+        }
+    }
+
+    /// Adds a load; returns its signal and factor.
+    pub(super) fn load(
+        &mut self,
+        force: &Scaled,
+        pattern: impl Fn(&[Node], f64) -> Vec<(usize, f64)>,
+    ) -> Option<(Arc<Signal>, f64)> {
+        if self.detail != Detail::Whole && force.source.is_sampled() {
+            let checked = force.check(self.case, self.template.metre);
+            self.checked(checked);
+            return None;
+        }
+        let found = force.in_case(self.case, self.template.metre);
+        let (signal, scale) = self.checked(found)?;
+        let pattern = pattern(&self.structure.nodes, scale);
+        let load = Load {
+            pattern,
+            signal: signal.clone(),
+        };
+        self.structure.loads.push(load);
+        Some((signal, scale))
+    }
+
+    /// Prescribes the motions of the supports.
+    pub(super) fn supports(&mut self) {
+        let mut motions = Vec::with_capacity(self.template.supports.len());
+        for support in &self.template.supports {
+            let motion =
+                support.in_case(self.case, self.template.metre, self.detail == Detail::Whole);
+            if let Some(motion) = self.checked(motion) {
+                motions.push((support.full_name(), Arc::new(motion)));
+            }
+        }
+        if self.is_built() && self.violations.is_empty() {
+            self.structure.prescribe(motions);
+        }
+        let nodes = self.numbering.nodes();
+        for contact in &mut self.structure.contacts {
+            contact.along.retain(|(node, _)| *node < nodes);
+        }
+    }
+}

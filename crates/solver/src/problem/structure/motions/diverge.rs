@@ -1,0 +1,102 @@
+//! Whether a change of 1e-10 in start and loads reaches 1 % of the motion.
+
+use super::motion::{self, Recording};
+use super::recorded::{Motions, Recorded, distinct};
+use super::still::Still;
+use super::sweep::Ready;
+use crate::metrics::structure as reduce;
+use crate::problem::Case;
+use crate::problem::structure::StructureProblem;
+use crate::problem::structure::channels::channel::{Number, Quantity};
+use crate::problem::structure::given::node::Numbering;
+use crate::problem::structure::metrics::metric::StructureMetric;
+use crate::problem::structure::metrics::reduction::Reduction;
+
+/// The share of the peak from which two motions are different ones.
+const DIFFERENT: f64 = 0.01;
+
+impl StructureProblem {
+    /// Whether the two motions of a case part in a channel of a metric; `None` if it cannot be solved.
+    pub(crate) fn case_diverges(&self, case: &Case) -> Option<bool> {
+        let Ready {
+            structure,
+            numbering,
+            method,
+            dt,
+            last,
+            ..
+        } = self.ready(0, case).ok()?;
+        let prepared = motion::prepare(&structure, &method, dt).ok()?;
+        let numbers = self.watched(&numbering);
+        let recording = Recording {
+            last,
+            numbers: &numbers,
+            energy: false,
+            watch: None,
+        };
+        let other = motion::perturbed(&structure);
+        let [run, other] = motion::steps(&[&structure, &other], &prepared, recording);
+        let motions = Motions {
+            computed: run.ok()?.0,
+            perturbed: Some(other.ok()?.0),
+            ..Motions::default()
+        };
+        let still = Still::of(&structure, dt, last as usize);
+        Some(self.channels_part(&motions, &numbering, still))
+    }
+
+    /// Whether a quantity that is watched parts.
+    fn channels_part(&self, motions: &Motions, numbering: &Numbering, still: Still) -> bool {
+        let Some(other) = &motions.perturbed else {
+            return false;
+        };
+        let part = |a: &[f64], b: &[f64]| reduce::divergence(a, b, DIFFERENT).is_some();
+        let mut channels = self.metrics.iter().filter_map(|m| m.channel.as_ref());
+        let of = |motion: &Recorded, channel| motion.channel(channel, numbering);
+        let computed = &motions.computed;
+        channels.any(|channel| {
+            let own = of(computed, channel);
+            !still.is_channel(channel, (computed, numbering), &own)
+                && part(&own, &of(other, channel))
+        }) || self
+            .plain(numbering)
+            .into_iter()
+            .filter(|number| !still.is(*number, computed))
+            .any(|number| part(computed.of(number), other.of(number)))
+    }
+
+    /// The relative displacements of the contacts that metrics are of; the displacements of all nodes if no metric has a channel or
+    /// a contact.
+    fn plain(&self, numbering: &Numbering) -> Vec<Number> {
+        let has_part =
+            |metric: &StructureMetric| metric.channel.is_some() || metric.contact.is_some();
+        if !self.metrics.iter().any(has_part) {
+            return (0..numbering.nodes()).map(Number::Displacement).collect();
+        }
+        let contacts = self.metrics.iter().filter_map(|metric| metric.contact);
+        contacts
+            .map(|contact| Number::Contact(contact, Quantity::Displacement))
+            .collect()
+    }
+
+    /// The quantities of the channels of the metrics, and those of [`Self::plain`].
+    fn watched(&self, numbering: &Numbering) -> Vec<Number> {
+        let channels = self.metrics.iter().filter_map(|m| m.channel.as_ref());
+        let numbers = channels.flat_map(|channel| channel.numbers(numbering));
+        distinct(numbers.chain(self.plain(numbering)))
+    }
+
+    /// Whether the two motions of a case part, by metrics that say it; `None` if none does.
+    pub(crate) fn metrics_say(&self, values: &[Option<f64>]) -> Option<bool> {
+        let says = |(row, value): (usize, &Option<f64>)| {
+            let metric = self.metrics.get(row)?;
+            match metric.reduction {
+                Reduction::Divergence if metric.threshold == DIFFERENT => Some(value.is_some()),
+                Reduction::Difference => Some(value.is_some_and(|value| value > DIFFERENT)),
+                _ => None,
+            }
+        };
+        let said: Vec<bool> = values.iter().enumerate().filter_map(says).collect();
+        (!said.is_empty()).then(|| said.contains(&true))
+    }
+}

@@ -1,0 +1,353 @@
+//! Motions of structures as recorded quantities: by time steps, many side by side, and exact.
+
+use super::derived;
+use super::observer::Observer;
+use super::recorded::{Energies, Recorded};
+use crate::contact::{ContactKind, ContactLaw, VelocityControl};
+use crate::exact::adaptive::{self, AdaptiveFault};
+use crate::exact::events::{self, EventsFault};
+use crate::lane::Lane;
+use crate::methods::Method;
+use crate::problem::structure::channels::channel::{Derived, Number, Quantity};
+use crate::problem::structure::model::massless;
+use crate::solve::Unsolvable;
+use crate::solve::structure::{Books, ContactStep, Prepared, State, Watch, Watched, run, settle};
+use crate::system::structure::{Structure, StructureLaw};
+use std::collections::BTreeSet;
+
+/// Cases side by side.
+pub const LANES: usize = 16;
+
+/// What is recorded of a run.
+#[derive(Debug, Clone, Copy)]
+pub struct Recording<'a> {
+    /// Number of steps N.
+    pub last: u64,
+    /// The quantities.
+    pub numbers: &'a [Number],
+    /// Whether the energy books are kept.
+    pub energy: bool,
+    /// Whether the contacts are watched for warnings, and every how many steps the energy is looked at.
+    pub watch: Option<usize>,
+}
+
+/// A run: its quantities, its energies if the books are kept, and what its contacts show if they are watched; or why it failed.
+pub type Run = Result<(Recorded, Option<Energies>, Option<Watched>), Unsolvable>;
+
+/// The linear part of a structure with steps of `dt` by a method.
+pub fn prepare(structure: &Structure, method: &Method, dt: f64) -> Result<Prepared, Unsolvable> {
+    Prepared::by(method, structure, dt)
+}
+
+/// The motions of L structures with the same linear part by time steps.
+pub fn steps<const L: usize>(
+    structures: &[&Structure; L],
+    prepared: &Prepared,
+    recording: Recording,
+) -> [Run; L] {
+    steps_every(structures, prepared, recording, 1)
+}
+
+/// The same, with the quantities of every so many steps.
+pub fn steps_every<const L: usize>(
+    structures: &[&Structure; L],
+    prepared: &Prepared,
+    recording: Recording,
+    every: usize,
+) -> [Run; L] {
+    let Recording {
+        last,
+        numbers,
+        energy,
+        watch: looks,
+    } = recording;
+    let count = last as usize / every + 1;
+    // All lanes of a number are next to one another: one store for each number and step.
+    let mut rows: Vec<Lane<L>> = Vec::with_capacity(count * numbers.len());
+    let mut books: Option<Books<L>> = None;
+    let mut observer = match Observer::new(structures, numbers, prepared.dt(), last as usize) {
+        Ok(observer) => observer,
+        Err(why) => return why.map(Err),
+    };
+    let mut watch: Option<Watch<L>> = None;
+    let ends = run(
+        structures,
+        prepared,
+        last as usize,
+        |step, state: &State<L>| {
+            rows.extend(numbers.iter().map(|number| value(state, *number)));
+            if let Some(observer) = &mut observer {
+                let row = rows.len() - numbers.len();
+                observer.fill(step, state, &mut rows[row..]);
+            }
+            if !step.is_multiple_of(every) {
+                rows.truncate(rows.len() - numbers.len());
+            }
+            match &mut books {
+                Some(books) => books.add(state),
+                None if energy && step == 0 => books = Some(Books::new(state)),
+                None => {}
+            }
+            match (&mut watch, looks) {
+                (Some(watch), _) => watch.add(state),
+                (None, Some(looks)) => watch = Some(Watch::new(structures, state, looks)),
+                (None, None) => {}
+            }
+        },
+    );
+    let energies = books.map(|books| [books.energy_error().0, books.relative_dissipation().0]);
+    let mut series: Vec<[Vec<f64>; L]> = (0..numbers.len())
+        .map(|number| by_lane(&rows, [number, numbers.len()], count))
+        .collect();
+    let mut ends = ends.into_iter().enumerate();
+    std::array::from_fn(|_| {
+        let (l, end) = ends.next().unwrap_or((0, Ok(())));
+        end?;
+        let of_lane = |series: &mut [Vec<f64>; L]| std::mem::take(&mut series[l]);
+        let own = series.iter_mut().map(of_lane).collect();
+        let recorded = Recorded::new(numbers, own, count);
+        let energies = energies.as_ref().map(|[error, dissipation]| Energies {
+            error: error[l],
+            dissipation: dissipation[l],
+        });
+        let watched = watch.as_ref().map(|watch| watch.of_lane(l));
+        Ok((recorded, energies, watched))
+    })
+}
+
+/// Rows that are copied at a time: they fit in the fastest memory.
+const BLOCK: usize = 16;
+
+/// Every `stride`-th row from `first` on, `count` in all, as a list for each lane.
+fn by_lane<const L: usize>(
+    rows: &[Lane<L>],
+    [first, stride]: [usize; 2],
+    count: usize,
+) -> [Vec<f64>; L] {
+    let mut lists: [Vec<f64>; L] = std::array::from_fn(|_| vec![0.0; count]);
+    for (block, rows) in rows.chunks(BLOCK * stride).enumerate() {
+        for (l, list) in lists.iter_mut().enumerate() {
+            let values = &mut list[block * BLOCK..];
+            // Plain loops compile to much faster code than iterators with steps.
+            for (x, row) in values.iter_mut().zip(rows.chunks_exact(stride)) {
+                *x = row[first].0[l];
+            }
+        }
+    }
+    lists
+}
+
+/// A quantity in all lanes.
+#[inline(always)]
+fn value<const L: usize>(state: &State<L>, number: Number) -> Lane<L> {
+    match number {
+        Number::Displacement(node) => state.displacement(node),
+        Number::Velocity(node) => state.velocity(node),
+        Number::Acceleration(support) => state.support_acceleration(support),
+        // The observer writes it.
+        Number::Derived(_) | Number::Energy(_) => Lane::splat(0.0),
+        Number::Contact(contact, quantity) => match quantity.of_direction() {
+            None => of_contact(&state.contact(contact), quantity),
+            Some(own) => {
+                let of = |contact| of_contact(&state.contact(contact), own);
+                of(contact).zip(of(contact + 1), libm::hypot)
+            }
+        },
+    }
+}
+
+/// A quantity of a contact in all lanes.
+#[inline(always)]
+fn of_contact<const L: usize>(contact: &ContactStep<L>, quantity: Quantity) -> Lane<L> {
+    match quantity {
+        Quantity::Displacement | Quantity::Distance => contact.displacement,
+        Quantity::Velocity | Quantity::Speed => contact.velocity,
+        Quantity::Force | Quantity::Size => contact.force,
+        Quantity::Slip | Quantity::SlipDistance => contact.slip,
+        Quantity::Limit => contact.limit,
+    }
+}
+
+/// The exact motion at these times: by events, or, with laws that are not of straight lines, integrated.
+///
+/// # Errors
+/// [`Unsolvable::Reference`]: the motion has too many events, pieces or steps, its rigid contacts have no unique forces, or it has a
+/// contact that neither knows.
+pub fn exact(
+    structure: &Structure,
+    times: &[f64],
+    numbers: &[Number],
+) -> Result<Recorded, Unsolvable> {
+    let held = massless::with_springs_in_series(structure);
+    let structure = held.as_ref().unwrap_or(structure);
+    record(structure, times, numbers, |nodes, visit| {
+        let by_events = events::run_of(structure, nodes, times, &mut *visit);
+        match by_events {
+            Err(EventsFault::Law { .. }) => {}
+            ended => return ended.map_err(|why| why.to_string()),
+        }
+        let ended = adaptive::refuse_large(structure)
+            .and_then(|()| adaptive::run_of(structure, nodes, times, adaptive::TOLERANCE, visit));
+        ended.map_err(|why: AdaptiveFault| why.to_string())
+    })
+}
+
+/// The integrated motion with a coarser tolerance, whose difference tells its error; `None` where the motion is one by events.
+///
+/// # Errors
+/// Those of [`exact`].
+pub fn coarse(
+    structure: &Structure,
+    times: &[f64],
+    numbers: &[Number],
+) -> Result<Option<Recorded>, Unsolvable> {
+    if events::knows_laws(structure) {
+        return Ok(None);
+    }
+    let times = adaptive::coarse_times(times);
+    let recorded = record(structure, &times, numbers, |nodes, visit| {
+        let ended = adaptive::refuse_large(structure)
+            .and_then(|()| adaptive::run_of(structure, nodes, &times, adaptive::COARSE, visit));
+        ended.map_err(|why| why.to_string())
+    });
+    recorded.map(Some)
+}
+
+/// What a motion visits at these times.
+fn record(
+    structure: &Structure,
+    times: &[f64],
+    numbers: &[Number],
+    run: impl FnOnce(&[usize], &mut dyn FnMut(usize, &events::State)) -> Result<(), String>,
+) -> Result<Recorded, Unsolvable> {
+    let mut series = vec![Vec::with_capacity(times.len()); numbers.len()];
+    let derived: Vec<Derived> = numbers.iter().filter_map(Number::derived).collect();
+    let terms = derived::terms(structure, &derived)?;
+    let mut visit = |i: usize, state: &events::State| {
+        let mut terms = terms.iter();
+        for (series, number) in series.iter_mut().zip(numbers) {
+            let value = match number {
+                Number::Derived(_) => terms.next().map(|own| {
+                    let force = |contact: usize| state.force[contact];
+                    own.value(|i| state.u[i], |i| state.v[i], force, own.at(times[i]))
+                }),
+                // Its series stays empty.
+                Number::Energy(_) => None,
+                number => Some(exact_value(structure, times[i], state, *number)),
+            };
+            series.extend(value);
+        }
+    };
+    let of_terms = terms.iter().flat_map(|own| own.u.iter().chain(&own.v));
+    let nodes: BTreeSet<usize> = numbers
+        .iter()
+        .filter_map(Number::node)
+        .chain(of_terms.map(|term| term.0))
+        .collect();
+    // Those behind the nodes are supports.
+    let nodes = nodes.into_iter().filter(|node| *node < structure.len());
+    let nodes: Vec<usize> = nodes.collect();
+    run(&nodes, &mut visit).map_err(Unsolvable::Reference)?;
+    Ok(Recorded::new(numbers, series, times.len()))
+}
+
+fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Number) -> f64 {
+    match number {
+        Number::Displacement(node) => structure.total(node, t, 0, state.u),
+        Number::Velocity(node) => structure.total(node, t, 1, state.v),
+        Number::Acceleration(support) => structure.supports[support].motion.at(t)[2],
+        Number::Derived(_) | Number::Energy(_) => f64::NAN,
+        Number::Contact(contact, quantity) => match quantity {
+            Quantity::Displacement => state.r[contact],
+            Quantity::Velocity => state.rate[contact],
+            Quantity::Force => state.force[contact],
+            Quantity::Slip => state.slip[contact],
+            Quantity::Limit => {
+                let limit = structure.contacts[contact].law.limit();
+                limit.map_or(0.0, |limit| limit.at(t))
+            }
+            Quantity::Distance | Quantity::Speed | Quantity::Size | Quantity::SlipDistance => {
+                let both = number.directions().into_iter().flatten();
+                let both = both.map(|number| exact_value(structure, t, state, number));
+                both.fold(0.0, libm::hypot)
+            }
+        },
+    }
+}
+
+/// The same structure with rigid laws: impacts without compliance, with the restitution of the law, which is 1 without damping, and
+/// Coulomb friction with the limit of the law; of a coefficient that depends on velocity, the largest or the kinetic one. Links and
+/// laws without a rigid form stay. Static loads find their equilibrium anew.
+///
+/// # Errors
+/// The static loads have none.
+pub fn rigid(structure: &Structure) -> Result<Structure, Unsolvable> {
+    let mut rigid = structure.clone();
+    for contact in &mut rigid.contacts {
+        contact.law = match contact.law.clone() {
+            law @ (StructureLaw::CurvedImpact { law: own, .. }
+            | StructureLaw::CurvedFriction { law: own, .. })
+                if !own.properties().has_rigid_form() =>
+            {
+                law
+            }
+            StructureLaw::ImpactSpring { .. } => StructureLaw::RigidStop { restitution: 1.0 },
+            StructureLaw::CurvedImpact { restitution, .. } => {
+                StructureLaw::RigidStop { restitution }
+            }
+            StructureLaw::DisplacementControl { limit, .. }
+            | StructureLaw::CurvedFriction { limit, .. }
+            | StructureLaw::VelocityControl { limit, .. } => StructureLaw::Coulomb { limit },
+            StructureLaw::Plane { law, limit, row }
+                if law.kind() == ContactKind::Friction && law.properties().has_rigid_form() =>
+            {
+                let coulomb = VelocityControl {
+                    compliance: 0.0,
+                    limit: limit.at(0.0),
+                };
+                let law = ContactLaw::VelocityControl(coulomb);
+                StructureLaw::Plane { law, limit, row }
+            }
+            law @ (StructureLaw::RigidStop { .. }
+            | StructureLaw::Plane { .. }
+            | StructureLaw::Coulomb { .. }
+            | StructureLaw::Link { .. }) => law,
+        };
+    }
+    rigid.preload.forces.clear();
+    rigid.preload.laws.clear();
+    rigid.preload.planes.clear();
+    if !structure.preload.load.is_empty() {
+        rigid.displacement.fill(0.0);
+        settle(&mut rigid)?;
+    }
+    Ok(rigid)
+}
+
+/// The relative difference of start and loads for `divergence`.
+const DIFFERENCE: f64 = 1e-10;
+
+/// The same structure with start and loads that are 1e-10 larger.
+pub fn perturbed(structure: &Structure) -> Structure {
+    let mut other = structure.clone();
+    let larger = |x: &mut f64| *x *= 1.0 + DIFFERENCE;
+    other.displacement.iter_mut().for_each(larger);
+    other.velocity.iter_mut().for_each(larger);
+    for support in &mut other.supports {
+        let moved = support.gaps.iter_mut().chain(&mut support.carried);
+        moved.for_each(larger);
+    }
+    if let Some(observed) = &mut other.observed {
+        observed
+            .ground
+            .iter_mut()
+            .for_each(|own| larger(&mut own.scale));
+    }
+    for load in &mut other.loads {
+        load.pattern.iter_mut().for_each(|(_, x)| larger(x));
+    }
+    other
+}
+
+/// Steps from one look at the energy to the next: it takes about as long as a step.
+pub const EVERY: usize = 16;

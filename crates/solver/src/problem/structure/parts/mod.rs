@@ -1,0 +1,7 @@
+//! The parts of a structure as a study describes them.
+
+pub mod contacts;
+pub mod listed;
+pub(crate) mod models;
+pub mod reduce;
+pub mod template;
