@@ -100,6 +100,9 @@ fn last_positive(p: &Polynomial, low: f64) -> Option<f64> {
     (p[0] > 0.0).then_some(0.0)
 }
 
+/// Most terms of u.
+pub const ORDERS: usize = TERMS + 2;
+
 #[cfg(test)]
 mod tests {
     use super::*;

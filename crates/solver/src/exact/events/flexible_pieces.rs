@@ -1,11 +1,11 @@
 //! What nodes without mass add to the pieces.
 
-use super::bernstein::{Polynomial, TERMS, slope, value};
+use super::bernstein::{ORDERS, Polynomial, TERMS, slope, value};
 use super::flexible::Flexible;
 use super::least::Singular;
 use super::model::Model;
 use super::phase::{ContactState, Force};
-use super::series::{ORDERS, Series};
+use super::series::Series;
 
 impl Series {
     /// The terms of order 0 and 1 of contacts at nodes without mass, and the loads of plates.

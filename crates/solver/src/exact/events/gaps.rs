@@ -1,7 +1,6 @@
 //! What supports that move do to the gaps of contacts on a piece.
 
-use super::bernstein::{Polynomial, TERMS};
-use super::series::ORDERS;
+use super::bernstein::{ORDERS, Polynomial, TERMS};
 use crate::system::structure::Structure;
 
 /// The change of each gap since rest as a polynomial of a piece; nothing without supports that move.

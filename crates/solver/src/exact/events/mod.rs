@@ -10,6 +10,7 @@
 mod bernstein;
 mod book;
 pub(super) mod cholesky;
+mod contact_phase;
 mod fault;
 mod flexible;
 mod flexible_pieces;
@@ -20,6 +21,7 @@ mod lines;
 mod matrix;
 mod modal;
 mod model;
+mod modes;
 mod motion;
 mod phase;
 mod resting_contact;
@@ -37,11 +39,11 @@ mod state_buffers;
 mod tests;
 mod watch;
 
+pub use crate::exact::events::contact_phase::Phase;
 pub use book::Book;
 pub use fault::EventsFault;
 pub(super) use model::Model;
 pub use motion::{MOST_EVENTS, MOST_PIECES};
-pub use phase::Phase;
 pub(super) use state_buffers::StateBuffers;
 
 use crate::contact::ContactKind;
@@ -192,7 +194,7 @@ fn run_model(
 pub fn work(structure: &Structure, end: f64, points: usize) -> f64 {
     let pieces = pieces(structure, end).max(points as f64);
     let [n, contacts] = [structure.len(), structure.contacts.len()].map(|count| count as f64);
-    match model::uses_modes(structure) {
+    match crate::exact::events::modal::uses_modes(structure) {
         // 3 us for a piece of one node, and about 1 us for each further node or contact.
         false => pieces * (1500.0 + 500.0 * (n + contacts)),
         // 2.5 s for 1000 modes, and 12 us for a piece of them with one contact.

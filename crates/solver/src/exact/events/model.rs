@@ -5,10 +5,9 @@
 //! of which would need a solution at each order of each piece, and K u costs more than one product for each mode. All that follows,
 //! pieces, phases, events and the energy book, is the same for both.
 
-use super::EventsFault;
 use super::flexible::Flexible;
 use super::matrix::Matrix;
-use super::modal::{self, Modes};
+use super::modes::Modes;
 use super::phase::{ContactState, Force};
 use super::row::Row;
 use super::signals;
@@ -21,18 +20,10 @@ pub const LONGEST: f64 = 2.0;
 
 /// From this number of nodes on, modes are faster, their computation included: a chain of 300 masses took 0.9 s in place of 1.6 s,
 /// one of 1000 7 s in place of 17 s. Smaller structures with lumped masses keep the form of nodes, and so the bits of their results.
-const MANY: usize = 200;
+pub(super) const MANY: usize = 200;
 
 /// Most modes: their matrices have this number squared, and their computation takes the time of its cube.
 pub const MOST_MODES: usize = 4000;
-
-/// Whether the coordinates of a structure are its modes. Damping that couples modes costs more than all products between nodes, so
-/// that large structures with it, but lumped masses, stay with their nodes.
-pub fn uses_modes(structure: &Structure) -> bool {
-    let lumped =
-        structure.coupled_mass.is_empty() && structure.nodes.iter().all(|node| node.mass > 0.0);
-    !lumped || (MANY..=MOST_MODES).contains(&structure.len()) && modal::is_classical(structure)
-}
 
 /// A structure with the inverse masses of its coordinates, K, C, B, and the times of the points of its tables.
 #[derive(Debug)]
@@ -76,14 +67,6 @@ pub enum Bounds {
 }
 
 impl<'a> Model<'a> {
-    /// Prepares a structure.
-    pub fn new(structure: &'a Structure) -> Result<Model<'a>, EventsFault> {
-        match uses_modes(structure) {
-            true => modal::model(structure),
-            false => Ok(Model::of_nodes(structure)),
-        }
-    }
-
     /// The coordinates are the nodes.
     pub fn of_nodes(structure: &'a Structure) -> Model<'a> {
         let masses = structure.nodes.iter();

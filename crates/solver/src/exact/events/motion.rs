@@ -1,8 +1,9 @@
 //! The motion, piece by piece.
 
 use super::book::{Book, energy};
+use super::contact_phase::Phase;
 use super::model::{LONGEST, Model};
-use super::phase::{ContactState, Phase};
+use super::phase::ContactState;
 use super::rigid::Constraints;
 use super::scales::Scales;
 use super::series::Series;

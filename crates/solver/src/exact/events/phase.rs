@@ -1,18 +1,8 @@
 //! The phases of a contact: in each one its force is linear in the motion, and event functions are positive.
 
+use super::contact_phase::Phase;
 use super::lines::Line;
 use crate::system::structure::StructureLaw;
-
-/// The phase of a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Phase {
-    /// An impact contact with r > 0, or a friction contact without a normal force: no force.
-    Open,
-    /// An impact contact that presses; a friction contact that sticks: elastic, viscous, or rigid.
-    Closed,
-    /// A friction contact at its limit, in this direction, +1 or -1.
-    Sliding(f64),
-}
 
 /// A contact at one time.
 #[derive(Debug, Clone, Copy)]

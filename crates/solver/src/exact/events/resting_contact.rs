@@ -1,8 +1,9 @@
 //! Rigid contacts that do not move.
 
+use super::contact_phase::Phase;
 use super::gaps::Gaps;
 use super::model::Model;
-use super::phase::{ContactState, Phase};
+use super::phase::ContactState;
 use super::scales::Scales;
 use super::series::Series;
 use crate::contact::ContactKind;

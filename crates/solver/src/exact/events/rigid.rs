@@ -5,9 +5,10 @@
 
 use super::book::Book;
 use super::cholesky::Cholesky;
+use super::contact_phase::Phase;
 use super::least::{Singular, least};
 use super::model::Model;
-use super::phase::{ContactState, Phase};
+use super::phase::ContactState;
 use super::scales::Scales;
 use super::series::Series;
 use crate::system::structure::StructureLaw;

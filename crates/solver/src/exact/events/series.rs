@@ -2,7 +2,7 @@
 //!
 //! Coefficients belong to powers of s, the time from the start over the length h, so that they neither overflow nor underflow.
 
-use super::bernstein::{Polynomial, TERMS};
+use super::bernstein::{ORDERS, Polynomial, TERMS};
 use super::cholesky::Cholesky;
 use super::flexible::FlexibleSeries;
 use super::gaps::Gaps;
@@ -12,9 +12,6 @@ use super::model::Model;
 use super::phase::{ContactState, Force};
 use super::row::{LANES, Row};
 use super::signals::{self, add_signal};
-
-/// Most terms of u.
-pub const ORDERS: usize = TERMS + 2;
 
 /// Terms of a motion without stiffness: a load that is straight in time gives a cubic.
 const FEWEST: usize = 6;

@@ -1,9 +1,10 @@
 //! The phases after an event or a point of a table.
 
+use super::contact_phase::Phase;
 use super::least::Singular;
 use super::lines::End;
 use super::motion::Motion;
-use super::phase::{ContactState, Phase};
+use super::phase::ContactState;
 use super::rigid::{Constraints, impacts};
 use super::rigid_phases::determine_rigid_phases;
 use super::softened_phases::SoftenedPhases;

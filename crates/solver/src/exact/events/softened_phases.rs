@@ -1,9 +1,10 @@
 //! Phases after an event, a point of a table or an impact: limits that become positive, 0 or jump, and softened laws.
 
 use super::book::Book;
+use super::contact_phase::Phase;
 use super::lines;
 use super::model::Model;
-use super::phase::{ContactState, Phase};
+use super::phase::ContactState;
 use super::scales::Scales;
 use super::series::Series;
 use super::watch::{Crossing, Found};

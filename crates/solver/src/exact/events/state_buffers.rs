@@ -2,8 +2,8 @@
 
 use super::State;
 use super::bernstein::{Polynomial, slope, value};
-use super::modal::Modes;
 use super::model::Model;
+use super::modes::Modes;
 use super::series::Series;
 
 /// The numbers of a state.

@@ -1,9 +1,10 @@
 //! Event functions: polynomials that are not negative as long as the contacts keep their phases.
 
 use super::bernstein::{Polynomial, TERMS, first_negative};
+use super::contact_phase::Phase;
 use super::lines::{End, Line};
 use super::model::Model;
-use super::phase::{ContactState, Phase};
+use super::phase::ContactState;
 use super::scales::Scales;
 use super::series::Series;
 use crate::contact::ContactKind;

@@ -4,7 +4,7 @@ mod band;
 mod one_sided;
 mod parts;
 
-use super::phase::Phase;
+use super::contact_phase::Phase;
 use crate::contact::ContactLaw;
 use crate::system::structure::StructureLaw;
 use band::Band;

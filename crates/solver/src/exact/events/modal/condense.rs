@@ -2,8 +2,8 @@
 
 use super::super::EventsFault;
 use super::super::flexible::Flexible;
-use super::Modes;
 use super::project;
+use crate::exact::events::modes::Modes;
 use crate::system::structure::{Structure, Symmetric};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 

@@ -3,13 +3,13 @@
 mod condense;
 mod refine;
 
-use super::EventsFault;
 use super::flexible::Flexible;
 use super::matrix::Matrix;
-use super::model::{Bounds, MOST_MODES, Model};
+use super::model::{Bounds, MANY, MOST_MODES, Model};
+use super::modes::Modes;
 use super::row::{LANES, Row, dot, sum};
-use super::signals;
 use super::sparse::Rows;
+use super::{EventsFault, signals};
 use crate::system::structure::{Contact, Structure, StructureLaw, Symmetric};
 use condense::{Condensed, entries};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -24,13 +24,14 @@ const RIGID_BODY: f64 = 1e-10;
 /// Most iterations of the eigensolver for each mode; it needs about two.
 const ITERATIONS: usize = 100;
 
-/// What the motion of modes is at nodes.
-#[derive(Debug)]
-pub struct Modes {
-    /// Shape of each node, a number for each mode.
-    shapes: Vec<Vec<f64>>,
-    /// Nodes without mass: u for a load, a contact and a plate of 1.
-    massless: Vec<Option<[Vec<f64>; 3]>>,
+impl<'a> Model<'a> {
+    /// Prepares a structure.
+    pub fn new(structure: &'a Structure) -> Result<Model<'a>, EventsFault> {
+        match uses_modes(structure) {
+            true => model(structure),
+            false => Ok(Model::of_nodes(structure)),
+        }
+    }
 }
 
 impl Modes {
@@ -49,13 +50,6 @@ impl Modes {
             shape.resize(count, 0.0);
         }
         self
-    }
-
-    /// u of a node for u of the modes, signals of the loads, forces and u of the plates; or the rates.
-    pub fn at(&self, node: usize, modes: &[f64], others: [&[f64]; 3]) -> f64 {
-        let own = dot(&self.shapes[node], modes);
-        let parts = self.massless[node].iter().flatten().zip(others);
-        parts.fold(own, |sum, (row, values)| sum + dot(row, values))
     }
 }
 
@@ -268,4 +262,12 @@ fn laws(structure: &Structure, flexible: Option<&Flexible>) -> Result<Vec<Contac
         };
     }
     Ok(contacts)
+}
+
+/// Whether the coordinates of a structure are its modes. Damping that couples modes costs more than all products between nodes, so
+/// that large structures with it, but lumped masses, stay with their nodes.
+pub fn uses_modes(structure: &Structure) -> bool {
+    let lumped =
+        structure.coupled_mass.is_empty() && structure.nodes.iter().all(|node| node.mass > 0.0);
+    !lumped || (MANY..=MOST_MODES).contains(&structure.len()) && is_classical(structure)
 }

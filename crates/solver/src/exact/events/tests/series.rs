@@ -3,8 +3,9 @@
 
 use super::*;
 use crate::exact::events::cholesky::Cholesky;
+use crate::exact::events::contact_phase::Phase;
 use crate::exact::events::model::{LONGEST, Model};
-use crate::exact::events::phase::{ContactState, Phase};
+use crate::exact::events::phase::ContactState;
 use crate::exact::events::row::Row;
 use crate::exact::events::series::Series;
 use crate::system::structure::{Baseline, Motion};
