@@ -3,7 +3,7 @@
 //! A contact that sticks keeps its velocity: B^T a + G'' = 0.
 
 use crate::exact::events::Model;
-use crate::exact::events::cholesky::Cholesky;
+use crate::exact::events::numerics::cholesky::Cholesky;
 
 /// Least limit over the largest one by which forces are shared.
 const LEAST: f64 = 1e-3;

@@ -7,49 +7,28 @@
 //! contacts stick or stay shut, and impulses, are the problem that a step has, too (`rigid_phases`, `rigid`,
 //! [`crate::contact::CoupledForces`]). Contacts at nodes without mass have compliance, and may share it (`flexible`).
 
-mod bernstein;
-mod book;
-pub(super) mod cholesky;
-mod contact_phase;
+mod coordinates;
 mod fault;
-mod flexible;
-mod flexible_pieces;
-mod gaps;
-mod kernel;
-mod least;
-mod lines;
-mod matrix;
-mod modal;
-mod model;
-mod modes;
 mod motion;
-mod phase;
-mod resting_contact;
-mod rigid;
-mod rigid_phases;
-mod row;
-mod scales;
-mod series;
+pub(super) mod numerics;
+mod phases;
+mod pieces;
 mod settle;
-mod signals;
-mod softened_phases;
-mod sparse;
-mod state_buffers;
 #[cfg(test)]
 mod tests;
-mod watch;
+mod transitions;
 
-pub use crate::exact::events::contact_phase::Phase;
-pub use book::Book;
+pub(super) use crate::exact::events::coordinates::model::Model;
+pub use crate::exact::events::phases::contact_phase::Phase;
+pub use crate::exact::events::pieces::book::Book;
+pub(super) use crate::exact::events::pieces::state_buffers::StateBuffers;
 pub use fault::EventsFault;
-pub(super) use model::Model;
 pub use motion::{MOST_EVENTS, MOST_PIECES};
-pub(super) use state_buffers::StateBuffers;
 
 use crate::contact::ContactKind;
+use crate::exact::events::phases::contact_state::ContactState;
 use crate::system::structure::{Contact, Limit, Structure};
 use motion::Motion;
-use phase::ContactState;
 
 /// The motion at one time; at an event, after it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -194,7 +173,7 @@ fn run_model(
 pub fn work(structure: &Structure, end: f64, points: usize) -> f64 {
     let pieces = pieces(structure, end).max(points as f64);
     let [n, contacts] = [structure.len(), structure.contacts.len()].map(|count| count as f64);
-    match crate::exact::events::modal::uses_modes(structure) {
+    match crate::exact::events::coordinates::modal::uses_modes(structure) {
         // 3 us for a piece of one node, and about 1 us for each further node or contact.
         false => pieces * (1500.0 + 500.0 * (n + contacts)),
         // 2.5 s for 1000 modes, and 12 us for a piece of them with one contact.
@@ -214,7 +193,8 @@ pub fn pieces(structure: &Structure, end: f64) -> f64 {
             ContactKind::Friction | ContactKind::Link => ContactState::in_phase(Phase::Closed),
         });
     let phases = phases.zip(&structure.contacts).map(|(state, contact)| {
-        let line = lines::of(&contact.law).map(|law| law.start(contact.gap, None));
+        let line = crate::exact::events::phases::lines::of(&contact.law)
+            .map(|law| law.start(contact.gap, None));
         ContactState { line, ..state }
     });
     let phases: Vec<ContactState> = phases.collect();
@@ -255,8 +235,11 @@ fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
         let mut nodes = contact.along.iter();
         let has_mass = |node: usize| structure.nodes.get(node).is_none_or(|n| n.mass > 0.0);
         let r = structure.relative(i, &structure.displacement) + contact.gap;
-        let knows = |law: lines::Lines| law.knows(r, structure.preload.force(i));
-        nodes.all(|(node, _)| has_mass(*node)) && lines::of(&contact.law).is_some_and(knows)
+        let knows = |law: crate::exact::events::phases::lines::Lines| {
+            law.knows(r, structure.preload.force(i))
+        };
+        nodes.all(|(node, _)| has_mass(*node))
+            && crate::exact::events::phases::lines::of(&contact.law).is_some_and(knows)
     };
     let unknown = |(i, contact): &(usize, &Contact)| {
         let law = &contact.law;

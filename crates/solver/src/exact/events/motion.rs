@@ -1,15 +1,16 @@
 //! The motion, piece by piece.
 
-use super::book::{Book, energy};
-use super::contact_phase::Phase;
-use super::model::{LONGEST, Model};
-use super::phase::ContactState;
-use super::rigid::Constraints;
-use super::scales::Scales;
-use super::series::Series;
-use super::state_buffers::StateBuffers;
-use super::watch::{Found, first_event};
-use super::{Event, EventsFault, bernstein};
+use super::{Event, EventsFault};
+use crate::exact::events::coordinates::model::{LONGEST, Model};
+use crate::exact::events::numerics::bernstein;
+use crate::exact::events::phases::contact_phase::Phase;
+use crate::exact::events::phases::contact_state::ContactState;
+use crate::exact::events::pieces::book::{Book, energy};
+use crate::exact::events::pieces::scales::Scales;
+use crate::exact::events::pieces::series::Series;
+use crate::exact::events::pieces::state_buffers::StateBuffers;
+use crate::exact::events::pieces::watch::{Found, first_event};
+use crate::exact::events::transitions::rigid::Constraints;
 use crate::system::structure::StructureLaw;
 
 /// Most events of a motion.

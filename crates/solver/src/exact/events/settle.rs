@@ -1,16 +1,16 @@
 //! The phases after an event or a point of a table.
 
-use super::contact_phase::Phase;
-use super::least::Singular;
-use super::lines::End;
 use super::motion::Motion;
-use super::phase::ContactState;
-use super::rigid::{Constraints, impacts};
-use super::rigid_phases::determine_rigid_phases;
-use super::softened_phases::SoftenedPhases;
-use super::watch::{Crossing, Found};
 use super::{Event, EventKind, EventsFault};
 use crate::contact::ContactKind;
+use crate::exact::events::numerics::least::Singular;
+use crate::exact::events::phases::contact_phase::Phase;
+use crate::exact::events::phases::contact_state::ContactState;
+use crate::exact::events::phases::lines::End;
+use crate::exact::events::pieces::watch::{Crossing, Found};
+use crate::exact::events::transitions::rigid::{Constraints, impacts};
+use crate::exact::events::transitions::rigid_phases::determine_rigid_phases;
+use crate::exact::events::transitions::softened_phases::SoftenedPhases;
 
 impl Motion<'_> {
     /// What changes the phases of softened contacts.

@@ -1,8 +1,8 @@
 //! Modes as coordinates: against nodes, closed forms, and structures with small masses in place of none.
 
-use super::super::modal;
-use super::super::model::Model;
 use super::*;
+use crate::exact::events::coordinates::modal;
+use crate::exact::events::coordinates::model::Model;
 
 /// u and v of all nodes, r, rdot, S and slip of all contacts, at all times, and the summary.
 fn all(model: Model, times: &[f64]) -> (Vec<Vec<f64>>, Summary) {
@@ -195,7 +195,7 @@ fn the_lowest_mode_of_many_masses_keeps_its_period() {
     let w = 2.0 * libm::sin(0.5 * p);
     let shape: Vec<f64> = (1..=n).map(|i| libm::sin(p * i as f64)).collect();
     let s = s.moving(&shape, &vec![0.0; n]);
-    assert!(crate::exact::events::modal::uses_modes(&s));
+    assert!(crate::exact::events::coordinates::modal::uses_modes(&s));
     // Some 50 periods, without any event: one piece after another.
     let end = 100.0 * std::f64::consts::PI / w;
     let (state, summary) = last(&s, end);

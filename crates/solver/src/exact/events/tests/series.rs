@@ -2,12 +2,12 @@
 //! fixed point: M u'' = p - K u - C v - B S with the support as a node of known motion.
 
 use super::*;
-use crate::exact::events::cholesky::Cholesky;
-use crate::exact::events::contact_phase::Phase;
-use crate::exact::events::model::{LONGEST, Model};
-use crate::exact::events::phase::ContactState;
-use crate::exact::events::row::Row;
-use crate::exact::events::series::Series;
+use crate::exact::events::coordinates::model::{LONGEST, Model};
+use crate::exact::events::numerics::cholesky::Cholesky;
+use crate::exact::events::numerics::row::Row;
+use crate::exact::events::phases::contact_phase::Phase;
+use crate::exact::events::phases::contact_state::ContactState;
+use crate::exact::events::pieces::series::Series;
 use crate::system::structure::{Baseline, Motion};
 
 const MASSES: [f64; 3] = [1.0, 2.0, 0.5];

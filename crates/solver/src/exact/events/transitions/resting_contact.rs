@@ -1,12 +1,12 @@
 //! Rigid contacts that do not move.
 
-use super::contact_phase::Phase;
-use super::gaps::Gaps;
-use super::model::Model;
-use super::phase::ContactState;
-use super::scales::Scales;
-use super::series::Series;
 use crate::contact::ContactKind;
+use crate::exact::events::coordinates::model::Model;
+use crate::exact::events::phases::contact_phase::Phase;
+use crate::exact::events::phases::contact_state::ContactState;
+use crate::exact::events::pieces::gaps::Gaps;
+use crate::exact::events::pieces::scales::Scales;
+use crate::exact::events::pieces::series::Series;
 use crate::system::structure::StructureLaw;
 
 /// A contact that may stick or stay shut.

@@ -1,7 +1,7 @@
 //! Round-off of the quantities that events depend on, from the largest values so far.
 
-use super::model::Model;
 use super::series::Series;
+use crate::exact::events::coordinates::model::Model;
 use crate::system::structure::StructureLaw;
 
 /// Tolerance over the largest value.

@@ -3,14 +3,14 @@
 //! Impulses minimise 1/2 J^T A J - J^T d, J <= 0, A = B^T M^-1 B, with d = (1 + e) rdot of contacts that close. A finite friction
 //! limit has no impulse.
 
-use super::book::Book;
-use super::cholesky::Cholesky;
-use super::contact_phase::Phase;
-use super::least::{Singular, least};
-use super::model::Model;
-use super::phase::ContactState;
-use super::scales::Scales;
-use super::series::Series;
+use crate::exact::events::coordinates::model::Model;
+use crate::exact::events::numerics::cholesky::Cholesky;
+use crate::exact::events::numerics::least::{Singular, least};
+use crate::exact::events::phases::contact_phase::Phase;
+use crate::exact::events::phases::contact_state::ContactState;
+use crate::exact::events::pieces::book::Book;
+use crate::exact::events::pieces::scales::Scales;
+use crate::exact::events::pieces::series::Series;
 use crate::system::structure::StructureLaw;
 
 /// Impacts with a smaller |rdot|, over the largest velocity, accumulate: the contact shuts.

@@ -6,13 +6,13 @@
 //! A contact that leaves its static limit breaks loose: its force falls to the limit of sliding. All that do so at one time break loose
 //! together, and the forces are found again, as in a step (`solve/structure/static_friction.rs`).
 
-use super::least::{Singular, least};
-use super::model::Model;
-use super::phase::ContactState;
 use super::resting_contact::{RestingContact, candidates, stop};
+use crate::exact::events::coordinates::model::Model;
+use crate::exact::events::numerics::least::{Singular, least};
+use crate::exact::events::phases::contact_state::ContactState;
 
-use super::scales::Scales;
-use super::series::Series;
+use crate::exact::events::pieces::scales::Scales;
+use crate::exact::events::pieces::series::Series;
 
 /// Orders of derivatives that decide. A friction contact undecided after them stays at its limit, because the loads do not change.
 /// Where forces are not unique, the first order decides: a contact at its limit stays there, and others change.

@@ -2,7 +2,7 @@
 
 use super::{End, KEPT, Line};
 use crate::contact::{GapYield, Restrainer};
-use crate::exact::events::contact_phase::Phase;
+use crate::exact::events::phases::contact_phase::Phase;
 
 /// F = sign S over d = sign r + shift: k (d - s) up to Fy (1 - eta) + eta k d. What it keeps is s.
 #[derive(Debug, Clone, Copy)]

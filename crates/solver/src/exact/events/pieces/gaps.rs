@@ -1,6 +1,6 @@
 //! What supports that move do to the gaps of contacts on a piece.
 
-use super::bernstein::{ORDERS, Polynomial, TERMS};
+use crate::exact::events::numerics::bernstein::{ORDERS, Polynomial, TERMS};
 use crate::system::structure::Structure;
 
 /// The change of each gap since rest as a polynomial of a piece; nothing without supports that move.

@@ -1,11 +1,11 @@
 //! What nodes without mass add to the pieces.
 
-use super::bernstein::{ORDERS, Polynomial, TERMS, slope, value};
-use super::flexible::Flexible;
-use super::least::Singular;
-use super::model::Model;
-use super::phase::{ContactState, Force};
 use super::series::Series;
+use crate::exact::events::coordinates::flexible::Flexible;
+use crate::exact::events::coordinates::model::Model;
+use crate::exact::events::numerics::bernstein::{ORDERS, Polynomial, TERMS, slope, value};
+use crate::exact::events::numerics::least::Singular;
+use crate::exact::events::phases::contact_state::{ContactState, Force};
 
 impl Series {
     /// The terms of order 0 and 1 of contacts at nodes without mass, and the loads of plates.

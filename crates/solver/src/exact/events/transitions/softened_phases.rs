@@ -1,14 +1,14 @@
 //! Phases after an event, a point of a table or an impact: limits that become positive, 0 or jump, and softened laws.
 
-use super::book::Book;
-use super::contact_phase::Phase;
-use super::lines;
-use super::model::Model;
-use super::phase::ContactState;
-use super::scales::Scales;
-use super::series::Series;
-use super::watch::{Crossing, Found};
 use crate::contact::ContactKind;
+use crate::exact::events::coordinates::model::Model;
+use crate::exact::events::phases::contact_phase::Phase;
+use crate::exact::events::phases::contact_state::ContactState;
+use crate::exact::events::phases::lines;
+use crate::exact::events::pieces::book::Book;
+use crate::exact::events::pieces::scales::Scales;
+use crate::exact::events::pieces::series::Series;
+use crate::exact::events::pieces::watch::{Crossing, Found};
 use crate::system::structure::StructureLaw;
 
 /// What a review works on: a piece that has begun, and the phases.

@@ -2,7 +2,7 @@
 
 use super::{End, Line};
 use crate::contact::{Bilinear, ImpactYield, Pendulum};
-use crate::exact::events::contact_phase::Phase;
+use crate::exact::events::phases::contact_phase::Phase;
 
 /// A spring k1 between the lines k2 r + low and k2 r + high; a stop has it for r < 0 alone.
 #[derive(Debug, Clone, Copy)]

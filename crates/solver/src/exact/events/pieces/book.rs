@@ -1,11 +1,11 @@
 //! The energy book: E(t) - E(0) = work of the loads - dissipated energy, E kinetic, of K and of the springs of the contacts.
 
-use super::bernstein::{slope, value};
-use super::lines::{self, Line};
-use super::model::Model;
-use super::phase::{ContactState, Force};
-use super::row::dot;
 use super::series::Series;
+use crate::exact::events::coordinates::model::Model;
+use crate::exact::events::numerics::bernstein::{slope, value};
+use crate::exact::events::numerics::row::dot;
+use crate::exact::events::phases::contact_state::{ContactState, Force};
+use crate::exact::events::phases::lines::{self, Line};
 use crate::system::structure::StructureLaw;
 
 /// Points and weights of Gauss's rule with ten points on -1..=1, for the positive points.

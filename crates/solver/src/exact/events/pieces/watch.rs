@@ -1,13 +1,13 @@
 //! Event functions: polynomials that are not negative as long as the contacts keep their phases.
 
-use super::bernstein::{Polynomial, TERMS, first_negative};
-use super::contact_phase::Phase;
-use super::lines::{End, Line};
-use super::model::Model;
-use super::phase::ContactState;
 use super::scales::Scales;
 use super::series::Series;
 use crate::contact::ContactKind;
+use crate::exact::events::coordinates::model::Model;
+use crate::exact::events::numerics::bernstein::{Polynomial, TERMS, first_negative};
+use crate::exact::events::phases::contact_phase::Phase;
+use crate::exact::events::phases::contact_state::ContactState;
+use crate::exact::events::phases::lines::{End, Line};
 use crate::system::structure::StructureLaw;
 
 /// What happens at an event.

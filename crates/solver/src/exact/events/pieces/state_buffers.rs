@@ -1,10 +1,10 @@
 //! StateBuffers for a state.
 
-use super::State;
-use super::bernstein::{Polynomial, slope, value};
-use super::model::Model;
-use super::modes::Modes;
 use super::series::Series;
+use crate::exact::events::State;
+use crate::exact::events::coordinates::model::Model;
+use crate::exact::events::coordinates::modes::Modes;
+use crate::exact::events::numerics::bernstein::{Polynomial, slope, value};
 
 /// The numbers of a state.
 pub struct StateBuffers {

@@ -1,9 +1,9 @@
 //! Nodes without mass are condensed: they follow the others, the loads and the contacts at every instant.
 
-use super::super::EventsFault;
 use super::super::flexible::Flexible;
 use super::project;
-use crate::exact::events::modes::Modes;
+use crate::exact::events::EventsFault;
+use crate::exact::events::coordinates::modes::Modes;
 use crate::system::structure::{Structure, Symmetric};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 

@@ -6,12 +6,12 @@
 //! pieces, phases, events and the energy book, is the same for both.
 
 use super::flexible::Flexible;
-use super::matrix::Matrix;
 use super::modes::Modes;
-use super::phase::{ContactState, Force};
-use super::row::Row;
-use super::signals;
-use super::sparse::{RowSums, Rows};
+use crate::exact::events::numerics::matrix::Matrix;
+use crate::exact::events::numerics::row::Row;
+use crate::exact::events::numerics::signals;
+use crate::exact::events::numerics::sparse::{RowSums, Rows};
+use crate::exact::events::phases::contact_state::{ContactState, Force};
 use crate::system::structure::{Contact, Structure};
 use std::borrow::Cow;
 
@@ -20,7 +20,7 @@ pub const LONGEST: f64 = 2.0;
 
 /// From this number of nodes on, modes are faster, their computation included: a chain of 300 masses took 0.9 s in place of 1.6 s,
 /// one of 1000 7 s in place of 17 s. Smaller structures with lumped masses keep the form of nodes, and so the bits of their results.
-pub(super) const MANY: usize = 200;
+pub(crate) const MANY: usize = 200;
 
 /// Most modes: their matrices have this number squared, and their computation takes the time of its cube.
 pub const MOST_MODES: usize = 4000;

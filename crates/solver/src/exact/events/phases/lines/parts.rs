@@ -2,7 +2,7 @@
 
 use super::{End, Line};
 use crate::contact::Multilinear;
-use crate::exact::events::contact_phase::Phase;
+use crate::exact::events::phases::contact_phase::Phase;
 
 /// What it keeps is the stretch of each part at the point of the line.
 #[derive(Debug, Clone, Copy)]

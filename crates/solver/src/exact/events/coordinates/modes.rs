@@ -1,14 +1,14 @@
 //! What the motion of modes is at nodes.
 
-use super::row::dot;
+use crate::exact::events::numerics::row::dot;
 
 /// What the motion of modes is at nodes.
 #[derive(Debug)]
 pub struct Modes {
     /// Shape of each node, a number for each mode.
-    pub(super) shapes: Vec<Vec<f64>>,
+    pub(crate) shapes: Vec<Vec<f64>>,
     /// Nodes without mass: u for a load, a contact and a plate of 1.
-    pub(super) massless: Vec<Option<[Vec<f64>; 3]>>,
+    pub(crate) massless: Vec<Option<[Vec<f64>; 3]>>,
 }
 
 impl Modes {

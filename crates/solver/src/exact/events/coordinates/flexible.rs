@@ -5,9 +5,9 @@
 //! = p_p. Contacts that share such nodes have coupled forces: those that are linear in r in their phases come from one small system,
 //! those at their limit are known.
 
-use super::bernstein::{Polynomial, TERMS};
-use super::least::Singular;
-use super::phase::{ContactState, Force};
+use crate::exact::events::numerics::bernstein::{Polynomial, TERMS};
+use crate::exact::events::numerics::least::Singular;
+use crate::exact::events::phases::contact_state::{ContactState, Force};
 use crate::system::structure::Contact;
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 

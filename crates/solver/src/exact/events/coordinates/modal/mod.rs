@@ -4,12 +4,12 @@ mod condense;
 mod refine;
 
 use super::flexible::Flexible;
-use super::matrix::Matrix;
 use super::model::{Bounds, MANY, MOST_MODES, Model};
 use super::modes::Modes;
-use super::row::{LANES, Row, dot, sum};
-use super::sparse::Rows;
-use super::{EventsFault, signals};
+use crate::exact::events::numerics::matrix::Matrix;
+use crate::exact::events::numerics::row::{LANES, Row, dot, sum};
+use crate::exact::events::numerics::sparse::Rows;
+use crate::exact::events::{EventsFault, numerics::signals};
 use crate::system::structure::{Contact, Structure, StructureLaw, Symmetric};
 use condense::{Condensed, entries};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};

@@ -2,16 +2,16 @@
 //!
 //! Coefficients belong to powers of s, the time from the start over the length h, so that they neither overflow nor underflow.
 
-use super::bernstein::{ORDERS, Polynomial, TERMS};
-use super::cholesky::Cholesky;
-use super::flexible::FlexibleSeries;
 use super::gaps::Gaps;
-use super::kernel::{self, Order};
-use super::matrix::Matrix;
-use super::model::Model;
-use super::phase::{ContactState, Force};
-use super::row::{LANES, Row};
-use super::signals::{self, add_signal};
+use crate::exact::events::coordinates::flexible::FlexibleSeries;
+use crate::exact::events::coordinates::model::Model;
+use crate::exact::events::numerics::bernstein::{ORDERS, Polynomial, TERMS};
+use crate::exact::events::numerics::cholesky::Cholesky;
+use crate::exact::events::numerics::kernel::{self, Order};
+use crate::exact::events::numerics::matrix::Matrix;
+use crate::exact::events::numerics::row::{LANES, Row};
+use crate::exact::events::numerics::signals::{self, add_signal};
+use crate::exact::events::phases::contact_state::{ContactState, Force};
 
 /// Terms of a motion without stiffness: a load that is straight in time gives a cubic.
 const FEWEST: usize = 6;

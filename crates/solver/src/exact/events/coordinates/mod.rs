@@ -1,0 +1,6 @@
+//! The coordinates of a structure: its nodes, or its modes.
+
+pub(crate) mod flexible;
+pub(crate) mod modal;
+pub(crate) mod model;
+pub(crate) mod modes;
