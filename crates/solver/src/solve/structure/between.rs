@@ -1,7 +1,5 @@
 //! Nodes between contacts in series: the contacts move them, and nothing else.
 
-use super::state::Average;
-use crate::lane::Lane;
 use crate::system::structure::{Structure, Symmetric};
 
 /// The entries that hold these nodes in the matrix of a step, over its largest one: what moves them there is round-off.
@@ -49,34 +47,5 @@ pub(super) fn hold(structure: &Structure, matrix: &mut Symmetric) {
     let held = if largest > 0.0 { HELD * largest } else { 1.0 };
     for node in chains.iter().flat_map(|chain| &chain.nodes) {
         matrix.add(node.node, node.node, held);
-    }
-}
-
-impl<const L: usize> Average<'_, L> {
-    /// Moves the nodes between contacts in series to where the laws have them after the step.
-    #[cold]
-    pub(super) fn move_between(&mut self) {
-        for Between {
-            place,
-            first: (first, factor),
-            contacts,
-        } in &self.prepared.between
-        {
-            let first = *first;
-            let mut change = Lane::splat(0.0);
-            for (l, curved) in self.curved.iter().enumerate() {
-                if let Some(curved) = curved {
-                    let contact = &self.contacts[first];
-                    let now = contact.p.0[l] - 0.5 * contact.w.0[l];
-                    change.0[l] = factor * (curved.displacement(first) - now);
-                }
-            }
-            self.p[*place] = self.p[*place] + change;
-            self.moved[*place] = change;
-            for (contact, factor) in contacts {
-                let contact = &mut self.contacts[*contact];
-                contact.p = contact.p + change * *factor;
-            }
-        }
     }
 }

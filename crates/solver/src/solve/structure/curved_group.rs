@@ -1,9 +1,8 @@
 //! Contacts in series as one contact: a chain has one force, and its motion is the sum of those of its members.
 
-use super::curved::Contact;
+use super::curved_contact::Contact;
 use super::curved_link::{self as link, Link, leader};
-use super::curved_step::ROUND_OFF;
-use super::instant::SHORT;
+use super::curved_step::{ROUND_OFF, SHORT};
 use super::series::{Part, Series, Shares};
 use crate::contact::coupled::curved::{Directions, Laws};
 use crate::contact::plane::{Pair, PlaneMemory};

@@ -3,9 +3,9 @@
 //! Contacts side by side have one change, from which the force of each follows; their sum is the force of the link. Contacts without
 //! compliance have the rest of it while they hold, and share it alike as far as they can.
 
-use super::curved::Contact;
+use super::curved_contact::Contact;
 use super::curved_step::ROUND_OFF;
-use super::series::filled;
+use super::series_root::filled;
 
 /// Contacts with their signs, as [`crate::system::structure::Member`].
 pub(super) type Link = Vec<(usize, f64)>;

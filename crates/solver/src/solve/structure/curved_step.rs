@@ -118,3 +118,7 @@ pub(super) fn explicit_line(relation: &StructureLaw) -> Option<f64> {
         _ => line(relation, 1.0),
     }
 }
+
+/// Time of this step over the time step of the motion. What a damper moves in it is left out, and the round-off of displacements over
+/// it is in the rate of the damper: each about 1e-9 of a velocity times a step.
+pub(super) const SHORT: f64 = 1e-6;

@@ -1,6 +1,6 @@
 //! The contact forces at t = 0.
 
-use super::curved::first_force;
+use super::curved_contact::first_force;
 use super::curved_plane::first_forces;
 use super::laws::{bounds, friction};
 use crate::contact::{RigidForces, Unsolved};

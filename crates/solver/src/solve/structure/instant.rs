@@ -6,15 +6,11 @@
 
 use super::between;
 use super::curved::Curved;
-use super::curved_step::Motion;
+use super::curved_step::{Motion, SHORT};
 use crate::contact::ContactKind;
 use crate::solve::Unsolvable;
 use crate::system::structure::factor::Factor;
 use crate::system::structure::{Chain, Structure};
-
-/// Time of this step over the time step of the motion. What a damper moves in it is left out, and the round-off of displacements over
-/// it is in the rate of the damper: each about 1e-9 of a velocity times a step.
-pub(super) const SHORT: f64 = 1e-6;
 
 /// Most rounds in which limits follow the forces of the contacts that press them.
 const ROUNDS: usize = 20;

@@ -2,69 +2,11 @@
 
 use super::Prepared;
 use super::laws::varying;
+use super::samples::{Samples, Series};
 use crate::contact::ContactKind;
 use crate::lane::Lane;
 use crate::system::structure::{PressedBy, PressingSpring, Pressure, Signal, Structure};
 use std::sync::Arc;
-
-/// Numbers of signals for the steps 0..=N, each signal sampled once.
-#[derive(Debug)]
-pub(super) struct Samples<'a> {
-    of: fn(&Signal, f64, usize) -> Vec<f64>,
-    signals: Vec<&'a Arc<Signal>>,
-    series: Vec<Vec<f64>>,
-    dt: f64,
-    steps: usize,
-}
-
-impl<'a> Samples<'a> {
-    pub(super) fn new(of: fn(&Signal, f64, usize) -> Vec<f64>, dt: f64, steps: usize) -> Self {
-        Samples {
-            of,
-            signals: Vec::new(),
-            series: Vec::new(),
-            dt,
-            steps,
-        }
-    }
-
-    /// Number of the series of a signal.
-    fn number(&mut self, signal: &'a Arc<Signal>) -> usize {
-        let known = self.signals.iter().position(|s| Arc::ptr_eq(s, signal));
-        known.unwrap_or_else(|| {
-            self.signals.push(signal);
-            self.series.push((self.of)(signal, self.dt, self.steps));
-            self.signals.len() - 1
-        })
-    }
-}
-
-/// One signal for each lane, often the same one.
-#[derive(Debug)]
-struct Series<const L: usize> {
-    of: [usize; L],
-    shared: bool,
-}
-
-impl<const L: usize> Series<L> {
-    fn new(of: [usize; L]) -> Self {
-        Series {
-            of,
-            shared: of.iter().all(|number| *number == of[0]),
-        }
-    }
-
-    #[inline(always)]
-    fn at(&self, series: &[Vec<f64>], step: usize) -> Lane<L> {
-        let mut lane = Lane::splat(series[self.of[0]][step]);
-        if !self.shared {
-            for (x, number) in lane.0.iter_mut().zip(self.of) {
-                *x = series[number][step];
-            }
-        }
-        lane
-    }
-}
 
 /// A load: a factor at each of its places times a signal.
 #[derive(Debug)]

@@ -59,9 +59,12 @@
 //! # Ok::<(), slipgap_solver::solve::Unsolvable>(())
 //! ```
 
+mod average_moves;
+mod average_step;
 mod between;
 mod books;
 mod curved;
+mod curved_contact;
 mod curved_group;
 mod curved_lanes;
 mod curved_link;
@@ -74,14 +77,18 @@ mod initial;
 mod instant;
 mod laws;
 mod ledger;
+pub(crate) mod linear;
 mod links;
 mod loads;
 mod massless;
 mod moving;
 mod preload;
 mod prepared;
+mod reduced;
 mod run;
+mod samples;
 mod series;
+mod series_root;
 mod state;
 mod static_friction;
 mod step_view;

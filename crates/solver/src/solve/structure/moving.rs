@@ -1,6 +1,5 @@
 //! Supports that move: where they are at the ends of steps, and what that does to gaps and nodes.
 
-use super::state::Average;
 use crate::lane::Lane;
 use crate::system::structure::{Motion, Structure};
 use std::sync::Arc;
@@ -122,38 +121,5 @@ impl<const L: usize> Moving<L> {
     pub(super) fn excess(&self, contact: usize) -> [Lane<L>; 2] {
         let ([g0, v0], [g1, v1]) = (self.start[contact], self.end[contact]);
         [(g1 - g0) - v0 * self.dt, (v1 - v0) * (0.5 * self.dt)]
-    }
-}
-
-impl<const L: usize> Average<'_, L> {
-    /// Moves the gaps over a step, in the trial values of the contacts.
-    #[cold]
-    pub(super) fn move_gaps(&mut self, step: usize) {
-        let Some(moving) = &mut self.moving else {
-            return;
-        };
-        moving.advance(step);
-        for (c, trial) in self.trial.iter_mut().enumerate() {
-            let [by_r, by_rate] = moving.excess(c);
-            let line = &self.contacts[c].line;
-            for l in 0..L {
-                // r* - c of a law of velocities is dt/2 rdot*.
-                let of_rate = line.by_increment.0[l] == 0.5 && line.by_displacement.0[l] == 0.0;
-                trial.0[l] += if of_rate { by_rate.0[l] } else { by_r.0[l] };
-            }
-        }
-    }
-
-    /// Adds the gaps after the step to the contacts.
-    #[cold]
-    pub(super) fn add_gaps(&mut self) {
-        let Some(moving) = &self.moving else {
-            return;
-        };
-        for (contact, [gap, rate]) in self.contacts.iter_mut().zip(&moving.end) {
-            let change = *rate * self.prepared.dt;
-            contact.p = contact.p + (*gap + change * 0.5);
-            contact.w = contact.w + change;
-        }
     }
 }

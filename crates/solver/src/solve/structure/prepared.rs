@@ -4,6 +4,7 @@ use super::between::{self, Between};
 use super::general::Linear;
 use super::links::{Elimination, Link, links};
 use super::massless::{self, Massless};
+use super::reduced::{Reduced, flexibility, place_of, places, reduce};
 use crate::methods::{AverageAcceleration, Method};
 use crate::solve::Unsolvable;
 use crate::system::structure::factor::{Factor, NotPositive};
@@ -49,15 +50,6 @@ pub struct Prepared {
     /// H = B^T Khat^-1 B by rows.
     pub(super) flexibility: Vec<f64>,
     key: Key,
-}
-
-/// An entry of L^-1 B.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Reduced {
-    pub(super) at: usize,
-    pub(super) value: f64,
-    /// value/D.
-    pub(super) by_pivot: f64,
 }
 
 /// What a prepared structure depends on.
@@ -269,30 +261,6 @@ fn touches(structure: &Structure) -> Vec<bool> {
     touches
 }
 
-/// The place of each node in the order of elimination.
-pub(super) fn place_of(factor: &Factor) -> Vec<usize> {
-    let mut place = vec![0; factor.order().len()];
-    for (k, node) in factor.order().iter().enumerate() {
-        place[*node] = k;
-    }
-    place
-}
-
-/// Places of each contact with their factors.
-pub(super) fn places(structure: &Structure, place: &[usize]) -> Vec<Along> {
-    let of = |along: &Along| {
-        along
-            .iter()
-            .map(|(node, factor)| (place[*node], *factor))
-            .collect()
-    };
-    structure
-        .contacts
-        .iter()
-        .map(|contact| of(&contact.along))
-        .collect()
-}
-
 /// The entries of M below its diagonal by place, times a factor.
 fn coupled_mass(structure: &Structure, place: &[usize], factor: f64) -> Vec<(usize, usize, f64)> {
     let entries = structure.coupled_mass.entries();
@@ -304,38 +272,4 @@ fn coupled_mass(structure: &Structure, place: &[usize], factor: f64) -> Vec<(usi
 /// The nodes of a load.
 fn loaded(load: &Load) -> impl Iterator<Item = usize> + '_ {
     load.pattern.iter().map(|(node, _)| *node)
-}
-
-/// L^-1 B of a contact by its places and their factors.
-pub(super) fn reduce(factor: &Factor, along: &[(usize, f64)]) -> Vec<Reduced> {
-    let entry = |(at, value): (usize, f64)| Reduced {
-        at,
-        value,
-        by_pivot: value * factor.reciprocals()[at],
-    };
-    let entries = factor.eliminate_few(along);
-    entries.into_iter().map(entry).collect()
-}
-
-/// A factor times B^T (L D L^T)^-1 B = (L^-1 B)^T D^-1 (L^-1 B).
-pub(super) fn flexibility(reduced: &[Vec<Reduced>], factor: f64) -> Vec<f64> {
-    let product = |a: &[Reduced], b: &[Reduced]| {
-        let (mut sum, mut b) = (0.0, b.iter().peekable());
-        for x in a {
-            while b.next_if(|y| y.at < x.at).is_some() {}
-            if let Some(y) = b.next_if(|y| y.at == x.at) {
-                sum += x.by_pivot * y.value;
-            }
-        }
-        factor * sum
-    };
-    let m = reduced.len();
-    let mut h = vec![0.0; m * m];
-    for i in 0..m {
-        for j in 0..=i {
-            let value = product(&reduced[i], &reduced[j]);
-            (h[i * m + j], h[j * m + i]) = (value, value);
-        }
-    }
-    h
 }

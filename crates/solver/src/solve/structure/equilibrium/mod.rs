@@ -13,7 +13,8 @@
 
 mod weights;
 
-use super::curved::{Curved, Memory};
+use super::curved::Curved;
+use super::curved_contact::Memory;
 use super::curved_step::Motion;
 use crate::contact::Unsolved;
 use crate::solve::Unsolvable;

@@ -1,6 +1,5 @@
 //! Contacts with laws that are not clipped lines.
 
-use super::linear::Linear;
 use super::stepper::General;
 use crate::lane::Lane;
 use crate::solve::structure::Prepared;
@@ -8,6 +7,7 @@ use crate::solve::structure::curved::Curved;
 use crate::solve::structure::curved_lanes::{any_curved, curved_lanes, meet_lane};
 use crate::solve::structure::curved_step::Motion;
 use crate::solve::structure::forces::Forces;
+use crate::solve::structure::linear::Linear;
 use crate::system::structure::Structure;
 
 /// The contacts of each sub-step in each lane that has such a law; empty if there is none.

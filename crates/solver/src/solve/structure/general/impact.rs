@@ -3,43 +3,9 @@
 use super::contacts::LaneContact;
 use super::stepper::General;
 use crate::lane::Lane;
-use crate::solve::structure::Prepared;
 
 /// Round-off of r over the largest displacement so far, of a stop that stays shut for a million steps: some 1000 times 2e-16.
 const ROUND_OFF: f64 = 1e-12;
-
-/// What rigid stops and Coulomb friction of the method of Moreau and Jean need.
-#[derive(Debug)]
-pub(super) struct Impacts<const L: usize> {
-    /// The stops that are active in the step.
-    active: Vec<[bool; L]>,
-    /// Largest displacement of the two nodes of each contact so far, and its gap.
-    size: Vec<[f64; L]>,
-    /// For each place, the place whose velocity it has; see `rest`.
-    pub(super) with: Vec<usize>,
-}
-
-impl<const L: usize> Impacts<L> {
-    /// `None` if impulses act on no contact.
-    pub(super) fn new(contacts: &[LaneContact<L>], prepared: &Prepared) -> Option<Impacts<L>> {
-        if contacts
-            .iter()
-            .all(|contact| contact.by_impulse == [false; L])
-        {
-            return None;
-        }
-        let m = contacts.len();
-        Some(Impacts {
-            active: vec![[false; L]; m],
-            size: vec![[0.0; L]; m],
-            with: (0..=prepared.nodes()).collect(),
-        })
-    }
-
-    pub(super) fn is_active(&self, contact: usize, lane: usize) -> bool {
-        self.active[contact][lane]
-    }
-}
 
 impl<const L: usize> General<'_, L> {
     /// Makes the stops active whose gap, predicted for the middle of the step by r + dt/2 rdot, is not positive. A stop that stays

@@ -14,16 +14,17 @@
 mod books;
 mod contacts;
 mod correct;
+mod corrections;
 mod critical;
 mod curved;
 mod impact;
-mod linear;
+mod impacts;
 mod mass;
 mod rest;
 mod start;
 mod state;
 mod stepper;
 
+pub(super) use crate::solve::structure::linear::Linear;
 pub use critical::{CriticalFault, critical_fault, critical_step};
-pub(super) use linear::Linear;
 pub(super) use stepper::General;

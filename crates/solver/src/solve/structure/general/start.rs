@@ -1,10 +1,10 @@
 //! Structures at t = 0.
 
 use super::contacts::{LaneContact, LaneLine};
-use super::correct::Corrections;
+use super::corrections::Corrections;
 use super::critical::{CriticalFault, critical_fault};
 use super::curved;
-use super::impact::Impacts;
+use super::impacts::Impacts;
 use super::stepper::{General, Stage};
 use crate::lane::Lane;
 use crate::solve::Unsolvable;

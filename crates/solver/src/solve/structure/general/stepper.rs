@@ -1,9 +1,8 @@
 //! A step of structures in lanes.
 
 use super::contacts::{LaneContact, LaneLine};
-use super::correct::Corrections;
-use super::impact::Impacts;
-use super::linear::Linear;
+use super::corrections::Corrections;
+use super::impacts::Impacts;
 use crate::lane::Lane;
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
@@ -11,6 +10,7 @@ use crate::solve::structure::Prepared;
 use crate::solve::structure::curved::Curved;
 use crate::solve::structure::forces::Forces;
 use crate::solve::structure::laws::friction;
+use crate::solve::structure::linear::Linear;
 use crate::solve::structure::links::{Elimination, Link};
 use crate::solve::structure::loads::Inputs;
 use crate::solve::structure::moving::Moving;

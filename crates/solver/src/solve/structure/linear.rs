@@ -4,7 +4,7 @@ use crate::methods::SubStep;
 use crate::solve::Unsolvable;
 use crate::solve::structure::between;
 use crate::solve::structure::links::{Elimination, Link, links};
-use crate::solve::structure::prepared::{Reduced, flexibility, place_of, places, reduce};
+use crate::solve::structure::reduced::{Reduced, flexibility, place_of, places, reduce};
 use crate::system::structure::factor::{Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Structure, Symmetric};
@@ -12,15 +12,15 @@ use crate::system::structure::{Structure, Symmetric};
 /// A sub-step with its matrix m1 M + w1 d1 C + w1 d2 K = L D L^T in the order of elimination.
 #[derive(Debug, Clone)]
 pub(in crate::solve::structure) struct Linear {
-    pub(super) sub_step: SubStep,
+    pub(crate) sub_step: SubStep,
     /// The matrix; c is not divided by dt.
-    pub(super) elimination: Elimination,
+    pub(crate) elimination: Elimination,
     /// Couplings of nodes of different directions.
-    pub(super) couplings: Vec<Link>,
+    pub(crate) couplings: Vec<Link>,
     /// L^-1 B by columns.
-    pub(super) reduced: Lists<Reduced>,
+    pub(crate) reduced: Lists<Reduced>,
     /// What a force takes from the relations of the contacts, by rows: d2 s1 B^T (..)^-1 B, or d1 s1 B^T (..)^-1 B if d2 = 0.
-    pub(super) flexibility: Vec<f64>,
+    pub(crate) flexibility: Vec<f64>,
 }
 
 impl Linear {
