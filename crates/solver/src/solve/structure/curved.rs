@@ -11,7 +11,7 @@ use super::curved_step::{Motion, Scale, explicit_line, line};
 use super::static_friction::Bound;
 use crate::contact::coupled::curved::CurvedForces;
 use crate::contact::plane::{PlaneLaw, PlaneMemory};
-use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Unsolved};
+use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, Unsolved};
 use crate::system::structure::{Chain, PlaneRow, Structure};
 
 /// The contacts of one structure.

@@ -4,6 +4,7 @@
 //! a known factor, and the pattern is right if the free forces are within their bounds and q = d - A S presses the others against
 //! theirs. The lanes where it is not right solve the whole problem ([`CoupledForces`]) and keep the new pattern.
 
+use super::lane_forces::{Contact, Scratch};
 use crate::contact::{CoupledForces, Unsolved};
 use crate::lane::Lane;
 
@@ -23,31 +24,6 @@ pub(super) struct Forces<const L: usize> {
     /// Numbers of one lane.
     scratch: Scratch,
 }
-
-/// A contact of L structures.
-#[derive(Debug, Clone, Copy)]
-struct Contact<const L: usize> {
-    /// g.
-    compliance: Lane<L>,
-    low: Lane<L>,
-    high: Lane<L>,
-    /// -1 at the low bound, 0 free, 1 at the high bound.
-    side: Lane<L>,
-    /// The bound where it is not free.
-    fixed: Lane<L>,
-    /// A times the fixed forces.
-    held: Lane<L>,
-    /// 1/D, or 0 where it is not free.
-    reciprocal: Lane<L>,
-    /// The free force.
-    free: Lane<L>,
-    /// d without the fixed forces.
-    rest: Lane<L>,
-}
-
-/// Numbers of one lane: d, low, high, size, force.
-#[derive(Debug, Clone)]
-struct Scratch([Vec<f64>; 5]);
 
 impl<const L: usize> Forces<L> {
     /// The contacts with H, by rows, and g and the bounds of each.

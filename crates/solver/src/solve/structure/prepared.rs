@@ -1,7 +1,7 @@
 //! What all cases with equal masses, stiffness, damping, time step, and equal nodes of contacts and loads share.
 
 use super::between::{self, Between};
-use super::general::Linear;
+use super::linear::Linear;
 use super::links::{Elimination, Link, links};
 use super::massless::{self, Massless};
 use super::reduced::{Reduced, flexibility, place_of, places, reduce};

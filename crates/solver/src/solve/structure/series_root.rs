@@ -1,7 +1,5 @@
 //! Roots of contacts in series.
 
-use super::series::{NEAR, TRIES};
-
 /// Two neighbours with a root between them, and the values there.
 pub(super) struct Bracket {
     pub(super) x: [f64; 2],
@@ -89,3 +87,9 @@ pub(super) fn filled(intervals: &[[f64; 2]], sum: f64) -> Vec<f64> {
     let level = (sum - fixed) / count as f64;
     at(level).collect()
 }
+
+/// Relative distance of two neighbours at which a search ends: the unit round-off twice.
+pub(super) const NEAR: f64 = 2.0 * f64::EPSILON;
+
+/// Most evaluations of a search; bisection alone needs about 100.
+pub(super) const TRIES: usize = 400;

@@ -1,6 +1,6 @@
 //! Energies of the state, and the work of its last step.
 
-use super::stepper::{General, predict};
+use super::stages::{General, predict};
 use crate::lane::Lane;
 use crate::methods::ContactWork;
 use crate::solve::structure::Work;

@@ -4,7 +4,7 @@
 //! stay. The problem is that of contact forces with dt^2 B^T M^-1 B as flexibility.
 
 use super::corrections::Corrections;
-use super::stepper::General;
+use super::stages::General;
 use crate::lane::Lane;
 
 impl<const L: usize> General<'_, L> {

@@ -1,6 +1,6 @@
 //! Contacts with laws that are not clipped lines.
 
-use super::stepper::General;
+use super::stages::General;
 use crate::lane::Lane;
 use crate::solve::structure::Prepared;
 use crate::solve::structure::curved::Curved;

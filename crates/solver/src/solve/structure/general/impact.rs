@@ -1,7 +1,7 @@
 //! Rigid stops on which impulses act: which of them are active in a step.
 
 use super::contacts::LaneContact;
-use super::stepper::General;
+use super::stages::General;
 use crate::lane::Lane;
 
 /// Round-off of r over the largest displacement so far, of a stop that stays shut for a million steps: some 1000 times 2e-16.

@@ -1,6 +1,6 @@
 //! Masses that are coupled, and nodes without mass.
 
-use super::stepper::General;
+use super::stages::General;
 use crate::lane::Lane;
 use crate::solve::structure::between::Between;
 

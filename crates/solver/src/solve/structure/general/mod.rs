@@ -20,11 +20,13 @@ mod curved;
 mod impact;
 mod impacts;
 mod mass;
+mod meet;
 mod rest;
+mod stages;
 mod start;
 mod state;
 mod stepper;
+mod two_limits;
 
-pub(super) use crate::solve::structure::linear::Linear;
+pub(super) use crate::solve::structure::general::stages::General;
 pub use critical::{CriticalFault, critical_fault, critical_step};
-pub(super) use stepper::General;

@@ -1,6 +1,6 @@
 //! Contacts at rest after a step with impulses: stops that stay shut, and friction that sticks.
 
-use super::stepper::General;
+use super::stages::General;
 
 impl<const L: usize> General<'_, L> {
     /// Gives nodes between which there are contacts at rest the same velocity, so that rdot is 0 and not round-off: that of their

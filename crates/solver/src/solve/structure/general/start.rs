@@ -5,7 +5,7 @@ use super::corrections::Corrections;
 use super::critical::{CriticalFault, critical_fault};
 use super::curved;
 use super::impacts::Impacts;
-use super::stepper::{General, Stage};
+use super::stages::{General, Stage};
 use crate::lane::Lane;
 use crate::solve::Unsolvable;
 use crate::solve::structure::forces::Forces;

@@ -1,6 +1,6 @@
 //! What a run shows of the state, and whether it is valid.
 
-use super::stepper::{General, Stage};
+use super::stages::{General, Stage};
 use crate::contact::Unsolved;
 use crate::lane::Lane;
 use crate::solve::Unsolvable;

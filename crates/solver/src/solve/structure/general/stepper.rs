@@ -1,84 +1,11 @@
 //! A step of structures in lanes.
 
-use super::contacts::{LaneContact, LaneLine};
-use super::corrections::Corrections;
-use super::impacts::Impacts;
+use super::stages::{General, Stage, predict};
 use crate::lane::Lane;
 use crate::methods::SubStep;
-use crate::solve::Unsolvable;
-use crate::solve::structure::Prepared;
-use crate::solve::structure::curved::Curved;
-use crate::solve::structure::forces::Forces;
 use crate::solve::structure::laws::friction;
 use crate::solve::structure::linear::Linear;
 use crate::solve::structure::links::{Elimination, Link};
-use crate::solve::structure::loads::Inputs;
-use crate::solve::structure::moving::Moving;
-use crate::solve::structure::static_friction::StaticFriction;
-
-/// The state of L structures after a step.
-#[derive(Debug)]
-pub(in crate::solve::structure) struct General<'a, const L: usize> {
-    pub(in crate::solve::structure) prepared: &'a Prepared,
-    /// The motion at the start of the last step, and at the end of each of its sub-steps.
-    pub(super) stages: Vec<Stage<L>>,
-    pub(super) contacts: Vec<LaneContact<L>>,
-    /// The lines of the contacts, and what finds their forces, for each sub-step.
-    pub(super) lines: Vec<Vec<LaneLine<L>>>,
-    pub(super) forces: Vec<Forces<L>>,
-    /// The contacts of lanes with laws that are not clipped lines, for each sub-step; empty if there is none.
-    pub(super) curved: Vec<Vec<Option<Curved>>>,
-    pub(super) inputs: Inputs<L>,
-    /// Rigid stops with impulses; `None` without any.
-    pub(super) impacts: Option<Impacts<L>>,
-    /// Rigid stops that correct displacements; `None` without any.
-    pub(super) corrections: Option<Box<Corrections<L>>>,
-    /// Whether a law gives S' before r' is known.
-    pub(super) knows: bool,
-    /// The last step.
-    pub(super) step: usize,
-    /// u* - u and v* - v, u_e and v_e, by place; the last one is the ground.
-    pub(super) predicted: Vec<[Lane<L>; 2]>,
-    pub(super) weighted: Vec<[Lane<L>; 2]>,
-    /// Right side, then a'.
-    pub(super) work: Vec<Lane<L>>,
-    pub(super) trial: Vec<Lane<L>>,
-    pub(super) force: Vec<Lane<L>>,
-    /// Supports that move.
-    pub(in crate::solve::structure) moving: Option<Moving<L>>,
-    /// Why a lane cannot start.
-    pub(super) refused: [Option<Unsolvable>; L],
-    /// Friction with two limits.
-    pub(super) two_limits: Option<StaticFriction>,
-}
-
-/// The motion at one time.
-#[derive(Debug, Clone)]
-pub(super) struct Stage<const L: usize> {
-    /// u, v, a by place; the last one is the ground, which does not move.
-    pub(super) nodes: Vec<[Lane<L>; 3]>,
-    /// r, rdot, S of the contacts.
-    pub(super) contacts: Vec<[Lane<L>; 3]>,
-    /// What supports moved the gaps, and the rates of it; empty without supports that move.
-    pub(super) gaps: Vec<[Lane<L>; 2]>,
-}
-
-/// u* - u and v* - v of a place.
-#[inline(always)]
-pub(super) fn predict<const L: usize>(
-    sub_step: &SubStep,
-    first: [Lane<L>; 3],
-    [u, v, a]: [Lane<L>; 3],
-) -> [Lane<L>; 2] {
-    let mut du = v * sub_step.u_v + a * sub_step.u_a;
-    let mut dv = a * sub_step.v_a;
-    if let Some([by_u, by_v]) = sub_step.u_before {
-        let moved = v - first[1];
-        du = du + (u - first[0]) * by_u + moved * by_v;
-        dv = dv + moved * sub_step.v_d;
-    }
-    [du, dv]
-}
 
 impl<const L: usize> General<'_, L> {
     /// One step; `step` is the number of its end.
@@ -187,42 +114,6 @@ impl<const L: usize> General<'_, L> {
         }
     }
 
-    /// Bounds of contacts with two limits: S' is the mean over the step.
-    #[cold]
-    fn begin_friction(&mut self, part: usize) {
-        for own in self.two_limits.iter_mut().flat_map(StaticFriction::all) {
-            let bounds = own.begin(None);
-            self.contacts[own.contact].bound_lane(own.lane, bounds);
-            self.forces[part].bound_lane([own.contact, own.lane], bounds);
-        }
-        self.forces[part].hold();
-    }
-
-    /// Finds the forces again as long as contacts break loose.
-    #[cold]
-    fn break_loose(&mut self, part: usize, end: usize) {
-        let Some(friction) = &mut self.two_limits else {
-            return;
-        };
-        let (contacts, forces) = (&mut self.contacts, &mut self.forces[part]);
-        for l in 0..L {
-            loop {
-                let bound = |c: usize, bounds: [f64; 2]| {
-                    contacts[c].bound_lane(l, bounds);
-                    forces.bound_lane([c, l], bounds);
-                };
-                if !friction.break_loose(l, |c| self.force[c].0[l], bound) {
-                    break;
-                }
-                let size = |c: usize, l: usize| contacts[c].size.0[l];
-                forces.solve_lane([l, end], &self.trial, &size, &mut self.force);
-            }
-        }
-        for own in friction.all() {
-            own.end(self.force[own.contact].0[own.lane]);
-        }
-    }
-
     /// A jump of the loads changes the accelerations at the start of a sub-step.
     #[cold]
     fn jump(&mut self, part: usize, end: usize) {
@@ -272,80 +163,6 @@ impl<const L: usize> General<'_, L> {
         if let Some(blocks) = blocks {
             blocks.eliminate(work);
         }
-    }
-
-    /// The forces S', and y with them.
-    #[inline(always)]
-    fn meet(&mut self, part: usize, end: usize) {
-        let prepared = self.prepared;
-        let linear = &prepared.sub_steps[part];
-        let SubStep { d1, d2, forces, .. } = linear.sub_step;
-        let start = &self.stages[part];
-        for (c, contact) in self.contacts.iter_mut().enumerate() {
-            let mut a = Lane::splat(0.0);
-            for entry in linear.reduced.list(c) {
-                a = a + self.work[entry.at] * entry.by_pivot;
-            }
-            let [mut du, mut dv] = [Lane::splat(0.0); 2];
-            for (at, factor) in prepared.along.list(c) {
-                let [u, v] = self.predicted[*at];
-                (du, dv) = (du + u * *factor, dv + v * *factor);
-            }
-            if let Some(moving) = &self.moving {
-                let ([g0, v0], [g1, v1]) = (moving.start[c], moving.end[c]);
-                (du, dv) = (du + (g1 - g0), dv + (v1 - v0));
-            }
-            let [r, rdot, s] = start.contacts[c];
-            let line = &self.lines[part][c];
-            let (change, rate) = (du + a * d2, rdot + dv + a * d1);
-            (contact.change, contact.rate) = (change, rate);
-            let [of_r, of_s] = [r * line.by_displacement, s * line.by_force];
-            let of_bounce = rdot * line.by_bounce;
-            self.trial[c] =
-                change * line.by_change + rate * line.by_rate + (of_r + of_s + of_bounce);
-            let terms = [of_r, of_s, of_bounce].map(|x| x.map(f64::abs));
-            let [du, dv, rdot, a] = [du, dv, rdot, a].map(|x| x.map(f64::abs));
-            contact.size = (du + a * d2) * line.by_change
-                + (rdot + dv + a * d1) * line.by_rate
-                + (terms[0] + terms[1] + terms[2]);
-        }
-        if self.knows {
-            self.know(part);
-        }
-        if self.impacts.is_some() {
-            self.activate(part);
-        }
-        let contacts = &self.contacts;
-        let size = |c: usize, l: usize| contacts[c].size.0[l];
-        self.forces[part].solve(end, &self.trial, size, &mut self.force);
-        if self.two_limits.is_some() {
-            self.break_loose(part, end);
-        }
-        if !self.curved.is_empty() {
-            self.meet_curved(part, end);
-        }
-        for (c, force) in self.force.iter().enumerate() {
-            let part = *force * forces[1];
-            for entry in linear.reduced.list(c) {
-                self.work[entry.at] = self.work[entry.at] - part * entry.value;
-            }
-        }
-    }
-
-    /// The forces of laws that know r'.
-    fn know(&mut self, part: usize) {
-        let forces = &mut self.forces[part];
-        for (c, contact) in self.contacts.iter().enumerate() {
-            let [mut low, mut high] = contact.bounds;
-            for l in (0..L).filter(|l| contact.known[*l]) {
-                let s = self.trial[c].0[l] / contact.softness.0[l];
-                let s = if s < low.0[l] { low.0[l] } else { s };
-                let s = if s > high.0[l] { high.0[l] } else { s };
-                (low.0[l], high.0[l]) = (s, s);
-            }
-            forces.bound(c, [low, high]);
-        }
-        forces.hold();
     }
 
     /// D L^T a' = y, and the motion at the end.

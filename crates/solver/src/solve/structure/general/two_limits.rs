@@ -1,0 +1,42 @@
+//! Friction with two limits in a sub-step.
+
+use super::stages::General;
+use crate::solve::structure::static_friction::StaticFriction;
+
+impl<const L: usize> General<'_, L> {
+    /// Bounds of contacts with two limits: S' is the mean over the step.
+    #[cold]
+    pub(super) fn begin_friction(&mut self, part: usize) {
+        for own in self.two_limits.iter_mut().flat_map(StaticFriction::all) {
+            let bounds = own.begin(None);
+            self.contacts[own.contact].bound_lane(own.lane, bounds);
+            self.forces[part].bound_lane([own.contact, own.lane], bounds);
+        }
+        self.forces[part].hold();
+    }
+
+    /// Finds the forces again as long as contacts break loose.
+    #[cold]
+    pub(super) fn break_loose(&mut self, part: usize, end: usize) {
+        let Some(friction) = &mut self.two_limits else {
+            return;
+        };
+        let (contacts, forces) = (&mut self.contacts, &mut self.forces[part]);
+        for l in 0..L {
+            loop {
+                let bound = |c: usize, bounds: [f64; 2]| {
+                    contacts[c].bound_lane(l, bounds);
+                    forces.bound_lane([c, l], bounds);
+                };
+                if !friction.break_loose(l, |c| self.force[c].0[l], bound) {
+                    break;
+                }
+                let size = |c: usize, l: usize| contacts[c].size.0[l];
+                forces.solve_lane([l, end], &self.trial, &size, &mut self.force);
+            }
+        }
+        for own in friction.all() {
+            own.end(self.force[own.contact].0[own.lane]);
+        }
+    }
+}
