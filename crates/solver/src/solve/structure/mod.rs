@@ -59,53 +59,25 @@
 //! # Ok::<(), slipgap_solver::solve::Unsolvable>(())
 //! ```
 
-mod average_moves;
-mod average_step;
-mod between;
-mod books;
-mod curved;
-mod curved_contact;
-mod curved_group;
-mod curved_lanes;
-mod curved_link;
-mod curved_plane;
-mod curved_step;
-mod equilibrium;
-mod forces;
+mod average;
+mod contacts;
 mod general;
-mod initial;
-mod instant;
-mod lane_forces;
-mod laws;
-mod ledger;
-pub(crate) mod linear;
-mod links;
-mod loads;
-mod massless;
-mod moving;
-mod preload;
-mod prepared;
-mod reduced;
+mod inputs;
+mod linear_part;
 mod run;
-mod samples;
-mod series;
-mod series_newton;
-mod series_root;
-mod state;
-mod static_friction;
-mod step_view;
-mod watch;
+mod seen;
+mod start;
 
-pub use books::{Books, Work};
+pub use crate::solve::structure::contacts::static_friction::static_ratio_fault;
+pub use crate::solve::structure::linear_part::prepared::Prepared;
+pub use crate::solve::structure::seen::books::{Books, Work};
+pub use crate::solve::structure::seen::ledger::Ledger;
+pub use crate::solve::structure::seen::step_view::{ContactStep, State};
+pub use crate::solve::structure::seen::watch::{Watch, Watched, WatchedContact};
+pub use crate::solve::structure::start::instant::balance;
+pub use crate::solve::structure::start::preload::settle;
 pub use general::{CriticalFault, critical_fault, critical_step};
-pub use instant::balance;
-pub use ledger::Ledger;
-pub use preload::settle;
-pub use prepared::Prepared;
 pub use run::run;
-pub use static_friction::static_ratio_fault;
-pub use step_view::{ContactStep, State};
-pub use watch::{Watch, Watched, WatchedContact};
 
 #[cfg(test)]
 mod tests;

@@ -1,11 +1,11 @@
 //! Steps of structures in lanes.
 
 use super::general::General;
-use super::loads::Inputs;
-use super::state::Average;
-use super::step_view::Kind;
 use super::{Prepared, State};
 use crate::solve::Unsolvable;
+use crate::solve::structure::average::state::Average;
+use crate::solve::structure::inputs::loads::Inputs;
+use crate::solve::structure::seen::step_view::Kind;
 use crate::system::structure::Structure;
 use multiversion::multiversion;
 

@@ -2,7 +2,7 @@
 
 use crate::lane::Lane;
 use crate::methods::{Method, SubStep};
-use crate::solve::structure::laws::bounds;
+use crate::solve::structure::contacts::laws::bounds;
 use crate::system::structure::{Contact, Structure, StructureLaw};
 
 /// A contact of L structures.

@@ -3,7 +3,7 @@
 use super::contacts::LaneContact;
 use crate::lane::Lane;
 use crate::solve::structure::Prepared;
-use crate::solve::structure::forces::Forces;
+use crate::solve::structure::contacts::forces::Forces;
 use crate::system::structure::{Structure, StructureLaw};
 
 /// What the corrections need.

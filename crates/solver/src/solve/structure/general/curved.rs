@@ -3,11 +3,11 @@
 use super::stages::General;
 use crate::lane::Lane;
 use crate::solve::structure::Prepared;
-use crate::solve::structure::curved::Curved;
-use crate::solve::structure::curved_lanes::{any_curved, curved_lanes, meet_lane};
-use crate::solve::structure::curved_step::Motion;
-use crate::solve::structure::forces::Forces;
-use crate::solve::structure::linear::Linear;
+use crate::solve::structure::contacts::curved::Curved;
+use crate::solve::structure::contacts::curved_lanes::{any_curved, curved_lanes, meet_lane};
+use crate::solve::structure::contacts::curved_step::Motion;
+use crate::solve::structure::contacts::forces::Forces;
+use crate::solve::structure::linear_part::linear::Linear;
 use crate::system::structure::Structure;
 
 /// The contacts of each sub-step in each lane that has such a law; empty if there is none.

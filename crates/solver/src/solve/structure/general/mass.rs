@@ -2,7 +2,7 @@
 
 use super::stages::General;
 use crate::lane::Lane;
-use crate::solve::structure::between::Between;
+use crate::solve::structure::linear_part::between::Between;
 
 impl<const L: usize> General<'_, L> {
     /// Adds a factor times M a at the start of a sub-step, without the diagonal of M.

@@ -7,15 +7,15 @@ use crate::lane::Lane;
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
 use crate::solve::structure::Prepared;
-use crate::solve::structure::curved::Curved;
-use crate::solve::structure::forces::Forces;
-use crate::solve::structure::loads::Inputs;
-use crate::solve::structure::moving::Moving;
-use crate::solve::structure::static_friction::StaticFriction;
+use crate::solve::structure::contacts::curved::Curved;
+use crate::solve::structure::contacts::forces::Forces;
+use crate::solve::structure::contacts::static_friction::StaticFriction;
+use crate::solve::structure::inputs::loads::Inputs;
+use crate::solve::structure::linear_part::moving::Moving;
 
 /// The state of L structures after a step.
 #[derive(Debug)]
-pub(in crate::solve::structure) struct General<'a, const L: usize> {
+pub(crate) struct General<'a, const L: usize> {
     pub(in crate::solve::structure) prepared: &'a Prepared,
     /// The motion at the start of the last step, and at the end of each of its sub-steps.
     pub(super) stages: Vec<Stage<L>>,

@@ -8,11 +8,11 @@ use super::impacts::Impacts;
 use super::stages::{General, Stage};
 use crate::lane::Lane;
 use crate::solve::Unsolvable;
-use crate::solve::structure::forces::Forces;
-use crate::solve::structure::loads::Inputs;
-use crate::solve::structure::moving::Moving;
-use crate::solve::structure::static_friction::{StaticFriction, static_ratio_fault};
-use crate::solve::structure::{Prepared, initial};
+use crate::solve::structure::contacts::forces::Forces;
+use crate::solve::structure::contacts::static_friction::{StaticFriction, static_ratio_fault};
+use crate::solve::structure::inputs::loads::Inputs;
+use crate::solve::structure::linear_part::moving::Moving;
+use crate::solve::structure::{Prepared, start::initial};
 use crate::system::structure::Structure;
 
 impl<'a, const L: usize> General<'a, L> {

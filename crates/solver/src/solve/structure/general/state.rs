@@ -5,8 +5,8 @@ use crate::contact::Unsolved;
 use crate::lane::Lane;
 use crate::solve::Unsolvable;
 use crate::solve::structure::ContactStep;
-use crate::solve::structure::forces::Forces;
-use crate::solve::structure::static_friction::StaticFriction;
+use crate::solve::structure::contacts::forces::Forces;
+use crate::solve::structure::contacts::static_friction::StaticFriction;
 
 impl<const L: usize> General<'_, L> {
     /// Displacement of a node, numbered as in the structure.

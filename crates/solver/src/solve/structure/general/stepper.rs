@@ -3,9 +3,9 @@
 use super::stages::{General, Stage, predict};
 use crate::lane::Lane;
 use crate::methods::SubStep;
-use crate::solve::structure::laws::friction;
-use crate::solve::structure::linear::Linear;
-use crate::solve::structure::links::{Elimination, Link};
+use crate::solve::structure::contacts::laws::friction;
+use crate::solve::structure::linear_part::linear::Linear;
+use crate::solve::structure::linear_part::links::{Elimination, Link};
 
 impl<const L: usize> General<'_, L> {
     /// One step; `step` is the number of its end.

@@ -1,7 +1,7 @@
 //! Friction with two limits in a sub-step.
 
 use super::stages::General;
-use crate::solve::structure::static_friction::StaticFriction;
+use crate::solve::structure::contacts::static_friction::StaticFriction;
 
 impl<const L: usize> General<'_, L> {
     /// Bounds of contacts with two limits: S' is the mean over the step.

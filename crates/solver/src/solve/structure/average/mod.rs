@@ -1,0 +1,5 @@
+//! The constant average acceleration method in increments.
+
+pub(crate) mod moves;
+pub(crate) mod state;
+pub(crate) mod step;

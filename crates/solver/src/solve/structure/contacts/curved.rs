@@ -1,0 +1,283 @@
+//! The contacts of a structure with a law that is not a clipped line.
+//!
+//! Every law answers alone, r' = y - a S ([`CurvedForces`]). Within a step rdot' is affine in r', so an answer with
+//! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact. In an explicit method r' does not depend on
+//! the forces: there y and a are those of rdot' = y - a S.
+
+use super::curved_contact::{Contact, Memory};
+use super::curved_group::{Group, Groups, grouped, groups, of_masses};
+use super::curved_plane::{self};
+use super::curved_step::{Motion, Scale, explicit_line, line};
+use super::static_friction::Bound;
+use crate::contact::coupled::curved::CurvedForces;
+use crate::contact::plane::{PlaneLaw, PlaneMemory};
+use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, Unsolved};
+use crate::system::structure::{Chain, PlaneRow, Structure};
+
+/// The contacts of one structure.
+#[derive(Debug)]
+pub(crate) struct Curved {
+    forces: CurvedForces,
+    contacts: Vec<Contact>,
+    /// Contacts in series answer together.
+    groups: Vec<Group>,
+    /// Of the groups: a, and the numbers of a step.
+    own: Vec<f64>,
+    d: Vec<f64>,
+    size: Vec<f64>,
+    together: Vec<f64>,
+    /// Of the contacts.
+    force: Vec<f64>,
+}
+
+/// A flexibility beside which every law is stiff.
+const SOFT: f64 = 1e200;
+
+impl Curved {
+    /// The contacts of a structure with this H, by rows; `None` if all its laws are clipped lines.
+    pub(crate) fn new(
+        structure: &Structure,
+        flexibility: &[f64],
+        pace: f64,
+        dt: f64,
+    ) -> Option<Curved> {
+        let mut contacts = structure.contacts.iter();
+        let chains = structure.chains();
+        let any = !chains.is_empty() || contacts.any(|contact| contact.law.is_curved());
+        any.then(|| Curved::of_all(structure, &chains, flexibility, pace, dt))
+    }
+
+    /// The contacts of a structure with this H, by rows, also if all its laws are clipped lines. Those in `chains` answer together.
+    pub(crate) fn of_all(
+        structure: &Structure,
+        chains: &[Chain],
+        flexibility: &[f64],
+        pace: f64,
+        dt: f64,
+    ) -> Curved {
+        let contacts = &structure.contacts;
+        let m = contacts.len();
+        let groups = groups(m, chains);
+        let is_first = |group: &Group| {
+            group
+                .contacts()
+                .any(|i| contacts[i].law.row() == Some(PlaneRow::First))
+        };
+        // Both directions are alone in their groups, which follow each other.
+        let planes = (0..groups.len()).filter(|g| is_first(&groups[*g]));
+        let planes: Vec<usize> = planes.collect();
+        let flexibility = grouped(flexibility, &groups, m);
+        let forces = CurvedForces::with_planes(flexibility, groups.len(), &planes);
+        let mut own = vec![0.0; m];
+        for (g, group) in groups.iter().enumerate() {
+            let flexibility = match forces.flexibility(g) {
+                0.0 if group.is_chain() => of_masses(structure, group, dt),
+                flexibility => flexibility,
+            };
+            group.contacts().for_each(|i| own[i] = flexibility);
+        }
+        let massless = structure.massless();
+        let contact = |(i, contact): (usize, &crate::system::structure::Contact)| {
+            let relation = contact.law.clone();
+            let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
+            let own = own[i];
+            // Both directions of a plane have one rate.
+            let mut nodes = structure
+                .directions_of(i)
+                .flat_map(|i| &structure.contacts[i].along);
+            let is_massless = nodes.any(|(node, _)| massless[*node]);
+            let scale = Scale {
+                pace: if is_massless { 1.0 / dt } else { pace },
+                dt,
+                is_massless,
+            };
+            let law = relation.law(limit);
+            let steps = scale.steps(own);
+            let running = match structure.preload.laws.get(i) {
+                Some(Some(remembers)) => {
+                    let mut running = *remembers;
+                    running.change(&law, &steps);
+                    running
+                }
+                _ => ContactLaw::running(&[law], &steps),
+            };
+            Contact {
+                law: running,
+                now: law,
+                own,
+                line: match scale.is_explicit() {
+                    true => explicit_line(&relation),
+                    false => line(&relation, scale.pace),
+                },
+                scale,
+                bounds: law.properties().bounds(),
+                two_limits: false,
+                plane: curved_plane::first(structure, i, limit, scale, own),
+                relation,
+                motion: Motion::default(),
+                terms: [0.0; 2],
+                displacement: 0.0,
+            }
+        };
+        let contacts = contacts.iter().enumerate().map(contact).collect();
+        Curved {
+            contacts,
+            d: vec![0.0; groups.len()],
+            size: vec![0.0; groups.len()],
+            together: vec![0.0; groups.len()],
+            own: (0..groups.len()).map(|g| forces.flexibility(g)).collect(),
+            forces,
+            force: vec![0.0; m],
+            groups,
+        }
+    }
+
+    /// r of a contact at the end of the last step, as its law has it.
+    pub(crate) fn displacement(&self, contact: usize) -> f64 {
+        self.contacts[contact].displacement
+    }
+
+    /// The law of a contact with its memory.
+    pub(crate) fn law(&self, contact: usize) -> AnyRunningLaw<1> {
+        self.contacts[contact].law
+    }
+
+    /// What the law of a contact in a plane remembers; `None` of others and of second directions.
+    pub(crate) fn plane(&self, contact: usize) -> Option<PlaneMemory> {
+        self.contacts[contact].plane.map(|plane| plane.memory)
+    }
+
+    /// Whether a contact's law may have several answers in a step.
+    pub(crate) fn is_ambiguous(&self) -> bool {
+        self.is_ambiguous_in(|_| true)
+    }
+
+    /// Whether the law of a contact of such kinds may.
+    pub(crate) fn is_ambiguous_in(&self, kinds: impl Fn(ContactKind) -> bool) -> bool {
+        let has_one = |group: &Group, contact: &Contact| {
+            if !kinds(contact.relation.kind()) {
+                return true;
+            }
+            let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
+            let law = contact.relation.law(limit);
+            // Another contact in series may be as soft as it likes.
+            let own = if group.is_chain() { SOFT } else { contact.own };
+            law.properties().has_one_root(&contact.scale.steps(own)[0])
+        };
+        let mut groups = self.groups.iter();
+        !groups.all(|group| group.contacts().all(|i| has_one(group, &self.contacts[i])))
+    }
+
+    /// Changes the friction limit of a contact.
+    pub(crate) fn limit(&mut self, contact: usize, limit: f64) {
+        let contact = &mut self.contacts[contact];
+        let law = contact.relation.law(limit);
+        contact.law.change(&law, &contact.scale.steps(contact.own));
+        contact.now = law;
+        contact.bounds = law.properties().bounds();
+        if let Some(plane) = &mut contact.plane {
+            let step = curved_plane::step(contact.scale, contact.own);
+            plane.law = PlaneLaw::new(&law, step).unwrap_or(plane.law);
+        }
+    }
+
+    /// What the laws remember.
+    pub(crate) fn memory(&self) -> Vec<Memory> {
+        self.contacts.iter().map(Contact::memory).collect()
+    }
+
+    /// Lets the laws remember this, with their present limits and flexibilities.
+    pub(crate) fn recall(&mut self, all: impl Iterator<Item = Memory>) {
+        for (contact, (law, memory)) in self.contacts.iter_mut().zip(all) {
+            contact.law = law;
+            if let (Some(plane), Some(memory)) = (&mut contact.plane, memory) {
+                plane.memory = memory;
+            }
+            let steps = contact.scale.steps(contact.own);
+            contact.law.change(&contact.now, &steps);
+        }
+    }
+
+    /// Changes the bounds of Coulomb friction with two limits.
+    pub(crate) fn bound(&mut self, contact: usize, bounds: [f64; 2]) {
+        let contact = &mut self.contacts[contact];
+        (contact.bounds, contact.two_limits) = (bounds, true);
+    }
+
+    /// Takes over what the laws remember from the sub-step before.
+    pub(crate) fn remember(&mut self, before: &Curved) {
+        self.recall(before.contacts.iter().map(Contact::memory));
+    }
+
+    /// The forces at the end of the step with these motions.
+    pub(crate) fn solve(&mut self, motion: impl Fn(usize) -> Motion) -> Result<&[f64], Unsolved> {
+        self.solve_until(motion, |_, _| false)
+    }
+
+    /// The same; `breaks` changes bounds as long as contacts break loose.
+    pub(crate) fn solve_until(
+        &mut self,
+        motion: impl Fn(usize) -> Motion,
+        mut breaks: impl FnMut(&[f64], &mut Bound) -> bool,
+    ) -> Result<&[f64], Unsolved> {
+        for (g, group) in self.groups.iter().enumerate() {
+            for i in group.contacts() {
+                self.contacts[i].move_by(motion(i));
+            }
+            if group.is_chain() {
+                group.begin(&mut self.contacts);
+            }
+            for i in group.contacts() {
+                let contact = &mut self.contacts[i];
+                if contact.scale.is_massless {
+                    contact.motion.rate = contact.motion.change / contact.scale.dt;
+                }
+                if !group.is_chain() {
+                    contact.begin();
+                }
+            }
+            self.d[g] = group.sum(&self.contacts, |contact| {
+                contact.scale.free(&contact.motion)
+            });
+            self.size[g] = group.size(&self.contacts);
+            self.together[g] = group.force(&self.contacts);
+        }
+        loop {
+            let groups = Groups {
+                contacts: &self.contacts,
+                groups: &self.groups,
+                own: &self.own,
+            };
+            self.forces
+                .solve(&self.d, &self.size, &groups, &mut self.together)?;
+            for (g, group) in self.groups.iter().enumerate() {
+                group.write(self.together[g], &mut self.force);
+            }
+            let contacts = &mut self.contacts;
+            if !breaks(&self.force, &mut |c, bounds| contacts[c].bounds = bounds) {
+                break;
+            }
+        }
+        for (g, group) in self.groups.iter().enumerate() {
+            let y = self.forces.argument(g);
+            match group.row(&self.contacts) {
+                None => {
+                    let force = self.together[g];
+                    group.end((y, self.own[g], force), &mut self.contacts, &mut self.force);
+                }
+                Some(PlaneRow::First) => {
+                    let y = [y, self.forces.argument(g + 1)];
+                    group.end_plane(y, &mut self.contacts);
+                }
+                Some(PlaneRow::Second) => {}
+            }
+        }
+        Ok(&self.force)
+    }
+
+    /// Energy that the contacts store.
+    pub(crate) fn stored_energy(&self, states: impl Iterator<Item = [f64; 2]>) -> f64 {
+        let energy = |(contact, [r, s]): (&Contact, [f64; 2])| contact.stored_energy(r, s);
+        self.contacts.iter().zip(states).map(energy).sum()
+    }
+}

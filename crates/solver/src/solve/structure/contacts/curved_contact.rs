@@ -1,0 +1,246 @@
+//! A contact with a law that is not a clipped line, over a step.
+
+use super::curved_plane::Plane;
+use super::curved_step::{Motion, ROUND_OFF, Scale, trial};
+use crate::contact::plane::PlaneMemory;
+use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial};
+use crate::lane::Lane;
+use crate::system::structure::{PlaneRow, Structure, StructureLaw};
+
+/// A contact.
+#[derive(Debug)]
+pub(crate) struct Contact {
+    pub(crate) relation: StructureLaw,
+    /// The law with its memory: the answer with the flexibility a, and the law itself, without flexibility.
+    pub(crate) law: AnyRunningLaw<1>,
+    /// Its numbers, with the present limit.
+    pub(crate) now: ContactLaw,
+    /// a.
+    pub(crate) own: f64,
+    pub(crate) scale: Scale,
+    /// 1/f' of a clipped line.
+    pub(crate) line: Option<f64>,
+    pub(crate) bounds: [f64; 2],
+    /// Whether they are those of Coulomb friction with two limits, and not those of the law.
+    pub(crate) two_limits: bool,
+    /// The motion over the step without the forces at its end.
+    pub(crate) motion: Motion,
+    /// The largest sizes of the terms of r and rdot so far.
+    pub(crate) terms: [f64; 2],
+    /// r at the end of the step.
+    pub(crate) displacement: f64,
+    /// The law of both directions of a contact in a plane, beside the first one.
+    pub(crate) plane: Option<Plane>,
+}
+
+/// What the law of a contact remembers, also of a contact in a plane.
+pub(crate) type Memory = (AnyRunningLaw<1>, Option<PlaneMemory>);
+
+impl Contact {
+    pub(crate) fn memory(&self) -> Memory {
+        (self.law, self.plane.map(|plane| plane.memory))
+    }
+
+    /// Takes the motion of a step.
+    pub(crate) fn move_by(&mut self, motion: Motion) {
+        self.terms = [0, 1].map(|i| self.terms[i].max(motion.terms[i]));
+        self.motion = motion;
+    }
+
+    /// The trial with this y.
+    fn trial(&self, y: f64) -> Trial<1> {
+        self.trial_of(&self.motion, y)
+    }
+
+    fn trial_of(&self, motion: &Motion, y: f64) -> Trial<1> {
+        if self.scale.is_explicit() {
+            return trial(motion, motion.change, y);
+        }
+        let rate = motion.rate + self.scale.pace * (y - motion.change);
+        trial(motion, y, rate)
+    }
+
+    /// Sets the closing speed of an impact that may begin in this step.
+    ///
+    /// The law takes it from a trial that overlaps. Where other contacts push this one together, the trial without forces does not
+    /// overlap: then it is the present closing speed, or the mean one that closes the gap in the step. So it does not depend on the
+    /// forces, and the law rises.
+    pub(crate) fn begin(&mut self) {
+        if self.relation.kind() != ContactKind::Impact {
+            return;
+        }
+        let motion = match self.now.properties().divides_by_closing_speed() {
+            true => self.motion.without_round_off(self.terms),
+            false => self.motion,
+        };
+        let r = motion.displacement;
+        if r + motion.change < 0.0 {
+            let free = self.trial_of(&motion, self.scale.free(&motion));
+            ContactResponse::force(&mut self.law, 0, &free);
+        } else {
+            let rate = f64::min(motion.velocity, -r.max(0.0) / self.scale.dt);
+            self.touch(motion, rate);
+        }
+    }
+
+    /// Lets the law take its closing speed from a motion that just closes the contact at this rate.
+    fn touch(&mut self, motion: Motion, rate: f64) {
+        let r = motion.displacement;
+        let just = if r > 0.0 { -r * (1.0 + 1e-12) } else { 0.0 };
+        let just = if r == 0.0 { -f64::MIN_POSITIVE } else { just };
+        ContactResponse::force(&mut self.law, 0, &trial(&motion, just, rate));
+    }
+
+    /// The same for a contact of a chain that closes at this rate.
+    pub(crate) fn begin_at(&mut self, rate: f64) {
+        if self.relation.kind() == ContactKind::Impact {
+            let motion = Motion {
+                velocity: rate,
+                ..self.motion
+            };
+            self.touch(motion, rate);
+        }
+    }
+
+    /// The end of the step of a contact of a chain.
+    pub(crate) fn end_in_chain(&mut self, change: f64, force: f64, round_off: f64) {
+        let change = self.without_round_off(change, force, round_off);
+        self.displacement = self.motion.displacement + change;
+        self.end(change + self.own * force, force);
+    }
+
+    /// A change without force, of an impact that overlaps by round-off only: it has not begun.
+    fn without_round_off(&self, change: f64, force: f64, round_off: f64) -> f64 {
+        let r = self.motion.displacement;
+        let is_impact = self.relation.kind() == ContactKind::Impact;
+        match is_impact && force == 0.0 && (r + change).abs() <= round_off {
+            true => -r,
+            false => change,
+        }
+    }
+
+    /// The direction of a contact in a plane.
+    pub(crate) fn row(&self) -> Option<PlaneRow> {
+        self.relation.row()
+    }
+
+    /// The gap that an impact has to close.
+    pub(crate) fn open(&self) -> f64 {
+        match self.relation.kind() {
+            ContactKind::Impact => self.motion.displacement.max(0.0),
+            ContactKind::Friction | ContactKind::Link => 0.0,
+        }
+    }
+
+    /// S of the trial with this y. The memory changes when the step is done.
+    pub(crate) fn answer(&self, y: f64) -> f64 {
+        if self.two_limits {
+            // What keeps rdot' = 0, within the bounds.
+            let [low, high] = self.bounds;
+            let rate = self.motion.rate + self.scale.pace * (y - self.motion.change);
+            return (rate / (self.scale.pace * self.own)).clamp(low, high);
+        }
+        let mut law = self.law;
+        let Lane([force]) = ContactResponse::force(&mut law, 0, &self.trial(y));
+        force
+    }
+
+    /// 1/f' where the answer to y is `force`: of the line, or of a chord over `width` to both sides of r'.
+    pub(crate) fn compliance(&self, y: f64, force: f64, width: f64) -> f64 {
+        if let Some(line) = self.line {
+            let [low, high] = self.bounds;
+            let inside = low < force && force < high;
+            return if inside { line } else { f64::INFINITY };
+        }
+        let change = y - self.own * force;
+        2.0 * width / (self.follow(change + width) - self.follow(change - width))
+    }
+
+    /// S of the trial in which r changes by this; of a contact without compliance on the side of the jump.
+    pub(crate) fn follow(&self, change: f64) -> f64 {
+        let trial = self.trial(change);
+        if self.relation.is_rigid() {
+            let [low, high] = self.bounds;
+            let is_impact = self.relation.kind() == ContactKind::Impact;
+            let motion = match is_impact {
+                true => self.motion.displacement + change,
+                false => trial.rate.0[0],
+            };
+            return match motion.partial_cmp(&0.0) {
+                Some(std::cmp::Ordering::Less) => low,
+                Some(std::cmp::Ordering::Greater) => high,
+                _ => 0.0,
+            };
+        }
+        let mut law = self.law;
+        let Lane([force]) = ContactResponse::force(&mut law, 1, &trial);
+        force
+    }
+
+    /// Bounds of S of a contact without compliance whose r changes by this; `None` of others, whose force follows the change.
+    pub(crate) fn free_force(&self, change: f64, round_off: f64) -> Option<[f64; 2]> {
+        let is_open = self.relation.kind() == ContactKind::Impact
+            && self.motion.displacement + change > round_off;
+        let bounds = if is_open { [0.0; 2] } else { self.bounds };
+        self.relation.is_rigid().then_some(bounds)
+    }
+
+    /// The end of the step with this y, where S' is `force`.
+    pub(crate) fn end(&mut self, y: f64, force: f64) {
+        let mut trial = self.trial(y);
+        if self.has_not_begun(y, force) {
+            trial.change = Lane([-self.motion.displacement]);
+        }
+        ContactResponse::force(&mut self.law, 0, &trial);
+    }
+
+    /// Whether this is the end of an impact that overlaps by round-off only. Its closing speed would be round-off, too, and a law
+    /// that divides by it would hold the contact from then on.
+    fn has_not_begun(&self, y: f64, force: f64) -> bool {
+        let [change, by_force] = match self.scale.is_explicit() {
+            true => [self.motion.change, 0.0],
+            false => [y - self.own * force, self.own * force],
+        };
+        let least = ROUND_OFF * self.terms[0];
+        self.now.properties().divides_by_closing_speed()
+            && by_force.abs() <= least
+            && (self.motion.displacement + change).abs() <= least
+    }
+
+    pub(crate) fn stored_energy(&self, r: f64, s: f64) -> f64 {
+        use crate::contact::StoredEnergy;
+        self.relation.law(1.0).stored_energy(r, s)
+    }
+}
+
+/// S(0) of a contact with a law that is not a clipped line: it follows from r and rdot, or from its state, which is unbent without static
+/// loads.
+pub(crate) fn first_force(structure: &Structure, contact: usize, r: f64, rdot: f64) -> f64 {
+    let relation = &structure.contacts[contact].law;
+    let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
+    let law = relation.law(limit);
+    let scale = Scale {
+        pace: 0.0,
+        dt: 1.0,
+        is_massless: false,
+    };
+    let remembers = structure.preload.laws.get(contact).copied().flatten();
+    if let (Some(force), None) = (law.properties().unbent_force(rdot), remembers) {
+        return force;
+    }
+    // A contact that leaves its equilibrium with a velocity has the state of the equilibrium.
+    let at_rest = structure.preload.force(contact);
+    if let (Some(own), Some(_), true) = (law.evolution(), at_rest, rdot != 0.0) {
+        return own.force(own.at_start(at_rest, r), r, rdot);
+    }
+    let running = || ContactLaw::running(&[law], &scale.steps(0.0));
+    let mut law: AnyRunningLaw<1> = remembers.unwrap_or_else(running);
+    let motion = Motion {
+        displacement: r,
+        velocity: rdot,
+        force: at_rest.unwrap_or_default(),
+        ..Motion::default()
+    };
+    let Lane([force]) = ContactResponse::force(&mut law, 1, &trial(&motion, 0.0, rdot));
+    force
+}

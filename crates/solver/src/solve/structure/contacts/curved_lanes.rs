@@ -1,0 +1,70 @@
+//! Lanes whose structures have contacts with laws that are not clipped lines.
+
+use super::curved::Curved;
+use super::curved_step::Motion;
+use super::forces::Forces;
+use super::static_friction::Bound;
+use crate::contact::Unsolved;
+use crate::lane::Lane;
+use crate::system::structure::Structure;
+
+/// Whether a structure has such a contact, or contacts in series.
+pub(crate) fn any_curved<const L: usize>(cases: &[&Structure; L]) -> bool {
+    let mut contacts = cases.iter().flat_map(|case| &case.contacts);
+    contacts.any(|contact| contact.law.is_curved())
+        || cases.iter().any(|case| !case.chains().is_empty())
+}
+
+/// The contacts of each lane that has such a law; empty if no lane has. `forces` leaves these lanes out. A lane with a law that may
+/// have several answers in a step fails.
+pub(crate) fn curved_lanes<const L: usize>(
+    cases: &[&Structure; L],
+    flexibility: &[f64],
+    pace: f64,
+    dt: f64,
+    forces: &mut Forces<L>,
+) -> Vec<Option<Curved>> {
+    if !any_curved(cases) {
+        return Vec::new();
+    }
+    let of = |case: &&Structure| Curved::new(case, flexibility, pace, dt);
+    let all: Vec<Option<Curved>> = cases.iter().map(of).collect();
+    let mut others = [false; L];
+    for (l, (other, curved)) in others.iter_mut().zip(&all).enumerate() {
+        *other = curved.is_some();
+        if curved.as_ref().is_some_and(Curved::is_ambiguous) {
+            forces.fail(l, 0, Unsolved::Falling);
+        }
+    }
+    forces.leave(others);
+    all
+}
+
+/// Writes the forces of lane `l` at the end of step `end` to `force`. Without an answer they are NaN and the lane fails. `breaks`
+/// changes bounds as long as contacts break loose.
+pub(crate) fn meet_lane<const L: usize>(
+    curved: &mut Curved,
+    motion: impl Fn(usize) -> Motion,
+    force: &mut [Lane<L>],
+    forces: &mut Forces<L>,
+    (l, end): (usize, usize),
+    breaks: impl FnMut(&[f64], &mut Bound) -> bool,
+) {
+    let finite = (0..force.len()).all(|c| motion(c).change.is_finite());
+    match curved.solve_until(motion, breaks) {
+        Ok(solved) => {
+            for (force, own) in force.iter_mut().zip(solved) {
+                force.0[l] = *own;
+            }
+        }
+        Err(why) => {
+            // A motion that is not finite is not a fault of the contacts.
+            if finite {
+                forces.fail(l, end, why);
+            }
+            for force in force {
+                force.0[l] = f64::NAN;
+            }
+        }
+    }
+}

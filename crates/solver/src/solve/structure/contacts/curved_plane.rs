@@ -1,0 +1,113 @@
+//! Contacts in a plane: two neighbouring contacts of a structure, which answer together.
+
+use super::curved_step::{Motion, Scale};
+use crate::contact::coupled::curved::Directions;
+use crate::contact::plane::{Pair, PlaneLaw, PlaneMemory, PlaneStep, PlaneTrial};
+use crate::system::structure::{PlaneRow, Structure};
+
+/// The law of both directions with its memory, beside the first one.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Plane {
+    pub(crate) law: PlaneLaw,
+    pub(crate) memory: PlaneMemory,
+    scale: Scale,
+}
+
+/// The law of a contact in a plane that is its first direction.
+pub(crate) fn first(
+    structure: &Structure,
+    contact: usize,
+    limit: f64,
+    scale: Scale,
+    own: f64,
+) -> Option<Plane> {
+    let law = plane_law(structure, contact, limit, scale, own)?;
+    let remembers = structure.preload.planes.get(contact).copied().flatten();
+    Some(Plane {
+        law,
+        memory: remembers.unwrap_or_default(),
+        scale,
+    })
+}
+
+fn plane_law(
+    structure: &Structure,
+    contact: usize,
+    limit: f64,
+    scale: Scale,
+    own: f64,
+) -> Option<PlaneLaw> {
+    let relation = &structure.contacts[contact].law;
+    match relation.row()? {
+        PlaneRow::First => PlaneLaw::new(&relation.law(limit), step(scale, own)),
+        PlaneRow::Second => None,
+    }
+}
+
+pub(crate) fn step(scale: Scale, own: f64) -> PlaneStep {
+    let [h, h_rate] = match scale.is_explicit() {
+        true => [0.0, own],
+        false => [own, scale.pace * own],
+    };
+    PlaneStep {
+        h,
+        h_rate,
+        dt: scale.dt,
+    }
+}
+
+/// S(0) of both directions of a contact in a plane with this motion, and what its law remembers.
+pub(crate) fn first_forces(
+    structure: &Structure,
+    contact: usize,
+    r: Pair,
+    rdot: Pair,
+    limit: f64,
+) -> Option<(Pair, PlaneMemory)> {
+    let scale = Scale {
+        pace: 0.0,
+        dt: 1.0,
+        is_massless: false,
+    };
+    let law = plane_law(structure, contact, limit, scale, 0.0)?;
+    let at_rest = [contact, contact + 1].map(|c| structure.preload.force(c));
+    let at_rest = match at_rest {
+        [Some(a), Some(b)] => Some([a, b]),
+        _ => None,
+    };
+    Some(law.at_start(at_rest, r, rdot))
+}
+
+impl Plane {
+    /// The trial with these y.
+    fn trial(&self, motions: [&Motion; 2], y: Pair) -> PlaneTrial {
+        let of = |of: fn(&Motion) -> f64| motions.map(of);
+        let change = of(|motion| motion.change);
+        let (change, rate) = match self.scale.is_explicit() {
+            true => (change, y),
+            false => {
+                let rate = |i: usize| motions[i].rate + self.scale.pace * (y[i] - change[i]);
+                (y, [rate(0), rate(1)])
+            }
+        };
+        PlaneTrial {
+            displacement: of(|motion| motion.displacement),
+            velocity: of(|motion| motion.velocity),
+            force: of(|motion| motion.force),
+            change,
+            rate,
+        }
+    }
+
+    /// J(y).
+    pub(crate) fn answer(&self, motions: [&Motion; 2], y: Pair) -> (Pair, PlaneMemory) {
+        self.law.answer(&self.trial(motions, y), &self.memory)
+    }
+
+    /// 1/f' where J(y) is `force`.
+    pub(crate) fn directions(&self, motions: [&Motion; 2], y: Pair, force: Pair) -> Directions {
+        let trial = self.trial(motions, y);
+        self.law
+            .directions(&trial, &self.memory, force, self.scale.pace)
+    }
+}

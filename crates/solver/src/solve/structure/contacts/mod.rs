@@ -1,0 +1,16 @@
+//! The contacts of a structure over a step, and their forces.
+
+pub(crate) mod curved;
+pub(crate) mod curved_contact;
+pub(crate) mod curved_group;
+pub(crate) mod curved_lanes;
+pub(crate) mod curved_link;
+pub(crate) mod curved_plane;
+pub(crate) mod curved_step;
+pub(crate) mod forces;
+pub(crate) mod lane_forces;
+pub(crate) mod laws;
+pub(crate) mod series;
+pub(crate) mod series_newton;
+pub(crate) mod series_root;
+pub(crate) mod static_friction;

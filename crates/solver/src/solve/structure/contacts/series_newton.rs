@@ -1,0 +1,77 @@
+//! Newton's method for contacts in series.
+
+use super::series::{Series, Shares};
+use super::series_root::NEAR;
+
+/// Most steps of Newton's method, and half the width of its chords as part of the size of numbers.
+const STEPS: usize = 12;
+const WIDTH: f64 = 1e-7;
+
+impl Series<'_> {
+    /// The answer by Newton's method from the state of the step before, if it gets there.
+    pub(crate) fn newton(&self, y: f64, guess: f64, [low, high]: [f64; 2]) -> Option<Shares> {
+        let mut places: Vec<f64> = self.parts.iter().map(|part| part.own * guess).collect();
+        let own: f64 = self.parts.iter().map(|part| part.own).sum();
+        let mut answers = vec![[0.0; 2]; places.len()];
+        for _ in 0..STEPS {
+            let (mut flexibility, mut sum) = (self.own - own, y);
+            for (i, (place, answer)) in places.iter().zip(&mut answers).enumerate() {
+                let width = WIDTH * (self.size + place.abs());
+                let [before, force, after] =
+                    [place - width, *place, place + width].map(|y| (self.answer)(i, y));
+                let slope = (after - before) / (2.0 * width);
+                if slope.is_nan() || slope <= 0.0 {
+                    return None;
+                }
+                *answer = [force, slope];
+                flexibility += 1.0 / slope;
+                sum += force / slope - place;
+            }
+            let force = sum / flexibility;
+            if !(low < force && force < high) {
+                return None;
+            }
+            let mut is_near = true;
+            for (place, [own, slope]) in places.iter_mut().zip(&answers) {
+                let away = force - own;
+                is_near &= away.abs() <= NEAR * (force.abs() + slope * (self.size + place.abs()));
+                *place += away / slope;
+            }
+            if is_near {
+                let changes = places.iter().zip(self.parts);
+                let changes = changes.map(|(place, part)| place - part.own * force);
+                let mut changes: Vec<f64> = changes.collect();
+                // Round-off of the force is most of the change of the softest one: it has what the others leave, wherever it is.
+                let softest =
+                    (0..answers.len()).min_by(|i, j| answers[*i][1].total_cmp(&answers[*j][1]))?;
+                changes[softest] = 0.0;
+                let others: f64 = changes.iter().sum();
+                changes[softest] = y - self.own * force - others;
+                return Some(Shares { force, changes });
+            }
+        }
+        None
+    }
+
+    /// The change of a contact under a force by Newton's method, where it is the only one and the law is smooth on the way.
+    pub(crate) fn only_change(&self, part: usize, force: f64) -> Option<f64> {
+        let start = self.parts[part].own * force;
+        let mut place = start;
+        for _ in 0..STEPS {
+            let size = self.size + place.abs();
+            let width = WIDTH * size;
+            let [before, own, after] =
+                [place - width, place, place + width].map(|y| (self.answer)(part, y));
+            let slope = (after - before) / (2.0 * width);
+            if !(before < own && own < after) {
+                return None;
+            }
+            let away = force - own;
+            place += away / slope;
+            if away.abs() <= NEAR * (force.abs() + slope * size) {
+                return Some(place - start);
+            }
+        }
+        None
+    }
+}

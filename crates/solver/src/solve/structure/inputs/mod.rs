@@ -1,0 +1,4 @@
+//! Loads, limits and signals at the steps of a run.
+
+pub(crate) mod loads;
+pub(crate) mod samples;

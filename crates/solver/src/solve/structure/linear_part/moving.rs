@@ -1,0 +1,125 @@
+//! Supports that move: where they are at the ends of steps, and what that does to gaps and nodes.
+
+use crate::lane::Lane;
+use crate::system::structure::{Motion, Structure};
+use std::sync::Arc;
+
+/// The supports of L structures.
+#[derive(Debug)]
+pub(crate) struct Moving<const L: usize> {
+    /// Length of the steps, or sub-steps, that [`Moving::advance`] counts.
+    dt: f64,
+    supports: Vec<Support<L>>,
+    /// The supports that move the gap of each contact, with r for a unit of u_s.
+    factors: Vec<Vec<(usize, Lane<L>)>>,
+    /// The change of the gap of each contact since rest, and its rate: at the start and at the end of the last step.
+    pub(crate) start: Vec<[Lane<L>; 2]>,
+    pub(crate) end: Vec<[Lane<L>; 2]>,
+}
+
+#[derive(Debug)]
+struct Support<const L: usize> {
+    motions: [Arc<Motion>; L],
+    /// Where the motions were found last.
+    found: [usize; L],
+    /// u, v and a.
+    now: [Lane<L>; 3],
+    /// Its column of R, by nodes as in the structure.
+    carried: Vec<Lane<L>>,
+}
+
+impl<const L: usize> Moving<L> {
+    /// The supports at t = 0; `None` without any.
+    pub(crate) fn new(cases: &[&Structure; L], dt: f64) -> Option<Moving<L>> {
+        let count = cases[0].supports.len();
+        if count == 0 {
+            return None;
+        }
+        let (nodes, contacts) = (cases[0].len(), cases[0].contacts.len());
+        let lanes = |of: &dyn Fn(&Structure) -> f64| {
+            let mut lane = Lane::splat(0.0);
+            for (x, case) in lane.0.iter_mut().zip(cases) {
+                *x = of(case);
+            }
+            lane
+        };
+        let supports = (0..count).map(|s| Support {
+            motions: cases.map(|case| case.supports[s].motion.clone()),
+            found: [0; L],
+            now: [Lane::splat(0.0); 3],
+            carried: (0..nodes)
+                .map(|node| lanes(&|case| case.supports[s].carried[node]))
+                .collect(),
+        });
+        let factors = |contact: usize| -> Vec<(usize, Lane<L>)> {
+            let all = (0..count).map(|s| (s, lanes(&|case| case.supports[s].gaps[contact])));
+            all.filter(|(_, factor)| factor.0 != [0.0; L]).collect()
+        };
+        let zero = [Lane::splat(0.0); 2];
+        let mut moving = Moving {
+            dt,
+            supports: supports.collect(),
+            factors: (0..contacts).map(factors).collect(),
+            start: vec![zero; contacts],
+            end: vec![zero; contacts],
+        };
+        moving.advance(0);
+        Some(moving)
+    }
+
+    /// Moves the supports to the end of step `end`.
+    pub(crate) fn advance(&mut self, end: usize) {
+        let t = end as f64 * self.dt;
+        for support in &mut self.supports {
+            for (l, motion) in support.motions.iter().enumerate() {
+                let values = motion.at_later(t, &mut support.found[l]);
+                for (now, value) in support.now.iter_mut().zip(values) {
+                    now.0[l] = value;
+                }
+            }
+        }
+        std::mem::swap(&mut self.start, &mut self.end);
+        for (gap, factors) in self.end.iter_mut().zip(&self.factors) {
+            *gap = [Lane::splat(0.0); 2];
+            for (support, factor) in factors {
+                let [u, v, _] = self.supports[*support].now;
+                *gap = [gap[0] + u * *factor, gap[1] + v * *factor];
+            }
+        }
+    }
+
+    /// Whether the gap of a contact moves in a lane.
+    pub(crate) fn moves(&self, contact: usize, lane: usize) -> bool {
+        let mut factors = self.factors[contact].iter();
+        factors.any(|(_, factor)| factor.0[lane] != 0.0)
+    }
+
+    /// u (`which` = 0) or v (1) of a node with this rest w, or of a support, whose numbers follow those of the nodes.
+    pub(crate) fn total(
+        &self,
+        node: usize,
+        which: usize,
+        rest: impl Fn(usize) -> Lane<L>,
+    ) -> Lane<L> {
+        let nodes = self.supports[0].carried.len();
+        if let Some(support) = node.checked_sub(nodes) {
+            return self.supports[support].now[which];
+        }
+        let terms = self.supports.iter();
+        terms.fold(rest(node), |sum, support| {
+            sum + support.now[which] * support.carried[node]
+        })
+    }
+
+    /// a of a support.
+    pub(crate) fn acceleration(&self, support: usize) -> Lane<L> {
+        self.supports[support].now[2]
+    }
+
+    /// What a step of constant average acceleration moves the gap of a contact: beyond dt times its rate at the start for laws of r,
+    /// and dt/2 times the change of its rate for laws of rdot.
+    pub(crate) fn excess(&self, contact: usize) -> [Lane<L>; 2] {
+        let ([g0, v0], [g1, v1]) = (self.start[contact], self.end[contact]);
+        [(g1 - g0) - v0 * self.dt, (v1 - v0) * (0.5 * self.dt)]
+    }
+}

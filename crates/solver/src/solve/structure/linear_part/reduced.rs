@@ -1,0 +1,71 @@
+//! L^-1 B of the contacts, and the flexibility of a step.
+
+use crate::system::structure::factor::Factor;
+use crate::system::structure::{Along, Structure};
+
+/// An entry of L^-1 B.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reduced {
+    pub(crate) at: usize,
+    pub(crate) value: f64,
+    /// value/D.
+    pub(crate) by_pivot: f64,
+}
+
+/// The place of each node in the order of elimination.
+pub(crate) fn place_of(factor: &Factor) -> Vec<usize> {
+    let mut place = vec![0; factor.order().len()];
+    for (k, node) in factor.order().iter().enumerate() {
+        place[*node] = k;
+    }
+    place
+}
+
+/// Places of each contact with their factors.
+pub(crate) fn places(structure: &Structure, place: &[usize]) -> Vec<Along> {
+    let of = |along: &Along| {
+        along
+            .iter()
+            .map(|(node, factor)| (place[*node], *factor))
+            .collect()
+    };
+    structure
+        .contacts
+        .iter()
+        .map(|contact| of(&contact.along))
+        .collect()
+}
+
+/// L^-1 B of a contact by its places and their factors.
+pub(crate) fn reduce(factor: &Factor, along: &[(usize, f64)]) -> Vec<Reduced> {
+    let entry = |(at, value): (usize, f64)| Reduced {
+        at,
+        value,
+        by_pivot: value * factor.reciprocals()[at],
+    };
+    let entries = factor.eliminate_few(along);
+    entries.into_iter().map(entry).collect()
+}
+
+/// A factor times B^T (L D L^T)^-1 B = (L^-1 B)^T D^-1 (L^-1 B).
+pub(crate) fn flexibility(reduced: &[Vec<Reduced>], factor: f64) -> Vec<f64> {
+    let product = |a: &[Reduced], b: &[Reduced]| {
+        let (mut sum, mut b) = (0.0, b.iter().peekable());
+        for x in a {
+            while b.next_if(|y| y.at < x.at).is_some() {}
+            if let Some(y) = b.next_if(|y| y.at == x.at) {
+                sum += x.by_pivot * y.value;
+            }
+        }
+        factor * sum
+    };
+    let m = reduced.len();
+    let mut h = vec![0.0; m * m];
+    for i in 0..m {
+        for j in 0..=i {
+            let value = product(&reduced[i], &reduced[j]);
+            (h[i * m + j], h[j * m + i]) = (value, value);
+        }
+    }
+    h
+}

@@ -1,0 +1,6 @@
+//! What a run shows: the state after each step, energies, and what warnings need.
+
+pub(crate) mod books;
+pub(crate) mod ledger;
+pub(crate) mod step_view;
+pub(crate) mod watch;

@@ -1,0 +1,6 @@
+//! Equilibrium under static loads, and the forces at t = 0.
+
+pub(crate) mod equilibrium;
+pub(crate) mod initial;
+pub(crate) mod instant;
+pub(crate) mod preload;
