@@ -8,6 +8,7 @@
 mod amplification;
 mod average_acceleration;
 mod bathe;
+mod bathe_mode;
 mod contact_stabilized;
 mod critical_step;
 mod description;

@@ -12,6 +12,7 @@ pub mod method;
 pub mod parameter;
 mod parameter_expression;
 pub mod schema;
+mod side_by_side;
 mod solution;
 pub mod structure;
 mod text;
@@ -26,11 +27,9 @@ pub use text::{Text, escape, interned};
 use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::metrics::steps;
-use crate::solve::sweep::{LONGEST, LaneCase};
 use crate::solve::{MetricTable, Unsolvable, Warning};
 use cases::Cases;
 use parameter::Parameter;
-use std::ops::Range;
 use std::sync::{Arc, LazyLock};
 use structure::{GroundMotion, Scheme};
 use unit::Dimension;
@@ -252,52 +251,6 @@ pub fn is_described(name: &str) -> bool {
 pub fn cases_without_contact(problem: &dyn Problem, table: &MetricTable) -> u64 {
     let metric = problem.schema().contact_metric;
     metric.map_or(0, |metric| table.solved_without(metric))
-}
-
-/// The default metrics of the cases in these rows, in their order, L at a time where their runs are not too long; to the bit
-/// what each has by itself.
-fn sweep_cases<const L: usize, A: LaneCase<L>, B: LaneCase<L>>(
-    problem: &impl Problem,
-    cases: &Cases,
-    rows: &[u32],
-    lane_case: impl Fn(&Case) -> Result<Form<A, B>, Unsolvable>,
-) -> MetricTable {
-    let mut table = MetricTable::new(rows.len(), problem.schema().default_metrics());
-    let (mut plain, mut others) = (Vec::with_capacity(rows.len()), Vec::new());
-    let mut shown = cases.shown();
-    for (place, row) in rows.iter().enumerate() {
-        let case = shown.at(*row as usize);
-        match lane_case(case) {
-            Ok(Form::Plain(own)) if own.system().last <= LONGEST => plain.push((place, own)),
-            Ok(Form::Other(own)) if own.system().last <= LONGEST => others.push((place, own)),
-            Ok(_) => {
-                let solution = problem.solve(case, &[]);
-                let warnings = solution.as_ref().map(|solution| solution.warnings);
-                table.warn(place, warnings.unwrap_or_default());
-                table.put(place, solution.map(|solution| solution.metrics));
-            }
-            Err(why) => table.fail(place, why),
-        }
-    }
-    crate::solve::sweep::sweep(&plain, &mut table);
-    crate::solve::sweep::sweep(&others, &mut table);
-    table
-}
-
-/// A case in one of two forms for lanes: a small one for the usual laws and the usual method, so that less is copied, and one for all.
-enum Form<A, B> {
-    Plain(A),
-    Other(B),
-}
-
-/// Metrics in these rows, those that are not wanted without a value.
-fn selected<const N: usize>(
-    rows: Range<usize>,
-    values: [Option<f64>; N],
-    wanted: &[usize],
-) -> impl Iterator<Item = Option<f64>> {
-    let values = rows.zip(values);
-    values.map(|(row, value)| value.filter(|x| x.is_finite() && wanted.contains(&row)))
 }
 
 /// Most steps of a run: a history of more, with its exact solution, would not fit in 2 GiB.

@@ -6,22 +6,22 @@ pub mod sweep;
 mod table;
 mod track;
 mod unsolvable;
+pub(super) mod visited;
 mod warning;
 
-pub use table::MetricTable;
-pub use track::{ContactTrack, Displacements, Track};
-pub use unsolvable::Unsolvable;
-pub use warning::{FEWEST_STEPS, TOO_FEW_STEPS, WARNINGS, Warning, Warnings};
-
-use crate::contact::{AnyRunningLaw, ContactLaw, ContactResponse, StepFlexibility, Visitor};
+use crate::contact::{AnyRunningLaw, ContactLaw, ContactResponse, Visitor};
 use crate::lane::Lane;
 use crate::methods::{
-    AverageAcceleration, ContactState, ContactWork, ManyModes, Method, ModeCount, ModeStart,
-    Recursion, Scheme, Start, each,
+    ContactWork, ManyModes, Method, ModeCount, ModeStart, Recursion, Scheme, Start, each,
 };
 use crate::system::System;
 use multiversion::multiversion;
 use std::cell::Cell;
+pub use table::MetricTable;
+pub use track::{ContactTrack, Displacements, Track};
+pub use unsolvable::Unsolvable;
+pub use visited::{flexibilities, visit};
+pub use warning::{FEWEST_STEPS, TOO_FEW_STEPS, WARNINGS, Warning, Warnings};
 
 /// The motion of L cases.
 #[derive(Debug, Clone)]
@@ -83,7 +83,10 @@ pub fn start<const L: usize, N: Recursion<L>, S: ToSystem>(
 /// One number of each system.
 // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
 #[inline(always)]
-fn of<const L: usize, S: ToSystem>(cases: &[S; L], number: fn(&System) -> f64) -> Lane<L> {
+pub(super) fn of<const L: usize, S: ToSystem>(
+    cases: &[S; L],
+    number: fn(&System) -> f64,
+) -> Lane<L> {
     let mut lane = Lane::splat(0.0);
     for (x, case) in lane.0.iter_mut().zip(cases) {
         *x = number(&case.system());
@@ -92,7 +95,7 @@ fn of<const L: usize, S: ToSystem>(cases: &[S; L], number: fn(&System) -> f64) -
 }
 
 /// The systems at t = 0; `None` without a mode.
-fn stepper<const L: usize, N: Recursion<L>, S: ToSystem>(cases: &[S; L]) -> Option<N> {
+pub(super) fn stepper<const L: usize, N: Recursion<L>, S: ToSystem>(cases: &[S; L]) -> Option<N> {
     let first = cases[0].system();
     let mut same = [true; L];
     for (same, case) in same.iter_mut().zip(cases) {
@@ -250,57 +253,6 @@ pub fn run<T: Track<1>>(system: &System) -> Result<Motion<1, T>, Unsolvable> {
     match advance::<1, ManyModes, T, _>(&[*system], &mut motion) {
         [true] => Ok(motion),
         [false] => Err(Unsolvable::OutOfRange),
-    }
-}
-
-/// The constant average acceleration method for one system.
-pub type Stepper = <AverageAcceleration as Scheme>::Lanes<1, ManyModes>;
-
-/// The state of a structure after a step.
-pub trait State {
-    /// The contact.
-    fn contact(&self) -> ContactState<1>;
-    /// Coordinates and velocities of the modes.
-    fn modes(&self) -> Vec<[f64; 2]>;
-}
-
-impl<N: Recursion<1>> State for N {
-    fn contact(&self) -> ContactState<1> {
-        Recursion::contact(self)
-    }
-
-    fn modes(&self) -> Vec<[f64; 2]> {
-        Recursion::modes(self)
-            .map(|(x, v)| [x.0[0], v.0[0]])
-            .collect()
-    }
-}
-
-/// The flexibilities of a system for its contact in both sub-steps of its method; `None` without a mode.
-pub fn flexibilities(system: &System) -> Option<[StepFlexibility<1>; 2]> {
-    fn of<D: Scheme>(_: &D, system: &System) -> Option<[StepFlexibility<1>; 2]> {
-        Some(stepper::<1, D::Lanes<1, ManyModes>, _>(&[*system])?.flexibilities())
-    }
-    each!(&system.method, own => of(own, system))
-}
-
-/// Integrates one system to its last step; `visit` gets the number of each step, from 0 on, and the state of the structure.
-pub fn visit(system: &System, visit: impl FnMut(u64, &dyn State)) {
-    fn of<D: Scheme>(_: &D, system: &System, visit: impl FnMut(u64, &dyn State)) {
-        visit_by::<D::Lanes<1, ManyModes>>(system, visit);
-    }
-    each!(&system.method, own => of(own, system, visit));
-}
-
-/// The same with one method.
-fn visit_by<N: Recursion<1>>(system: &System, mut visit: impl FnMut(u64, &dyn State)) {
-    let Some((mut stepper, mut law)) = start::<1, N, _>(&[*system]) else {
-        return;
-    };
-    visit(0, &stepper);
-    for step in 1..=system.last {
-        stepper.step(&mut law);
-        visit(step, &stepper);
     }
 }
 

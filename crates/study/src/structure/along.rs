@@ -10,7 +10,7 @@ use slipgap_solver::problem::ParameterExpression;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::{Amount, Source};
 use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::parts::template::Term;
+use slipgap_solver::problem::structure::parts::along::Term;
 use std::sync::Arc;
 
 /// What moves at one side, each node with its factor, and its terms.

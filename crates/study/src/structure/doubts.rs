@@ -7,8 +7,10 @@ use slipgap_solver::problem::structure::channels::names::Names;
 use slipgap_solver::problem::structure::given::amount::Source;
 use slipgap_solver::problem::structure::given::chosen::Chosen;
 use slipgap_solver::problem::structure::given::node::NodeRef;
+use slipgap_solver::problem::structure::parts::along::Term;
+use slipgap_solver::problem::structure::parts::contact::Contact;
 use slipgap_solver::problem::structure::parts::contacts::law_named;
-use slipgap_solver::problem::structure::parts::template::{Contact, Template, Term};
+use slipgap_solver::problem::structure::parts::template::Template;
 use slipgap_solver::system::structure::Direction;
 
 /// Coordinates that differ by less than this part of them are one.

@@ -19,8 +19,9 @@ use slipgap_solver::problem::structure::parts::reduce::{Modes, Reduce};
 use slipgap_solver::problem::structure::parts::template::{Matrices, Template, Variant};
 use slipgap_solver::problem::structure::tables::named_rows::named_rows;
 use slipgap_solver::problem::structure::tables::schema::Drawn;
-use slipgap_solver::system::import::{Dofs, ImportFault, Imported, Matrix, negative_pivot};
+use slipgap_solver::system::import::{Dofs, ImportFault, Imported, Matrix};
 use slipgap_solver::system::structure::Symmetric;
+use slipgap_solver::system::structure::factor::negative_pivot;
 use std::sync::Arc;
 
 /// Most bytes of a file: 10^6 rows with 80 entries each.

@@ -10,8 +10,9 @@
 //! An end of a continuous bar has no mass, so that a force changes rdot at once: the law answers with a flexibility of 2 for rdot.
 //! Over the time s from k to k + 1 the motions r(s), r(1 + s), .. r(k + s) are integrated side by side, so that no past has to be kept.
 
-use super::contact::{Contact, Motion, Watched};
+use super::contact::Contact;
 use super::drive::Drive;
+use super::watched::{Motion, Watched};
 use super::{AdaptiveFault, Flow, MOST_WORK, is_vertical};
 use crate::contact::ContactLaw;
 use crate::exact::State;

@@ -1,5 +1,6 @@
 //! A contact in continuous time.
 
+use super::watched::{LimitAt, Motion, Watched};
 use crate::contact::{
     AnyRunningLaw, ContactLaw, ContactResponse, Evolution, Flexibility, StepFlexibility, Trial,
 };
@@ -42,46 +43,6 @@ pub struct Contact {
     /// Whether the contact has been at rest at r = 0 so far. If it closes from there, its closing speed is 0, and not an error of the
     /// integration, by which the law would divide.
     rests: bool,
-}
-
-/// The motion of a contact, and the sizes of the terms of which r and rdot are the sums.
-#[derive(Debug, Clone, Copy)]
-pub struct Motion {
-    /// r and rdot.
-    pub values: [f64; 2],
-    /// The sums of the sizes of their terms.
-    pub sizes: [f64; 2],
-}
-
-/// A number whose change of sign ends a step of the integration.
-#[derive(Debug, Clone, Copy)]
-pub struct Watched {
-    /// Its value.
-    pub value: f64,
-    /// Smaller values are round-off.
-    pub least: f64,
-    /// Whether it is only watched for values below 0.
-    pub one_sided: bool,
-}
-
-impl Watched {
-    /// Of a change of sign in both directions.
-    pub fn sign(value: f64) -> Watched {
-        Watched {
-            value,
-            least: 0.0,
-            one_sided: false,
-        }
-    }
-}
-
-/// What a limit does.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LimitAt {
-    /// Its value.
-    pub value: f64,
-    /// Its rate.
-    pub rate: f64,
 }
 
 impl Contact {

@@ -1,7 +1,7 @@
 //! The integration: steps as long as their errors allow, up to the times that are asked for, and up to events.
 
-use super::contact::Watched;
 use super::step::Step;
+use super::watched::Watched;
 use super::{AdaptiveFault, Flow};
 
 /// Least and largest factor of the length of a step to the one before it.

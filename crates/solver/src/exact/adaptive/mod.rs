@@ -22,14 +22,16 @@ mod rest;
 mod rigid_planes;
 mod step;
 mod structure;
+mod structure_flow;
 mod tableau;
 #[cfg(test)]
 mod tests;
+mod watched;
 
 use super::events::{EventsFault, Model, State, StateBuffers};
 use crate::contact::ContactLaw;
+use crate::exact::adaptive::watched::Watched;
 use crate::system::structure::{Structure, StructureLaw};
-use contact::Watched;
 use drive::Drive;
 use std::fmt;
 use structure::Moving;

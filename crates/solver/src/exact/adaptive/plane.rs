@@ -1,6 +1,6 @@
 //! A contact in a plane in continuous time.
 
-use super::contact::{LimitAt, Watched};
+use super::watched::{LimitAt, Watched};
 use crate::contact::ContactLaw;
 use crate::contact::plane::{Pair, PlaneLaw, PlaneStep, dot, length};
 

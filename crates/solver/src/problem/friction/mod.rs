@@ -7,7 +7,8 @@ mod tables;
 
 use super::cases::Cases;
 use super::method::{self, step_rules};
-use super::{Case, Form, Problem, Schema, Solution, Violation, selected, sweep_cases, time_rules};
+use super::side_by_side::{Form, selected, sweep_cases};
+use super::{Case, Problem, Schema, Solution, Violation, time_rules};
 use crate::contact::ContactLaw;
 use crate::exact::coulomb::Coulomb;
 use crate::history::History;

@@ -12,9 +12,9 @@ mod snapshot;
 mod tables;
 
 use super::cases::Cases;
-use super::method;
+use super::side_by_side::{Form, selected, sweep_cases};
 use super::unit::Dimension;
-use super::{Case, Form, Problem, Schema, Snapshot, Solution, Violation, selected, sweep_cases};
+use super::{Case, Problem, Schema, Snapshot, Solution, Violation, method};
 use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::lane::Lane;

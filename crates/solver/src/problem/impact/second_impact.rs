@@ -9,7 +9,8 @@ use super::case::system;
 use super::scaled::Scaled;
 use crate::lane::Lane;
 use crate::methods::{Method, ModeStart, Recursion, Start};
-use crate::solve::{self, Stepper};
+use crate::solve;
+use crate::solve::visited::Stepper;
 use crate::system::bar::Mass;
 
 /// T_I, the exact contact's duration in both impacts.

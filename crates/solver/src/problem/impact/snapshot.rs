@@ -3,7 +3,8 @@
 use super::scaled::Scaled;
 use crate::exact::wave::Wave;
 use crate::problem::{Lines, Snapshot};
-use crate::solve::{self, State};
+use crate::solve;
+use crate::solve::visited::State;
 use crate::system::System;
 use crate::system::bar::{Bar, Mass};
 use crate::system::massless::MasslessMode;

@@ -7,35 +7,30 @@ pub mod metrics;
 pub mod model;
 mod motions;
 pub mod parts;
+mod prepared;
 mod refused;
 pub mod tables;
 mod warn;
 
 pub use crate::problem::structure::described::ground::GroundMotion;
-pub use crate::problem::structure::described::scheme::Scheme;
+pub use crate::problem::structure::described::scheme::picture::Scheme;
 pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 
 use super::cases::Cases;
 use super::unit::Dimension;
 use super::{
-    Case, HistoryColumn, MeasuredChannel, Problem, Samples, Schema, Solution, Violation, method,
-    time_rules,
+    Case, HistoryColumn, MeasuredChannel, Problem, Samples, Schema, Solution, Violation, time_rules,
 };
 use crate::history::History;
-use crate::methods::Method;
-use crate::problem::structure::channels::channel::{Channel, Number};
-use crate::problem::structure::given::node::Numbering;
-use crate::problem::structure::metrics::metric::StructureMetric;
-use crate::problem::structure::model::assemble::{Model, assemble};
-use crate::problem::structure::motions::recorded::{Recorded, distinct};
-use crate::problem::structure::motions::sweep::{Groups, Ready};
-use crate::problem::structure::parts::template::Template;
-use crate::problem::structure::tables::columns::all_numbers;
-use crate::problem::structure::tables::schema::Drawn;
-use crate::solve::structure::{balance, settle};
 use crate::solve::{MetricTable, Unsolvable, Warning};
-use crate::system::structure::Structure;
+use metrics::metric::StructureMetric;
+use model::assemble::{Model, assemble};
+use motions::recorded::distinct;
+use motions::sweep::Groups;
+use parts::template::Template;
 use std::sync::Arc;
+use tables::columns::all_numbers;
+use tables::schema::Drawn;
 
 /// The structure of a study.
 #[derive(Debug)]
@@ -46,165 +41,6 @@ pub struct StructureProblem {
     drawn: Vec<Drawn>,
     identity: String,
     notes: Vec<String>,
-}
-
-impl StructureProblem {
-    /// The problem of a template with these tables. `identity` is different for different structures and records; `notes` say what
-    /// was done to the records, and what may be a mistake.
-    pub fn new(
-        template: Template,
-        schema: Arc<Schema>,
-        metrics: Vec<StructureMetric>,
-        drawn: Vec<Drawn>,
-        identity: String,
-        notes: Vec<String>,
-    ) -> StructureProblem {
-        let channels = metrics.iter().filter_map(|metric| metric.channel.as_ref());
-        let mut channels = channels.chain(drawn.iter().map(|drawn| &drawn.channel));
-        let observed = channels.any(Channel::is_derived);
-        StructureProblem {
-            schema,
-            template: Template {
-                observed,
-                ..template
-            },
-            metrics,
-            drawn,
-            identity,
-            notes,
-        }
-    }
-
-    /// The structure of a completed case, and the numbers of its nodes.
-    fn structure(&self, case: &Case, model: Model) -> Result<(Structure, Numbering), Unsolvable> {
-        let broken =
-            |all: Vec<Violation>| Unsolvable::BrokenRules(Violation::all(&all).unwrap_or_default());
-        let (mut structure, numbering) = assemble(&self.template, case, model).map_err(broken)?;
-        if let Some(ratio) = &self.template.modal_damping {
-            let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
-            let stiffness = crate::problem::structure::model::assemble::damping_stiffness(
-                &self.template,
-                &structure,
-            )
-            .into_owned();
-            if crate::problem::structure::model::damping::add_modal(
-                &mut structure,
-                &stiffness,
-                ratio,
-            )
-            .is_none()
-            {
-                return Err(self.no_modes(&structure, case));
-            }
-        }
-        match structure.preload.load.is_empty() {
-            true => crate::problem::structure::model::massless::place(&mut structure),
-            false => settle(&mut structure)?,
-        }
-        structure.press_at_start();
-        if let Some(dt) = case.at(self.schema.step) {
-            balance(&mut structure, dt)?;
-        }
-        Ok((structure, numbering))
-    }
-
-    /// The steps of a case.
-    fn computed_steps(
-        &self,
-        case: &Case,
-    ) -> Option<crate::problem::structure::metrics::computed_ground::Steps> {
-        let dt = case.at(self.schema.step)?;
-        let last = usize::try_from(self.steps(case)).ok()?;
-        Some(crate::problem::structure::metrics::computed_ground::Steps { dt, last })
-    }
-
-    /// Why a structure has no modes for its modal damping.
-    fn no_modes(&self, structure: &Structure, case: &Case) -> Unsolvable {
-        let method = self.method(case);
-        let fault = method.and_then(|method| {
-            crate::problem::structure::model::massless::fault(structure, &method)
-        });
-        match fault {
-            _ if structure.len() > crate::problem::structure::model::damping::MOST_MODES => Unsolvable::NoModes,
-            Some((node, why)) => {
-                let name = &structure.nodes[node].name;
-                Unsolvable::BrokenRules(format!("node {name} {why}"))
-            }
-            None => Unsolvable::BrokenRules(
-                "modal damping needs a positive definite M, and a K that holds the nodes without mass".into(),
-            ),
-        }
-    }
-
-    /// A case ready to be stepped; `place` is its place in the table of results.
-    fn ready(&self, place: usize, case: &Case) -> Result<Ready, Unsolvable> {
-        let dt = case.at(self.schema.step);
-        let (structure, numbering) = self.structure(case, Model::Study)?;
-        Ok(Ready {
-            place,
-            case: case.clone(),
-            structure,
-            numbering,
-            method: self.method(case).ok_or(Unsolvable::ParameterMissing)?,
-            dt: dt.ok_or(Unsolvable::ParameterMissing)?,
-            last: self.steps(case),
-        })
-    }
-
-    /// Cost of the time steps of a structure with so many nodes, in steps times modes.
-    fn stepping_work(&self, case: &Case, nodes: usize) -> u64 {
-        let size = (nodes + 5 * self.template.contacts.len()).max(1);
-        let parts = self
-            .method(case)
-            .map_or(1, |method| method.count_of_sub_steps());
-        self.steps(case).saturating_mul(size as u64 * parts)
-    }
-
-    /// Cost of one run by steps.
-    fn one_run_work(&self, case: &Case) -> u64 {
-        let numbering = crate::problem::structure::model::assemble::check(&self.template, case);
-        self.stepping_work(case, numbering.map_or(0, |numbering| numbering.nodes()))
-    }
-
-    /// The method of a completed case.
-    fn method(&self, case: &Case) -> Option<Method> {
-        let name = method::PARAMETERS[0].name.as_ref();
-        let mut parameters = self.schema.parameters.iter();
-        let row = parameters.position(|parameter| parameter.name == name)?;
-        method::of_case(case, row)
-    }
-
-    /// The exact motion of the reference at these times.
-    fn reference(
-        &self,
-        structure: &Structure,
-        times: &[f64],
-        numbers: &[Number],
-    ) -> Result<Recorded, Unsolvable> {
-        match self.against_rigid() {
-            true => crate::problem::structure::motions::motion::exact(
-                &crate::problem::structure::motions::motion::rigid(structure)?,
-                times,
-                numbers,
-            ),
-            false => crate::problem::structure::motions::motion::exact(structure, times, numbers),
-        }
-    }
-
-    /// The channels of histories: those of figures, then those of every node and contact.
-    /// Those that the motion does not have are empty: energies of an exact one.
-    fn history(&self, recorded: &Recorded, numbering: &Numbering, all: &[Number]) -> Vec<Vec<f64>> {
-        let drawn = self.drawn.iter();
-        let drawn = drawn.map(|drawn| recorded.channel(&drawn.channel, numbering));
-        drawn
-            .chain(all.iter().map(|number| recorded.of(*number).to_vec()))
-            .collect()
-    }
-
-    fn drawn_numbers(&self, numbering: &Numbering) -> Vec<Number> {
-        let drawn = self.drawn.iter();
-        distinct(drawn.flat_map(|drawn| drawn.channel.numbers(numbering)))
-    }
 }
 
 impl Problem for StructureProblem {

@@ -10,23 +10,24 @@ mod restitution;
 mod unheld;
 
 use super::StructureProblem;
+use super::channels::channel::{Number, Quantity};
+use super::given::loads::Kind;
+use super::given::shape::Scaled;
+use super::metrics::metric::StructureMetric;
+use super::metrics::reduction::Reduction;
+use super::model::contact_duration::has_short_contact;
+use super::motions::metric_values;
+use super::motions::motion::{self, Recording};
+use super::motions::recorded::{Recorded, distinct};
+use super::motions::sweep::Ready;
+use super::parts::contact::{self, Normal};
 use crate::contact::ContactKind;
 use crate::problem::Case;
-use crate::problem::structure::channels::channel::{Number, Quantity};
-use crate::problem::structure::given::loads::Kind;
-use crate::problem::structure::given::shape::Scaled;
-use crate::problem::structure::metrics::metric::StructureMetric;
-use crate::problem::structure::metrics::reduction::Reduction;
-use crate::problem::structure::model::contact_duration::has_short_contact;
-use crate::problem::structure::motions::metric_values;
-use crate::problem::structure::motions::motion::{self, Recording};
-use crate::problem::structure::motions::recorded::{Recorded, distinct};
-use crate::problem::structure::motions::sweep::Ready;
-use crate::problem::structure::parts::template::{self, Normal};
 use crate::solve::structure::{Watched, WatchedContact};
 use crate::solve::{Unsolvable, Warning, Warnings};
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::structure::{Contact, Signal, StructureLaw};
+
 pub use restitution::{Restitution, restitutions};
 
 /// Share of the largest energy that a contact may make.
@@ -93,7 +94,7 @@ impl StructureProblem {
     fn never_slides(&self, ready: &Ready, watched: Option<&Watched>) -> bool {
         let watched = watched.map_or(&[][..], |watched| &watched.contacts);
         let contacts = self.template.contacts.iter().zip(&ready.structure.contacts);
-        let sticks = |((given, own), seen): ((&template::Contact, &Contact), &WatchedContact)| {
+        let sticks = |((given, own), seen): ((&contact::Contact, &Contact), &WatchedContact)| {
             let value = |key| given.value(key, &ready.case).ok().flatten();
             // At rest the coefficient is nu_min.
             let least = value("nu_min")

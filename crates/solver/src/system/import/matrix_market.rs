@@ -6,14 +6,14 @@
 
 use super::{ImportFault, fault, lines, number, shown};
 use crate::system::structure::Symmetric;
-use crate::system::structure::factor::{Factor, NotPositive};
+use crate::system::structure::factor::negative_pivot;
 use std::collections::BTreeMap;
 
 /// Most rows.
 const MOST_ROWS: usize = 1_000_000;
 
 /// Largest difference of two entries that must be equal, and largest negative pivot, over the largest entry.
-const ROUND_OFF: f64 = 1e-9;
+pub(crate) const ROUND_OFF: f64 = 1e-9;
 
 /// A symmetric matrix of a file, with the lines of its entries.
 #[derive(Debug, Clone)]
@@ -124,20 +124,6 @@ impl Matrix {
             )),
         }
     }
-}
-
-/// A row with a negative pivot, one below -1e-9 of the largest entry; `None` of a positive semidefinite matrix.
-pub fn negative_pivot(matrix: &Symmetric) -> Option<usize> {
-    let (n, largest) = (matrix.size(), matrix.largest());
-    if largest == 0.0 {
-        return None;
-    }
-    let mut shifted = matrix.clone();
-    for i in 0..n {
-        shifted.add(i, i, ROUND_OFF * largest);
-    }
-    let factor = Factor::new(&shifted, &vec![false; n]);
-    factor.err().map(|NotPositive { row }| row)
 }
 
 /// The form that the first line says.

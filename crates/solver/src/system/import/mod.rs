@@ -8,7 +8,7 @@ mod tests;
 mod ties;
 
 pub use dofs::{Dof, Dofs};
-pub use matrix_market::{Matrix, negative_pivot};
+pub use matrix_market::Matrix;
 pub use pairs::{Pair, pairs};
 pub use ties::Tie;
 

@@ -2,7 +2,8 @@
 
 use super::ReductionFault;
 use super::held::Held;
-use super::modes::{Mode, lowest};
+use super::mode::Mode;
+use super::modes::lowest;
 use super::rayleigh::rayleigh;
 use super::vectors::dot;
 use crate::system::import::Imported;

@@ -2,7 +2,7 @@
 
 use super::ReductionFault;
 use super::held::Held;
-use super::modes::Mode;
+use super::mode::Mode;
 use crate::system::structure::factor::Factor;
 use nalgebra::SymmetricEigen;
 

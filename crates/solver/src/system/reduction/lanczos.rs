@@ -6,7 +6,7 @@
 
 use super::ReductionFault;
 use super::held::Held;
-use super::modes::Mode;
+use super::mode::Mode;
 use super::vectors::{Scattered, add, dot};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 

@@ -11,6 +11,7 @@ mod basis;
 mod dense;
 mod held;
 mod lanczos;
+mod mode;
 mod modes;
 mod rayleigh;
 mod reduced;

@@ -1,6 +1,7 @@
 //! The lowest modes of a structure whose kept degrees of freedom are held.
 
 use super::held::Held;
+use super::mode::Mode;
 use super::{ReductionFault, dense, lanczos};
 
 /// Most rows with mass whose modes are computed all at once.
@@ -11,15 +12,6 @@ const FEWEST: usize = 16;
 
 /// Most modes of a large structure.
 pub const MOST_MODES: usize = 1000;
-
-/// A mode of the free rows.
-#[derive(Debug, Clone)]
-pub(super) struct Mode {
-    /// Square of its natural circular frequency.
-    pub(super) omega2: f64,
-    /// Its shape phi, phi^T M phi = 1.
-    pub(super) shape: Vec<f64>,
-}
 
 /// How many modes are computed at once where `wanted` and the next one are needed, of `all`.
 ///

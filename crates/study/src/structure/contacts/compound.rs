@@ -10,7 +10,9 @@ use crate::structure::reader::{Reader, open};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::{Amount, Source};
 use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::parts::template::{Contact, Mass, Term};
+use slipgap_solver::problem::structure::parts::along::Term;
+use slipgap_solver::problem::structure::parts::contact::Contact;
+use slipgap_solver::problem::structure::parts::template::Mass;
 use slipgap_solver::system::structure::Direction;
 
 /// A law of a list, or a list in it.

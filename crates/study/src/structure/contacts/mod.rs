@@ -20,8 +20,10 @@ use slipgap_solver::problem::structure::given::amount::{self, Amount};
 use slipgap_solver::problem::structure::given::chosen::Chosen;
 use slipgap_solver::problem::structure::given::loads::{Kind, Source};
 use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
+use slipgap_solver::problem::structure::parts::along::Term;
+use slipgap_solver::problem::structure::parts::contact::{Contact, Normal};
 use slipgap_solver::problem::structure::parts::contacts::{NAMES, NUMBERS, law_named};
-use slipgap_solver::problem::structure::parts::template::{Contact, Normal, Spring, Term};
+use slipgap_solver::problem::structure::parts::template::Spring;
 use slipgap_solver::system::import::{self, ImportFault, Pair};
 
 /// Most bytes of a file of pairs.

@@ -6,7 +6,7 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::reader::Reader;
 use crate::value::text;
 use slipgap_solver::problem::structure::given::node::{GROUND, NodeRef};
-use slipgap_solver::problem::structure::parts::template::Term;
+use slipgap_solver::problem::structure::parts::along::Term;
 use slipgap_solver::system::structure::{Direction, PlaneRow};
 
 /// The rows of a contact in a plane: NAME.1 and NAME.2.

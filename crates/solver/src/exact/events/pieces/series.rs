@@ -2,6 +2,7 @@
 //!
 //! Coefficients belong to powers of s, the time from the start over the length h, so that they neither overflow nor underflow.
 
+use super::contact_series::{ContactSeries, terms};
 use super::gaps::Gaps;
 use crate::exact::events::coordinates::flexible::FlexibleSeries;
 use crate::exact::events::coordinates::model::Model;
@@ -12,33 +13,6 @@ use crate::exact::events::numerics::matrix::Matrix;
 use crate::exact::events::numerics::row::{LANES, Row};
 use crate::exact::events::numerics::signals::{self, add_signal};
 use crate::exact::events::phases::contact_state::{ContactState, Force};
-
-/// Terms of a motion without stiffness: a load that is straight in time gives a cubic.
-const FEWEST: usize = 6;
-
-/// Size of the terms left out, over the motion with the highest frequency: the round-off of double precision is larger.
-const LEFT_OUT: f64 = 4e-18;
-
-/// The polynomials of a contact.
-#[derive(Debug, Clone)]
-pub struct ContactSeries {
-    /// r.
-    pub r: [f64; ORDERS],
-    /// S.
-    pub force: Polynomial,
-    /// The friction limit where it is positive.
-    pub limit: Polynomial,
-}
-
-/// Number of terms of u for a bound of the frequencies times the length: forces have two terms less.
-fn terms(phase: f64) -> usize {
-    let (mut term, mut count) = (1.0, 0);
-    while term > LEFT_OUT && count < TERMS {
-        count += 1;
-        term *= phase / count as f64;
-    }
-    (count + 2).max(FEWEST)
-}
 
 /// The polynomials of a piece.
 #[derive(Debug, Clone)]

@@ -12,3 +12,4 @@ pub(crate) mod reference_error;
 pub(crate) mod solve;
 pub(crate) mod still;
 pub(crate) mod sweep;
+mod terms;

@@ -1,6 +1,7 @@
 //! Accelerations, forces and energies of a run by time steps, where a channel needs them.
 
-use super::derived::{self, Terms};
+use super::derived;
+use super::terms::Terms;
 use crate::lane::Lane;
 use crate::problem::structure::channels::channel::{Derived, Energy, Number};
 use crate::solve::Unsolvable;

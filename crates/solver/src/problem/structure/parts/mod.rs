@@ -1,5 +1,7 @@
 //! The parts of a structure as a study describes them.
 
+pub mod along;
+pub mod contact;
 pub mod contacts;
 pub mod listed;
 pub(crate) mod models;

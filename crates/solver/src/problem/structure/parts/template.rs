@@ -1,17 +1,18 @@
 //! The structure of a study: nodes, bars, springs, contacts, loads and start, with numbers that may depend on the parameters.
 
+use super::along::Term;
+use super::contact::{Contact, Normal};
 use super::reduce::Reduce;
+use crate::problem::Case;
 use crate::problem::structure::channels::measured::Measured;
 use crate::problem::structure::given::amount::Amount;
-use crate::problem::structure::given::chosen::Chosen;
 use crate::problem::structure::given::loads::Source;
 use crate::problem::structure::given::node::{NodeName, NodeRef};
 use crate::problem::structure::given::rows::Rows;
 use crate::problem::structure::given::shape::Scaled;
 use crate::problem::structure::given::supports::Support;
-use crate::problem::{Case, Violation};
 use crate::system::import::Imported;
-use crate::system::structure::{Direction, PlaneRow};
+use crate::system::structure::Direction;
 use std::sync::Arc;
 
 /// The structure of all cases of a study.
@@ -165,17 +166,6 @@ impl Matrices {
     }
 }
 
-/// A node with its factor in a relative displacement.
-#[derive(Debug, Clone)]
-pub struct Term {
-    /// The node.
-    pub node: NodeName,
-    /// Its factor.
-    pub factor: Amount,
-    /// Whether the study names a tied dof instead, of which this is a part.
-    pub tied: bool,
-}
-
 /// A uniform bar of n two-node elements with lumped masses.
 #[derive(Debug, Clone)]
 pub struct Bar {
@@ -225,100 +215,6 @@ pub enum SpringNumbers {
         /// Damping ratio, >= 0; none for 0.
         ratio: Option<Amount>,
     },
-}
-
-/// A contact. The numbers that its law does not use are not looked at.
-#[derive(Debug, Clone)]
-pub struct Contact {
-    /// Its name.
-    pub name: String,
-    /// Byte offset and path of the contact in the study.
-    pub place: (usize, String),
-    /// The nodes whose displacements make r.
-    pub along: Vec<Term>,
-    /// The direction of a contact in a plane, whose directions follow each other.
-    pub row: Option<PlaneRow>,
-    /// Its law.
-    pub law: Chosen,
-    /// r at rest; none for 0.
-    pub gap: Option<Amount>,
-    /// Force that presses.
-    pub normal: Option<Normal>,
-    /// Its table of r and S.
-    pub table: Option<[Vec<Amount>; 2]>,
-    /// Its numbers but the normal force and the table, by their keys ([`super::contacts::NUMBERS`]).
-    pub numbers: Vec<(&'static str, Amount)>,
-}
-
-impl Contact {
-    /// A number, if the contact has it.
-    pub fn number(&self, key: &str) -> Option<&Amount> {
-        let own = self.numbers.iter().find(|own| own.0 == key);
-        own.map(|(_, amount)| amount)
-    }
-
-    /// Its value in a case.
-    ///
-    /// # Errors
-    /// It is out of its range.
-    pub fn value(&self, key: &str, case: &Case) -> Result<Option<f64>, Violation> {
-        self.number(key)
-            .map(|amount| amount.value(case))
-            .transpose()
-    }
-
-    /// The points of its table in a case; empty without one.
-    ///
-    /// # Errors
-    /// A number is out of its range.
-    pub fn table(&self, case: &Case) -> Result<Vec<[f64; 2]>, Violation> {
-        let [r, s] = match &self.table {
-            Some(table) => table,
-            None => return Ok(Vec::new()),
-        };
-        let points = r.iter().zip(s);
-        points
-            .map(|(r, s)| Ok([r.value(case)?, s.value(case)?]))
-            .collect()
-    }
-}
-
-/// The normal force of a friction contact, positive when pressed.
-#[derive(Debug, Clone)]
-pub enum Normal {
-    /// Constant.
-    Constant(Amount),
-    /// A function of time.
-    Table(Source),
-    /// W (1 + a/g).
-    Weight {
-        /// W.
-        weight: Amount,
-        /// a, the vertical acceleration.
-        vertical: Scaled,
-    },
-    /// The forces of other contacts and of springs at the start of each step.
-    Parts(Vec<PressingPart>),
-}
-
-/// A contact or a spring that a normal force names.
-#[derive(Debug, Clone)]
-pub struct PressingPart {
-    /// Its name.
-    pub name: String,
-    /// Which one.
-    pub part: Pressing,
-    /// Byte offset and path of the name in the study.
-    pub place: (usize, String),
-}
-
-/// A part that may press a contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Pressing {
-    /// A contact, by its place in the list.
-    Contact(usize),
-    /// A spring, by its place in the list.
-    Spring(usize),
 }
 
 /// A force on nodes.

@@ -4,8 +4,9 @@ use super::doubt::Doubt;
 use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::problem::structure::given::node::NodeRef;
+use crate::problem::structure::parts::contact::Contact;
 use crate::problem::structure::parts::contacts::law_named;
-use crate::problem::structure::parts::template::{Contact, Template};
+use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::structure::Direction;
 

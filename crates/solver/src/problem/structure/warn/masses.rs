@@ -2,7 +2,7 @@
 
 use crate::problem::Case;
 use crate::problem::structure::given::node::{NodeRef, Numbering};
-use crate::problem::structure::parts::template::Term;
+use crate::problem::structure::parts::along::Term;
 use crate::system::structure::Structure;
 use std::cell::OnceCell;
 

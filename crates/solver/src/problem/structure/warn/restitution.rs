@@ -4,8 +4,9 @@ use super::doubt::Doubt;
 use crate::problem::Case;
 use crate::problem::structure::given::short::short;
 use crate::problem::structure::model::contact_duration;
+use crate::problem::structure::parts::contact;
 use crate::problem::structure::parts::contacts::law_named;
-use crate::problem::structure::parts::template::{self, Template};
+use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::structure::{Contact, Structure};
 use std::fmt;
@@ -42,7 +43,7 @@ pub fn restitutions(
 
 /// Of a contact: of bodies of its `colliding_mass` or, without it, of the masses of its nodes.
 fn of_contact(
-    given: &template::Contact,
+    given: &contact::Contact,
     contact: &Contact,
     case: &Case,
     structure: &Structure,

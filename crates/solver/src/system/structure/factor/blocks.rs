@@ -2,14 +2,13 @@
 
 use super::Entry;
 use super::panels::Panel;
+use super::products::products;
 use crate::lane::Lane;
 use multiversion::multiversion;
 use std::ops::Range;
 
 /// Most columns of a group.
 const GROUP: usize = 4;
-/// Parts of a sum, which do not wait for one another.
-const PARTS: usize = 4;
 
 /// L and D by panels, whose columns share the numbers of the rows below them.
 ///
@@ -274,37 +273,4 @@ fn eliminate<const L: usize>(blocks: &Blocks, x: &mut [Lane<L>]) {
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
 fn substitute<const L: usize>(blocks: &Blocks, y: &mut [Lane<L>]) {
     blocks.substitute_all(y);
-}
-
-/// The sums of K of C columns, from `from` on, times x over these rows.
-#[inline(always)]
-fn products<const L: usize, const C: usize, const K: usize>(
-    rows: &[u32],
-    values: &[[f64; C]],
-    from: usize,
-    x: &[Lane<L>],
-) -> [Lane<L>; K] {
-    let (first_rows, rows) = rows.as_rchunks::<PARTS>();
-    let (first_values, values) = values.as_rchunks::<PARTS>();
-    let mut parts = [[Lane::splat(0.0); K]; PARTS];
-    let add = |sums: &mut [Lane<L>; K], row: &u32, values: &[f64; C]| {
-        let x = x[*row as usize];
-        for (sum, l) in sums.iter_mut().zip(&values[from..]) {
-            *sum = *sum + x * *l;
-        }
-    };
-    for (rows, values) in rows.iter().zip(values).rev() {
-        for ((part, row), values) in parts.iter_mut().zip(rows).zip(values) {
-            add(part, row, values);
-        }
-    }
-    let mut sums = [Lane::splat(0.0); K];
-    let [a, b, c, d] = parts;
-    for (k, sum) in sums.iter_mut().enumerate() {
-        *sum = (a[k] + b[k]) + (c[k] + d[k]);
-    }
-    for (row, values) in first_rows.iter().zip(first_values).rev() {
-        add(&mut sums, row, values);
-    }
-    sums
 }

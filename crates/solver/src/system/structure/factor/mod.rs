@@ -6,12 +6,14 @@ mod minimum_degree;
 mod numeric;
 mod order;
 mod panels;
+pub(crate) mod pivot;
 mod products;
 mod reach;
 mod solve;
 
 pub use blocks::Blocks;
 pub use columns::{Columns, Entry};
+pub use pivot::negative_pivot;
 
 use super::Symmetric;
 use super::lists::Lists;

@@ -1,6 +1,7 @@
 //! Channels of a structure: a quantity over time, or a difference of such quantities.
 
 pub(crate) mod describe;
+mod find;
 mod number;
 mod term;
 

@@ -2,7 +2,7 @@
 
 mod limit;
 
-use super::template::Contact;
+use super::contact::Contact;
 use crate::contact::number::Number;
 use crate::contact::numbers::structure::TABLE;
 use crate::contact::offer::{Offered, Place};

@@ -1,0 +1,125 @@
+//! The motion of a structure as a flow.
+
+use super::Flow;
+use super::plane::PlaneContact;
+use super::structure::{Moving, ROUND_OFF_OF_STEP};
+use super::watched::Watched;
+
+impl Flow for Moving<'_> {
+    fn groups(&self) -> &[usize] {
+        &self.groups
+    }
+
+    fn work(&self) -> f64 {
+        self.work
+    }
+
+    fn raise(&self, h: f64, largest: &mut [f64]) {
+        let terms = match &self.last {
+            Some(y) => self.acceleration_terms.max(self.terms(self.t + h, y)),
+            None => self.acceleration_terms,
+        };
+        largest[1] = largest[1].max(ROUND_OFF_OF_STEP * h * terms);
+        for (largest, least) in largest.iter_mut().zip(self.least) {
+            *largest = largest.max(least);
+        }
+        if self.last.is_some() {
+            largest[0] = largest[0].max(h * largest[1]);
+        }
+        for (i, (contact, place)) in self.contacts.iter().zip(&self.places).enumerate() {
+            if let Some(place) = *place {
+                let least = match &self.planes[i] {
+                    Some(plane) => plane.least_state(),
+                    None => contact.least_state(),
+                };
+                let largest = &mut largest[self.groups[place]];
+                *largest = largest.max(least);
+            }
+        }
+    }
+
+    fn enter(&mut self, part: [f64; 2]) {
+        self.part = part;
+    }
+
+    fn begins(&self) -> bool {
+        !self.beginning().is_empty()
+    }
+
+    fn begin(&mut self, t: f64, h: f64, y: &[f64], ends: [&mut [f64]; 2]) -> [f64; 2] {
+        self.begin_to_slide(t, h, y, ends)
+    }
+
+    fn rates(&mut self, t: f64, y: &[f64], to: &mut [f64]) {
+        let n = self.model.len();
+        let (rates, rest) = to.split_at_mut(n);
+        let a = &mut rest[..n];
+        rates.copy_from_slice(&y[n..2 * n]);
+        self.accelerations(t, y, a);
+        for (i, place) in self.places.iter().enumerate() {
+            let Some(place) = *place else {
+                continue;
+            };
+            if let Some(plane) = &self.planes[i] {
+                let state = self.in_plane(i, t, y, [0.0; 2]);
+                let rate = plane.rate(&state, self.moving_limit(i, t, y));
+                to[place..place + 2].copy_from_slice(&rate);
+            } else {
+                let [_, rdot] = self.relative(i, t, y);
+                to[place] = self.contacts[i].rate(y[place], rdot, self.moving_limit(i, t, y));
+            }
+        }
+    }
+
+    fn watch(&mut self, t: f64, y: &[f64]) -> &[Watched] {
+        let mut watched = std::mem::take(&mut self.watched);
+        watched.clear();
+        let is_rigid = |plane: &PlaneContact| plane.phase.is_some();
+        let held = match self.planes().any(|(_, plane)| is_rigid(plane)) {
+            true => {
+                let [_, held] = self.sums(t, y, &mut vec![0.0; self.model.len()]);
+                held
+            }
+            false => vec![0.0; self.contacts.len()],
+        };
+        for (first, plane) in self.planes() {
+            let state = self.in_plane(first, t, y, [held[first], held[first + 1]]);
+            plane.watch(&state, self.moving_limit(first, t, y), &mut watched);
+        }
+        for (i, contact) in self.contacts.iter().enumerate() {
+            if self.model.structure.contacts[i].law.row().is_some() {
+                continue;
+            }
+            let motion = self.relative(i, t, y);
+            contact.watch(
+                motion,
+                self.state_of(i, y),
+                self.moving_limit(i, t, y),
+                &mut watched,
+            );
+        }
+        self.watched = watched;
+        &self.watched
+    }
+
+    fn commit(&mut self, t: f64, y: &mut [f64]) {
+        self.t = t;
+        self.acceleration_terms = self.terms(t, y);
+        self.commit_planes(t, y);
+        let is_rigid = self.planes().any(|(_, plane)| plane.phase.is_some());
+        self.last = is_rigid.then(|| y.to_vec());
+        for i in 0..self.contacts.len() {
+            if self.model.structure.contacts[i].law.row().is_some() {
+                continue;
+            }
+            let mut motion = self.motion(i, t, y);
+            // A velocity has the round-off of the accelerations of which it is the integral.
+            motion.sizes[1] = motion.sizes[1].max(self.acceleration_terms * t);
+            let (z, limit) = (self.state_of(i, y), self.moving_limit(i, t, y));
+            let z = self.contacts[i].commit(motion, z, limit);
+            if let (Some(place), Some(z)) = (self.places[i], z) {
+                y[place] = z;
+            }
+        }
+    }
+}
