@@ -2,7 +2,7 @@
 
 use crate::batch::{Outcome, PartResult};
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::parameter::shortest;
+use slipgap_solver::problem::numbers::parameter::shortest;
 use slipgap_study::{Groups, Study};
 
 /// One check on one case.

@@ -81,7 +81,9 @@ pub mod warnings;
 
 pub use slipgap_recommend as recommend;
 pub use slipgap_solver::{
-    contact, exact, expression, history, lane, methods, metrics, problem, solve, system, textbook,
+    contact, exact, history, lane, methods, metrics,
+    problem::{self, expression},
+    solve, system, textbook,
 };
 pub use slipgap_statistics as statistics;
 pub use slipgap_study as study;

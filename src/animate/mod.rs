@@ -21,7 +21,7 @@ use crate::batch;
 use crate::problem::Case;
 use crate::study::{Study, error::Error};
 use film::Film;
-use slipgap_solver::problem::unit::Dimension;
+use slipgap_solver::problem::numbers::unit::Dimension;
 use slipgap_solver::problem::{Solution, Violation};
 
 /// What an animation shows.

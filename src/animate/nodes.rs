@@ -2,12 +2,11 @@
 
 use super::scene::{Link, Mover, Point, Scene};
 use super::structure::{Motion, kind};
-use crate::figures::scheme::mesh;
 use crate::figures::scheme::paint::Painter;
 use crate::figures::scheme::places::{Placed, has_places};
-use crate::figures::scheme::symbols;
-use slipgap_solver::problem::structure::scheme::model::Model;
-use slipgap_solver::problem::structure::scheme::{End, LinkKind, Place};
+use crate::figures::scheme::{mesh, symbols};
+use slipgap_solver::problem::structure::described::scheme::model::Model;
+use slipgap_solver::problem::structure::described::scheme::picture::{End, LinkKind, Place};
 
 /// Most nodes that are drawn.
 const MOST: usize = 400;

@@ -10,7 +10,9 @@ use crate::figures::scheme::places::{Placed, has_places};
 use crate::history::History;
 use crate::problem::{Case, Problem};
 use slipgap_drawing::layout::sheet::Anchor;
-use slipgap_solver::problem::structure::scheme::{End, LinkKind, Place, Scheme};
+use slipgap_solver::problem::structure::described::scheme::picture::{
+    End, LinkKind, Place, Scheme,
+};
 use std::borrow::Cow;
 use std::collections::HashMap;
 
@@ -325,9 +327,10 @@ impl Draft<'_, '_> {
     /// The ground. Under supports each link has ground of its own, since they move apart.
     fn grounds(&mut self) {
         let scheme = self.painter.scheme;
-        let moves = |link: &slipgap_solver::problem::structure::scheme::Link| {
-            link.supports.iter().any(Option::is_some)
-        };
+        let moves =
+            |link: &slipgap_solver::problem::structure::described::scheme::picture::Link| {
+                link.supports.iter().any(Option::is_some)
+            };
         if !scheme.links.iter().any(moves) {
             let places = self.painter.ground_places().into_iter();
             self.scene

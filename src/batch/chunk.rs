@@ -9,7 +9,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_study::Study;
 
 /// Raw combinations of a chunk; in a large study a power of two times as many.

@@ -5,7 +5,7 @@ use super::options::RunOptions;
 use super::part_result::Solutions;
 use super::signal_order::signal_order;
 use rayon::prelude::*;
-use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::problem::{Case, Solution};
 use slipgap_solver::solve::{MetricTable, Unsolvable, Warnings};
 use slipgap_study::Study;

@@ -3,7 +3,7 @@
 
 use super::PartResult;
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::solve::MetricTable;
 use slipgap_study::{Computed, Found, Partners, Reference, Rule, Study};
 

@@ -4,8 +4,8 @@ use super::compute::{SWEEP_WORK, compute_rows, keep_memory, parallel_tasks, slic
 use super::options::RunOptions;
 use rayon::prelude::*;
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::cases::Cases;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 use std::collections::BTreeSet;

@@ -1,7 +1,7 @@
 //! The results of a part: as columns, or case by case.
 
 use super::store::Miss;
-use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::problem::{Case, Solution};
 use slipgap_solver::solve::{MetricTable, Unsolvable};
 use slipgap_study::Study;

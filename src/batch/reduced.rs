@@ -2,7 +2,7 @@
 
 use super::Outcome;
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_study::{Groups, Reduction, Study};
 
 /// Receives a case and its metrics by their rows of the study's measures.

@@ -7,7 +7,7 @@ use super::part_result::{PartResult, Solutions};
 use super::store::{EarlierCases, Miss, Store};
 use super::{compute, computed};
 use indicatif::ProgressBar;
-use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::solve::MetricTable;
 use slipgap_study::Study;
 use slipgap_study::error::Error;

@@ -1,8 +1,8 @@
 //! The results that figures show, as columns: 8 bytes for a number of a case.
 
 use super::PartResult;
-use slipgap_solver::problem::cases::Cases;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::problem::{Case, Schema, Snapshot, Solution};
 use slipgap_study::alike::Identity;
 use std::collections::{BTreeMap, BTreeSet};

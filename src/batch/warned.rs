@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_solver::solve::{WARNINGS, Warning};
 use slipgap_study::Study;
 use std::fmt;

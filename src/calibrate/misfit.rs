@@ -4,7 +4,7 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use slipgap_recommend::Stop;
 use slipgap_recommend::calibrate::{Objective, Stopped};
-use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::solve::MetricTable;
 use slipgap_study::{PointCases, Study};
 

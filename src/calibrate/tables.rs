@@ -3,7 +3,7 @@
 use super::words::{self, label};
 use super::{Calibration, Fit};
 use slipgap_recommend::calibrate::End;
-use slipgap_solver::problem::parameter::{Parameter, shortest};
+use slipgap_solver::problem::numbers::parameter::{Parameter, shortest};
 use slipgap_study::Free;
 use slipgap_study::error::Error;
 

@@ -4,7 +4,7 @@ use super::sentences::sentences;
 use super::{Calibration, Fit, State, Verdict};
 use slipgap_recommend::calibrate::End;
 use slipgap_recommend::format::digits;
-use slipgap_solver::problem::parameter::shortest;
+use slipgap_solver::problem::numbers::parameter::shortest;
 use slipgap_study::Free;
 
 /// The name of the one alternative of a study without others.

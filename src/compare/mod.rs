@@ -4,15 +4,14 @@ mod folders;
 
 pub use folders::{Finding, compare_folders};
 
+use slipgap_solver::problem::numbers::parameter::{self, ColumnRule, Parameter};
+use slipgap_solver::problem::structure::metrics::metric::looks_like_metric;
+use slipgap_solver::problem::structure::tables::schema::{NAME, named};
+use slipgap_solver::problem::{PROBLEMS, Problem, find};
+use slipgap_study::units::scaled;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
-
-use slipgap_solver::problem::parameter::{self, ColumnRule, Parameter};
-use slipgap_solver::problem::structure::metric::looks_like_metric;
-use slipgap_solver::problem::structure::schema::{NAME, named};
-use slipgap_solver::problem::{PROBLEMS, Problem, find};
-use slipgap_study::units::scaled;
 
 /// A table of results as text: results.csv, or the same from a store.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -218,7 +217,8 @@ mod tests {
         let metrics = ["rms_error", "max_error"].map(String::from);
         let columns = ["case".to_owned()].into_iter().chain(names).chain(metrics);
         let row = |(i, (alpha, rms, max)): (usize, &(&str, &str, &str))| {
-            let value = |p: &slipgap_solver::problem::parameter::Parameter| match &*p.name {
+            let value = |p: &slipgap_solver::problem::numbers::parameter::Parameter| match &*p.name
+            {
                 "alpha" => (*alpha).to_owned(),
                 _ => "1".into(),
             };

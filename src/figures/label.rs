@@ -3,7 +3,7 @@
 use crate::figures::DrawnCase;
 use slipgap_drawing::text::{markup, number};
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::parameter::{Default, Parameter, Value};
+use slipgap_solver::problem::numbers::parameter::{Default, Parameter, Value};
 use slipgap_study::{Filter, Study};
 use std::collections::HashMap;
 

@@ -4,7 +4,7 @@ use super::decimal;
 use crate::figures::FigureData;
 use crate::figures::markup::plain;
 use crate::figures::sheet::{Panel, Sheet};
-use slipgap_solver::problem::parameter::{Value, shortest};
+use slipgap_solver::problem::numbers::parameter::{Value, shortest};
 use slipgap_study::Study;
 
 /// Most numbers of a parameter that a caption lists.

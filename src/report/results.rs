@@ -5,7 +5,7 @@ use super::text::{escape, printable};
 use super::{Detail, packed};
 use crate::batch::Outcome;
 use serde_json::{Value as Json, json};
-use slipgap_solver::problem::parameter::{Kind, Value};
+use slipgap_solver::problem::numbers::parameter::{Kind, Value};
 use slipgap_study::Study;
 use std::io::{self, Write};
 use std::path::PathBuf;

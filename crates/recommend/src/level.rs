@@ -2,7 +2,7 @@
 
 use super::{Candidate, CostLevel, EnergyChange, Request, SearchSpace, refine, with_finer_step};
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::table::cases::Cases;
 
 /// Candidates whose finer steps are solved together.
 const TOGETHER: usize = 16;

@@ -1,8 +1,8 @@
 //! Finer steps: whether a case still reaches its targets when its step is halved until the metrics stop changing.
 
 use super::Target;
-use slipgap_solver::problem::cases::Cases;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::problem::{Case, Problem};
 
 /// Halvings that are always made. Half the step alone is not enough: it may still be too long for the contact mode.

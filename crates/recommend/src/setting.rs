@@ -3,7 +3,7 @@
 use slipgap_solver::contact::{Described, DisplacementControl, ImpactSpring, VelocityControl};
 use slipgap_solver::methods::{AverageAcceleration, Description, METHODS, Method};
 use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::parameter::{Kind, Value, shortest};
+use slipgap_solver::problem::numbers::parameter::{Kind, Value, shortest};
 
 /// A law or a method, with the parameters that a search takes from a list.
 #[derive(Debug, Clone, PartialEq)]

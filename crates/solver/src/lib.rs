@@ -16,7 +16,6 @@
 
 pub mod contact;
 pub mod exact;
-pub mod expression;
 pub mod history;
 pub mod lane;
 pub mod methods;

@@ -1,6 +1,6 @@
 //! The parts of the error with laws that have no closed form: their sum, and the order of the step error.
 
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_solver::problem::{Case, find};
 use std::f64::consts::PI;
 

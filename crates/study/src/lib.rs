@@ -42,7 +42,7 @@ pub use figure::kinds::{self, FigureKind};
 pub use measure::Measure;
 pub use measure::measures;
 pub use reduction::{Groups, Operator, Reduced, Reduction};
-pub use slipgap_solver::expression::{printable, unprintable};
+pub use slipgap_solver::problem::expression::{printable, unprintable};
 pub use source::input::{Input, STDIN};
 pub use source::setting::{Setting, SettingFault};
 pub use units::Units;

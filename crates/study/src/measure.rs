@@ -3,7 +3,7 @@
 use super::computed::Computed;
 use super::reduction::Reduction;
 use super::units::Units;
-use slipgap_solver::problem::unit::Dimension;
+use slipgap_solver::problem::numbers::unit::Dimension;
 use slipgap_solver::problem::{Problem, escape};
 
 /// A column of results beyond the parameters, or a reduction of one.

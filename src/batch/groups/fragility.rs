@@ -3,7 +3,7 @@
 
 use super::capacities;
 use crate::batch::DrawnCase;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_statistics::binomial;
 use slipgap_statistics::lognormal::{Fragility as Function, NoFit, Trials};
 use slipgap_study::kinds::{Fit, Fragility};

@@ -3,7 +3,7 @@
 #[cfg(test)]
 use crate::batch::DrawnCase;
 use crate::batch::{GroupResults, PartResult};
-use slipgap_solver::problem::parameter::shortest;
+use slipgap_solver::problem::numbers::parameter::shortest;
 use slipgap_statistics::sobol::{Index, Indices, Lack, indices};
 use slipgap_study::error::Error;
 use slipgap_study::{Block, Figure, Sampling, Study};

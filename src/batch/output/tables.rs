@@ -1,7 +1,7 @@
 //! CSV tables of cases without a solution, failures.csv, and of histories.
 
-use slipgap_solver::problem::parameter::shortest;
-use slipgap_solver::problem::unit::Dimension;
+use slipgap_solver::problem::numbers::parameter::shortest;
+use slipgap_solver::problem::numbers::unit::Dimension;
 use slipgap_solver::problem::{Case, HistoryColumn, MeasuredChannel, Solution};
 use slipgap_solver::solve::Unsolvable;
 use slipgap_study::Study;

@@ -27,7 +27,7 @@ use super::key::{Difference, Key, checksum};
 use super::output::atomic::{can_write, remove_leftovers, write_atomically};
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
-use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::solve::MetricTable;
 use slipgap_study::Study;
 use slipgap_study::error::Error;

@@ -10,7 +10,7 @@ use crate::batch::chunk::MOST_ROWS;
 use crate::batch::key::{CaseHash, Difference, Key};
 use crate::compare::Rows;
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
+use slipgap_solver::problem::numbers::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
 use slipgap_solver::solve::{MetricTable, Unsolvable, Warnings};
 use slipgap_study::Study;
 

@@ -15,7 +15,7 @@ use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
 use slipgap_solver::problem::escape;
-use slipgap_solver::problem::schema::NO_VALUE;
+use slipgap_solver::problem::table::schema::NO_VALUE;
 use slipgap_study::Scale;
 use slipgap_study::kinds::Map;
 use std::collections::HashSet;

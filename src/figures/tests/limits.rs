@@ -7,7 +7,7 @@ use slipgap_drawing::layout::below;
 use slipgap_drawing::layout::sheet::{Rect, Sheet};
 use slipgap_drawing::layout::slope;
 use slipgap_drawing::text;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_study::kinds::{History, Law, Map, Metric};
 use slipgap_study::{FigureKind, Scale};
 use std::f64::consts::PI;

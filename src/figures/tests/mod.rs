@@ -17,7 +17,7 @@ use crate::figures::{FigureData, ShownCases, png, sheet, svg};
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_solver::exact::coulomb::Coulomb;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_solver::problem::{self, Case, Snapshot, Solution};
 use slipgap_study::kinds::{History, Law, Map, Metric, Profile};
 use slipgap_study::{Figure, FigureKind, Filter, Scale, Study};

@@ -14,7 +14,7 @@ use super::{Fixed, Grid, Variant, setting};
 use slipgap_solver::exact::coulomb::Coulomb;
 use slipgap_solver::history::History;
 use slipgap_solver::problem::friction::FrictionOscillator;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_solver::problem::{Case, Problem, Violation};
 use std::f64::consts::PI;
 

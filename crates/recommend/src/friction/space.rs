@@ -8,7 +8,7 @@ use crate::setting::{has_sub_steps, method_parameters, sentence};
 use crate::{CostLevel, EnergyChange, Further, Grid, Range, SearchSpace, Variant, Variants};
 use slipgap_solver::contact::WhichLaw;
 use slipgap_solver::problem::friction::FrictionOscillator;
-use slipgap_solver::problem::parameter::shortest;
+use slipgap_solver::problem::numbers::parameter::shortest;
 use slipgap_solver::problem::{Case, Problem, Solution};
 use std::f64::consts::PI;
 

@@ -5,7 +5,7 @@ use crate::setting::choices;
 use crate::task::{Search, check_target, choice, folder_name};
 use crate::{Fixed, Request, Stop, Target, Variants, metric};
 use slipgap_solver::problem::friction::FrictionOscillator;
-use slipgap_solver::problem::parameter::shortest;
+use slipgap_solver::problem::numbers::parameter::shortest;
 use slipgap_study::error::Error;
 
 /// The releases, unless they are given. A range, because an answer for one release often misses the target at the others, and few

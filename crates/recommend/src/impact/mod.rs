@@ -15,8 +15,8 @@ use slipgap_solver::contact::{Described, ImpactSpring};
 use slipgap_solver::methods::AverageAcceleration;
 use slipgap_solver::problem::impact::BarImpact;
 use slipgap_solver::problem::impact::scaled::Scaled;
-use slipgap_solver::problem::parameter::Value;
-use slipgap_solver::problem::schema::Text;
+use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_solver::problem::table::schema::Text;
 use slipgap_solver::problem::{Case, Problem, Violation};
 use std::sync::OnceLock;
 

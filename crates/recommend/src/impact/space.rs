@@ -10,7 +10,7 @@ use crate::setting::{has_sub_steps, method_named, method_parameters, sentence};
 use crate::{CostLevel, EnergyChange, Grid, SearchSpace, Setting, Variant, Variants, metric};
 use slipgap_solver::methods::AverageAcceleration;
 use slipgap_solver::problem::impact::BarImpact;
-use slipgap_solver::problem::parameter::{Value, shortest};
+use slipgap_solver::problem::numbers::parameter::{Value, shortest};
 use slipgap_solver::problem::{Case, Problem, Solution};
 use std::sync::OnceLock;
 

@@ -1,10 +1,10 @@
 //! The laws that a problem offers, for its table of parameters.
 
-use super::parameter::Parameter;
-use super::text::text;
 use crate::contact::number::{Number, same};
 use crate::contact::offer::Place;
 use crate::contact::{ALL, LAWS};
+use crate::problem::numbers::parameter::Parameter;
+use crate::problem::numbers::text::text;
 
 /// Names and meanings of the laws of a problem, as [`crate::contact::offer::Which`] says.
 macro_rules! laws {

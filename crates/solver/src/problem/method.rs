@@ -1,8 +1,8 @@
 //! The parameters of the method of integration, which all problems have.
 
-use super::parameter::{Default, Kind, Parameter, Value, shortest};
 use super::{Case, Violation};
 use crate::methods::{Description, METHODS, Method, MethodParameter, six_digits_below};
+use crate::problem::numbers::parameter::{Default, Kind, Parameter, Value, shortest};
 use crate::solve;
 use crate::system::{Mode, System};
 use std::slice;

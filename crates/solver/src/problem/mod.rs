@@ -1,45 +1,42 @@
 //! Problems: each makes a system of a case, knows its exact solution, and computes its metrics.
 
-mod case;
-pub mod cases;
-mod choice;
-mod column;
-pub mod digits;
+pub mod expression;
 pub mod friction;
 pub mod impact;
 mod laws;
 pub mod method;
-pub mod parameter;
+pub mod numbers;
 mod parameter_expression;
-pub mod schema;
 mod side_by_side;
-mod solution;
 pub mod structure;
-mod text;
-pub mod unit;
+pub mod table;
 
-pub use case::{Case, Violation};
+pub use crate::problem::numbers::text::{Text, escape, interned};
+pub use crate::problem::table::case::{Case, Violation};
+pub use crate::problem::table::schema::{
+    Budget, Channel, Metric, Profile, Quantity, Schema, metric_of,
+};
+pub use crate::problem::table::solution::{
+    HistoryColumn, Lines, MeasuredChannel, Snapshot, Solution,
+};
 pub use parameter_expression::{NotComputed, ParameterExpression, values_used};
-pub use schema::{Budget, Channel, Metric, Profile, Quantity, Schema, metric_of};
-pub use solution::{HistoryColumn, Lines, MeasuredChannel, Snapshot, Solution};
-pub use text::{Text, escape, interned};
 
 use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::metrics::steps;
+use crate::problem::numbers::parameter::Parameter;
+use crate::problem::numbers::unit::Dimension;
+use crate::problem::table::cases::Cases;
 use crate::solve::{MetricTable, Unsolvable, Warning};
-use cases::Cases;
-use parameter::Parameter;
 use std::sync::{Arc, LazyLock};
 use structure::{GroundMotion, Scheme};
-use unit::Dimension;
 
 /// A problem: its schema, and how one of its cases is solved and judged.
 ///
 /// A case of `[F]` Fig. 5 with the time step pi/10; its rms error is 0.0245 |x0|:
 ///
 /// ```
-/// use slipgap_solver::problem::{self, Case, parameter::Value};
+/// use slipgap_solver::problem::{self, Case, crate::problem::numbers::parameter::Value};
 /// use std::f64::consts::PI;
 ///
 /// let problem = problem::find("friction-oscillator").expect("a problem");

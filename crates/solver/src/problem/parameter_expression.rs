@@ -1,7 +1,7 @@
 //! An expression with its text, and its value for a case.
 
 use super::Case;
-use crate::expression::{ExpressionFault, Formula, quoted};
+use crate::problem::expression::{ExpressionFault, Formula, quoted};
 use std::fmt;
 
 /// An expression of the parameters of a case, with its text in the study.

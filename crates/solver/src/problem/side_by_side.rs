@@ -1,8 +1,8 @@
 //! Cases side by side in lanes.
 
 use super::Problem;
-use super::case::Case;
-use super::cases::Cases;
+use crate::problem::table::case::Case;
+use crate::problem::table::cases::Cases;
 use crate::solve::sweep::{LONGEST, LaneCase};
 use crate::solve::{MetricTable, Unsolvable};
 use std::ops::Range;

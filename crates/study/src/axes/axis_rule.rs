@@ -5,7 +5,7 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::within;
 use slipgap_solver::metrics::SLACK;
-use slipgap_solver::problem::parameter::{Kind, Parameter, Range, Value};
+use slipgap_solver::problem::numbers::parameter::{Kind, Parameter, Range, Value};
 
 /// The rules, each with the meaning of its three numbers.
 pub(crate) const RULES: [(&str, &str); 3] = [

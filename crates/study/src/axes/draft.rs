@@ -4,8 +4,8 @@ use super::interval::Interval;
 use crate::cases::design::Design;
 use crate::cases::group::{Axis, AxisGroup};
 use crate::cases::values::{Sampled, Values};
-use slipgap_solver::expression::Formula;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::expression::Formula;
+use slipgap_solver::problem::numbers::parameter::Value;
 
 /// A parameter that a block gives, with the place of every value.
 pub(crate) struct ParameterDraft {

@@ -7,8 +7,8 @@ use crate::cases::formula_table::FormulaTable;
 use crate::cases::group::{Axis, AxisGroup};
 use crate::cases::values::Values;
 use crate::{Calibrate, Study};
-use slipgap_solver::problem::cases::Cases;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::problem::{Case, Violation};
 
 /// Makes the cases of an alternative at points of some free parameters; the others have the values of the study.

@@ -1,7 +1,7 @@
 //! Cases that differ only in some parameters.
 
 use super::block::Block;
-use slipgap_solver::problem::parameter::{Default, Value};
+use slipgap_solver::problem::numbers::parameter::{Default, Value};
 use slipgap_solver::problem::{Case, Problem};
 use std::collections::HashMap;
 use std::hash::Hash;

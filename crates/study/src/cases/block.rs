@@ -3,7 +3,7 @@
 use super::derived::{Condition, Derived};
 use super::design::Design;
 use super::group::{Axis, AxisGroup};
-use slipgap_solver::problem::parameter::{Default, Value};
+use slipgap_solver::problem::numbers::parameter::{Default, Value};
 use slipgap_solver::problem::{Case, Problem};
 use std::sync::OnceLock;
 

@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::derived::Derived;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_solver::problem::{Case, Problem, Violation};
 
 /// The relative round-off of a few operations, and some margin.

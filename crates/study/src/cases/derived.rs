@@ -4,8 +4,8 @@ use super::formula_table::FormulaTable;
 use super::group::AxisGroup;
 use crate::source::faults::quoted;
 use crate::value::value_of;
-use slipgap_solver::expression::Formula;
-use slipgap_solver::problem::parameter::{Parameter, Value, shortest};
+use slipgap_solver::problem::expression::Formula;
+use slipgap_solver::problem::numbers::parameter::{Parameter, Value, shortest};
 use slipgap_solver::problem::{Case, NotComputed, Violation, values_used};
 
 /// A parameter that an expression gives.

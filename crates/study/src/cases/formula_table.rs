@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::group::AxisGroup;
-use slipgap_solver::expression::{ExpressionFault, Formula};
+use slipgap_solver::problem::expression::{ExpressionFault, Formula};
 use slipgap_solver::problem::{Case, Schema};
 use std::sync::Arc;
 

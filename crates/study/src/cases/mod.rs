@@ -24,8 +24,8 @@ use super::Study;
 use block::Block;
 use filter::Filter;
 use select::place;
-use slipgap_solver::problem::cases::Cases;
-use slipgap_solver::problem::parameter::{ColumnRule, Parameter};
+use slipgap_solver::problem::numbers::parameter::{ColumnRule, Parameter};
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::problem::{Case, Violation};
 use std::ops::Range;
 

@@ -6,7 +6,7 @@ use super::select::distinct;
 use super::values::Values;
 use crate::Study;
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 
 /// Larger blocks are tested only at the ends of their axes.
 pub(crate) const MOST_TESTED: u64 = 1_000_000;

@@ -7,7 +7,7 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use crate::value::{name, value};
-use slipgap_solver::problem::parameter::{Default, Value};
+use slipgap_solver::problem::numbers::parameter::{Default, Value};
 use slipgap_solver::problem::{Case, Problem};
 use std::sync::Arc;
 

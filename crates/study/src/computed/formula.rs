@@ -1,9 +1,9 @@
 //! The arithmetic of metrics, with the measures known so far as names.
 
 use crate::Measure;
-use slipgap_solver::expression::{ExpressionFault, Formula};
 use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::parameter::Parameter;
+use slipgap_solver::problem::expression::{ExpressionFault, Formula};
+use slipgap_solver::problem::numbers::parameter::Parameter;
 use slipgap_solver::problem::structure::tables::schema::named;
 
 /// The parameters of the problem, then these measures, then other names.

@@ -13,9 +13,9 @@ pub use partners::{Found, Partners};
 pub use reference::Reference;
 
 use super::{Measure, Study};
-use slipgap_solver::expression::Formula;
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::expression::Formula;
+use slipgap_solver::problem::numbers::parameter::Value;
 
 /// How a metric is computed from others.
 #[derive(Debug, Clone)]

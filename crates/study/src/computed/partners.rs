@@ -2,7 +2,7 @@
 
 use super::Reference;
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use std::collections::HashMap;
 
 /// The reference case of a case, by its place among all of them.

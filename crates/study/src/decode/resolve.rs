@@ -7,7 +7,7 @@ use crate::cases::derived::{Condition, Derived, refused};
 use crate::cases::formula_table::FormulaTable;
 use crate::source::faults::{Faults, quoted};
 use crate::value::value_of;
-use slipgap_solver::expression::{ExpressionFault, Formula};
+use slipgap_solver::problem::expression::{ExpressionFault, Formula};
 use slipgap_solver::problem::{Case, NotComputed, Problem, Schema};
 use std::sync::Arc;
 

@@ -13,9 +13,9 @@ use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
 use crate::figure::reduced;
 use crate::reduction::OPERATORS;
-use slipgap_solver::expression::{CONSTANTS, FUNCTIONS};
+use slipgap_solver::problem::expression::{CONSTANTS, FUNCTIONS};
 use slipgap_solver::problem::method::PARAMETERS as METHOD;
-use slipgap_solver::problem::parameter::{Default, Kind, Parameter};
+use slipgap_solver::problem::numbers::parameter::{Default, Kind, Parameter};
 use slipgap_solver::problem::{PROBLEMS, Problem};
 use slipgap_solver::solve::{WARNINGS, Warning};
 

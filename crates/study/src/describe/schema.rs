@@ -21,8 +21,8 @@ use crate::figure::kinds::{self, KINDS};
 use crate::reduction::OPERATORS;
 use crate::structure::names::SHOWN;
 use crate::units::IN;
-use slipgap_solver::expression::FUNCTIONS;
-use slipgap_solver::problem::parameter::{Kind, Parameter, Range};
+use slipgap_solver::problem::expression::FUNCTIONS;
+use slipgap_solver::problem::numbers::parameter::{Kind, Parameter, Range};
 use slipgap_solver::problem::{self, Metric, PROBLEMS, Problem};
 use std::sync::Arc;
 

@@ -10,7 +10,7 @@ use crate::figure::kinds::{KINDS, Needs};
 use crate::structure::keys::{self, Keys};
 use serde_json::{Map, Value as Json, json};
 use slipgap_solver::problem::method::PARAMETERS;
-use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::metrics::ground::PREFIX;
 use slipgap_solver::problem::structure::metrics::reduction::REDUCTIONS;
 use slipgap_solver::problem::structure::parts::contacts::NAMES;

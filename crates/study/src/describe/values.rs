@@ -4,7 +4,9 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::axes::axis_rule::RULES;
 use crate::axes::interval::INTERVALS;
-use slipgap_solver::problem::parameter::{Condition, Default, Kind, Parameter, Range, Value};
+use slipgap_solver::problem::numbers::parameter::{
+    Condition, Default, Kind, Parameter, Range, Value,
+};
 
 /// The `parameters` object, or the object under one of its keys.
 pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {

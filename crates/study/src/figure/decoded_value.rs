@@ -10,7 +10,7 @@ use crate::tree::{Node, Tree};
 use crate::units::NEEDS_UNITS;
 use crate::value::{name, number, text};
 use crate::{ColumnRef, Filter, Marks, Ridge, Scale};
-use slipgap_solver::problem::parameter::{self, Range};
+use slipgap_solver::problem::numbers::parameter::{self, Range};
 
 /// Longest file name of a figure, well within the limits of file systems with an extension.
 const LONGEST_NAME: usize = 100;

@@ -8,7 +8,7 @@ use crate::Reduction;
 use crate::faults::quoted;
 use crate::scope::Scope;
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use std::collections::{HashMap, HashSet};
 
 /// The kinds of figure that show reductions.

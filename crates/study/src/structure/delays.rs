@@ -5,8 +5,8 @@ use crate::axes::draft::BlockDraft;
 use crate::axes::parameters::parameters;
 use crate::source::faults::Faults;
 use crate::source::tree::{Node, Tree};
-use slipgap_solver::expression::Formula;
-use slipgap_solver::problem::parameter::{Parameter, Value};
+use slipgap_solver::problem::expression::Formula;
+use slipgap_solver::problem::numbers::parameter::{Parameter, Value};
 use slipgap_solver::problem::structure::channels::measured::Measured;
 use slipgap_solver::problem::structure::given::amount::Source;
 
@@ -126,7 +126,7 @@ mod tests {
     use super::*;
     use crate::source::tree::parse;
     use slipgap_solver::problem::ParameterExpression;
-    use slipgap_solver::problem::parameter::Range;
+    use slipgap_solver::problem::numbers::parameter::Range;
     use slipgap_solver::problem::structure::given::amount::Amount;
     use slipgap_solver::problem::structure::given::chosen::Chosen;
     use slipgap_solver::problem::structure::tables::schema::named;

@@ -3,10 +3,10 @@
 use super::names::{Choices, Choosing, given, interned_choices, member, members, texts};
 use crate::source::faults::{Faults, quoted};
 use crate::source::tree::{Node, Tree};
-use slipgap_solver::expression::Formula;
-use slipgap_solver::expression::unprintable;
+use slipgap_solver::problem::expression::Formula;
+use slipgap_solver::problem::expression::unprintable;
 use slipgap_solver::problem::interned;
-use slipgap_solver::problem::parameter::LABEL;
+use slipgap_solver::problem::numbers::parameter::LABEL;
 use slipgap_solver::problem::structure::tables::schema::{FIXED, named, of_method};
 
 /// The parameters whose values are texts that are no numbers and that neither the structure nor another parameter contains, with

@@ -10,7 +10,7 @@ use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
-use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::{self, Amount};
 use slipgap_solver::problem::structure::given::loads::{Kind, LARGEST_SEED, Source};
 use slipgap_solver::problem::structure::given::shape::Scaled;

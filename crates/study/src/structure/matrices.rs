@@ -10,7 +10,7 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
 use slipgap_solver::problem::interned;
-use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::channels::channel::Term;
 use slipgap_solver::problem::structure::given::rows::Rows;
 use slipgap_solver::problem::structure::metrics::metric::StructureMetric;
@@ -21,7 +21,7 @@ use slipgap_solver::problem::structure::tables::named_rows::named_rows;
 use slipgap_solver::problem::structure::tables::schema::Drawn;
 use slipgap_solver::system::import::{Dofs, ImportFault, Imported, Matrix};
 use slipgap_solver::system::structure::Symmetric;
-use slipgap_solver::system::structure::factor::negative_pivot;
+use slipgap_solver::system::structure::sparse::factor::negative_pivot;
 use std::sync::Arc;
 
 /// Most bytes of a file: 10^6 rows with 80 entries each.

@@ -122,7 +122,7 @@ pub(super) fn problem(
         modal_damping: reader.optional(
             &object,
             "modal_damping",
-            slipgap_solver::problem::parameter::Range::NotNegative,
+            slipgap_solver::problem::numbers::parameter::Range::NotNegative,
             faults,
         ),
         damping_stiffness: damping_stiffness(&object, faults).unwrap_or_default(),

@@ -7,7 +7,7 @@ use super::reader::{Reader, open, take_name};
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::Amount;
 use slipgap_solver::problem::structure::parts::template::{Bar, Mass, Moved, Start, StaticLoad};
 use slipgap_solver::system::structure::Direction;

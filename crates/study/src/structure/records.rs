@@ -6,7 +6,7 @@ use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::value::{name, number};
-use slipgap_solver::problem::parameter::{Range, shortest};
+use slipgap_solver::problem::numbers::parameter::{Range, shortest};
 use slipgap_solver::problem::structure::given::loads::Kind;
 use slipgap_solver::system::loads::record::{Mean, Reading};
 use slipgap_solver::system::loads::{self, SignalFault, Unit};

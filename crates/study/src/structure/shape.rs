@@ -7,7 +7,7 @@ use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::value::name;
-use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::Amount;
 use slipgap_solver::problem::structure::given::scale_to::{Goal, ScaleTo, TargetSpectrum};
 use slipgap_solver::problem::structure::given::shape::Shape;

@@ -7,7 +7,7 @@ use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
-use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::{Amount, Source};
 use slipgap_solver::problem::structure::parts::template::{Spring, SpringNumbers};
 

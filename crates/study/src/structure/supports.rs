@@ -10,11 +10,11 @@ use super::shape::baseline;
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::numbers::parameter::Range;
+use slipgap_solver::problem::numbers::unit::Dimension;
 use slipgap_solver::problem::structure::channels::measured::Test;
 use slipgap_solver::problem::structure::given::amount::Amount;
 use slipgap_solver::problem::structure::given::supports::{Course, Points, Support};
-use slipgap_solver::problem::unit::Dimension;
 use slipgap_solver::system::structure::{Baseline, Direction};
 use std::sync::Arc;
 

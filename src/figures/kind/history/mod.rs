@@ -21,7 +21,7 @@ use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style;
 use slipgap_solver::problem::Quantity;
-use slipgap_solver::problem::unit::Dimension;
+use slipgap_solver::problem::numbers::unit::Dimension;
 use slipgap_study::kinds::History;
 use slipgap_study::{Scale, Study};
 

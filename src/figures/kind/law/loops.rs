@@ -118,7 +118,7 @@ struct Curve {
 /// The different curves of a law, each with its name and the parameters that distinguish it.
 fn curves(
     group: &[(ContactLaw, &DrawnCase)],
-    table: &[slipgap_solver::problem::parameter::Parameter],
+    table: &[slipgap_solver::problem::numbers::parameter::Parameter],
 ) -> Vec<Curve> {
     let reach = group
         .iter()

@@ -11,7 +11,7 @@ use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style::{self, Stroke};
 use slipgap_solver::contact::numbers::oscillator::{ALPHA, BETA};
 use slipgap_solver::contact::{Cycle, DisplacementControl, Law as _, VelocityControl};
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_study::Study;
 
 const HEIGHT: f64 = 150.0;

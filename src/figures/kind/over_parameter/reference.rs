@@ -69,7 +69,7 @@ mod tests {
     use crate::figures::ShownCases;
     use slipgap_solver::problem;
     use slipgap_solver::problem::Case;
-    use slipgap_solver::problem::unit::Dimension;
+    use slipgap_solver::problem::numbers::unit::Dimension;
 
     /// Metrics of these names, and the same in units.
     fn table(names: [&str; 4]) -> Vec<Measure> {
@@ -110,7 +110,9 @@ mod tests {
         let places = [3.0, 1.0, 2.0];
         let case = |place: &f64| {
             let mut case = Case::new(problem.schema());
-            case.values[x] = Some(slipgap_solver::problem::parameter::Value::Number(*place));
+            case.values[x] = Some(slipgap_solver::problem::numbers::parameter::Value::Number(
+                *place,
+            ));
             case
         };
         let cases: Vec<Case> = places.iter().cycle().take(9).map(case).collect();

@@ -1,17 +1,15 @@
 //! Where links meet matrices: at named points on the edge of a block, or at a node that a thin line leads to.
 
-use super::inner;
-use super::mesh;
 use super::paint::Painter;
 use super::places::has_places;
 use super::relations::{Join, Relations, end};
 use super::sizes::{NODES, length};
-use super::symbols;
+use super::{inner, mesh, symbols};
 use slipgap_drawing::layout::sheet::{Anchor, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text::markup;
-use slipgap_solver::problem::structure::scheme::model::Model;
-use slipgap_solver::problem::structure::scheme::{Part, Place, Scheme};
+use slipgap_solver::problem::structure::described::scheme::model::Model;
+use slipgap_solver::problem::structure::described::scheme::picture::{Part, Place, Scheme};
 
 /// Space beside a name.
 const BESIDE: f64 = 6.0;

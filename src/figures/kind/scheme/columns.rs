@@ -3,7 +3,7 @@
 use super::places::has_places;
 use super::relations::{Join, Relations};
 use super::sizes::{Sizes, interval};
-use slipgap_solver::problem::structure::scheme::{End, Place, Scheme};
+use slipgap_solver::problem::structure::described::scheme::picture::{End, Place, Scheme};
 
 /// Distance of parts in a row that nothing joins.
 const APART: f64 = 18.0;

@@ -1,10 +1,9 @@
 //! The nodes between laws in series: a dot where the links meet.
 
-use super::mesh;
 use super::paint::Painter;
-use super::symbols;
+use super::{mesh, symbols};
 use slipgap_drawing::layout::sheet::Shape;
-use slipgap_solver::problem::structure::scheme::Part;
+use slipgap_solver::problem::structure::described::scheme::picture::Part;
 
 /// Width and height of such a node.
 pub const SIZE: f64 = 4.0;

@@ -8,7 +8,7 @@ use super::symbols::{self, link};
 use slipgap_drawing::layout::sheet::{Anchor, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text::markup;
-use slipgap_solver::problem::structure::scheme::{End, Link, LinkKind, Place};
+use slipgap_solver::problem::structure::described::scheme::picture::{End, Link, LinkKind, Place};
 
 /// Length of an arrow.
 const FORCE: f64 = 22.0;

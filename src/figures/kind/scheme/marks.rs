@@ -6,8 +6,8 @@ use super::places::Placed;
 use super::symbols::{self, FACE, GAP, OUTLINE};
 use slipgap_drawing::layout::sheet::{Picture, Rect, Shape};
 use slipgap_drawing::text::markup;
-use slipgap_solver::problem::structure::scheme::model::Model;
-use slipgap_solver::problem::structure::scheme::{End, Link, LinkKind, Place};
+use slipgap_solver::problem::structure::described::scheme::model::Model;
+use slipgap_solver::problem::structure::described::scheme::picture::{End, Link, LinkKind, Place};
 
 /// Distance of the ground from a node.
 const TO_GROUND: f64 = 26.0;

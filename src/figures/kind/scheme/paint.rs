@@ -1,17 +1,12 @@
 //! Draws a scheme: the places of its parts from top to bottom, and its symbols.
 
-use super::columns;
-use super::ground_motion;
-use super::inner;
-use super::marks;
 use super::places::{Placed, has_places};
 use super::relations::{Join, Relations};
 use super::sizes::{self, Sizes};
-use super::symbols;
+use super::{columns, ground_motion, inner, marks, symbols};
 use slipgap_drawing::layout::sheet::{Anchor, Picture, PlacedText, Rect, Shape};
-use slipgap_drawing::style;
-use slipgap_drawing::text;
-use slipgap_solver::problem::structure::scheme::{LinkKind, Scheme};
+use slipgap_drawing::{style, text};
+use slipgap_solver::problem::structure::described::scheme::picture::{LinkKind, Scheme};
 
 /// Distance of rows, and of rows that only friction connects.
 pub const ROWS: f64 = 32.0;

@@ -1,9 +1,10 @@
 //! Nodes of other programs in the plane of the picture. All matrices with places become one part, whose nodes are in points.
 
-use super::sizes;
-use super::symbols;
-use slipgap_solver::problem::structure::scheme::model::Model;
-use slipgap_solver::problem::structure::scheme::{End, Link, Part, Place, Scheme};
+use super::{sizes, symbols};
+use slipgap_solver::problem::structure::described::scheme::model::Model;
+use slipgap_solver::problem::structure::described::scheme::picture::{
+    End, Link, Part, Place, Scheme,
+};
 
 /// Largest width and height of the nodes before groups are moved apart.
 const LARGEST: [f64; 2] = [330.0, 230.0];

@@ -6,7 +6,9 @@
 //! to the ground in fewer steps is the lower one; a bar is on masses that are held, or that come first in their link.
 
 use super::pairs::Facts;
-use slipgap_solver::problem::structure::scheme::{End, Link, LinkKind, Place, Scheme};
+use slipgap_solver::problem::structure::described::scheme::picture::{
+    End, Link, LinkKind, Place, Scheme,
+};
 use std::collections::BTreeMap;
 
 /// How a link is drawn.

@@ -1,13 +1,10 @@
 //! Sizes of the parts of a scheme, and the places of links on their upper and lower sides.
 
-use super::blocks;
-use super::inner;
 use super::places::{extent, has_places};
 use super::relations::{Join, Relations, end};
-use super::symbols;
-use slipgap_drawing::style;
-use slipgap_drawing::text;
-use slipgap_solver::problem::structure::scheme::{Link, Part, Place, Scheme};
+use super::{blocks, inner, symbols};
+use slipgap_drawing::{style, text};
+use slipgap_solver::problem::structure::described::scheme::picture::{Link, Part, Place, Scheme};
 
 /// Least width of a mass and of a bar.
 const LEAST: [f64; 2] = [36.0, 104.0];

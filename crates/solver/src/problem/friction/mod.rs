@@ -5,7 +5,6 @@ mod law;
 mod reference;
 mod tables;
 
-use super::cases::Cases;
 use super::method::{self, step_rules};
 use super::side_by_side::{Form, selected, sweep_cases};
 use super::{Case, Problem, Schema, Solution, Violation, time_rules};
@@ -16,6 +15,7 @@ use crate::lane::Lane;
 use crate::methods::ContactWork;
 use crate::metrics::friction::{work_by_energy, work_by_steps};
 use crate::metrics::{self, cells};
+use crate::problem::table::cases::Cases;
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warnings};
 use crate::system::System;
 use case::{LANES, OscillatorCase, PlainCase};

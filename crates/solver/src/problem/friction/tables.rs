@@ -3,12 +3,12 @@
 use crate::contact::number::Number;
 use crate::contact::numbers::oscillator as number;
 use crate::contact::offer::Place;
-use crate::problem::choice::choice;
 use crate::problem::laws::{law_names, laws, others};
 use crate::problem::method;
-use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
-use crate::problem::schema::{Text, TimeAxis};
-use crate::problem::unit::Dimension;
+use crate::problem::numbers::choice::choice;
+use crate::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
+use crate::problem::numbers::unit::Dimension;
+use crate::problem::table::schema::{Text, TimeAxis};
 use crate::problem::{Budget, Channel, Metric, Quantity, Schema, metric_of};
 use std::borrow::Cow::{self, Borrowed};
 use std::ops::Range as Rows;
@@ -117,7 +117,7 @@ pub(super) mod rows {
     use super::PARAMETERS;
     use crate::contact::offer::Place;
     use crate::problem::laws::count_others;
-    use crate::problem::parameter::row_of;
+    use crate::problem::numbers::parameter::row_of;
 
     pub const LAW: usize = row_of(&PARAMETERS, "law");
     pub const ALPHA: usize = row_of(&PARAMETERS, "alpha");

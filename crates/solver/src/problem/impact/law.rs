@@ -8,7 +8,7 @@ use crate::contact::{ALL, ContactLaw, Described, GivenNumbers, ImpactSpring, Rig
 use crate::methods::Method;
 use crate::problem::Case;
 use crate::problem::laws::{law_names, laws};
-use crate::problem::parameter::{Default, Kind, Parameter, Value, row_of};
+use crate::problem::numbers::parameter::{Default, Kind, Parameter, Value, row_of};
 
 /// The law of a case; `None` if it is not given.
 pub(super) fn law_of(case: &Case) -> Option<&'static Offered> {

@@ -11,9 +11,7 @@ mod single_pass;
 mod snapshot;
 mod tables;
 
-use super::cases::Cases;
 use super::side_by_side::{Form, selected, sweep_cases};
-use super::unit::Dimension;
 use super::{Case, Problem, Schema, Snapshot, Solution, Violation, method};
 use crate::contact::ContactLaw;
 use crate::history::History;
@@ -21,6 +19,8 @@ use crate::lane::Lane;
 use crate::metrics::convergence::FEWEST_HALVED;
 use crate::metrics::impact::{Energy, Track};
 use crate::metrics::{self, cells};
+use crate::problem::numbers::unit::Dimension;
+use crate::problem::table::cases::Cases;
 use crate::solve::sweep::LaneCase;
 use crate::solve::{self, MetricTable, ToSystem, Unsolvable};
 use crate::system::System;

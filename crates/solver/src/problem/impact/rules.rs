@@ -9,8 +9,8 @@ use crate::contact::StoredEnergy;
 use crate::contact::numbers::bars;
 use crate::exact::wave::Bars;
 use crate::problem::method::{self, step_rules};
-use crate::problem::parameter::{Default, Value, shortest};
-use crate::problem::unit::Dimension;
+use crate::problem::numbers::parameter::{Default, Value, shortest};
+use crate::problem::numbers::unit::Dimension;
 use crate::problem::{Case, Violation, time_rules};
 use crate::solve::ToSystem;
 

@@ -2,7 +2,7 @@
 
 use super::tables::{Opposite, rows};
 use crate::problem::Case;
-use crate::problem::unit::Dimension;
+use crate::problem::numbers::unit::Dimension;
 
 /// T_I, c and F0 of a case.
 pub struct Scales {

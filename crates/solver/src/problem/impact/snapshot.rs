@@ -190,7 +190,7 @@ impl<'a> Field<'a> {
 
 #[cfg(test)]
 mod tests {
-    use crate::problem::parameter::Value;
+    use crate::problem::numbers::parameter::Value;
     use crate::problem::{Case, find};
 
     /// The ends at the contact are r apart, in the computed and in the exact motion.

@@ -16,12 +16,12 @@ pub use crate::problem::structure::described::ground::GroundMotion;
 pub use crate::problem::structure::described::scheme::picture::Scheme;
 pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 
-use super::cases::Cases;
-use super::unit::Dimension;
 use super::{
     Case, HistoryColumn, MeasuredChannel, Problem, Samples, Schema, Solution, Violation, time_rules,
 };
 use crate::history::History;
+use crate::problem::numbers::unit::Dimension;
+use crate::problem::table::cases::Cases;
 use crate::solve::{MetricTable, Unsolvable, Warning};
 use metrics::metric::StructureMetric;
 use model::assemble::{Model, assemble};

@@ -6,7 +6,7 @@
 
 use super::{ImportFault, fault, lines, number, shown};
 use crate::system::structure::Symmetric;
-use crate::system::structure::factor::negative_pivot;
+use crate::system::structure::sparse::factor::negative_pivot;
 use std::collections::BTreeMap;
 
 /// Most rows.

@@ -3,7 +3,7 @@
 use super::ReductionFault;
 use super::held::Held;
 use super::mode::Mode;
-use crate::system::structure::factor::Factor;
+use crate::system::structure::sparse::factor::Factor;
 use nalgebra::SymmetricEigen;
 
 /// All modes of the free rows; the rows without mass follow those with mass, u_s = -K_ss^-1 K_sr u_r.

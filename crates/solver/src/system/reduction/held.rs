@@ -3,7 +3,7 @@
 use super::ReductionFault;
 use crate::system::import::Imported;
 use crate::system::structure::Symmetric;
-use crate::system::structure::factor::Factor;
+use crate::system::structure::sparse::factor::Factor;
 
 /// A pivot below this part of its diagonal is round-off: the matrix is singular.
 const SINGULAR: f64 = 1e-13;

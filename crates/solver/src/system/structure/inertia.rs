@@ -1,7 +1,7 @@
 //! What divides forces by masses, and the nodes that have none.
 
 use super::Structure;
-use super::factor::{Factor, NotPositive};
+use crate::system::structure::sparse::factor::{Factor, NotPositive};
 
 /// M^-1, for nodes with mass.
 #[derive(Debug, Clone)]

@@ -1,8 +1,8 @@
 //! The elastic contacts of a structure at rest, with their initial stiffness.
 
-use super::factor::negative_pivot;
 use super::{Contact, Structure, StructureLaw, Symmetric};
 use crate::contact::ContactKind;
+use crate::system::structure::sparse::factor::negative_pivot;
 use std::collections::BTreeMap;
 
 /// Stiffness of a contact that touches, over the largest entry of K: below the inverse of what is round-off of a pivot.

@@ -3,34 +3,29 @@
 //! Small motions, masses lumped or consistent. A node is a degree of freedom. B has one column for each contact: the factors of u
 //! in r. Between two nodes they are -1 at node I and +1 at node J, so that S resists the opening of the contact: S <= 0 in an impact.
 
-mod baseline;
 mod chains;
 mod direction;
-pub mod factor;
 mod inertia;
 mod initial;
-pub mod lists;
-mod matrix;
-mod motion;
-mod motion_pieces;
 mod observed;
 mod preload;
 mod pressed_by;
-mod signal;
+mod signals;
+pub mod sparse;
 mod structure_law;
 mod support;
 
-pub use crate::system::structure::motion_pieces::MotionFault;
-pub use baseline::{Baseline, NoEnd};
+pub use crate::system::structure::signals::baseline::{Baseline, NoEnd};
+pub use crate::system::structure::signals::motion::{Motion, Quantity};
+pub use crate::system::structure::signals::motion_pieces::MotionFault;
+pub use crate::system::structure::signals::signal::{Signal, Table};
+pub use crate::system::structure::sparse::matrix::Symmetric;
 pub use chains::{Chain, InnerNode, Member};
 pub use direction::Direction;
 pub use inertia::Inertia;
-pub use matrix::Symmetric;
-pub use motion::{Motion, Quantity};
 pub use observed::{Elements, Ground, Observed, Reaction, Spring};
 pub use preload::Preload;
 pub use pressed_by::{PressedBy, PressingSpring};
-pub use signal::{Signal, Table};
 pub use structure_law::{Limit, PlaneRow, Pressure, StructureLaw};
 pub use support::Support;
 

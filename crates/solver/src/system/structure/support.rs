@@ -19,8 +19,8 @@
 //! rest say what it follows, or else all of its contacts, by weak springs in their places; without any, it follows nothing. What is
 //! left of K R + K_fs is then a load by u_s.
 
-use super::factor::{Factor, NotPositive};
 use super::{Along, Contact, Load, Motion, Quantity, Reaction, Signal, Structure, Symmetric};
+use crate::system::structure::sparse::factor::{Factor, NotPositive};
 use std::sync::Arc;
 
 /// A support that moves in a direction.

@@ -5,9 +5,9 @@ use super::super::{Reference, Rule, formula};
 use super::{Decoded, Decoder};
 use crate::source::faults::{Faults, in_words, quoted};
 use crate::source::tree::{Member, Node, Tree};
-use slipgap_solver::expression::ExpressionFault;
 use slipgap_solver::problem::escape;
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::expression::ExpressionFault;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_solver::problem::structure::tables::schema::title;
 
 /// What a ratio looks like.

@@ -6,8 +6,8 @@ use crate::figure::checker::{Checker, NARROW};
 use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, X_RANGE, Y_RANGE, key};
 use crate::figure::vary;
 use crate::scope::Scope;
-use slipgap_solver::problem::parameter::Value;
-use slipgap_solver::problem::unit::Dimension;
+use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_solver::problem::numbers::unit::Dimension;
 use std::collections::HashMap;
 
 /// Most curves that line styles can distinguish in one panel.

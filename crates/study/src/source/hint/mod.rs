@@ -4,7 +4,7 @@ mod words;
 
 use crate::units::{NEEDS_UNITS, scaled};
 use slipgap_solver::contact::LAWS;
-use slipgap_solver::expression::length_of_number;
+use slipgap_solver::problem::expression::length_of_number;
 use words::{OF_STRUCTURES, OUTSIDE, SCALED, SYNONYMS, UNITS};
 
 /// Most bytes of a name that is compared with others. Every valid name is shorter.

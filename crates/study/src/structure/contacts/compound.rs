@@ -7,7 +7,7 @@ use crate::source::tree::{Member, Node, Tree};
 use crate::structure::keys::{LISTS, PART};
 use crate::structure::parts::Part;
 use crate::structure::reader::{Reader, open};
-use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::{Amount, Source};
 use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
 use slipgap_solver::problem::structure::parts::along::Term;

@@ -15,7 +15,7 @@ use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::{name, text};
-use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::{self, Amount};
 use slipgap_solver::problem::structure::given::chosen::Chosen;
 use slipgap_solver::problem::structure::given::loads::{Kind, Source};

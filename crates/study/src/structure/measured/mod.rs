@@ -14,12 +14,12 @@ use super::reader::{Reader, open};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::numbers::parameter::Range;
+use slipgap_solver::problem::numbers::unit::Dimension;
 use slipgap_solver::problem::structure::channels::channel::Channel;
 use slipgap_solver::problem::structure::channels::measured::{FEWEST, Measured};
 use slipgap_solver::problem::structure::channels::names::Names;
 use slipgap_solver::problem::structure::tables::schema::Drawn;
-use slipgap_solver::problem::unit::Dimension;
 use std::sync::Arc;
 
 /// The key with its meaning.

@@ -1,7 +1,7 @@
 //! Metrics against what was measured, compared with sums over the histories of the same cases.
 
 use crate::{Input, Study};
-use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::problem::{Case, MeasuredChannel, Solution};
 use std::path::PathBuf;
 

@@ -14,7 +14,7 @@ mod ties;
 mod titles;
 
 use crate::{Study, parse};
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_solver::problem::{Case, Solution};
 
 fn study(text: &str) -> Study {

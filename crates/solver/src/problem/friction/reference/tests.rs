@@ -2,7 +2,7 @@ use super::super::FrictionOscillator;
 use super::*;
 use crate::metrics::structure::rms_error;
 use crate::problem::Case;
-use crate::problem::parameter::Value;
+use crate::problem::numbers::parameter::Value;
 use std::f64::consts::PI;
 
 fn case(law: &'static str, own: &[(&'static str, f64)]) -> OscillatorCase {

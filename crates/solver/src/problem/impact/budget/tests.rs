@@ -2,7 +2,7 @@ use super::super::BarImpact;
 use super::*;
 use crate::metrics::structure::rms_error;
 use crate::problem::Case;
-use crate::problem::parameter::Value;
+use crate::problem::numbers::parameter::Value;
 
 fn case(law: &'static str, own: &[(&'static str, f64)]) -> ImpactCase {
     let all = [("gamma", 1.0), ("n", 10.0), ("dt", 0.01), ("duration", 1.5)];

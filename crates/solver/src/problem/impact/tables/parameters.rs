@@ -1,8 +1,8 @@
 //! The parameters of the bar impact.
 
 use crate::problem::Case;
-use crate::problem::choice::choice;
-use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
+use crate::problem::numbers::choice::choice;
+use crate::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
 use std::borrow::Cow::Borrowed;
 
 choice! {
@@ -166,7 +166,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
 /// Rows of the parameters.
 pub mod rows {
     use super::PARAMETERS;
-    use crate::problem::parameter::row_of;
+    use crate::problem::numbers::parameter::row_of;
 
     pub const GAMMA: usize = row_of(&PARAMETERS, "gamma");
     pub const K_I: usize = row_of(&PARAMETERS, "k_I");

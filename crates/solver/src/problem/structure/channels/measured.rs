@@ -1,8 +1,8 @@
 //! What was measured of a structure: channels over the times of a file, against which metrics compare.
 
 use super::channel::{Channel, Quantity, Term};
-use crate::expression::quoted;
-use crate::problem::parameter::shortest;
+use crate::problem::expression::quoted;
+use crate::problem::numbers::parameter::shortest;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::chosen::Chosen;
 use crate::problem::{Case, MeasuredChannel, Violation};

@@ -1,6 +1,6 @@
 //! Numbers of a structure that may depend on the parameters of a case.
 
-use crate::problem::parameter::{Range, shortest};
+use crate::problem::numbers::parameter::{Range, shortest};
 use crate::problem::{Case, ParameterExpression, Violation};
 use std::sync::Arc;
 

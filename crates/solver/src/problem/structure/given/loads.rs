@@ -3,7 +3,7 @@
 use super::amount::Amount;
 use super::chosen::Chosen;
 use super::signal_cache::SignalCache;
-use crate::problem::parameter::shortest;
+use crate::problem::numbers::parameter::shortest;
 use crate::problem::{Case, Violation};
 use crate::system::loads::pulse::{self, PulseFault};
 use crate::system::loads::synthetic;

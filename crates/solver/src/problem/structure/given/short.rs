@@ -1,6 +1,6 @@
 //! Numbers for people.
 
-use crate::problem::parameter::shortest;
+use crate::problem::numbers::parameter::shortest;
 
 /// Six significant digits.
 pub fn short(x: f64) -> String {

@@ -2,7 +2,7 @@
 
 use super::metric::OF_ALL;
 use super::reduction::REDUCTIONS;
-use crate::expression::FUNCTIONS;
+use crate::problem::expression::FUNCTIONS;
 use crate::problem::structure::metrics::ground::{PREFIX, without_direction};
 use std::ops::Range;
 

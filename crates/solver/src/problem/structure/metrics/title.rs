@@ -2,8 +2,8 @@
 
 use super::metric::StructureMetric;
 use super::reduction::Reduction;
+use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::channels::channel::{Channel, Quantity, Term};
-use crate::problem::unit::Dimension;
 
 /// The title of a metric without its unit, such as `peak relative displacement a3 - a2`.
 pub fn title(metric: &StructureMetric) -> String {

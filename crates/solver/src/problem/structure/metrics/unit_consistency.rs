@@ -1,6 +1,6 @@
 //! Whether units of mass, force, length and time agree: force = mass length/time^2.
 
-use crate::problem::unit::Dimension;
+use crate::problem::numbers::unit::Dimension;
 use crate::system::loads::STANDARD_GRAVITY;
 
 /// Names of units with their size in SI units. Other names are not interpreted.

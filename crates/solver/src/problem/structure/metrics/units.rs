@@ -3,7 +3,7 @@
 use super::metric::StructureMetric;
 use super::reduction::Reduction;
 use super::unit_consistency::size_of;
-use crate::problem::unit::Dimension;
+use crate::problem::numbers::unit::Dimension;
 
 /// The units of force, length and time, as the study writes them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

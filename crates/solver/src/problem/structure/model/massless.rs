@@ -2,7 +2,7 @@
 
 use super::independent::IndependentRows;
 use crate::methods::Method;
-use crate::system::structure::factor::{Factor, NotPositive};
+use crate::system::structure::sparse::factor::{Factor, NotPositive};
 use crate::system::structure::{Along, Contact, Structure, StructureLaw};
 
 /// Stiffness of the spring that keeps the place of a node which only contacts hold, over the smallest stiffness of these contacts.

@@ -4,7 +4,7 @@ use crate::problem::structure::StructureProblem;
 use crate::problem::structure::model::assemble::{self, Model};
 use crate::problem::structure::parts::template::{SpringNumbers, Template};
 use crate::problem::{Case, Violation};
-use crate::system::structure::factor::negative_pivot;
+use crate::system::structure::sparse::factor::negative_pivot;
 
 impl StructureProblem {
     /// A part that K pulls away and no contact holds, or damping in proportion to such a K.

@@ -3,11 +3,11 @@
 use super::schema::Drawn;
 use crate::problem::Case;
 use crate::problem::HistoryColumn;
-use crate::problem::schema::Channel as Column;
+use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::channels::channel::{Number, Quantity, Term};
 use crate::problem::structure::given::node::NodeRef;
 use crate::problem::structure::parts::template::Template;
-use crate::problem::unit::Dimension;
+use crate::problem::table::schema::Channel as Column;
 use crate::system::structure::{PlaneRow, Structure};
 
 /// The quantities of contacts.

@@ -1,14 +1,14 @@
 //! The schema of a study of structures: its own parameters, metrics and channels.
 
 use crate::problem::method::PARAMETERS;
-use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range};
-use crate::problem::schema::{Channel as Column, Metric, NO_VALUE, Quantity, TimeAxis};
+use crate::problem::numbers::parameter::{ColumnRule, Default, Kind, Parameter, Range};
+use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::channels::channel::Channel;
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::metrics::reduction::Reduction;
 use crate::problem::structure::metrics::title::title as metric_title;
 use crate::problem::structure::metrics::units::UnitNames;
-use crate::problem::unit::Dimension;
+use crate::problem::table::schema::{Channel as Column, Metric, NO_VALUE, Quantity, TimeAxis};
 use crate::problem::{Budget, Schema, Text, escape};
 use std::borrow::Cow::{self, Borrowed};
 use std::sync::Arc;

@@ -3,13 +3,13 @@
 use super::doubt::Doubt;
 use super::masses::Masses;
 use crate::problem::Case;
+use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::short::short;
 use crate::problem::structure::metrics::unit_consistency::size_of;
 use crate::problem::structure::metrics::units::UnitNames;
 use crate::problem::structure::parts::contacts::law_named;
 use crate::problem::structure::parts::template::{SpringNumbers, StaticLoad, Template};
-use crate::problem::unit::Dimension;
 use crate::solve::Warning;
 
 /// Part of a mass by which a spring's may differ from it: masses are rounded.

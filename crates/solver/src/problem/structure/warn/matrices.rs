@@ -1,14 +1,14 @@
 //! Natural periods of matrices that no structure has.
 
 use super::doubt::Doubt;
+use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::given::short::short;
 use crate::problem::structure::metrics::unit_consistency::size_of;
 use crate::problem::structure::metrics::units::UnitNames;
 use crate::problem::structure::parts::template::Template;
-use crate::problem::unit::Dimension;
 use crate::solve::Warning;
 use crate::system::structure::Structure;
-use crate::system::structure::factor::Factor;
+use crate::system::structure::sparse::factor::Factor;
 use std::f64::consts::PI;
 
 /// Longest periods of structures in s: of a stiff part, of a bridge with a long span.

@@ -1,7 +1,7 @@
 //! The critical step of methods that have one.
 
 use crate::methods::{Method, six_digits_below};
-use crate::system::structure::factor::Factor;
+use crate::system::structure::sparse::factor::Factor;
 use crate::system::structure::{Structure, StructureLaw, Symmetric};
 use std::fmt;
 

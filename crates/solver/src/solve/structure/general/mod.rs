@@ -14,11 +14,10 @@
 mod books;
 mod contacts;
 mod correct;
-mod corrections;
 mod critical;
 mod curved;
+mod held;
 mod impact;
-mod impacts;
 mod mass;
 mod meet;
 mod rest;

@@ -1,8 +1,6 @@
 //! The state of structures in lanes, by any method.
 
 use super::contacts::{LaneContact, LaneLine};
-use super::corrections::Corrections;
-use super::impacts::Impacts;
 use crate::lane::Lane;
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
@@ -10,6 +8,8 @@ use crate::solve::structure::Prepared;
 use crate::solve::structure::contacts::curved::Curved;
 use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::contacts::static_friction::StaticFriction;
+use crate::solve::structure::general::held::corrections::Corrections;
+use crate::solve::structure::general::held::impacts::Impacts;
 use crate::solve::structure::inputs::loads::Inputs;
 use crate::solve::structure::linear_part::moving::Moving;
 

@@ -1,15 +1,15 @@
 //! Structures at t = 0.
 
 use super::contacts::{LaneContact, LaneLine};
-use super::corrections::Corrections;
 use super::critical::{CriticalFault, critical_fault};
 use super::curved;
-use super::impacts::Impacts;
 use super::stages::{General, Stage};
 use crate::lane::Lane;
 use crate::solve::Unsolvable;
 use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::contacts::static_friction::{StaticFriction, static_ratio_fault};
+use crate::solve::structure::general::held::corrections::Corrections;
+use crate::solve::structure::general::held::impacts::Impacts;
 use crate::solve::structure::inputs::loads::Inputs;
 use crate::solve::structure::linear_part::moving::Moving;
 use crate::solve::structure::{Prepared, start::initial};

@@ -7,8 +7,8 @@ use crate::solve::structure::linear_part::links::{Elimination, Link, links};
 use crate::solve::structure::linear_part::reduced::{
     Reduced, flexibility, place_of, places, reduce,
 };
-use crate::system::structure::factor::{Factor, NotPositive};
-use crate::system::structure::lists::Lists;
+use crate::system::structure::sparse::factor::{Factor, NotPositive};
+use crate::system::structure::sparse::lists::Lists;
 use crate::system::structure::{Structure, Symmetric};
 
 /// A sub-step with its matrix m1 M + w1 d1 C + w1 d2 K = L D L^T in the order of elimination.

@@ -1,7 +1,7 @@
 //! K and C as springs, dashpots and couplings, and the rows of Khat with its factor.
 
 use crate::system::structure::Structure;
-use crate::system::structure::factor::{Blocks, Columns, Entry, Factor, Triangle};
+use crate::system::structure::sparse::factor::{Blocks, Columns, Entry, Factor, Triangle};
 
 /// A row of Khat/4. Most nodes have one neighbour that is eliminated later, in trees all of them.
 #[derive(Debug, Clone, Copy)]

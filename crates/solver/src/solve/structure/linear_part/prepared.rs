@@ -7,8 +7,8 @@ use super::massless::{self, Massless};
 use super::reduced::{Reduced, flexibility, place_of, places, reduce};
 use crate::methods::{AverageAcceleration, Method};
 use crate::solve::Unsolvable;
-use crate::system::structure::factor::{Factor, NotPositive};
-use crate::system::structure::lists::Lists;
+use crate::system::structure::sparse::factor::{Factor, NotPositive};
+use crate::system::structure::sparse::lists::Lists;
 use crate::system::structure::{Along, Inertia, Load, Structure, Symmetric};
 
 /// Halvings in the search of a step that is short enough, and bisections for three digits of the longest one.

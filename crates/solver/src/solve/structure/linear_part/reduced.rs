@@ -1,6 +1,6 @@
 //! L^-1 B of the contacts, and the flexibility of a step.
 
-use crate::system::structure::factor::Factor;
+use crate::system::structure::sparse::factor::Factor;
 use crate::system::structure::{Along, Structure};
 
 /// An entry of L^-1 B.

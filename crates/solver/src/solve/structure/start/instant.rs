@@ -9,7 +9,7 @@ use crate::solve::Unsolvable;
 use crate::solve::structure::contacts::curved::Curved;
 use crate::solve::structure::contacts::curved_step::{Motion, SHORT};
 use crate::solve::structure::linear_part::between;
-use crate::system::structure::factor::Factor;
+use crate::system::structure::sparse::factor::Factor;
 use crate::system::structure::{Chain, Structure};
 
 /// Most rounds in which limits follow the forces of the contacts that press them.

@@ -10,8 +10,8 @@ pub use number::{Derived, Energy, Number};
 pub use term::Term;
 
 use super::names::Names;
+use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::given::node::Numbering;
-use crate::problem::unit::Dimension;
 
 /// A sum of quantities, each with its factor.
 #[derive(Debug, Clone, PartialEq)]

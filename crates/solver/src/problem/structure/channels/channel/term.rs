@@ -2,8 +2,8 @@
 
 use super::Quantity;
 use super::number::{Derived, Energy, Number};
+use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::given::node::{NodeRef, Numbering};
-use crate::problem::unit::Dimension;
 use crate::system::structure::{Direction, Quantity as OfMotion};
 
 /// A quantity over time.

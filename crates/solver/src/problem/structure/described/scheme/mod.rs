@@ -1,7 +1,7 @@
 //! The structure of a case as a scheme: what is connected to what, as plain data for a picture.
 
 pub mod model;
-pub(crate) mod picture;
+pub mod picture;
 
 use crate::contact::ContactKind;
 use crate::problem::Case;

@@ -18,7 +18,7 @@ use crate::contact::Unsolved;
 use crate::solve::Unsolvable;
 use crate::solve::structure::contacts::curved::Curved;
 use crate::solve::structure::contacts::curved_contact::Memory;
-use crate::system::structure::factor::negative_pivot;
+use crate::system::structure::sparse::factor::negative_pivot;
 use crate::system::structure::{Structure, Symmetric};
 use weights::{
     LARGE, Linear, Weights, curved, diagonal, first_q, holds, largest, linear, softens, stiffened,

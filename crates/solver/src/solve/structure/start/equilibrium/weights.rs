@@ -3,7 +3,7 @@
 use crate::contact::ContactKind;
 use crate::solve::Unsolvable;
 use crate::solve::structure::contacts::curved::Curved;
-use crate::system::structure::factor::Factor;
+use crate::system::structure::sparse::factor::Factor;
 use crate::system::structure::{Structure, Symmetric};
 
 /// Pivots of K below this part of the diagonal with the contacts are too soft: contacts hold something.

@@ -1,0 +1,6 @@
+//! Functions of time, and motions of supports.
+
+pub(crate) mod baseline;
+pub(crate) mod motion;
+pub(crate) mod motion_pieces;
+pub(crate) mod signal;

@@ -1,0 +1,362 @@
+//! Motions of supports: an acceleration with its integrals from rest.
+
+use super::motion_pieces::{MotionFault, Piece, pieces, sine};
+use crate::system::structure::{Baseline, Signal};
+use libm::{cos, sin};
+
+/// The motion of a support: at rest up to its start, from there on a given acceleration with its exact integrals.
+///
+/// Between the points of a table the acceleration is straight, v a parabola and u a cubic. The acceleration of a table is that of a
+/// ground with the same table: constant before its first point and after its last one, but 0 before the start.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion(Course);
+
+#[derive(Debug, Clone, PartialEq)]
+enum Course {
+    /// amplitude sin(omega (t - start) + phase).
+    Sine {
+        amplitude: f64,
+        omega: f64,
+        phase: f64,
+        start: f64,
+    },
+    /// Pieces with rising times; the last one has no end.
+    Pieces(Vec<Piece>),
+}
+
+/// A quantity of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// u.
+    Displacement,
+    /// v.
+    Velocity,
+    /// a.
+    Acceleration,
+}
+
+impl Motion {
+    /// The motion with `scale` times this acceleration, from the time `delay` on.
+    ///
+    /// # Errors
+    /// The function has no such motion.
+    pub fn new(
+        acceleration: &Signal,
+        scale: f64,
+        delay: f64,
+        baseline: Baseline,
+    ) -> Result<Motion, MotionFault> {
+        let course = match acceleration {
+            Signal::Sine {
+                amplitude,
+                omega,
+                phase,
+            } => {
+                if baseline != Baseline::None {
+                    return Err(MotionFault::NoEnd);
+                }
+                Course::Sine {
+                    amplitude: scale * amplitude,
+                    omega: *omega,
+                    phase: *phase,
+                    start: delay,
+                }
+            }
+            Signal::Table(table) => Course::Pieces(pieces(table, scale, delay, baseline)?),
+            // No study has the motion of a support as a function of time.
+            Signal::Motion(..) => return Err(MotionFault::NotFinite),
+        };
+        let motion = Motion(course);
+        let end = match &motion.0 {
+            Course::Sine { start, .. } => motion.at(*start),
+            Course::Pieces(pieces) => pieces.last().map_or([0.0; 3], |last| last.at(last.time)),
+        };
+        match end.iter().all(|x| x.is_finite()) {
+            true => Ok(motion),
+            false => Err(MotionFault::NotFinite),
+        }
+    }
+
+    /// The motion through points (t, u) from the time `delay` on, at rest before the first one and after the last one.
+    ///
+    /// Between points u is a cubic. Its slope is 0 at the first and last point and where u turns, so that it does not pass the points
+    /// there, and the mean of the slopes to both sides, weighted by Fritsch and Butland (1984), at other points: u rises and falls as
+    /// the points do.
+    ///
+    /// # Errors
+    /// The points do not begin with u = 0, or a number is not finite.
+    pub fn through(
+        times: &[f64],
+        displacements: &[f64],
+        delay: f64,
+    ) -> Result<Motion, MotionFault> {
+        let rising = times.windows(2).all(|pair| pair[0] < pair[1]);
+        if !rising || times.len() != displacements.len() || displacements.first() != Some(&0.0) {
+            return Err(MotionFault::Displacements);
+        }
+        let steps: Vec<f64> = times.windows(2).map(|t| t[1] - t[0]).collect();
+        let pairs = displacements.windows(2).zip(&steps);
+        let secants: Vec<f64> = pairs.map(|(u, step)| (u[1] - u[0]) / step).collect();
+        let mut slopes = vec![0.0; times.len()];
+        for i in 1..secants.len() {
+            let [before, after] = [secants[i - 1], secants[i]];
+            if before * after > 0.0 {
+                let [w0, w1] = [2.0 * steps[i] + steps[i - 1], steps[i] + 2.0 * steps[i - 1]];
+                slopes[i] = (w0 + w1) / (w0 / before + w1 / after);
+            }
+        }
+        let mut pieces: Vec<Piece> = Vec::with_capacity(times.len());
+        for (i, (step, secant)) in steps.iter().zip(&secants).enumerate() {
+            let [v0, v1] = [slopes[i], slopes[i + 1]];
+            let a = (6.0 * secant - 4.0 * v0 - 2.0 * v1) / step;
+            let rate = 6.0 * (v0 + v1 - 2.0 * secant) / (step * step);
+            pieces.push(Piece {
+                time: delay + times[i],
+                values: [displacements[i], v0, a, rate],
+            });
+        }
+        if let (Some(time), Some(u)) = (times.last(), displacements.last()) {
+            pieces.push(Piece {
+                time: delay + time,
+                values: [*u, 0.0, 0.0, 0.0],
+            });
+        }
+        let finite = pieces
+            .iter()
+            .all(|piece| piece.values.iter().all(|x| x.is_finite()));
+        match finite {
+            true => Ok(Motion(Course::Pieces(pieces))),
+            false => Err(MotionFault::NotFinite),
+        }
+    }
+
+    /// u, v and a at time t; where a jumps, the value from then on.
+    pub fn at(&self, t: f64) -> [f64; 3] {
+        match &self.0 {
+            Course::Sine {
+                amplitude,
+                omega,
+                phase,
+                start,
+            } if t >= *start => sine([*amplitude, *omega, *phase], t - start),
+            Course::Sine { .. } => [0.0; 3],
+            Course::Pieces(pieces) => {
+                let after = pieces.partition_point(|piece| piece.time <= t);
+                let piece = after.checked_sub(1).map(|i| pieces[i]);
+                piece.map_or([0.0; 3], |piece| piece.at(t))
+            }
+        }
+    }
+
+    /// u, v and a at 0, dt, .. steps dt.
+    pub fn at_steps(&self, dt: f64, steps: usize) -> Vec<[f64; 3]> {
+        let mut found = 0;
+        let times = (0..=steps).map(|i| i as f64 * dt);
+        times.map(|t| self.at_later(t, &mut found)).collect()
+    }
+
+    /// u, v and a at a time that is not before the one for which `found` was written last; 0 at first.
+    pub fn at_later(&self, t: f64, found: &mut usize) -> [f64; 3] {
+        let Course::Pieces(pieces) = &self.0 else {
+            return self.at(t);
+        };
+        let passed = pieces[*found..].iter().take_while(|piece| piece.time <= t);
+        *found += passed.count();
+        let piece = found.checked_sub(1).map(|i| pieces[i]);
+        piece.map_or([0.0; 3], |piece| piece.at(t))
+    }
+
+    /// A quantity at time t.
+    pub fn quantity(&self, quantity: Quantity, t: f64) -> f64 {
+        self.at(t)[quantity as usize]
+    }
+
+    /// The times from which on the motion has another form.
+    pub fn points(&self) -> Vec<f64> {
+        match &self.0 {
+            Course::Sine { start, .. } => vec![*start],
+            Course::Pieces(pieces) => pieces.iter().map(|piece| piece.time).collect(),
+        }
+    }
+
+    /// The time up to which the support is at rest.
+    pub fn start(&self) -> f64 {
+        match &self.0 {
+            Course::Sine { start, .. } => *start,
+            Course::Pieces(pieces) => pieces.first().map_or(0.0, |piece| piece.time),
+        }
+    }
+
+    /// Times after 0 at which a jumps, with the values before and after.
+    pub fn jumps(&self) -> Vec<(f64, [f64; 2])> {
+        let acceleration = |time: f64| self.at(time)[2];
+        let all = match &self.0 {
+            Course::Sine { start, .. } => vec![(*start, [0.0, acceleration(*start)])],
+            Course::Pieces(pieces) => {
+                let first = pieces.iter().take(1);
+                let first = first.map(|piece| (piece.time, [0.0, piece.values[2]]));
+                let others = pieces.windows(2).map(|pair| {
+                    let time = pair[1].time;
+                    (time, [pair[0].at(time)[2], pair[1].values[2]])
+                });
+                first.chain(others).collect()
+            }
+        };
+        let jumps = all.into_iter().filter(|(time, [before, after])| {
+            // Round-off of a line at its end.
+            *time > 0.0 && (after - before).abs() > 1e-12 * before.abs().max(after.abs())
+        });
+        jumps.collect()
+    }
+
+    /// The circular frequency of a sine; 0 of other motions.
+    pub fn omega(&self) -> f64 {
+        match &self.0 {
+            Course::Sine { omega, .. } => *omega,
+            Course::Pieces(_) => 0.0,
+        }
+    }
+
+    /// Coefficients of u for the times `start` + `length` s, in powers of s; no point of the motion lies between.
+    pub fn taylor<const N: usize>(&self, [start, length]: [f64; 2]) -> [f64; N] {
+        let [u, v, a] = self.at(start);
+        let mut derivatives = [0.0; N];
+        for (to, x) in derivatives.iter_mut().zip([u, v, a]) {
+            *to = x;
+        }
+        match &self.0 {
+            Course::Sine {
+                amplitude,
+                omega,
+                phase,
+                start: own,
+            } if start >= *own => {
+                let angle = omega * (start - own) + phase;
+                let cycle = [sin(angle), cos(angle), -sin(angle), -cos(angle)];
+                let mut factor = *amplitude;
+                for (k, to) in derivatives.iter_mut().skip(2).enumerate() {
+                    *to = factor * cycle[k % 4];
+                    factor *= omega;
+                }
+            }
+            Course::Sine { .. } => {}
+            Course::Pieces(pieces) => {
+                let after = pieces.partition_point(|piece| piece.time <= start);
+                if let (Some(i), Some(to)) = (after.checked_sub(1), derivatives.get_mut(3)) {
+                    *to = pieces[i].values[3];
+                }
+            }
+        }
+        let mut factor = 1.0;
+        for (k, to) in derivatives.iter_mut().enumerate() {
+            if k > 0 {
+                factor *= length / k as f64;
+            }
+            *to *= factor;
+        }
+        derivatives
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::structure::Table;
+
+    /// u and v by Simpson's rule over short intervals of v and a.
+    fn integrals(a: impl Fn(f64) -> f64, end: f64) -> [f64; 2] {
+        let n = 4000;
+        let h = end / f64::from(n);
+        let [mut u, mut v] = [0.0; 2];
+        for i in 0..n {
+            let t = f64::from(i) * h;
+            let [a0, a1, a2] = [t, t + 0.5 * h, t + h].map(&a);
+            // The cubic through a, exact for a parabola.
+            u += h * v + h * h * (a0 + 2.0 * a1) / 6.0;
+            v += h * (a0 + 4.0 * a1 + a2) / 6.0;
+        }
+        [u, v]
+    }
+
+    #[test]
+    fn a_sine_has_its_integrals_from_rest() {
+        for (omega, phase, delay) in [(3.0, 0.0, 0.0), (0.7, 1.1, 0.4), (1e-3, 0.3, 0.0)] {
+            let signal = Signal::Sine {
+                amplitude: 1.3,
+                omega,
+                phase,
+            };
+            let motion = Motion::new(&signal, 2.0, delay, Baseline::None).unwrap();
+            assert_eq!(motion.at(delay)[..2], [0.0; 2]);
+            if delay > 0.0 {
+                assert_eq!(motion.at(0.99 * delay), [0.0; 3]);
+            }
+            for t in [0.01, 0.5, 2.0, 6.0] {
+                let [u, v] = integrals(|t| 2.6 * (omega * t + phase).sin(), t);
+                let own = motion.at(delay + t);
+                // Simpson's rule: (omega h)^4/180 = 3e-12, and its round-off.
+                assert!(
+                    (own[0] - u).abs() < 1e-10 && (own[1] - v).abs() < 1e-10,
+                    "{t}: {own:?} {u} {v}"
+                );
+                let taylor: [f64; 27] = motion.taylor([delay + t, 0.8]);
+                let at = taylor.iter().rev().fold(0.0, |sum, c| sum * 0.6 + c);
+                let [u, ..] = motion.at(delay + t + 0.48);
+                assert!((at - u).abs() <= 1e-14 * (1.0 + u.abs()), "{t}: {at} {u}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_table_has_cubics_and_its_delay_shifts_them() {
+        // a = 6 t up to 1, then -2: u = t^3, v = 3 t^2; later 1 + 3 s - s^2.
+        let table = Table::new(vec![0.0, 1.0, 1.0], vec![0.0, 6.0, -2.0]).unwrap();
+        let signal = Signal::Table(table);
+        for delay in [0.0, 0.5] {
+            let motion = Motion::new(&signal, 1.0, delay, Baseline::None).unwrap();
+            let at = |t: f64| motion.at(delay + t);
+            assert_eq!(at(0.5), [0.125, 0.75, 3.0]);
+            assert_eq!(at(1.0), [1.0, 3.0, -2.0]);
+            assert_eq!(at(3.0), [3.0, -1.0, -2.0]);
+            assert_eq!(motion.at(-0.1), [0.0; 3]);
+            let jumps = motion.jumps();
+            assert_eq!(jumps, [(delay + 1.0, [6.0, -2.0])]);
+            let steps = motion.at_steps(0.25, 12);
+            let expected: Vec<_> = (0..=12).map(|i| motion.at(0.25 * f64::from(i))).collect();
+            assert_eq!(steps, expected);
+        }
+    }
+
+    #[test]
+    fn a_linear_baseline_leaves_no_velocity_at_the_end() {
+        let table = Table::new(vec![0.0, 1.0, 3.0], vec![1.0, 3.0, 0.0]).unwrap();
+        let motion = Motion::new(&Signal::Table(table), 1.0, 0.2, Baseline::Linear).unwrap();
+        // The area is 2 + 3, its mean over 3 s is 5/3.
+        assert!((motion.at(0.2)[2] - (1.0 - 5.0 / 3.0)).abs() < 1e-15);
+        let [u, v, a] = motion.at(3.2);
+        assert_eq!([v, a], [0.0; 2]);
+        assert_eq!(motion.at(9.0), [u, 0.0, 0.0]);
+        // By parts, u(3) is the integral of (3 - t) a: of the lines, and of the mean.
+        let expected = {
+            let by = |t: f64| {
+                (3.0 - t)
+                    * if t < 1.0 {
+                        1.0 + 2.0 * t
+                    } else {
+                        4.5 - 1.5 * t
+                    }
+            };
+            let simpson =
+                |a: f64, b: f64| (b - a) / 6.0 * (by(a) + 4.0 * by(0.5 * (a + b)) + by(b));
+            simpson(0.0, 1.0) + simpson(1.0, 3.0) - 5.0 / 3.0 * 4.5
+        };
+        assert!((u - expected).abs() < 1e-14, "{u} {expected}");
+        let sine = Signal::Sine {
+            amplitude: 1.0,
+            omega: 1.0,
+            phase: 0.0,
+        };
+        let refused = Motion::new(&sine, 1.0, 0.0, Baseline::Linear);
+        assert_eq!(refused, Err(MotionFault::NoEnd));
+    }
+}
