@@ -1,8 +1,8 @@
 //! A case of the oscillator as numbers, its system, and its default metrics in a sweep.
 
-use super::law::{PlainLawName, law, plain_law};
+use super::law::{PlainLaw, PlainLawName, law, plain_law};
 use super::tables::rows;
-use crate::contact::{ContactLaw, DisplacementControl, VelocityControl};
+use crate::contact::ContactLaw;
 use crate::lane::Lane;
 use crate::methods::{AverageAcceleration, Method, OneMode};
 use crate::metrics::friction::{COUNT, Sampled, evaluate, work_by_energy};
@@ -34,23 +34,6 @@ pub struct OscillatorCase<W = ContactLaw, M = Method> {
 
 /// A case with a law of `[F]` and constant average acceleration: the one that sweeps of millions have, and small.
 pub type PlainCase = OscillatorCase<PlainLaw, AverageAcceleration>;
-
-/// A law of `[F]`.
-#[derive(Debug, Clone, Copy)]
-pub enum PlainLaw {
-    Displacement(DisplacementControl),
-    Velocity(VelocityControl),
-}
-
-impl From<PlainLaw> for ContactLaw {
-    #[inline(always)]
-    fn from(law: PlainLaw) -> ContactLaw {
-        match law {
-            PlainLaw::Displacement(law) => ContactLaw::DisplacementControl(law),
-            PlainLaw::Velocity(law) => ContactLaw::VelocityControl(law),
-        }
-    }
-}
 
 impl OscillatorCase {
     /// The parameters; `None` if one is not given.

@@ -1,6 +1,5 @@
 //! The friction law of a case.
 
-use super::case::PlainLaw;
 use super::tables::{InitialSlip, SCHEMA, rows};
 use crate::contact::number::Number;
 use crate::contact::offer::{Place, most_numbers};
@@ -126,6 +125,23 @@ fn release_force(initial_slip: InitialSlip, x0: f64) -> f64 {
         InitialSlip::Unloaded => 0.0,
         InitialSlip::Pulled => x0.signum(),
         InitialSlip::Sliding => -x0.signum(),
+    }
+}
+
+/// A law of `[F]`.
+#[derive(Debug, Clone, Copy)]
+pub enum PlainLaw {
+    Displacement(DisplacementControl),
+    Velocity(VelocityControl),
+}
+
+impl From<PlainLaw> for ContactLaw {
+    #[inline(always)]
+    fn from(law: PlainLaw) -> ContactLaw {
+        match law {
+            PlainLaw::Displacement(law) => ContactLaw::DisplacementControl(law),
+            PlainLaw::Velocity(law) => ContactLaw::VelocityControl(law),
+        }
     }
 }
 

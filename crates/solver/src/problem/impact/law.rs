@@ -1,14 +1,14 @@
 //! The contact laws of bars and their parameters.
 
 use super::tables::LAW;
+use super::tables::laws::rows;
 use crate::contact::number::Number;
 use crate::contact::numbers::bars;
 use crate::contact::offer::{Form, Offered, Place, most_numbers};
-use crate::contact::{ALL, ContactLaw, Described, GivenNumbers, ImpactSpring, Rigid, WhichLaw};
+use crate::contact::{ALL, ContactLaw, GivenNumbers, ImpactSpring, Rigid, WhichLaw};
 use crate::methods::Method;
 use crate::problem::Case;
-use crate::problem::laws::{law_names, laws};
-use crate::problem::numbers::parameter::{Default, Kind, Parameter, Value, row_of};
+use crate::problem::numbers::parameter::Value;
 
 /// The law of a case; `None` if it is not given.
 pub(super) fn law_of(case: &Case) -> Option<&'static Offered> {
@@ -36,34 +36,6 @@ pub(super) fn fill_restitution(case: &mut Case) {
         _ => 1.0,
     };
     case.values[row] = case.values[row].or(Some(Value::Number(default)));
-}
-
-/// Parameters of the laws, after those of the bars in the table; the stiffness of the linear spring is among the latter. The numbers
-/// that only one law has follow.
-pub(super) static PARAMETERS: [Parameter; 3] = [
-    Parameter::new(
-        ["law", "law", "1"],
-        Kind::Choice(laws!(Bars, Which::All)),
-        Default::Is(Value::Name(ImpactSpring::NAME)),
-        "contact law",
-    )
-    .with_column_if_given(),
-    Parameter::of_laws(&bars::K_H, law_names!(Bars, Which::With(&bars::K_H)))
-        .with_column_if_given(),
-    Parameter::of_laws(
-        &bars::RESTITUTION,
-        law_names!(Bars, Which::With(&bars::RESTITUTION)),
-    )
-    .with_heading("target_restitution")
-    .with_column_if_given(),
-];
-
-/// Rows of the parameters in their table.
-pub(super) mod rows {
-    use super::{PARAMETERS, row_of};
-
-    pub const K_H: usize = row_of(&PARAMETERS, "k_h");
-    pub const RESTITUTION: usize = row_of(&PARAMETERS, "restitution");
 }
 
 /// Most numbers of a law.

@@ -4,7 +4,7 @@ use super::case::ImpactCase;
 use super::law::{self, is_rigid};
 use super::scaled::Scaled;
 use super::scales::Scales;
-use super::tables::{LAW, METHOD, Opposite, rows};
+use super::tables::{LAW, METHOD, Opposite, laws, rows};
 use crate::contact::StoredEnergy;
 use crate::contact::numbers::bars;
 use crate::exact::wave::Bars;
@@ -62,7 +62,7 @@ fn no_condensation(scaled: &Scaled) -> Option<Violation> {
 
 /// A damped law needs a restitution above zero.
 fn no_restitution(case: &Case) -> Option<Violation> {
-    let zero = case.at(LAW + law::rows::RESTITUTION) == Some(0.0);
+    let zero = case.at(LAW + laws::rows::RESTITUTION) == Some(0.0);
     (zero && !is_rigid(case)).then(|| Violation {
         parameter: "restitution".into(),
         message: "must be > 0 for a law with damping, got 0".into(),
@@ -72,7 +72,7 @@ fn no_restitution(case: &Case) -> Option<Violation> {
 
 /// A restitution that is given for rigid contact needs a method that knows it; its default does no harm.
 fn ignored_restitution(case: &Case) -> Option<Violation> {
-    let given = case.at(LAW + law::rows::RESTITUTION)?;
+    let given = case.at(LAW + laws::rows::RESTITUTION)?;
     let method = method::of_case(case, METHOD)?;
     let ignores = is_rigid(case) && !method.has_impulses();
     ignores.then(|| Violation {
@@ -197,7 +197,7 @@ fn element_stiffness(case: &Case) -> Option<f64> {
 }
 
 /// Row of k_h.
-const K_H: usize = LAW + law::rows::K_H;
+const K_H: usize = LAW + laws::rows::K_H;
 
 /// The bars must close: c = V_left - V_right > 0.
 fn closing(case: &Case, violations: &mut Vec<Violation>) {

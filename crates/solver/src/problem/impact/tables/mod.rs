@@ -1,19 +1,18 @@
 //! The tables of the bar impact.
 
+pub(super) mod laws;
 mod metrics;
 mod parameters;
 
 pub(super) use metrics::{BUDGET, LOSSES_AND_COST, REFERENCE, REFERENCE_ERRORS};
 pub(super) use parameters::{MassMatrix, Opposite, rows};
 
-use super::law;
 use crate::contact::offer::Place;
 use crate::problem::laws::{count_others, others};
-use crate::problem::method;
 use crate::problem::numbers::parameter::Parameter;
 use crate::problem::numbers::unit::{Dimension, Unit};
 use crate::problem::table::schema::{Text, TimeAxis};
-use crate::problem::{Channel, Profile, Quantity, Schema};
+use crate::problem::{Channel, Profile, Quantity, Schema, method};
 use metrics::{BUDGETS, METRICS};
 pub(super) use metrics::{CONTACT_STEPS, ENERGY_DRIFT_FINAL, ENERGY_DRIFT_MAX, MAX_OVERLAP};
 use parameters::PARAMETERS;
@@ -89,8 +88,10 @@ static PROFILES: [Profile; 2] = [
 
 /// The parameters of the bars and of the contact laws.
 fn own() -> impl Iterator<Item = Parameter> {
-    let tables = PARAMETERS.iter().chain(&law::PARAMETERS);
-    tables.cloned().chain(others(Place::Bars, &law::PARAMETERS))
+    let tables = PARAMETERS.iter().chain(&laws::PARAMETERS);
+    tables
+        .cloned()
+        .chain(others(Place::Bars, &laws::PARAMETERS))
 }
 
 /// First row of the parameters of the contact laws.
@@ -98,7 +99,7 @@ pub(in crate::problem::impact) const LAW: usize = PARAMETERS.len();
 
 /// First row of the parameters of the method.
 pub(in crate::problem::impact) const METHOD: usize =
-    LAW + law::PARAMETERS.len() + count_others(Place::Bars, &law::PARAMETERS);
+    LAW + laws::PARAMETERS.len() + count_others(Place::Bars, &laws::PARAMETERS);
 
 pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
     Arc::new(Schema {
