@@ -9,6 +9,7 @@ use super::Flow;
 use super::plane::{Imposed, Phase};
 use super::radau::{NODES, POINTS, eliminate, weights};
 use super::structure::Moving;
+use super::substitute::{Points, combine};
 use crate::contact::plane::{Pair, dot, length};
 
 /// Difference of S over its limit, up to which it is sought.
@@ -25,14 +26,6 @@ const FAST: f64 = 2.0;
 
 /// Round-off of a relative velocity over the velocities.
 const ROUND_OFF: f64 = 1e-14;
-
-/// The points of a step.
-struct Points {
-    /// States.
-    states: Vec<Vec<f64>>,
-    /// Forces of the contacts that begin.
-    forces: Vec<Vec<Pair>>,
-}
 
 impl Moving<'_> {
     /// The contacts that begin to slide, by their first rows.
@@ -81,7 +74,7 @@ impl Moving<'_> {
         [error, round_off]
     }
 
-    fn impose(&mut self, firsts: &[usize], force: impl Fn(usize) -> Option<Imposed>) {
+    pub(super) fn impose(&mut self, firsts: &[usize], force: impl Fn(usize) -> Option<Imposed>) {
         for (i, first) in firsts.iter().enumerate() {
             if let Some(plane) = &mut self.planes[*first] {
                 plane.imposed = force(i);
@@ -244,71 +237,5 @@ impl Moving<'_> {
             }
         }
         any
-    }
-
-    /// States from the rates with the forces.
-    fn substitute(
-        &mut self,
-        times: [f64; POINTS],
-        h: f64,
-        y: &[f64],
-        firsts: &[usize],
-        weights: &[[f64; POINTS]; POINTS],
-        points: &mut Points,
-    ) {
-        let mut rates = vec![vec![0.0; y.len()]; POINTS];
-        for (i, rates) in rates.iter_mut().enumerate() {
-            self.impose(firsts, |c| Some(Imposed::Force(points.forces[i][c])));
-            self.rates(times[i], &points.states[i], rates);
-        }
-        combine(&mut points.states, y, h, weights, &rates);
-    }
-
-    /// How much the forces of these contacts take from their accelerations, by rows, while others stick.
-    fn influence(&mut self, t: f64, points: &Points, firsts: &[usize]) -> Vec<f64> {
-        let [state, forces] = [&points.states[POINTS - 1], &points.states[0]].map(Vec::clone);
-        let n = self.model.len();
-        let p = firsts.len();
-        let base = &points.forces[POINTS - 1];
-        let mut rates = vec![0.0; forces.len()];
-        let mut accelerations = |moving: &mut Self, column: Option<usize>| -> Vec<f64> {
-            moving.impose(firsts, |c| {
-                let mut force = base[c];
-                if let Some(column) = column.filter(|column| column / 2 == c) {
-                    force[column % 2] += length(base[c]);
-                }
-                Some(Imposed::Force(force))
-            });
-            moving.rates(t, &state, &mut rates);
-            let rows = firsts.iter().flat_map(|first| [*first, *first + 1]);
-            rows.map(|row| moving.model.columns[row].dot(&rates[n..2 * n]))
-                .collect()
-        };
-        let without = accelerations(self, None);
-        let mut influence = vec![0.0; 4 * p * p];
-        for column in 0..2 * p {
-            let with = accelerations(self, Some(column));
-            for row in 0..2 * p {
-                let change = without[row] - with[row];
-                influence[row * 2 * p + column] = change / length(base[column / 2]);
-            }
-        }
-        influence
-    }
-}
-
-/// y + h times the weighted sums of rates.
-fn combine(
-    to: &mut [Vec<f64>],
-    y: &[f64],
-    h: f64,
-    weights: &[[f64; POINTS]; POINTS],
-    rates: &[Vec<f64>],
-) {
-    for (to, weights) in to.iter_mut().zip(weights) {
-        for (k, to) in to.iter_mut().enumerate() {
-            let terms = weights.iter().zip(rates);
-            *to = y[k] + h * terms.map(|(w, rates)| w * rates[k]).sum::<f64>();
-        }
     }
 }

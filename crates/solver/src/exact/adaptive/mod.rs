@@ -23,6 +23,8 @@ mod rigid_planes;
 mod step;
 mod structure;
 mod structure_flow;
+mod structure_forces;
+mod substitute;
 mod tableau;
 #[cfg(test)]
 mod tests;

@@ -12,36 +12,23 @@ mod refused;
 pub mod tables;
 mod warn;
 
-pub use crate::problem::structure::described::ground::GroundMotion;
-pub use crate::problem::structure::described::scheme::picture::Scheme;
-pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
-
+use super::numbers::unit::Dimension;
+use super::table::cases::Cases;
 use super::{
     Case, HistoryColumn, MeasuredChannel, Problem, Samples, Schema, Solution, Violation, time_rules,
 };
 use crate::history::History;
-use crate::problem::numbers::unit::Dimension;
-use crate::problem::table::cases::Cases;
+pub use crate::problem::structure::described::ground::GroundMotion;
+pub use crate::problem::structure::described::scheme::picture::Scheme;
+pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 use crate::solve::{MetricTable, Unsolvable, Warning};
-use metrics::metric::StructureMetric;
 use model::assemble::{Model, assemble};
+use motions::motion;
 use motions::recorded::distinct;
 use motions::sweep::Groups;
-use parts::template::Template;
+pub use prepared::StructureProblem;
 use std::sync::Arc;
 use tables::columns::all_numbers;
-use tables::schema::Drawn;
-
-/// The structure of a study.
-#[derive(Debug)]
-pub struct StructureProblem {
-    schema: Arc<Schema>,
-    template: Template,
-    metrics: Vec<StructureMetric>,
-    drawn: Vec<Drawn>,
-    identity: String,
-    notes: Vec<String>,
-}
 
 impl Problem for StructureProblem {
     fn schema(&self) -> &Arc<Schema> {
@@ -225,24 +212,13 @@ impl Problem for StructureProblem {
         let (Some(one), Some(other)) = (ready(one), ready(other)) else {
             return false;
         };
-        let prepared = crate::problem::structure::motions::motion::prepare(
-            &one.structure,
-            &one.method,
-            one.dt,
-        );
+        let prepared = motion::prepare(&one.structure, &one.method, one.dt);
         one.last == other.last
             && prepared.is_ok_and(|own| own.fits(&other.method, &other.structure, other.dt))
     }
 
     fn has_same_motion(&self, one: &Case, other: &Case) -> bool {
-        let equations = |case: &Case| {
-            let ready = self.ready(0, case).ok()?;
-            // The text has every number in the shortest form that reads back the same.
-            Some(format!(
-                "{:?} {:?} {:?} {}",
-                ready.structure, ready.method, ready.dt, ready.last
-            ))
-        };
+        let equations = |case| self.equations(case);
         equations(one).is_some_and(|own| equations(other) == Some(own))
             && self.measured(one) == self.measured(other)
     }

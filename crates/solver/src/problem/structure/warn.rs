@@ -9,7 +9,6 @@ mod matrices;
 mod restitution;
 mod unheld;
 
-use super::StructureProblem;
 use super::channels::channel::{Number, Quantity};
 use super::given::loads::Kind;
 use super::given::shape::Scaled;
@@ -21,6 +20,7 @@ use super::motions::motion::{self, Recording};
 use super::motions::recorded::{Recorded, distinct};
 use super::motions::sweep::Ready;
 use super::parts::contact::{self, Normal};
+use super::prepared::StructureProblem;
 use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::solve::structure::{Watched, WatchedContact};

@@ -9,11 +9,12 @@ use crate::metrics::convergence::{
     ENOUGH_HALVINGS, FEWEST_HALVED, Halved, Referred, reference_errors,
 };
 use crate::metrics::structure as reduce;
+use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channels::channel::{Channel, Number};
 use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::metrics::reduction::Reduction;
-use crate::problem::structure::{StructureProblem, model::contact_duration};
+use crate::problem::structure::model::contact_duration;
 use crate::system::structure::Structure;
 
 /// Steps times nodes up to which steps are halved more often than is needed to see an error twice: some seconds.

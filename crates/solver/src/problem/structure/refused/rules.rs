@@ -1,13 +1,14 @@
 //! The rules that a case must keep: of its method, its measures of the ground, its measurements and its channels.
 
 use crate::methods::Method;
+use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channels::channel::Term;
 use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::model::assemble::{self, Model};
-use crate::problem::structure::{
-    StructureProblem, model::massless, parts::contacts, tables::columns,
-};
+use crate::problem::structure::model::massless;
+use crate::problem::structure::parts::contacts;
+use crate::problem::structure::tables::columns;
 use crate::problem::{Case, Violation, method};
 use crate::solve::structure::{critical_fault, static_ratio_fault};
 

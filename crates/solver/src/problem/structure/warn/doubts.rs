@@ -1,10 +1,10 @@
 //! The warnings of a case that need no motion.
 
-use super::super::StructureProblem;
 use super::doubt::Doubt;
 use super::masses::Masses;
 use super::{directions, given, matrices, restitution};
 use crate::problem::Case;
+use crate::problem::structure::StructureProblem;
 use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::metrics::computed_ground;
 use crate::system::structure::Structure;
