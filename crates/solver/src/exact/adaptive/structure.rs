@@ -4,8 +4,8 @@ use super::contact::Contact;
 use super::plane::{PlaneContact, PlaneState};
 use super::watched::{LimitAt, Motion, Watched};
 use crate::contact::plane::Pair;
-use crate::exact::events::{Model, State, StateBuffers};
-use crate::system::structure::{PlaneRow, Structure, StructureLaw};
+use crate::exact::events::Model;
+use crate::system::structure::{PlaneRow, Structure};
 
 /// Part of the time between two points of tables over which the rate of a limit is a difference.
 pub(super) const DIFFERENCE: f64 = 1e-4;

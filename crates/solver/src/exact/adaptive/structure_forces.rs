@@ -1,12 +1,8 @@
 //! Forces, accelerations and their terms in the motion of a structure.
 
-use crate::contact::plane::Pair;
-use crate::exact::events::{Model, State, StateBuffers};
-use crate::system::structure::{Limit, PlaneRow, Structure, StructureLaw};
-use super::contact::Contact;
-use super::plane::{PlaneContact, PlaneState};
 use super::structure::{DIFFERENCE, Moving};
-use super::watched::{LimitAt, Motion, Watched};
+use crate::exact::events::{State, StateBuffers};
+use crate::system::structure::{Limit, StructureLaw};
 
 impl Moving<'_> {
     /// u'' of the coordinates.

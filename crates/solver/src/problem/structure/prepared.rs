@@ -15,7 +15,27 @@ use crate::solve::structure::{balance, settle};
 use crate::system::structure::Structure;
 use std::sync::Arc;
 
+/// The structure of a study.
+#[derive(Debug)]
+pub struct StructureProblem {
+    pub(super) schema: Arc<Schema>,
+    pub(super) template: Template,
+    pub(super) metrics: Vec<StructureMetric>,
+    pub(super) drawn: Vec<Drawn>,
+    pub(super) identity: String,
+    pub(super) notes: Vec<String>,
+}
+
 impl StructureProblem {
+    /// The structure, the method and the steps of a case in words: every number in the shortest form that reads back the same.
+    pub(super) fn equations(&self, case: &Case) -> Option<String> {
+        let ready = self.ready(0, case).ok()?;
+        Some(format!(
+            "{:?} {:?} {:?} {}",
+            ready.structure, ready.method, ready.dt, ready.last
+        ))
+    }
+
     /// The problem of a template with these tables. `identity` is different for different structures and records; `notes` say what
     /// was done to the records, and what may be a mistake.
     pub fn new(
@@ -180,25 +200,5 @@ impl StructureProblem {
     pub(super) fn drawn_numbers(&self, numbering: &Numbering) -> Vec<Number> {
         let drawn = self.drawn.iter();
         distinct(drawn.flat_map(|drawn| drawn.channel.numbers(numbering)))
-    }
-}
-
-/// The structure of a study.
-#[derive(Debug)]
-pub struct StructureProblem {
-    pub(super) schema: Arc<Schema>,
-    pub(super) template: Template,
-    pub(super) metrics: Vec<StructureMetric>,
-    pub(super) drawn: Vec<Drawn>,
-    pub(super) identity: String,
-    pub(super) notes: Vec<String>,
-
-    /// The structure, the method and the steps of a case in words: every number in the shortest form that reads back the same.
-    pub(super) fn equations(&self, case: &Case) -> Option<String> {
-        let ready = self.ready(0, case).ok()?;
-        Some(format!(
-            "{:?} {:?} {:?} {}",
-            ready.structure, ready.method, ready.dt, ready.last
-        ))
     }
 }
