@@ -51,12 +51,7 @@ impl Bearing {
     }
 }
 
-impl StoredEnergy for Bearing {
-    /// None: all work is dissipated.
-    fn stored_energy(&self, _: f64, _: f64) -> f64 {
-        0.0
-    }
-}
+impl StoredEnergy for Bearing {}
 
 impl Described for Bearing {
     const KIND: ContactKind = ContactKind::Friction;
@@ -72,14 +67,6 @@ impl Properties for Bearing {
         vec![("c =", 1.0 / self.compliance)]
     }
 
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
     fn reach(&self) -> f64 {
         4.0 * (self.compliance * self.limit + 1.0 / self.rate)
     }
@@ -90,18 +77,6 @@ impl Properties for Bearing {
 
     fn over_velocity(&self) -> bool {
         true
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 

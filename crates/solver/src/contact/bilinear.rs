@@ -5,8 +5,8 @@ use super::number::{Number, Range};
 use super::numbers::structure;
 use super::offer::{Form, In, Offer};
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, LawFault, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, curve,
+    ClosedForm, ContactKind, ContactLaw, Described, Law, LawFault, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial,
 };
 use crate::lane::Lane;
 
@@ -76,7 +76,6 @@ impl StoredEnergy for Bilinear {
 impl Described for Bilinear {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "bilinear";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &["steel01", "uniaxialbilin", "elastoplastic"],
@@ -132,24 +131,12 @@ impl Properties for Bilinear {
         [-most, most]
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     fn falls(&self) -> bool {
         self.hardening < 0.0
     }
 
     fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
         1.0 + self.hardening * on.end.h.0[0] > 0.0
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 
@@ -166,11 +153,6 @@ impl Law for Bilinear {
             band: Band::step(&bands, on),
             h: on.start.h,
         }
-    }
-
-    /// From rest to `reach`, to -`reach` and back.
-    fn cycle(&self, reach: f64) -> Cycle {
-        curve::over_displacement(*self, reach)
     }
 }
 

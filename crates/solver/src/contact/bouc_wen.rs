@@ -4,8 +4,8 @@ use super::numbers::{oscillator, structure};
 use super::offer::{Form, In, InOscillator, Offer};
 use super::saturation;
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+    ClosedForm, ContactKind, ContactLaw, Described, Evolution, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes, roots,
 };
 use crate::lane::Lane;
 
@@ -57,7 +57,6 @@ impl StoredEnergy for BoucWen {
 impl Described for BoucWen {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "bouc-wen";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &[],
@@ -123,20 +122,8 @@ impl Properties for BoucWen {
         [-self.limit, self.limit]
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     fn unbent_force(&self, _: f64) -> Option<f64> {
         Some(0.0)
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 
@@ -162,11 +149,6 @@ impl Law for BoucWen {
             closed: [laws.iter().any(closed), laws.iter().all(closed)],
         }
     }
-
-    /// From rest to `reach`, to -`reach` and back.
-    fn cycle(&self, reach: f64) -> Cycle {
-        curve::over_displacement(*self, reach)
-    }
 }
 
 /// z is S.
@@ -186,14 +168,6 @@ impl Evolution for BoucWen {
             n => libm::pow(part, n),
         };
         elastic * (1.0 - power).max(0.0)
-    }
-
-    fn force(&self, z: f64, _: f64, _: f64) -> f64 {
-        z
-    }
-
-    fn state(&self, s: f64, _: f64) -> f64 {
-        s
     }
 
     fn bound(&self) -> f64 {

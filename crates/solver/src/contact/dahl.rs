@@ -4,8 +4,8 @@ use super::numbers::{oscillator, structure};
 use super::offer::{Form, In, InOscillator, Offer};
 use super::saturation;
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+    ClosedForm, ContactKind, ContactLaw, Described, Evolution, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes, roots,
 };
 use crate::lane::Lane;
 
@@ -53,7 +53,6 @@ impl StoredEnergy for Dahl {
 impl Described for Dahl {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "dahl";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &[],
@@ -121,20 +120,8 @@ impl Properties for Dahl {
         [-self.limit, self.limit]
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     fn unbent_force(&self, _: f64) -> Option<f64> {
         Some(0.0)
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 
@@ -162,11 +149,6 @@ impl Law for Dahl {
             ],
         }
     }
-
-    /// From rest to `reach`, to -`reach` and back.
-    fn cycle(&self, reach: f64) -> Cycle {
-        curve::over_displacement(*self, reach)
-    }
 }
 
 /// z is S.
@@ -183,14 +165,6 @@ impl Evolution for Dahl {
             libm::pow(q, self.exponent)
         };
         rdot / self.compliance * power
-    }
-
-    fn force(&self, z: f64, _: f64, _: f64) -> f64 {
-        z
-    }
-
-    fn state(&self, s: f64, _: f64) -> f64 {
-        s
     }
 
     fn bound(&self) -> f64 {

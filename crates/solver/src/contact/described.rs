@@ -11,7 +11,7 @@ pub trait Described: StoredEnergy {
     /// Its name in text.
     const NAME: &'static str;
     /// Whether S follows from rdot alone.
-    const OF_VELOCITY: bool;
+    const OF_VELOCITY: bool = false;
     /// The names by which studies have it; none of a law that is a form of another one.
     const OFFERS: &'static [Offer];
     /// A motion whose force is known in closed form.
@@ -27,29 +27,39 @@ pub enum ClosedForm<W> {
     Driven(fn(&W, f64, f64) -> Option<f64>),
 }
 
-/// What the numbers of a contact tell.
+/// What the numbers of a contact tell. What most laws do not have, is the default; the table of all laws in `properties.txt` shows it.
 pub trait Properties {
     /// Those that tell one contact from another, each after its name.
     fn shown(&self) -> Vec<(&'static str, f64)>;
 
     /// The largest dS/dr; of a law with delta^1.5 that at this overlap. A viscous law has none, rigid contact an infinite one.
-    fn largest_stiffness(&self, overlap: f64) -> f64;
+    fn largest_stiffness(&self, _overlap: f64) -> f64 {
+        0.0
+    }
 
     /// dS/dr at rest: of an impact with this overlap, of friction with a limit at S = 0; 0 for a law that is not elastic there.
-    fn initial_stiffness(&self, overlap: f64) -> f64;
+    fn initial_stiffness(&self, _overlap: f64) -> f64 {
+        0.0
+    }
 
     /// A displacement or velocity that shows the law in a figure: some widths of a friction law, the overlap of an impact law under
     /// a force of 1.
     fn reach(&self) -> f64;
 
     /// The bounds of S.
-    fn bounds(&self) -> [f64; 2];
+    fn bounds(&self) -> [f64; 2] {
+        [f64::NEG_INFINITY, f64::INFINITY]
+    }
 
     /// Whether figures draw the law over velocity: it depends on velocity alone, or its loop over velocity shows it better.
-    fn over_velocity(&self) -> bool;
+    fn over_velocity(&self) -> bool {
+        false
+    }
 
     /// Whether a step may have several roots.
-    fn falls(&self) -> bool;
+    fn falls(&self) -> bool {
+        false
+    }
 
     /// Whether every step with these flexibilities has one root; false for a law that falls, where a step may have several. The default
     /// is on the safe side: a law that falls and does not say which steps have one root is refused.
@@ -69,9 +79,13 @@ pub trait Properties {
     }
 
     /// S(0) at a velocity of a law with a state, which is unbent; `None` where S follows from r and rdot.
-    fn unbent_force(&self, rdot: f64) -> Option<f64>;
+    fn unbent_force(&self, _rdot: f64) -> Option<f64> {
+        None
+    }
 
     /// Time for which two free masses touch, of 1/m = 1/m1 + 1/m2 and, where the time depends on it, the largest overlap; `None`
     /// without compliance, without this overlap, and for what is no impact.
-    fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64>;
+    fn touching_time(&self, _inverse_mass: f64, _overlap: Option<f64>) -> Option<f64> {
+        None
+    }
 }

@@ -37,7 +37,6 @@ impl StoredEnergy for DisplacementControl {
 impl Described for DisplacementControl {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "displacement-control";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &[],
@@ -93,22 +92,6 @@ impl Properties for DisplacementControl {
 
     fn bounds(&self) -> [f64; 2] {
         [-self.limit, self.limit]
-    }
-
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 
@@ -168,14 +151,6 @@ impl Law for DisplacementControl {
 impl Evolution for DisplacementControl {
     fn rate(&self, _: f64, rdot: f64) -> f64 {
         rdot / self.compliance
-    }
-
-    fn force(&self, z: f64, _: f64, _: f64) -> f64 {
-        z
-    }
-
-    fn state(&self, s: f64, _: f64) -> f64 {
-        s
     }
 
     fn bound(&self) -> f64 {

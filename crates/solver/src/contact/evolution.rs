@@ -7,11 +7,15 @@ pub trait Evolution {
     /// dz/dt at this state and rdot.
     fn rate(&self, z: f64, rdot: f64) -> f64;
 
-    /// S at this state, r and rdot.
-    fn force(&self, z: f64, r: f64, rdot: f64) -> f64;
+    /// S at this state, r and rdot; z itself where nothing else is said.
+    fn force(&self, z: f64, _r: f64, _rdot: f64) -> f64 {
+        z
+    }
 
     /// z of a contact at rest at r under S.
-    fn state(&self, s: f64, r: f64) -> f64;
+    fn state(&self, s: f64, _r: f64) -> f64 {
+        s
+    }
 
     /// z at t = 0: that of the equilibrium at r with static loads, where S was `at_rest`, whatever velocity the contact has from then
     /// on; 0 for a contact that nothing has bent.

@@ -48,7 +48,6 @@ impl StoredEnergy for ImpactSpring {
 impl Described for ImpactSpring {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "impact-spring";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[
         Offer {
             name: "impact",
@@ -110,20 +109,8 @@ impl Properties for ImpactSpring {
         PUSHES
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
         Some(PI / (self.stiffness * inverse_mass).sqrt())
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
     }
 }
 

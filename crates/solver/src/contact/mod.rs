@@ -173,8 +173,10 @@ pub trait Law: Described + Properties {
     }
 
     /// Points (r, S), or (rdot, S) for a viscous law, of a cycle between -`reach` and `reach`, and which of them carry a
-    /// marker in figures.
-    fn cycle(&self, reach: f64) -> Cycle;
+    /// marker in figures. Without a form of its own from rest to `reach`, to -`reach` and back.
+    fn cycle(&self, reach: f64) -> Cycle {
+        curve::over_displacement(*self, reach)
+    }
 }
 
 /// The deflection of a closed contact under S.
@@ -188,8 +190,10 @@ pub struct Deflection {
 
 /// What a contact stores.
 pub trait StoredEnergy: Copy {
-    /// Energy that the contact stores at r under S.
-    fn stored_energy(&self, r: f64, s: f64) -> f64;
+    /// Energy that the contact stores at r under S; a law that stores nothing dissipates all work.
+    fn stored_energy(&self, _r: f64, _s: f64) -> f64 {
+        0.0
+    }
 
     /// The deflection of the closed contact under S; `None` for a law whose r does not follow from S alone.
     fn deflection(&self, _s: f64) -> Option<Deflection> {

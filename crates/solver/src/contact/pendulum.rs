@@ -5,8 +5,8 @@ use super::numbers::structure;
 use super::offer::{Form, In, Offer};
 use super::saturation::rise;
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, LawFault, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes,
+    ClosedForm, ContactKind, ContactLaw, Described, Evolution, Law, LawFault, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
 
@@ -96,7 +96,6 @@ impl StoredEnergy for Pendulum {
 impl Described for Pendulum {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "pendulum";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &["frictionpendulum", "fps", "singlefpbearing"],
@@ -165,29 +164,8 @@ impl Properties for Pendulum {
         }
     }
 
-    /// Its surface knows no bounds.
-    fn bounds(&self) -> [f64; 2] {
-        [f64::NEG_INFINITY, f64::INFINITY]
-    }
-
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
     fn has_rigid_form(&self) -> bool {
         false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 
@@ -217,11 +195,6 @@ impl Law for Pendulum {
                 .any(|law| law.rising[0] != 1.0)
                 .then(|| [0, 1].map(|i| lanes(laws, |law| law.rising[i]))),
         }
-    }
-
-    /// From rest to `reach`, to -`reach` and back.
-    fn cycle(&self, reach: f64) -> Cycle {
-        curve::over_displacement(*self, reach)
     }
 }
 

@@ -5,8 +5,8 @@ use super::numbers::structure;
 use super::offer::{Form, In, Offer};
 use super::one_sided::{self, HARDENING, OneSided, Set};
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, curve,
+    ClosedForm, ContactKind, ContactLaw, Described, Law, Properties, StepFlexibility,
+    StepLaw, StoredEnergy, Trial,
 };
 use crate::lane::Lane;
 
@@ -68,7 +68,6 @@ impl StoredEnergy for Restrainer {
 impl Described for Restrainer {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "restrainer";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &["cable", "cablerestrainer", "hook", "tensiononly"],
@@ -103,33 +102,12 @@ impl Properties for Restrainer {
         self.stiffness
     }
 
-    /// None: at rest it is slack, or just taut, and does not push.
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
     fn reach(&self) -> f64 {
         self.slack + 3.0 * self.yield_force / self.stiffness
     }
 
     fn bounds(&self) -> [f64; 2] {
         [0.0, self.spring().most()]
-    }
-
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 
@@ -147,11 +125,6 @@ impl Law for Restrainer {
             slack: super::lanes(laws, |law| law.slack),
             h: on.start.h,
         }
-    }
-
-    /// From rest to `reach`, to -`reach` and back.
-    fn cycle(&self, reach: f64) -> Cycle {
-        curve::over_displacement(*self, reach)
     }
 }
 

@@ -64,12 +64,7 @@ impl Stribeck {
     }
 }
 
-impl StoredEnergy for Stribeck {
-    /// None: all work is dissipated.
-    fn stored_energy(&self, _: f64, _: f64) -> f64 {
-        0.0
-    }
-}
+impl StoredEnergy for Stribeck {}
 
 impl Described for Stribeck {
     const KIND: ContactKind = ContactKind::Friction;
@@ -130,14 +125,6 @@ impl Properties for Stribeck {
         vec![("c =", 1.0 / self.compliance)]
     }
 
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
     fn reach(&self) -> f64 {
         2.0 * self.compliance * self.static_limit + 3.0 * self.stribeck_velocity
     }
@@ -156,14 +143,6 @@ impl Properties for Stribeck {
 
     fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
         on.end.h_rate.0[0] * (self.static_limit - self.limit) < self.stribeck_velocity
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 

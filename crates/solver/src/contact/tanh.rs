@@ -54,12 +54,7 @@ impl Tanh {
     }
 }
 
-impl StoredEnergy for Tanh {
-    /// None: all work is dissipated.
-    fn stored_energy(&self, _: f64, _: f64) -> f64 {
-        0.0
-    }
-}
+impl StoredEnergy for Tanh {}
 
 impl Described for Tanh {
     const KIND: ContactKind = ContactKind::Friction;
@@ -117,14 +112,6 @@ impl Properties for Tanh {
         vec![("c =", 1.0 / self.compliance)]
     }
 
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
     fn reach(&self) -> f64 {
         4.0 * self.compliance * self.limit
     }
@@ -135,18 +122,6 @@ impl Properties for Tanh {
 
     fn over_velocity(&self) -> bool {
         true
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 

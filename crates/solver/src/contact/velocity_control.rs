@@ -33,11 +33,7 @@ pub struct Step<const L: usize> {
     by_force: Lane<L>,
 }
 
-impl StoredEnergy for VelocityControl {
-    fn stored_energy(&self, _: f64, _: f64) -> f64 {
-        0.0
-    }
-}
+impl StoredEnergy for VelocityControl {}
 
 impl Described for VelocityControl {
     const KIND: ContactKind = ContactKind::Friction;
@@ -111,14 +107,6 @@ impl Properties for VelocityControl {
         vec![("c =", 1.0 / self.compliance)]
     }
 
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
     fn reach(&self) -> f64 {
         match self.compliance {
             0.0 => 1.0,
@@ -132,18 +120,6 @@ impl Properties for VelocityControl {
 
     fn over_velocity(&self) -> bool {
         true
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 

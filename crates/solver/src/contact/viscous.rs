@@ -65,12 +65,7 @@ fn power(x: f64, a: f64) -> f64 {
     }
 }
 
-impl StoredEnergy for Viscous {
-    /// None: all work is dissipated.
-    fn stored_energy(&self, _: f64, _: f64) -> f64 {
-        0.0
-    }
-}
+impl StoredEnergy for Viscous {}
 
 impl Described for Viscous {
     const KIND: ContactKind = ContactKind::Link;
@@ -101,36 +96,12 @@ impl Properties for Viscous {
         vec![("c =", self.viscosity), ("a =", self.exponent)]
     }
 
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
     fn reach(&self) -> f64 {
         1.0
     }
 
-    fn bounds(&self) -> [f64; 2] {
-        [f64::NEG_INFINITY, f64::INFINITY]
-    }
-
     fn over_velocity(&self) -> bool {
         true
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 

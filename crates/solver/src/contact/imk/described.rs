@@ -216,7 +216,6 @@ fn form(given: &GivenNumbers, pinching: Option<[f64; 2]>) -> Result<Form, LawFau
 impl Described for Imk {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "imk-peak-oriented";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[
         Offer {
             name: Self::NAME,
@@ -285,10 +284,6 @@ impl Properties for Imk {
         [-negative.top(self.stiffness), positive.top(self.stiffness)]
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     fn falls(&self) -> bool {
         true
     }
@@ -300,13 +295,5 @@ impl Properties for Imk {
 
     fn has_rigid_form(&self) -> bool {
         false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }

@@ -6,7 +6,7 @@ mod state;
 mod walk;
 
 use super::shared::Shared;
-use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve};
+use super::{Law, StepFlexibility, StepLaw, StoredEnergy, Trial};
 use crate::lane::Lane;
 use backbone::Backbone;
 use state::State;
@@ -112,11 +112,6 @@ impl Law for Imk {
 
     fn only_in_steps(&self) -> Option<&'static str> {
         Some("adds up its energy step by step")
-    }
-
-    /// From rest to `reach`, to -`reach` and back.
-    fn cycle(&self, reach: f64) -> Cycle {
-        curve::over_displacement(*self, reach)
     }
 }
 

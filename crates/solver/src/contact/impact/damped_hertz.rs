@@ -74,7 +74,6 @@ macro_rules! damped_hertz {
         impl Described for $law {
             const KIND: ContactKind = ContactKind::Impact;
             const NAME: &'static str = $name;
-            const OF_VELOCITY: bool = false;
             const OFFERS: &'static [Offer] = &[
                 Offer {
                     name: Self::NAME,
@@ -127,20 +126,8 @@ macro_rules! damped_hertz {
                 true
             }
 
-            fn over_velocity(&self) -> bool {
-                false
-            }
-
             fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
                 hertz::touching_time(self.stiffness, inverse_mass, overlap?)
-            }
-
-            fn falls(&self) -> bool {
-                false
-            }
-
-            fn unbent_force(&self, _: f64) -> Option<f64> {
-                None
             }
         }
 

@@ -80,7 +80,6 @@ impl StoredEnergy for GapYield {
 impl Described for GapYield {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "gap-yield";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &["elasticppgap", "shearkey"],
@@ -134,25 +133,13 @@ impl Properties for GapYield {
         [-self.spring().most(), 0.0]
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     /// That of the spring; with yielding it is longer.
     fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
         Some(PI / (self.stiffness * inverse_mass).sqrt())
     }
 
-    fn falls(&self) -> bool {
-        false
-    }
-
     fn has_rigid_form(&self) -> bool {
         false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
     }
 }
 

@@ -132,7 +132,6 @@ impl StoredEnergy for Hertz {
 impl Described for Hertz {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "hertz";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &[],
@@ -183,20 +182,8 @@ impl Properties for Hertz {
         PUSHES
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
         touching_time(self.stiffness, inverse_mass, overlap?)
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
     }
 }
 

@@ -154,7 +154,6 @@ impl StoredEnergy for HyperbolicGap {
 impl Described for HyperbolicGap {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "hyperbolic-gap";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &["hyperbolicgapmaterial", "backfill", "abutment"],
@@ -211,25 +210,13 @@ impl Properties for HyperbolicGap {
         PUSHES
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     /// That of the steepest spring; along the hyperbola it is longer.
     fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
         Some(PI / (self.unloading * inverse_mass).sqrt())
     }
 
-    fn falls(&self) -> bool {
-        false
-    }
-
     fn has_rigid_form(&self) -> bool {
         false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
     }
 }
 

@@ -83,7 +83,6 @@ impl StoredEnergy for ImpactYield {
 impl Described for ImpactYield {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "impact-yield";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &["impactmaterial", "bilinearimpact", "muthukumardesroches"],
@@ -140,25 +139,13 @@ impl Properties for ImpactYield {
         PUSHES
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     /// That of the spring k1; with yielding it is longer.
     fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
         Some(PI / (self.stiffness * inverse_mass).sqrt())
     }
 
-    fn falls(&self) -> bool {
-        false
-    }
-
     fn has_rigid_form(&self) -> bool {
         false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
     }
 }
 

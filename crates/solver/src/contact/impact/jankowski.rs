@@ -64,7 +64,6 @@ impl StoredEnergy for Jankowski {
 impl Described for Jankowski {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "jankowski";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &[],
@@ -120,20 +119,8 @@ impl Properties for Jankowski {
         PUSHES
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
         hertz::touching_time(self.stiffness, inverse_mass, overlap?)
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
     }
 }
 

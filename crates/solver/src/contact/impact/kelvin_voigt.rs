@@ -68,7 +68,6 @@ impl StoredEnergy for KelvinVoigt {
 impl Described for KelvinVoigt {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "kelvin-voigt";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &["viscoelastic", "linearviscoelastic"],
@@ -120,23 +119,11 @@ impl Properties for KelvinVoigt {
         PUSHES
     }
 
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
     /// With xi = c/(2 m omega), omega = sqrt(k/m): delta is e^(-xi omega t) sin(omega_d t), omega_d = omega sqrt(1 - xi^2), and
     /// k delta + c ddelta is 0 again at t = 2 acos(xi)/omega_d; for xi > 1 the hyperbolic functions take their place.
     fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
         let omega = (self.stiffness * inverse_mass).sqrt();
         Some(2.0 * damped(self.ratio(1.0 / inverse_mass)) / omega)
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
     }
 }
 

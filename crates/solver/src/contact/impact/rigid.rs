@@ -35,10 +35,6 @@ pub struct Step<const L: usize> {
 }
 
 impl StoredEnergy for Rigid {
-    fn stored_energy(&self, _: f64, _: f64) -> f64 {
-        0.0
-    }
-
     fn deflection(&self, _: f64) -> Option<Deflection> {
         Some(Deflection { r: 0.0, slope: 0.0 })
     }
@@ -51,7 +47,6 @@ impl StoredEnergy for Rigid {
 impl Described for Rigid {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "rigid";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &[],
@@ -85,32 +80,12 @@ impl Properties for Rigid {
         f64::INFINITY
     }
 
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        0.0
-    }
-
     fn reach(&self) -> f64 {
         1.0
     }
 
     fn bounds(&self) -> [f64; 2] {
         PUSHES
-    }
-
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }
 

@@ -8,7 +8,6 @@ use crate::contact::{ClosedForm, ContactKind, ContactLaw, Described, Properties,
 impl Described for Lugre {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "lugre";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &[],
@@ -88,11 +87,6 @@ impl Properties for Lugre {
         (4.0 * self.static_limit / self.sigma0).max(1.0)
     }
 
-    /// Its viscosity knows no bounds.
-    fn bounds(&self) -> [f64; 2] {
-        [f64::NEG_INFINITY, f64::INFINITY]
-    }
-
     fn over_velocity(&self) -> bool {
         true
     }
@@ -133,9 +127,5 @@ impl Properties for Lugre {
             true => (self.sigma1 + self.sigma2) * rdot,
             false => 0.0,
         })
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }

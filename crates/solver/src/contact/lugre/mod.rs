@@ -208,10 +208,6 @@ impl Evolution for Lugre {
         }
     }
 
-    fn state(&self, s: f64, _: f64) -> f64 {
-        s
-    }
-
     fn bound(&self) -> f64 {
         self.static_limit
     }

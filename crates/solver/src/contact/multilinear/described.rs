@@ -15,7 +15,6 @@ const TABLE: Number = Number::new(
 impl Described for Multilinear {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "multilinear";
-    const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
         also: &["trilinear", "iwan", "multilinearplastic"],
@@ -65,21 +64,5 @@ impl Properties for Multilinear {
                 false => bends[0].signum() * f64::INFINITY,
             }
         })
-    }
-
-    fn over_velocity(&self) -> bool {
-        false
-    }
-
-    fn falls(&self) -> bool {
-        false
-    }
-
-    fn unbent_force(&self, _: f64) -> Option<f64> {
-        None
-    }
-
-    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
-        None
     }
 }

@@ -4,7 +4,7 @@ mod described;
 mod shared;
 mod table;
 
-use super::{Cycle, Law, LawFault, StepFlexibility, StepLaw, StoredEnergy, Trial, curve};
+use super::{Law, LawFault, StepFlexibility, StepLaw, StoredEnergy, Trial};
 use crate::lane::Lane;
 use std::ops::Deref;
 
@@ -133,11 +133,6 @@ impl Law for Multilinear {
             laws: *laws,
             h: [on.start.h, on.end.h],
         }
-    }
-
-    /// From rest to `reach`, to -`reach` and back.
-    fn cycle(&self, reach: f64) -> Cycle {
-        curve::over_displacement(*self, reach)
     }
 }
 
