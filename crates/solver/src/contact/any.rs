@@ -59,6 +59,11 @@ macro_rules! laws {
             $(#[doc = concat!("See [`", stringify!($law), "`].")] $law),+
         }
 
+        impl WhichLaw {
+            /// All laws.
+            pub const ALL: &[WhichLaw] = &[$(WhichLaw::$law),+];
+        }
+
         /// A law over the steps of a run, for L cases.
         #[derive(Debug, Clone, Copy)]
         pub enum AnyRunningLaw<const L: usize> {

@@ -1,5 +1,6 @@
 //! Tests over all laws: what each descriptor says agrees with what the law does.
 
+mod properties;
 mod stiffness;
 
 use slipgap_solver::contact::number::{Number, Range, Usual};
