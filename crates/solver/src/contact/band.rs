@@ -1,7 +1,6 @@
 //! A spring whose force stays between two parallel lines.
 
-use super::{StepFlexibility, lanes};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// A spring k1 whose force stays between the lines k2 r + low and k2 r + high, k2 <= k1.
 ///
@@ -14,11 +13,11 @@ use crate::lane::Lane;
 /// S' less each of the three lines rises with S' if 1 + k2 h > 0: the root is the same maximum and minimum of the roots
 /// of the lines, (S + k1 (y - r))/(1 + k1 h) and (k2 y + high)/(1 + k2 h).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Band {
+pub struct Band {
     /// k1 > 0 and k2 <= k1.
-    pub(super) stiffness: [f64; 2],
+    pub stiffness: [f64; 2],
     /// low <= 0 and high >= 0, of r = 0.
-    pub(super) bounds: [f64; 2],
+    pub bounds: [f64; 2],
 }
 
 /// The spring over a step.

@@ -1,12 +1,7 @@
 //! The velocity-control model with the coefficient of friction of a sliding bearing.
 
-use super::offer::Offer;
-use super::saturation::{self, rise};
-use super::{
-    ClosedForm, ContactKind, Cycle, Described, Law, Properties, StepFlexibility, StepLaw,
-    StoredEnergy, Trial, curve, lanes,
-};
-use crate::lane::Lane;
+use super::saturation::rise;
+use crate::contact::prelude::*;
 
 /// Velocity-control model [F (16)] whose coefficient rises with velocity, nu = nu_max - (nu_max - nu_min) exp(-a |rdot|)
 /// [Constantinou, Mokha and Reinhorn 1990]: viscous, S = rdot/compliance, up to the limit nu N at the same velocity.
@@ -78,6 +73,18 @@ impl Properties for Bearing {
     fn over_velocity(&self) -> bool {
         true
     }
+
+    fn corner(&self, rdot: f64) -> f64 {
+        self.sliding(rdot.abs()) - rdot.abs() / self.compliance
+    }
+
+    fn is_vertical(&self) -> bool {
+        self.compliance == 0.0
+    }
+
+    fn in_plane(&self) -> Option<InPlane> {
+        Some(InPlane::OfVelocity { viscous: None })
+    }
 }
 
 impl Law for Bearing {
@@ -85,10 +92,6 @@ impl Law for Bearing {
 
     fn at_limit(self, limit: f64) -> Self {
         Bearing { limit, ..self }
-    }
-
-    fn corner(&self, rdot: f64) -> f64 {
-        self.sliding(rdot.abs()) - rdot.abs() / self.compliance
     }
 
     #[inline(always)]

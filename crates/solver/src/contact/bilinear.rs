@@ -1,14 +1,7 @@
 //! A yielding part with kinematic hardening.
 
 use super::band::{self, Band};
-use super::number::{Number, Range};
-use super::numbers::structure;
-use super::offer::{Form, In, Offer};
-use super::{
-    ClosedForm, ContactKind, ContactLaw, Described, Law, LawFault, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// Elastic with k1 up to the force Fy, then hardening with k2 <= k1: kinematic, so that the elastic range keeps its width 2 Fy and
 /// moves with the force (Prager 1956). A column, a lead-rubber bearing; OpenSees has it as `Steel01` with b = k2/k1.
@@ -59,14 +52,6 @@ impl Bilinear {
     }
 }
 
-impl Bilinear {
-    /// 1/(k1 - k2), and the limit of this elastic part.
-    pub(super) fn elastic_part(&self) -> [f64; 2] {
-        let [_, width] = self.band().bounds;
-        [1.0 / (self.stiffness - self.hardening), width]
-    }
-}
-
 impl StoredEnergy for Bilinear {
     fn stored_energy(&self, r: f64, s: f64) -> f64 {
         self.band().stored_energy(r, s)
@@ -76,29 +61,21 @@ impl StoredEnergy for Bilinear {
 impl Described for Bilinear {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "bilinear";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &["steel01", "uniaxialbilin", "elastoplastic"],
-        oscillator: None,
-        bars: None,
-        structure: Some(In {
-            meaning: "yields at Fy in both directions, with kinematic hardening, or softening if k2 < 0: a column, a lead-rubber bearing (Prager 1956)",
-            numbers: &[&structure::K1, &structure::FY, &structure::K2, &RATIO],
-        }),
-        form: |given| {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
             let stiffness = given.need("k1")?;
             let hardening = match (given.given("k2"), given.given("ratio")) {
                 (Some(k2), None) => k2,
                 (None, Some(ratio)) => ratio * stiffness,
                 _ => return Err(LawFault::Needs(Self::NAME, "k2 or ratio")),
             };
-            Ok(Form::Link(ContactLaw::Bilinear(Bilinear {
+            Ok(Form::of(Bilinear {
                 stiffness,
                 yield_force: given.need("Fy")?,
                 hardening: given.at_most("k2", hardening, ("k1", stiffness))?,
-            })))
-        },
-    }];
+            }))
+        })
+.also(&["steel01", "uniaxialbilin", "elastoplastic"])
+.in_structures("yields at Fy in both directions, with kinematic hardening, or softening if k2 < 0: a column, a lead-rubber bearing (Prager 1956)", &[&structure::K1, &structure::FY, &structure::K2, &RATIO])];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
         let beyond = r - law.yield_force / law.stiffness;
@@ -137,6 +114,25 @@ impl Properties for Bilinear {
 
     fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
         1.0 + self.hardening * on.end.h.0[0] > 0.0
+    }
+
+    fn in_plane(&self) -> Option<InPlane> {
+        let Band { bounds, .. } = self.band();
+        Some(InPlane::Elastic {
+            compliance: 1.0 / (self.stiffness - self.hardening),
+            limit: bounds[1],
+            spring: self.hardening,
+            from_zero: true,
+            rising: [1.0, 0.0],
+        })
+    }
+
+    fn straight(&self) -> Option<Straight> {
+        Some(Straight::Band {
+            band: self.band(),
+            unbent: false,
+            is_stop: false,
+        })
     }
 }
 

@@ -1,13 +1,6 @@
 //! The Bouc-Wen model of friction.
 
-use super::numbers::{oscillator, structure};
-use super::offer::{Form, In, InOscillator, Offer};
-use super::saturation;
-use super::{
-    ClosedForm, ContactKind, ContactLaw, Described, Evolution, Law, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes, roots,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// Bouc-Wen model [Bouc 1967, Wen 1976] of friction: S = L z, dz/dr = (1 - |z|^n (1 + sgn(rdot z))/2)/u_y with u_y = compliance L,
 /// that is A = 1, beta = gamma = 1/2. It unloads elastically and tends to the displacement-control model for n to infinity.
@@ -57,36 +50,32 @@ impl StoredEnergy for BoucWen {
 impl Described for BoucWen {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "bouc-wen";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &[],
-        oscillator: Some(InOscillator {
-            of: In {
-                meaning: "hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
-                numbers: &[&oscillator::ALPHA, &oscillator::EXPONENT],
-            },
-            law: |given| {
-                let [compliance, exponent] = given.all()?;
-                Some(ContactLaw::BoucWen(BoucWen {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
+        Ok(Form::of(BoucWen {
+            compliance: 1.0 / given.stiffness()?,
+            limit: given.limit(),
+            exponent: given.need("exponent")?,
+        }))
+    })
+    .in_oscillator(
+        "hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
+        &[&oscillator::ALPHA, &oscillator::EXPONENT],
+        |given| {
+            let [compliance, exponent] = given.all()?;
+            Some(
+                BoucWen {
                     compliance,
                     limit: 1.0,
                     exponent,
-                }))
-            },
-        }),
-        bars: None,
-        structure: Some(In {
-            meaning: "friction, hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
-            numbers: &[&structure::K, &structure::R_E, &structure::EXPONENT],
-        }),
-        form: |given| {
-            Ok(Form::Friction(ContactLaw::BoucWen(BoucWen {
-                compliance: 1.0 / given.stiffness()?,
-                limit: given.limit(),
-                exponent: given.need("exponent")?,
-            })))
+                }
+                .into(),
+            )
         },
-    }];
+    )
+    .in_structures(
+        "friction, hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
+        &[&structure::K, &structure::R_E, &structure::EXPONENT],
+    )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let u = velocity * time / (law.compliance * law.limit);
         match law.exponent {
@@ -125,6 +114,14 @@ impl Properties for BoucWen {
     fn unbent_force(&self, _: f64) -> Option<f64> {
         Some(0.0)
     }
+
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        Some(self)
+    }
+
+    fn in_plane(&self) -> Option<InPlane> {
+        Some(InPlane::BoucWen(*self))
+    }
 }
 
 impl Law for BoucWen {
@@ -132,10 +129,6 @@ impl Law for BoucWen {
 
     fn at_limit(self, limit: f64) -> Self {
         BoucWen { limit, ..self }
-    }
-
-    fn evolution(&self) -> Option<&dyn Evolution> {
-        Some(self)
     }
 
     #[inline(always)]

@@ -1,13 +1,6 @@
 //! Dahl's model of friction.
 
-use super::numbers::{oscillator, structure};
-use super::offer::{Form, In, InOscillator, Offer};
-use super::saturation;
-use super::{
-    ClosedForm, ContactKind, ContactLaw, Described, Evolution, Law, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes, roots,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// Dahl's model [Dahl 1968, 1976]: dS/dr = sigma (1 - (S/L) sgn rdot)^n, sigma = 1/compliance. n = 0 is the displacement-control model.
 ///
@@ -53,36 +46,32 @@ impl StoredEnergy for Dahl {
 impl Described for Dahl {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "dahl";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &[],
-        oscillator: Some(InOscillator {
-            of: In {
-                meaning: "hysteretic, its stiffness falls towards the friction limit (Dahl 1968)",
-                numbers: &[&oscillator::ALPHA, &oscillator::EXPONENT],
-            },
-            law: |given| {
-                let [compliance, exponent] = given.all()?;
-                Some(ContactLaw::Dahl(Dahl {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
+        Ok(Form::of(Dahl {
+            compliance: 1.0 / given.stiffness()?,
+            limit: given.limit(),
+            exponent: given.need("exponent")?,
+        }))
+    })
+    .in_oscillator(
+        "hysteretic, its stiffness falls towards the friction limit (Dahl 1968)",
+        &[&oscillator::ALPHA, &oscillator::EXPONENT],
+        |given| {
+            let [compliance, exponent] = given.all()?;
+            Some(
+                Dahl {
                     compliance,
                     limit: 1.0,
                     exponent,
-                }))
-            },
-        }),
-        bars: None,
-        structure: Some(In {
-            meaning: "friction, hysteretic, its stiffness falls towards the limit (Dahl 1968)",
-            numbers: &[&structure::K, &structure::R_E, &structure::EXPONENT],
-        }),
-        form: |given| {
-            Ok(Form::Friction(ContactLaw::Dahl(Dahl {
-                compliance: 1.0 / given.stiffness()?,
-                limit: given.limit(),
-                exponent: given.need("exponent")?,
-            })))
+                }
+                .into(),
+            )
         },
-    }];
+    )
+    .in_structures(
+        "friction, hysteretic, its stiffness falls towards the limit (Dahl 1968)",
+        &[&structure::K, &structure::R_E, &structure::EXPONENT],
+    )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let z = velocity * time / (law.compliance * law.limit);
         let n = law.exponent;
@@ -123,6 +112,10 @@ impl Properties for Dahl {
     fn unbent_force(&self, _: f64) -> Option<f64> {
         Some(0.0)
     }
+
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        Some(self)
+    }
 }
 
 impl Law for Dahl {
@@ -130,10 +123,6 @@ impl Law for Dahl {
 
     fn at_limit(self, limit: f64) -> Self {
         Dahl { limit, ..self }
-    }
-
-    fn evolution(&self) -> Option<&dyn Evolution> {
-        Some(self)
     }
 
     #[inline(always)]

@@ -1,8 +1,12 @@
 //! What the rest of the program asks of a law besides its step: everything but the list of laws stands in the file of the law.
 
+use super::element::Element;
 use super::impact::RigidImpact;
 use super::offer::Offer;
-use super::{ContactKind, StepFlexibility, StoredEnergy};
+use super::{
+    ClippedLine, ContactKind, ContactLaw, Evolution, InPlane, StepFlexibility, StoredEnergy,
+    Straight,
+};
 
 /// What is the same for all contacts with a law.
 pub trait Described: StoredEnergy {
@@ -86,6 +90,51 @@ pub trait Properties {
     /// Time for which two free masses touch, of 1/m = 1/m1 + 1/m2 and, where the time depends on it, the largest overlap; `None`
     /// without compliance, without this overlap, and for what is no impact.
     fn touching_time(&self, _inverse_mass: f64, _overlap: Option<f64>) -> Option<f64> {
+        None
+    }
+
+    /// Whether S is not a function of the motion: it may have any value within bounds at rest.
+    fn is_vertical(&self) -> bool {
+        false
+    }
+
+    /// The clipped line that the law is.
+    fn line(&self) -> Option<ClippedLine> {
+        None
+    }
+
+    /// How it acts in a plane; `None` for a law that does not slide in one.
+    fn in_plane(&self) -> Option<InPlane> {
+        None
+    }
+
+    /// Its straight lines, if S follows r on such and its friction limit is constant.
+    fn straight(&self) -> Option<Straight> {
+        None
+    }
+
+    /// The law of its spring alone, if an impact has a damper.
+    fn undamped(&self) -> Option<ContactLaw> {
+        None
+    }
+
+    /// The law in continuous time, if it has a state; `None` where S follows from r and rdot, and from r and S at the last reversal.
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        None
+    }
+
+    /// A number that changes its sign where S has a corner at this rdot, besides rdot = 0 and the bounds of S; 0 for a law without one.
+    fn corner(&self, _rdot: f64) -> f64 {
+        0.0
+    }
+
+    /// What the law does that has a meaning in time steps only; `None` if its steps tend to a motion in continuous time that is known.
+    fn only_in_steps(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// The law as the papers print it, at r under S; `None` if they do not.
+    fn element(&self, _r: f64, _s: f64) -> Option<Box<dyn Element>> {
         None
     }
 }

@@ -1,13 +1,7 @@
 //! The displacement-control model of friction.
 
 use super::element::{DisplacementFriction, Element};
-use super::numbers::{oscillator, structure};
-use super::offer::{Form, In, InOscillator, Offer};
-use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// Displacement-control model [F (9)]: elastic up to r^E = nu |N|/k^C about the slip, then sliding at the friction limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,33 +31,23 @@ impl StoredEnergy for DisplacementControl {
 impl Described for DisplacementControl {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "displacement-control";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &[],
-        oscillator: Some(InOscillator {
-            of: In {
-                meaning: "elastic up to the displacement r^E, then sliding at the friction limit [F (9)]",
-                numbers: &[&oscillator::ALPHA],
-            },
-            law: |given| {
-                let [compliance] = given.all()?;
-                let limit = 1.0;
-                Some(ContactLaw::DisplacementControl(DisplacementControl {
-                    compliance,
-                    limit,
-                }))
-            },
-        }),
-        bars: None,
-        structure: Some(In {
-            meaning: "friction, elastic up to the displacement r^E, then sliding at the limit [F (9)]",
-            numbers: &[&structure::K, &structure::R_E],
-        }),
-        form: |given| {
-            let stiffness = given.stiffness()?;
-            Ok(Form::Elastic { stiffness })
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
+        let stiffness = given.stiffness()?;
+        Ok(ClippedLine::Elastic { stiffness }.into())
+    })
+    .in_oscillator(
+        "elastic up to the displacement r^E, then sliding at the friction limit [F (9)]",
+        &[&oscillator::ALPHA],
+        |given| {
+            let [compliance] = given.all()?;
+            let limit = 1.0;
+            Some(DisplacementControl { compliance, limit }.into())
         },
-    }];
+    )
+    .in_structures(
+        "friction, elastic up to the displacement r^E, then sliding at the limit [F (9)]",
+        &[&structure::K, &structure::R_E],
+    )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         Some((velocity * time / law.compliance).min(law.limit))
     });
@@ -93,6 +77,32 @@ impl Properties for DisplacementControl {
     fn bounds(&self) -> [f64; 2] {
         [-self.limit, self.limit]
     }
+
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        Some(self)
+    }
+
+    /// In the papers the normal force of a closed contact is negative.
+    fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
+        let slip = r - s * self.compliance;
+        let element = DisplacementFriction::new(1.0 / self.compliance, self.limit, -1.0, slip, s);
+        Some(Box::new(element))
+    }
+
+    fn line(&self) -> Option<ClippedLine> {
+        let stiffness = 1.0 / self.compliance;
+        Some(ClippedLine::Elastic { stiffness })
+    }
+
+    fn in_plane(&self) -> Option<InPlane> {
+        Some(InPlane::Elastic {
+            compliance: self.compliance,
+            limit: self.limit,
+            spring: 0.0,
+            from_zero: false,
+            rising: [1.0, 0.0],
+        })
+    }
 }
 
 impl Law for DisplacementControl {
@@ -100,10 +110,6 @@ impl Law for DisplacementControl {
 
     fn at_limit(self, limit: f64) -> Self {
         DisplacementControl { limit, ..self }
-    }
-
-    fn evolution(&self) -> Option<&dyn Evolution> {
-        Some(self)
     }
 
     #[inline(always)]
@@ -115,13 +121,6 @@ impl Law for DisplacementControl {
             by_change,
             by_force: (compliance - on.start.h) * by_change,
         }
-    }
-
-    /// In the papers the normal force of a closed contact is negative.
-    fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
-        let slip = r - s * self.compliance;
-        let element = DisplacementFriction::new(1.0 / self.compliance, self.limit, -1.0, slip, s);
-        Some(Box::new(element))
     }
 
     /// From rest to `reach`, to -`reach` and back [F Fig. 3]; a compliance of zero is the rigid law.

@@ -2,13 +2,7 @@
 
 use super::element::{Element, ImpactElement};
 use super::impact::{PUSHES, RigidImpact, stop};
-use super::numbers::structure;
-use super::offer::{Form, In, Offer};
-use super::{
-    ClosedForm, ContactKind, Cycle, Deflection, Described, Law, LawFault, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 use std::f64::consts::PI;
 
 /// Impact spring `[I (7), (8)]`, `S = k_I <r> r`: it pushes while r < 0 and never pulls (the paper does not print the last r).
@@ -49,39 +43,25 @@ impl Described for ImpactSpring {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "impact-spring";
     const OFFERS: &'static [Offer] = &[
-        Offer {
-            name: "impact",
-            also: &[],
-            oscillator: None,
-            bars: None,
-            structure: Some(In {
-                meaning: "closes when r reaches 0; a spring k [I (7)], or rigid with restitution e",
-                numbers: &[&structure::K, &structure::E],
-            }),
-            form: |given| match (given.given("k"), given.given("e")) {
-                (Some(stiffness), None) => Ok(Form::Spring { stiffness }),
-                (None, Some(e)) => stop(e),
+        Offer::new("impact", |given| {
+            match (given.given("k"), given.given("e")) {
+                (Some(stiffness), None) => Ok(Form::of(ImpactSpring { stiffness })),
+                (None, Some(e)) => stop(given, e),
                 (None, None) => Err(LawFault::Missing(SPRING, STOP)),
                 (Some(_), Some(_)) => Err(LawFault::Both(SPRING, STOP)),
-            },
-        },
-        Offer {
-            name: Self::NAME,
-            also: &["linearspring", "penaltyspring"],
-            oscillator: None,
-            bars: Some(In {
-                meaning: "linear spring [I (7)]",
-                numbers: &[],
-            }),
-            structure: Some(In {
-                meaning: "impact with the spring k [I (7)]",
-                numbers: &[&structure::K],
-            }),
-            form: |given| {
-                let stiffness = given.need("k")?;
-                Ok(Form::Spring { stiffness })
-            },
-        },
+            }
+        })
+        .in_structures(
+            "closes when r reaches 0; a spring k [I (7)], or rigid with restitution e",
+            &[&structure::K, &structure::E],
+        ),
+        Offer::new(Self::NAME, |given| {
+            let stiffness = given.need("k")?;
+            Ok(Form::of(ImpactSpring { stiffness }))
+        })
+        .also(&["linearspring", "penaltyspring"])
+        .between_bars("linear spring [I (7)]", &[])
+        .in_structures("impact with the spring k [I (7)]", &[&structure::K]),
     ];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
         RigidImpact::linear(law.stiffness, 0.0, mass, speed)
@@ -112,6 +92,15 @@ impl Properties for ImpactSpring {
     fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
         Some(PI / (self.stiffness * inverse_mass).sqrt())
     }
+
+    fn element(&self, _: f64, _: f64) -> Option<Box<dyn Element>> {
+        Some(Box::new(ImpactElement::new(self.stiffness)))
+    }
+
+    fn line(&self) -> Option<ClippedLine> {
+        let stiffness = self.stiffness;
+        Some(ClippedLine::Spring { stiffness })
+    }
 }
 
 impl Law for ImpactSpring {
@@ -124,10 +113,6 @@ impl Law for ImpactSpring {
             h: on.start.h,
             stiffness: (compliance + on.end.h).map(|c| 1.0 / c),
         }
-    }
-
-    fn element(&self, _: f64, _: f64) -> Option<Box<dyn Element>> {
-        Some(Box::new(ImpactElement::new(self.stiffness)))
     }
 
     /// From -`reach` to `reach`.

@@ -34,7 +34,9 @@ mod given;
 mod imk;
 pub mod impact;
 mod impact_spring;
+mod in_plane;
 mod kind;
+mod line;
 mod lugre;
 mod multilinear;
 pub mod number;
@@ -43,17 +45,20 @@ pub mod offer;
 mod one_sided;
 mod pendulum;
 pub mod plane;
+mod prelude;
 mod restrainer;
 mod roots;
 mod saturation;
 mod series;
 mod shared;
+mod straight;
 mod stribeck;
 mod tanh;
 mod velocity_control;
 mod viscous;
 
 pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, WhichLaw};
+pub use band::Band;
 pub use bearing::Bearing;
 pub use bilinear::Bilinear;
 pub use bouc_wen::BoucWen;
@@ -70,19 +75,22 @@ pub use impact::{
     Rigid, Ye,
 };
 pub use impact_spring::ImpactSpring;
+pub use in_plane::InPlane;
 pub use kind::ContactKind;
+pub use line::ClippedLine;
 pub use lugre::Lugre;
 pub use multilinear::Multilinear;
+pub use one_sided::OneSided;
 pub use pendulum::Pendulum;
 pub use restrainer::Restrainer;
 pub use series::in_series;
+pub use straight::Straight;
 pub use stribeck::Stribeck;
 pub use tanh::Tanh;
 pub use velocity_control::VelocityControl;
 pub use viscous::Viscous;
 
 use crate::lane::Lane;
-use element::Element;
 
 /// A contact at the start of a step, and its motion over the step without contact forces.
 #[derive(Debug, Clone, Copy)]
@@ -150,26 +158,6 @@ pub trait Law: Described + Properties {
     /// The law of friction with another limit, the static one in proportion; another law has none.
     fn at_limit(self, _limit: f64) -> Self {
         self
-    }
-
-    /// The law in continuous time, if it has a state; `None` where S follows from r and rdot, and from r and S at the last reversal.
-    fn evolution(&self) -> Option<&dyn Evolution> {
-        None
-    }
-
-    /// A number that changes its sign where S has a corner at this rdot, besides rdot = 0 and the bounds of S; 0 for a law without one.
-    fn corner(&self, _rdot: f64) -> f64 {
-        0.0
-    }
-
-    /// What the law does that has a meaning in time steps only; `None` if its steps tend to a motion in continuous time that is known.
-    fn only_in_steps(&self) -> Option<&'static str> {
-        None
-    }
-
-    /// The law as the papers print it, at r under S; `None` if they do not.
-    fn element(&self, _r: f64, _s: f64) -> Option<Box<dyn Element>> {
-        None
     }
 
     /// Points (r, S), or (rdot, S) for a viscous law, of a cycle between -`reach` and `reach`, and which of them carry a

@@ -2,7 +2,7 @@
 
 use super::number::Number;
 use super::numbers::structure;
-use super::{ContactKind, ContactLaw, GivenNumbers, LawFault, WhichLaw};
+use super::{ClippedLine, ContactKind, ContactLaw, GivenNumbers, LawFault, WhichLaw};
 
 /// A law by a name of studies: what pages and messages say of it, its numbers, and the law of these numbers.
 #[derive(Debug, Clone, Copy)]
@@ -19,6 +19,60 @@ pub struct Offer {
     pub structure: Option<In>,
     /// The law of its numbers between bars or in structures, or the rule that they break.
     pub form: fn(&GivenNumbers) -> Result<Form, LawFault>,
+}
+
+impl Offer {
+    /// A law that no problem offers yet.
+    pub const fn new(
+        name: &'static str,
+        form: fn(&GivenNumbers) -> Result<Form, LawFault>,
+    ) -> Offer {
+        Offer {
+            name,
+            also: &[],
+            oscillator: None,
+            bars: None,
+            structure: None,
+            form,
+        }
+    }
+
+    /// With words of other programs.
+    pub const fn also(self, also: &'static [&'static str]) -> Offer {
+        Offer { also, ..self }
+    }
+
+    /// Offered in the friction oscillator.
+    pub const fn in_oscillator(
+        self,
+        meaning: &'static str,
+        numbers: &'static [&'static Number],
+        law: fn(&GivenNumbers) -> Option<ContactLaw>,
+    ) -> Offer {
+        let of = In { meaning, numbers };
+        let oscillator = Some(InOscillator { of, law });
+        Offer { oscillator, ..self }
+    }
+
+    /// Offered between bars.
+    pub const fn between_bars(
+        self,
+        meaning: &'static str,
+        numbers: &'static [&'static Number],
+    ) -> Offer {
+        let bars = Some(In { meaning, numbers });
+        Offer { bars, ..self }
+    }
+
+    /// Offered in structures.
+    pub const fn in_structures(
+        self,
+        meaning: &'static str,
+        numbers: &'static [&'static Number],
+    ) -> Offer {
+        let structure = Some(In { meaning, numbers });
+        Offer { structure, ..self }
+    }
 }
 
 /// A law in a problem.
@@ -39,45 +93,53 @@ pub struct InOscillator {
     pub law: fn(&GivenNumbers) -> Option<ContactLaw>,
 }
 
-/// A law of bars or structures, in the numbers that studies give: the reciprocal of a stiffness has other bits.
+/// A law of bars or structures, with what its numbers tell besides.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Form {
-    /// An impact on a linear spring.
-    Spring {
-        /// k.
-        stiffness: f64,
-    },
-    /// An impact without compliance.
-    Stop {
-        /// e.
-        restitution: f64,
-    },
-    /// Friction, elastic up to the limit.
-    Elastic {
-        /// k.
-        stiffness: f64,
-    },
-    /// Friction, viscous up to the limit.
-    Viscous {
-        /// c.
-        viscosity: f64,
-    },
-    /// Friction without compliance.
-    Coulomb {
-        /// Static limit over the kinetic one, >= 1.
-        static_ratio: f64,
-    },
-    /// Another law of impact.
-    Impact {
-        /// The law.
-        law: ContactLaw,
-        /// Its target of the coefficient of restitution; 1 without damping.
-        restitution: f64,
-    },
-    /// Another law of friction.
-    Friction(ContactLaw),
-    /// A link.
-    Link(ContactLaw),
+pub struct Form {
+    /// The law; of friction its limit follows that of the contact.
+    pub law: ContactLaw,
+    /// The clipped line that it is.
+    pub line: Option<ClippedLine>,
+    /// The target of the coefficient of restitution of an impact; 1 without damping.
+    pub restitution: f64,
+    /// Of friction without compliance: the static limit over the kinetic one, >= 1.
+    pub static_ratio: f64,
+}
+
+impl Form {
+    /// The form of a law.
+    pub fn of(law: impl Into<ContactLaw>) -> Form {
+        let law = law.into();
+        Form {
+            line: law.line(),
+            law,
+            restitution: 1.0,
+            static_ratio: 1.0,
+        }
+    }
+
+    /// With a target of the coefficient of restitution.
+    pub fn with_restitution(self, restitution: f64) -> Form {
+        Form {
+            restitution,
+            ..self
+        }
+    }
+}
+
+impl From<ContactLaw> for Form {
+    fn from(law: ContactLaw) -> Form {
+        Form::of(law)
+    }
+}
+
+impl From<ClippedLine> for Form {
+    fn from(line: ClippedLine) -> Form {
+        Form {
+            line: Some(line),
+            ..Form::of(line.law())
+        }
+    }
 }
 
 /// An offer with what all names of a law share.

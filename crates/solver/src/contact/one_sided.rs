@@ -1,8 +1,6 @@
 //! A yielding spring that acts on one side of its gap.
 
-use super::number::{Number, Range, Usual};
-use super::{StepFlexibility, lanes};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// Tangent after yielding over k.
 pub(super) const HARDENING: Number = Number::new(
@@ -21,15 +19,15 @@ pub(super) const HARDENING: Number = Number::new(
 /// s is where the force ends on unloading, d - F/k while there is a force: the gap that yielding leaves. Without a force it stays, or
 /// the free end comes back with d, as far as to 0. The spring stores F^2/(2 k) and dissipates F ds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct OneSided {
+pub struct OneSided {
     /// k > 0.
-    pub(super) stiffness: f64,
+    pub stiffness: f64,
     /// Fy > 0.
-    pub(super) yield_force: f64,
+    pub yield_force: f64,
     /// eta, from 0 to 1.
-    pub(super) hardening: f64,
+    pub hardening: f64,
     /// Whether s comes back with d.
-    pub(super) returns: bool,
+    pub returns: bool,
 }
 
 /// The spring over a step.

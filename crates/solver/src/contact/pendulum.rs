@@ -1,14 +1,8 @@
 //! The friction pendulum.
 
-use super::number::{Number, Range};
-use super::numbers::structure;
-use super::offer::{Form, In, Offer};
+use super::band::Band;
 use super::saturation::rise;
-use super::{
-    ClosedForm, ContactKind, ContactLaw, Described, Evolution, Law, LawFault, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// Friction pendulum on a concave surface of radius R (Zayas, Low and Mahin 1990): S = F + (N/R) r, where F is friction with the limit
 /// nu N, elastic with k up to it. N is the force that presses; both parts follow it, and an open contact has none of them.
@@ -96,22 +90,7 @@ impl StoredEnergy for Pendulum {
 impl Described for Pendulum {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "pendulum";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &["frictionpendulum", "fps", "singlefpbearing"],
-        oscillator: None,
-        bars: None,
-        structure: Some(In {
-            meaning: "friction, elastic up to r^E, on a concave surface: plus (N/R) r (Zayas, Low and Mahin 1990)",
-            numbers: &[
-                &structure::K,
-                &structure::R_E,
-                &RADIUS,
-                &structure::NU_MIN,
-                &structure::NU_RATE,
-            ],
-        }),
-        form: |given| {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
             let radius = given.need("R")?;
             let nu = given
                 .given("nu")
@@ -123,15 +102,22 @@ impl Described for Pendulum {
             if power <= 0.0 {
                 return Err(LawFault::Needs(Self::NAME, "pressure_exponent < 1"));
             }
-            Ok(Form::Friction(ContactLaw::Pendulum(Pendulum {
+            Ok(Form::of(Pendulum {
                 compliance: 1.0 / given.stiffness()?,
                 limit: given.limit(),
                 restoring: 1.0 / (nu * radius),
                 at_rest: [given.limit(), power],
                 rising: given.bearing()?,
-            })))
-        },
-    }];
+            }))
+        })
+.also(&["frictionpendulum", "fps", "singlefpbearing"])
+.in_structures("friction, elastic up to r^E, on a concave surface: plus (N/R) r (Zayas, Low and Mahin 1990)", &[
+                &structure::K,
+                &structure::R_E,
+                &RADIUS,
+                &structure::NU_MIN,
+                &structure::NU_RATE,
+            ])];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
         let friction = (r / law.compliance).min(law.limit);
@@ -167,6 +153,33 @@ impl Properties for Pendulum {
     fn has_rigid_form(&self) -> bool {
         false
     }
+
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        Some(self)
+    }
+
+    fn in_plane(&self) -> Option<InPlane> {
+        Some(InPlane::Elastic {
+            compliance: self.compliance,
+            limit: self.limit,
+            spring: self.stiffness(),
+            from_zero: false,
+            rising: self.rising,
+        })
+    }
+
+    fn straight(&self) -> Option<Straight> {
+        let surface = self.stiffness();
+        let is_straight = self.limit > 0.0 && self.rising[0] == 1.0;
+        is_straight.then_some(Straight::Band {
+            band: Band {
+                stiffness: [1.0 / self.compliance + surface, surface],
+                bounds: [-self.limit, self.limit],
+            },
+            unbent: true,
+            is_stop: false,
+        })
+    }
 }
 
 impl Law for Pendulum {
@@ -174,10 +187,6 @@ impl Law for Pendulum {
 
     fn at_limit(self, limit: f64) -> Self {
         Pendulum { limit, ..self }
-    }
-
-    fn evolution(&self) -> Option<&dyn Evolution> {
-        Some(self)
     }
 
     #[inline(always)]

@@ -1,14 +1,7 @@
 //! A cable that restrains.
 
-use super::number::{Number, Range, Usual};
-use super::numbers::structure;
-use super::offer::{Form, In, Offer};
 use super::one_sided::{self, HARDENING, OneSided, Set};
-use super::{
-    ClosedForm, ContactKind, ContactLaw, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// A restrainer of a bridge, a cable or rod with slack: S = 0 up to r = slack, then it pulls with k up to Fy and hardens with eta k.
 /// It unloads with k and never pushes; yielding makes it longer, so that the slack grows by what it leaves.
@@ -68,24 +61,16 @@ impl StoredEnergy for Restrainer {
 impl Described for Restrainer {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "restrainer";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &["cable", "cablerestrainer", "hook", "tensiononly"],
-        oscillator: None,
-        bars: None,
-        structure: Some(In {
-            meaning: "pulls where r is more than its slack, with k; yields at Fy and becomes longer: a cable or rod",
-            numbers: &[&SLACK, &structure::K, &structure::FY, &HARDENING],
-        }),
-        form: |given| {
-            Ok(Form::Link(ContactLaw::Restrainer(Restrainer {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
+            Ok(Form::of(Restrainer {
                 slack: given.need("slack")?,
                 stiffness: given.need("k")?,
                 yield_force: given.need("Fy")?,
                 hardening: given.need("hardening")?,
-            })))
-        },
-    }];
+            }))
+        })
+.also(&["cable", "cablerestrainer", "hook", "tensiononly"])
+.in_structures("pulls where r is more than its slack, with k; yields at Fy and becomes longer: a cable or rod", &[&SLACK, &structure::K, &structure::FY, &HARDENING])];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let d = velocity * time - law.slack;
         let after = law.yield_force + law.hardening * (law.stiffness * d - law.yield_force);
@@ -108,6 +93,14 @@ impl Properties for Restrainer {
 
     fn bounds(&self) -> [f64; 2] {
         [0.0, self.spring().most()]
+    }
+
+    fn straight(&self) -> Option<Straight> {
+        Some(Straight::OneSided {
+            spring: self.spring(),
+            sign: 1.0,
+            shift: -self.slack,
+        })
     }
 }
 

@@ -1,13 +1,7 @@
 //! Friction that falls from a static to a kinetic limit with velocity.
 
-use super::numbers::{oscillator, structure};
-use super::offer::{Form, In, InOscillator, Offer};
 use super::saturation::rise;
-use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// Velocity-control model [F (16)] with a Stribeck curve: viscous up to the static limit L_s at rdot^E = compliance L_s, beyond it
 /// S = L_k + (L_s - L_k) exp(-(|rdot| - rdot^E)/v_S), the exponential form [Tustin 1947; Bo and Pavelescu 1982 with exponent 1].
@@ -70,52 +64,38 @@ impl Described for Stribeck {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "stribeck";
     const OF_VELOCITY: bool = true;
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &[],
-        oscillator: Some(InOscillator {
-            of: In {
-                meaning: "velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises",
-                numbers: &[
-                    &oscillator::BETA,
-                    &oscillator::STATIC_RATIO,
-                    &oscillator::STRIBECK_VELOCITY,
-                ],
-            },
-            law: |given| {
-                let [width, static_limit, stribeck_velocity] = given.all()?;
-                Some(ContactLaw::Stribeck(Stribeck {
-                    // rdot^E is that of the static limit.
-                    compliance: width / static_limit,
-                    limit: 1.0,
-                    static_limit,
-                    stribeck_velocity,
-                }))
-            },
-        }),
-        bars: None,
-        structure: Some(In {
-            meaning: "friction, viscous up to the static limit, which falls to the kinetic one with rdot (Stribeck 1902)",
-            numbers: &[
-                &structure::C,
-                &structure::RDOT_E,
-                &structure::STATIC_RATIO,
-                &structure::STRIBECK_VELOCITY,
-            ],
-        }),
-        form: |given| {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
             let limit = given.limit();
             let static_limit = given.need("static_ratio")? * limit;
             let stribeck_velocity = given.need("stribeck_velocity")?;
-            Ok(Form::Friction(ContactLaw::Stribeck(Stribeck {
+            Ok(Form::of(Stribeck {
                 // rdot^E is that of the static limit.
                 compliance: 1.0 / given.viscosity(static_limit)?,
                 limit,
                 static_limit,
                 stribeck_velocity,
-            })))
-        },
-    }];
+            }))
+        })
+.in_oscillator("velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises", &[
+                    &oscillator::BETA,
+                    &oscillator::STATIC_RATIO,
+                    &oscillator::STRIBECK_VELOCITY,
+                ], |given| {
+                let [width, static_limit, stribeck_velocity] = given.all()?;
+                Some(Stribeck {
+                    // rdot^E is that of the static limit.
+                    compliance: width / static_limit,
+                    limit: 1.0,
+                    static_limit,
+                    stribeck_velocity,
+                }.into())
+            })
+.in_structures("friction, viscous up to the static limit, which falls to the kinetic one with rdot (Stribeck 1902)", &[
+                &structure::C,
+                &structure::RDOT_E,
+                &structure::STATIC_RATIO,
+                &structure::STRIBECK_VELOCITY,
+            ])];
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)));
 }
@@ -144,6 +124,18 @@ impl Properties for Stribeck {
     fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
         on.end.h_rate.0[0] * (self.static_limit - self.limit) < self.stribeck_velocity
     }
+
+    fn corner(&self, rdot: f64) -> f64 {
+        rdot.abs() - self.compliance * self.static_limit
+    }
+
+    fn is_vertical(&self) -> bool {
+        self.compliance == 0.0
+    }
+
+    fn in_plane(&self) -> Option<InPlane> {
+        Some(InPlane::OfVelocity { viscous: None })
+    }
 }
 
 impl Law for Stribeck {
@@ -160,10 +152,6 @@ impl Law for Stribeck {
             static_limit,
             ..self
         }
-    }
-
-    fn corner(&self, rdot: f64) -> f64 {
-        rdot.abs() - self.compliance * self.static_limit
     }
 
     #[inline(always)]

@@ -1,13 +1,7 @@
 //! Friction with a hyperbolic tangent of the velocity.
 
-use super::numbers::{oscillator, structure};
-use super::offer::{Form, In, InOscillator, Offer};
-use super::saturation::{self, rise};
-use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
-};
-use crate::lane::Lane;
+use super::saturation::rise;
+use crate::contact::prelude::*;
 
 /// S = nu(rdot) N tanh(rdot/rdot^E), rdot^E = compliance limit: the velocity-control model without corners [Andersson, Soderberg
 /// and Bjorklund 2007].
@@ -60,49 +54,45 @@ impl Described for Tanh {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "tanh";
     const OF_VELOCITY: bool = true;
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &[],
-        oscillator: Some(InOscillator {
-            of: In {
-                meaning: "nu N tanh(rdot/rdot^E), without corners (Andersson, Soderberg and Bjorklund 2007)",
-                numbers: &[
-                    &oscillator::BETA,
-                    &oscillator::NU_RATIO,
-                    &oscillator::NU_RATE,
-                ],
-            },
-            law: |given| {
-                let [compliance, ratio, rate] = given.all()?;
-                Some(ContactLaw::Tanh(Tanh {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
+        let limit = given.limit();
+        let [ratio, rate] = given.bearing()?;
+        Ok(Form::of(Tanh {
+            compliance: 1.0 / given.viscosity(limit)?,
+            limit,
+            ratio,
+            rate,
+        }))
+    })
+    .in_oscillator(
+        "nu N tanh(rdot/rdot^E), without corners (Andersson, Soderberg and Bjorklund 2007)",
+        &[
+            &oscillator::BETA,
+            &oscillator::NU_RATIO,
+            &oscillator::NU_RATE,
+        ],
+        |given| {
+            let [compliance, ratio, rate] = given.all()?;
+            Some(
+                Tanh {
                     compliance,
                     limit: 1.0,
                     ratio,
                     rate,
-                }))
-            },
-        }),
-        bars: None,
-        structure: Some(In {
-            meaning: "friction, limit times tanh(rdot/rdot^E)",
-            numbers: &[
-                &structure::C,
-                &structure::RDOT_E,
-                &structure::NU_MIN,
-                &structure::NU_RATE,
-            ],
-        }),
-        form: |given| {
-            let limit = given.limit();
-            let [ratio, rate] = given.bearing()?;
-            Ok(Form::Friction(ContactLaw::Tanh(Tanh {
-                compliance: 1.0 / given.viscosity(limit)?,
-                limit,
-                ratio,
-                rate,
-            })))
+                }
+                .into(),
+            )
         },
-    }];
+    )
+    .in_structures(
+        "friction, limit times tanh(rdot/rdot^E)",
+        &[
+            &structure::C,
+            &structure::RDOT_E,
+            &structure::NU_MIN,
+            &structure::NU_RATE,
+        ],
+    )];
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)[0]));
 }
@@ -122,6 +112,14 @@ impl Properties for Tanh {
 
     fn over_velocity(&self) -> bool {
         true
+    }
+
+    fn is_vertical(&self) -> bool {
+        self.compliance == 0.0
+    }
+
+    fn in_plane(&self) -> Option<InPlane> {
+        Some(InPlane::OfVelocity { viscous: None })
     }
 }
 

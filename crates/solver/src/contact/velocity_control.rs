@@ -1,13 +1,8 @@
 //! The velocity-control model of friction.
 
+use super::Bearing;
 use super::element::{Element, VelocityFriction};
-use super::numbers::{oscillator, structure};
-use super::offer::{Form, In, InOscillator, Offer};
-use super::{
-    Bearing, ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// Velocity-control model [F (16)]: viscous up to rdot^E = nu |N|/c^C, then sliding at the friction limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,63 +35,52 @@ impl Described for VelocityControl {
     const NAME: &'static str = "velocity-control";
     const OF_VELOCITY: bool = true;
     const OFFERS: &'static [Offer] = &[
-        Offer {
-            name: Self::NAME,
-            also: &[],
-            oscillator: Some(InOscillator {
-                of: In {
-                    meaning: "viscous up to the velocity rdot^E, then at the friction limit [F (16)]",
-                    numbers: &[
-                        &oscillator::BETA,
-                        &oscillator::NU_RATIO,
-                        &oscillator::NU_RATE,
-                    ],
-                },
-                law: |given| {
-                    let [compliance, ratio, rate] = given.all()?;
-                    Some(with_ratio(compliance, 1.0, [ratio, rate]))
-                },
-            }),
-            bars: None,
-            structure: Some(In {
-                meaning: "friction, viscous up to the velocity rdot^E, then at the limit [F (16)]",
-                numbers: &[
-                    &structure::C,
-                    &structure::RDOT_E,
-                    &structure::NU_MIN,
-                    &structure::NU_RATE,
-                ],
-            }),
-            form: |given| {
-                let viscosity = given.viscosity(given.limit())?;
-                let [ratio, rate] = given.bearing()?;
-                if ratio == 1.0 {
-                    return Ok(Form::Viscous { viscosity });
-                }
-                let law = with_ratio(1.0 / viscosity, given.limit(), [ratio, rate]);
-                Ok(Form::Friction(law))
+        Offer::new(Self::NAME, |given| {
+            let viscosity = given.viscosity(given.limit())?;
+            let [ratio, rate] = given.bearing()?;
+            if ratio == 1.0 {
+                return Ok(ClippedLine::Viscous { viscosity }.into());
+            }
+            let law = with_ratio(1.0 / viscosity, given.limit(), [ratio, rate]);
+            Ok(Form::of(law))
+        })
+        .in_oscillator(
+            "viscous up to the velocity rdot^E, then at the friction limit [F (16)]",
+            &[
+                &oscillator::BETA,
+                &oscillator::NU_RATIO,
+                &oscillator::NU_RATE,
+            ],
+            |given| {
+                let [compliance, ratio, rate] = given.all()?;
+                Some(with_ratio(compliance, 1.0, [ratio, rate]))
             },
-        },
-        Offer {
-            name: VelocityControl::RIGID_NAME,
-            also: &[],
-            oscillator: Some(InOscillator {
-                of: In {
-                    meaning: "without compliance: sticks below the friction limit, slides at it",
-                    numbers: &[],
-                },
-                law: |_| Some(with_ratio(0.0, 1.0, [1.0, 0.0])),
-            }),
-            bars: None,
-            structure: Some(In {
-                meaning: "friction without compliance: sticks below the static limit, slides at the limit",
-                numbers: &[&structure::STATIC_RATIO],
-            }),
-            form: |given| {
-                let static_ratio = given.need("static_ratio")?;
-                Ok(Form::Coulomb { static_ratio })
-            },
-        },
+        )
+        .in_structures(
+            "friction, viscous up to the velocity rdot^E, then at the limit [F (16)]",
+            &[
+                &structure::C,
+                &structure::RDOT_E,
+                &structure::NU_MIN,
+                &structure::NU_RATE,
+            ],
+        ),
+        Offer::new(VelocityControl::RIGID_NAME, |given| {
+            let static_ratio = given.need("static_ratio")?;
+            Ok(Form {
+                static_ratio,
+                ..ClippedLine::Coulomb.into()
+            })
+        })
+        .in_oscillator(
+            "without compliance: sticks below the friction limit, slides at it",
+            &[],
+            |_| Some(with_ratio(0.0, 1.0, [1.0, 0.0])),
+        )
+        .in_structures(
+            "friction without compliance: sticks below the static limit, slides at the limit",
+            &[&structure::STATIC_RATIO],
+        ),
     ];
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some((velocity / law.compliance).min(law.limit)));
@@ -121,6 +105,29 @@ impl Properties for VelocityControl {
     fn over_velocity(&self) -> bool {
         true
     }
+
+    /// In the papers the normal force of a closed contact is negative.
+    fn element(&self, _: f64, _: f64) -> Option<Box<dyn Element>> {
+        let element = VelocityFriction::new(1.0 / self.compliance, self.limit, -1.0);
+        Some(Box::new(element))
+    }
+
+    fn is_vertical(&self) -> bool {
+        self.compliance == 0.0
+    }
+
+    fn line(&self) -> Option<ClippedLine> {
+        let viscosity = 1.0 / self.compliance;
+        Some(match self.is_vertical() {
+            true => ClippedLine::Coulomb,
+            false => ClippedLine::Viscous { viscosity },
+        })
+    }
+
+    fn in_plane(&self) -> Option<InPlane> {
+        let viscous = Some([self.compliance, self.limit]);
+        Some(InPlane::OfVelocity { viscous })
+    }
 }
 
 impl Law for VelocityControl {
@@ -138,12 +145,6 @@ impl Law for VelocityControl {
             by_rate,
             by_force: on.start.h_rate * by_rate,
         }
-    }
-
-    /// In the papers the normal force of a closed contact is negative.
-    fn element(&self, _: f64, _: f64) -> Option<Box<dyn Element>> {
-        let element = VelocityFriction::new(1.0 / self.compliance, self.limit, -1.0);
-        Some(Box::new(element))
     }
 
     /// From -`reach` to `reach` [F Fig. 3]; a compliance of zero is the rigid law.
@@ -164,13 +165,14 @@ impl Law for VelocityControl {
 /// The law with nu_min/nu and the rate of the coefficient: that of a bearing if they matter.
 fn with_ratio(compliance: f64, limit: f64, [ratio, rate]: [f64; 2]) -> ContactLaw {
     match ratio == 1.0 {
-        true => ContactLaw::VelocityControl(VelocityControl { compliance, limit }),
-        false => ContactLaw::Bearing(Bearing {
+        true => VelocityControl { compliance, limit }.into(),
+        false => Bearing {
             compliance,
             limit,
             ratio,
             rate,
-        }),
+        }
+        .into(),
     }
 }
 

@@ -1,13 +1,6 @@
 //! A damper with a power of velocity.
 
-use super::number::{Number, Range};
-use super::numbers::structure;
-use super::offer::{Form, In, Offer};
-use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 use libm::pow;
 
 /// Fluid viscous damper, S = c |rdot|^a sgn rdot. It stores nothing. A cycle r = x sin(w t) dissipates
@@ -71,22 +64,17 @@ impl Described for Viscous {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "viscous";
     const OF_VELOCITY: bool = true;
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &["viscousdamper", "damper", "fluiddamper"],
-        oscillator: None,
-        bars: None,
-        structure: Some(In {
-            meaning: "damper with a power of velocity, S = c abs(rdot)^a sgn rdot",
-            numbers: &[&structure::C, &A],
-        }),
-        form: |given| {
-            Ok(Form::Link(ContactLaw::Viscous(Viscous {
-                viscosity: given.need("c")?,
-                exponent: given.need("a")?,
-            })))
-        },
-    }];
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
+        Ok(Form::of(Viscous {
+            viscosity: given.need("c")?,
+            exponent: given.need("a")?,
+        }))
+    })
+    .also(&["viscousdamper", "damper", "fluiddamper"])
+    .in_structures(
+        "damper with a power of velocity, S = c abs(rdot)^a sgn rdot",
+        &[&structure::C, &A],
+    )];
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)));
 }

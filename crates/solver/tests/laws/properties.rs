@@ -85,25 +85,31 @@ fn properties(law: &ContactLaw) -> Vec<(&'static str, String)> {
             "z, dz/dt, S, bound",
             evolution.map_or("-".to_owned(), |own| all(&own)),
         ),
-        ("corner", number(law.corner(rdot))),
+        ("corner", number(own.corner(rdot))),
         (
             "only in steps",
-            law.only_in_steps().unwrap_or("-").to_owned(),
+            own.only_in_steps().unwrap_or("-").to_owned(),
         ),
-        ("printed", yes(law.element(r, s).is_some())),
+        ("printed", yes(own.element(r, s).is_some())),
         ("driven", option(law.driven(0.6, 0.5))),
         (
             "restitution",
             option(law.collision(0.5, 1.0).map(|own| own.restitution)),
         ),
         ("at limit 1", all(&law.at_limit(1.0).properties().bounds())),
-        ("vertical", yes(law.is_vertical())),
+        ("vertical", yes(own.is_vertical())),
         (
             "without damper",
             law.without_damper()
                 .map_or("-".to_owned(), |own| own.name().to_owned()),
         ),
         ("in a plane", yes(slides_in_plane(law))),
+        ("straight lines", yes(own.straight().is_some())),
+        (
+            "clipped line",
+            own.line()
+                .map_or("-".to_owned(), |line| format!("{line:?}").replace(' ', "")),
+        ),
     ]
 }
 

@@ -1,13 +1,7 @@
 //! What the law says of itself.
 
 use super::{Backbone, Imk, Numbers};
-use crate::contact::number::{Number, Range, Usual};
-use crate::contact::numbers::structure;
-use crate::contact::offer::{Form, In, Offer};
-use crate::contact::{
-    ClosedForm, ContactKind, ContactLaw, Described, GivenNumbers, LawFault, Properties,
-    StepFlexibility,
-};
+use crate::contact::prelude::*;
 
 const TO_CAP: Number = Number::new(
     ["Up", "*U*_p_", "length"],
@@ -204,44 +198,28 @@ fn form(given: &GivenNumbers, pinching: Option<[f64; 2]>) -> Result<Form, LawFau
         given.need("c_A")?,
         given.need("c_K")?,
     ];
-    Ok(Form::Link(ContactLaw::Imk(Imk::new(Numbers {
+    Ok(Form::of(Imk::new(Numbers {
         stiffness,
         sides: [negative, positive],
         energies: ["lambda_S", "lambda_C", "lambda_A", "lambda_K"].map(energy),
         exponents: [s, c, a, k],
         pinching,
-    }))))
+    })))
 }
 
 impl Described for Imk {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "imk-peak-oriented";
     const OFFERS: &'static [Offer] = &[
-        Offer {
-            name: Self::NAME,
-            also: &["imkpeakoriented", "modimkpeakoriented", "imk", "clough"],
-            oscillator: None,
-            bars: None,
-            structure: Some(In {
-                meaning: "a hinge that hardens, softens and degrades with the energy that it takes, loaded again towards its peak (Ibarra, Medina and Krawinkler 2005)",
-                numbers: &COMMON,
-            }),
-            form: |given| form(given, None),
-        },
-        Offer {
-            name: "imk-pinching",
-            also: &["imkpinching", "modimkpinching"],
-            oscillator: None,
-            bars: None,
-            structure: Some(In {
-                meaning: "the same with pinching: loaded again first towards a point below the line to its peak",
-                numbers: &WITH_PINCHING,
-            }),
-            form: |given| {
+        Offer::new(Self::NAME, |given| form(given, None))
+.also(&["imkpeakoriented", "modimkpeakoriented", "imk", "clough"])
+.in_structures("a hinge that hardens, softens and degrades with the energy that it takes, loaded again towards its peak (Ibarra, Medina and Krawinkler 2005)", &COMMON),
+        Offer::new("imk-pinching", |given| {
                 let pinching = [given.need("kappa_F")?, given.need("kappa_D")?];
                 form(given, Some(pinching))
-            },
-        },
+            })
+.also(&["imkpinching", "modimkpinching"])
+.in_structures("the same with pinching: loaded again first towards a point below the line to its peak", &WITH_PINCHING),
     ];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
@@ -295,5 +273,9 @@ impl Properties for Imk {
 
     fn has_rigid_form(&self) -> bool {
         false
+    }
+
+    fn only_in_steps(&self) -> Option<&'static str> {
+        Some("adds up its energy step by step")
     }
 }

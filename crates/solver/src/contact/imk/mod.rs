@@ -1,13 +1,13 @@
 //! A part that degrades: the model of Ibarra, Medina and Krawinkler, peak-oriented, with or without pinching.
 
+use super::shared::Shared;
+use super::{Law, StepFlexibility, StepLaw, StoredEnergy, Trial};
+use crate::contact::prelude::*;
 mod backbone;
 mod described;
 mod state;
 mod walk;
 
-use super::shared::Shared;
-use super::{Law, StepFlexibility, StepLaw, StoredEnergy, Trial};
-use crate::lane::Lane;
 use backbone::Backbone;
 use state::State;
 use std::ops::Deref;
@@ -108,10 +108,6 @@ impl Law for Imk {
             laws: *laws,
             h: [on.start.h, on.end.h],
         }
-    }
-
-    fn only_in_steps(&self) -> Option<&'static str> {
-        Some("adds up its energy step by step")
     }
 }
 

@@ -7,16 +7,10 @@ use prelude::*;
 /// What [`damped_hertz`] uses, for files with another formula.
 pub(super) mod prelude {
     pub(in crate::contact::impact) use super::super::{
-        ClosingSpeed, Free, PUSHES, RigidImpact, hertz, loop_of, resisting,
+        ClosingSpeed, Free, Hertz, PUSHES, RigidImpact, hertz, loop_of, resisting,
     };
     pub(in crate::contact::impact) use super::{Step, cycle};
-    pub(in crate::contact::impact) use crate::contact::numbers::{bars, structure};
-    pub(in crate::contact::impact) use crate::contact::offer::{Form, In, Offer};
-    pub(in crate::contact::impact) use crate::contact::{
-        ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-        StepLaw, StoredEnergy, Trial, lanes,
-    };
-    pub(in crate::contact::impact) use crate::lane::Lane;
+    pub(in crate::contact::impact) use crate::contact::prelude::*;
 }
 
 /// The law over a step.
@@ -75,26 +69,13 @@ macro_rules! damped_hertz {
             const KIND: ContactKind = ContactKind::Impact;
             const NAME: &'static str = $name;
             const OFFERS: &'static [Offer] = &[
-                Offer {
-                    name: Self::NAME,
-                    also: &[$($($also),+)?],
-                    oscillator: None,
-                    bars: Some(In {
-                        meaning: $meaning,
-                        numbers: &[&bars::K_H, &bars::RESTITUTION],
-                    }),
-                    structure: Some(In {
-                        meaning: $meaning,
-                        numbers: &[&structure::K_H, &structure::RESTITUTION],
-                    }),
-                    form: |given| {
+                Offer::new(Self::NAME, |given| {
                         let (k_h, restitution) = (given.need("k_h")?, given.need("restitution")?);
-                        Ok(Form::Impact {
-                            law: ContactLaw::$law($law::new(k_h, restitution)),
-                            restitution,
-                        })
-                    },
-                },
+                        Ok(Form::of($law::new(k_h, restitution)).with_restitution(restitution))
+                    })
+.also(&[$($($also),+)?])
+.between_bars($meaning, &[&bars::K_H, &bars::RESTITUTION])
+.in_structures($meaning, &[&structure::K_H, &structure::RESTITUTION]),
             ];
             const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
                 RigidImpact::hertz(law.stiffness, law.damping, mass, speed)
@@ -120,6 +101,11 @@ macro_rules! damped_hertz {
 
             fn bounds(&self) -> [f64; 2] {
                 PUSHES
+            }
+
+            fn undamped(&self) -> Option<ContactLaw> {
+                let stiffness = self.stiffness;
+                Some(Hertz { stiffness }.into())
             }
 
             fn divides_by_closing_speed(&self) -> bool {

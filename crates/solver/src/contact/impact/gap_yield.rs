@@ -2,15 +2,8 @@
 
 use super::yielding::Yielding;
 use super::{loop_of, resisting};
-use crate::contact::number::{Number, Range, Usual};
-use crate::contact::numbers::structure;
-use crate::contact::offer::{Form, In, Offer};
 use crate::contact::one_sided::{self, HARDENING, OneSided, Set};
-use crate::contact::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 use std::f64::consts::PI;
 
 /// A stop behind a gap that yields: F = -S over the overlap d = -r is elastic with k up to Fy, then hardens with eta k, and unloads with
@@ -80,28 +73,17 @@ impl StoredEnergy for GapYield {
 impl Described for GapYield {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "gap-yield";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &["elasticppgap", "shearkey"],
-        oscillator: None,
-        bars: None,
-        structure: Some(In {
-            meaning: "closes when r reaches 0; a spring k that yields at Fy and may leave a wider gap: a shear key, soil",
-            numbers: &[&structure::K, &structure::FY, &HARDENING, &DAMAGE],
-        }),
-        form: |given| {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
             let law = GapYield {
                 stiffness: given.need("k")?,
                 yield_force: given.need("Fy")?,
                 hardening: given.need("hardening")?,
                 damage: given.need("damage")? != 0.0,
             };
-            Ok(Form::Impact {
-                law: ContactLaw::GapYield(law),
-                restitution: 1.0,
-            })
-        },
-    }];
+            Ok(Form::of(law))
+        })
+.also(&["elasticppgap", "shearkey"])
+.in_structures("closes when r reaches 0; a spring k that yields at Fy and may leave a wider gap: a shear key, soil", &[&structure::K, &structure::FY, &HARDENING, &DAMAGE])];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
         let yielding = Yielding {
             stiffness: law.stiffness,
@@ -140,6 +122,14 @@ impl Properties for GapYield {
 
     fn has_rigid_form(&self) -> bool {
         false
+    }
+
+    fn straight(&self) -> Option<Straight> {
+        Some(Straight::OneSided {
+            spring: self.spring(),
+            sign: -1.0,
+            shift: 0.0,
+        })
     }
 }
 

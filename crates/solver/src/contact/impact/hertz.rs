@@ -2,13 +2,7 @@
 
 use super::newton::{above_cube_root, above_fifth_root, newton};
 use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
-use crate::contact::numbers::{bars, structure};
-use crate::contact::offer::{Form, In, Offer};
-use crate::contact::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Deflection, Described, Flexibility, Law,
-    Properties, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 
 /// F = k_h delta^1.5 (Goldsmith, Impact, 1960).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,26 +126,18 @@ impl StoredEnergy for Hertz {
 impl Described for Hertz {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "hertz";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &[],
-        oscillator: None,
-        bars: Some(In {
-            meaning: "spring with the force k_h delta^1.5 (Goldsmith 1960)",
-            numbers: &[&bars::K_H],
-        }),
-        structure: Some(In {
-            meaning: "impact with the force k_h delta^1.5, delta = -r (Goldsmith 1960)",
-            numbers: &[&structure::K_H],
-        }),
-        form: |given| {
-            let stiffness = given.need("k_h")?;
-            Ok(Form::Impact {
-                law: ContactLaw::Hertz(Hertz { stiffness }),
-                restitution: 1.0,
-            })
-        },
-    }];
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
+        let stiffness = given.need("k_h")?;
+        Ok(Form::of(Hertz { stiffness }))
+    })
+    .between_bars(
+        "spring with the force k_h delta^1.5 (Goldsmith 1960)",
+        &[&bars::K_H],
+    )
+    .in_structures(
+        "impact with the force k_h delta^1.5, delta = -r (Goldsmith 1960)",
+        &[&structure::K_H],
+    )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
         RigidImpact::hertz(law.stiffness, 0.0, mass, speed)
     });

@@ -3,14 +3,7 @@
 use super::hertz::POINTS;
 use super::rigid_impact::integral;
 use super::{PUSHES, RigidImpact, loop_of, resisting};
-use crate::contact::number::{Number, Range, Usual};
-use crate::contact::numbers::structure;
-use crate::contact::offer::{Form, In, Offer};
-use crate::contact::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, lanes, roots,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 use libm::{log1p, sqrt};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -154,16 +147,7 @@ impl StoredEnergy for HyperbolicGap {
 impl Described for HyperbolicGap {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "hyperbolic-gap";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &["hyperbolicgapmaterial", "backfill", "abutment"],
-        oscillator: None,
-        bars: None,
-        structure: Some(In {
-            meaning: "closes when r reaches 0; pushes along a hyperbola: the backfill of an abutment (Duncan and Mokwa 2001, Shamsabadi et al. 2007)",
-            numbers: &[&structure::K, &F_ULT, &R_F, &K_UNLOADING],
-        }),
-        form: |given| {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
             let stiffness = given.need("k")?;
             let unloading = given.given("k_unloading").unwrap_or(stiffness);
             given.at_most("k", stiffness, ("k_unloading", unloading))?;
@@ -173,12 +157,10 @@ impl Described for HyperbolicGap {
                 failure_ratio: given.need("Rf")?,
                 unloading,
             };
-            Ok(Form::Impact {
-                law: ContactLaw::HyperbolicGap(law),
-                restitution: 1.0,
-            })
-        },
-    }];
+            Ok(Form::of(law))
+        })
+.also(&["hyperbolicgapmaterial", "backfill", "abutment"])
+.in_structures("closes when r reaches 0; pushes along a hyperbola: the backfill of an abutment (Duncan and Mokwa 2001, Shamsabadi et al. 2007)", &[&structure::K, &F_ULT, &R_F, &K_UNLOADING])];
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Collision(|law, mass, speed| law.collision(mass, speed));
 }

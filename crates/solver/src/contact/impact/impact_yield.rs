@@ -3,14 +3,7 @@
 use super::yielding::Yielding;
 use super::{PUSHES, loop_of, resisting};
 use crate::contact::band::{self, Band};
-use crate::contact::number::{Number, Range};
-use crate::contact::numbers::structure;
-use crate::contact::offer::{Form, In, Offer};
-use crate::contact::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, LawFault, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 use std::f64::consts::PI;
 
 /// Bilinear law of impact that yields (Muthukumar and DesRoches 2006): F = -S over the overlap d = -r rises with k1 up to the overlap
@@ -83,16 +76,7 @@ impl StoredEnergy for ImpactYield {
 impl Described for ImpactYield {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "impact-yield";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &["impactmaterial", "bilinearimpact", "muthukumardesroches"],
-        oscillator: None,
-        bars: None,
-        structure: Some(In {
-            meaning: "impact with k1, from delta_y on k2, unloading with k1, then k2 (Muthukumar and DesRoches 2006)",
-            numbers: &[&structure::K1, &structure::K2, &DELTA_Y],
-        }),
-        form: |given| {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
             let (stiffness, hardening) = (given.need("k1")?, given.need("k2")?);
             if hardening <= 0.0 {
                 return Err(LawFault::NotPositive("k2"));
@@ -102,12 +86,10 @@ impl Described for ImpactYield {
                 hardening: given.at_most("k2", hardening, ("k1", stiffness))?,
                 yield_overlap: given.need("delta_y")?,
             };
-            Ok(Form::Impact {
-                law: ContactLaw::ImpactYield(law),
-                restitution: 1.0,
-            })
-        },
-    }];
+            Ok(Form::of(law))
+        })
+.also(&["impactmaterial", "bilinearimpact", "muthukumardesroches"])
+.in_structures("impact with k1, from delta_y on k2, unloading with k1, then k2 (Muthukumar and DesRoches 2006)", &[&structure::K1, &structure::K2, &DELTA_Y])];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
         let yielding = Yielding {
             stiffness: law.stiffness,
@@ -146,6 +128,19 @@ impl Properties for ImpactYield {
 
     fn has_rigid_form(&self) -> bool {
         false
+    }
+
+    /// S = -F falls to the line where F yields.
+    fn straight(&self) -> Option<Straight> {
+        let band = Band {
+            bounds: [-self.width(), 0.0],
+            ..self.band()
+        };
+        Some(Straight::Band {
+            band,
+            unbent: false,
+            is_stop: true,
+        })
     }
 }
 

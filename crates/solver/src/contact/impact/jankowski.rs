@@ -1,16 +1,10 @@
 //! The non-linear viscoelastic law, with damping while the bodies approach.
 
 use super::collision::HertzDashpot;
-use super::hertz::{self, POINTS, bound, conservative_force, push, stored_energy};
+use super::hertz::{self, Hertz, POINTS, bound, conservative_force, push, stored_energy};
 use super::newton::newton;
 use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
-use crate::contact::numbers::{bars, structure};
-use crate::contact::offer::{Form, In, Offer};
-use crate::contact::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, lanes,
-};
-use crate::lane::Lane;
+use crate::contact::prelude::*;
 use libm::sqrt;
 use std::f64::consts::PI;
 
@@ -64,31 +58,23 @@ impl StoredEnergy for Jankowski {
 impl Described for Jankowski {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "jankowski";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &[],
-        oscillator: None,
-        bars: Some(In {
-            meaning: "hertz with a dashpot while approaching (Jankowski 2005, 2006)",
-            numbers: &[&bars::K_H, &bars::RESTITUTION],
-        }),
-        structure: Some(In {
-            meaning: "hertz with a dashpot while approaching (Jankowski 2005, 2006)",
-            numbers: &[
-                &structure::K_H,
-                &structure::RESTITUTION,
-                &structure::COLLIDING_MASS,
-            ],
-        }),
-        form: |given| {
-            let (k_h, restitution) = (given.need("k_h")?, given.need("restitution")?);
-            let law = Jankowski::new(k_h, restitution, given.need("colliding_mass")?);
-            Ok(Form::Impact {
-                law: ContactLaw::Jankowski(law),
-                restitution,
-            })
-        },
-    }];
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
+        let (k_h, restitution) = (given.need("k_h")?, given.need("restitution")?);
+        let law = Jankowski::new(k_h, restitution, given.need("colliding_mass")?);
+        Ok(Form::of(law).with_restitution(restitution))
+    })
+    .between_bars(
+        "hertz with a dashpot while approaching (Jankowski 2005, 2006)",
+        &[&bars::K_H, &bars::RESTITUTION],
+    )
+    .in_structures(
+        "hertz with a dashpot while approaching (Jankowski 2005, 2006)",
+        &[
+            &structure::K_H,
+            &structure::RESTITUTION,
+            &structure::COLLIDING_MASS,
+        ],
+    )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
         RigidImpact::dashpot(law.stiffness, law.ratio(mass), mass, speed)
     });
@@ -121,6 +107,11 @@ impl Properties for Jankowski {
 
     fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
         hertz::touching_time(self.stiffness, inverse_mass, overlap?)
+    }
+
+    fn undamped(&self) -> Option<ContactLaw> {
+        let stiffness = self.stiffness;
+        Some(Hertz { stiffness }.into())
     }
 }
 

@@ -3,13 +3,8 @@
 use super::collision::Linear;
 use super::hertz::POINTS;
 use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
-use crate::contact::numbers::{bars, structure};
-use crate::contact::offer::{Form, In, Offer};
-use crate::contact::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Flexibility, Law, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
-};
-use crate::lane::Lane;
+use crate::contact::ImpactSpring;
+use crate::contact::prelude::*;
 use libm::{log, sqrt};
 use std::f64::consts::PI;
 
@@ -68,31 +63,24 @@ impl StoredEnergy for KelvinVoigt {
 impl Described for KelvinVoigt {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "kelvin-voigt";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &["viscoelastic", "linearviscoelastic"],
-        oscillator: None,
-        bars: Some(In {
-            meaning: "linear spring and dashpot that do not pull (Anagnostopoulos 1988)",
-            numbers: &[&bars::RESTITUTION],
-        }),
-        structure: Some(In {
-            meaning: "impact with the spring k and a dashpot that do not pull (Anagnostopoulos 1988)",
-            numbers: &[
-                &structure::K,
-                &structure::RESTITUTION,
-                &structure::COLLIDING_MASS,
-            ],
-        }),
-        form: |given| {
-            let (k, restitution) = (given.need("k")?, given.need("restitution")?);
-            let law = KelvinVoigt::new(k, restitution, given.need("colliding_mass")?);
-            Ok(Form::Impact {
-                law: ContactLaw::KelvinVoigt(law),
-                restitution,
-            })
-        },
-    }];
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
+        let (k, restitution) = (given.need("k")?, given.need("restitution")?);
+        let law = KelvinVoigt::new(k, restitution, given.need("colliding_mass")?);
+        Ok(Form::of(law).with_restitution(restitution))
+    })
+    .also(&["viscoelastic", "linearviscoelastic"])
+    .between_bars(
+        "linear spring and dashpot that do not pull (Anagnostopoulos 1988)",
+        &[&bars::RESTITUTION],
+    )
+    .in_structures(
+        "impact with the spring k and a dashpot that do not pull (Anagnostopoulos 1988)",
+        &[
+            &structure::K,
+            &structure::RESTITUTION,
+            &structure::COLLIDING_MASS,
+        ],
+    )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
         RigidImpact::linear(law.stiffness, law.ratio(mass), mass, speed)
     });
@@ -124,6 +112,11 @@ impl Properties for KelvinVoigt {
     fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
         let omega = (self.stiffness * inverse_mass).sqrt();
         Some(2.0 * damped(self.ratio(1.0 / inverse_mass)) / omega)
+    }
+
+    fn undamped(&self) -> Option<ContactLaw> {
+        let stiffness = self.stiffness;
+        Some(ImpactSpring { stiffness }.into())
     }
 }
 

@@ -43,11 +43,11 @@ pub use impact_yield::ImpactYield;
 pub use jankowski::Jankowski;
 pub use kelvin_voigt::KelvinVoigt;
 pub use rigid::Rigid;
+pub(super) use rigid::stop;
 pub use rigid_impact::RigidImpact;
 pub use ye::Ye;
 
-use super::offer::Form;
-use super::{Flexibility, LawFault, Trial};
+use super::{Flexibility, Trial};
 use crate::lane::Lane;
 
 /// The end of a step without the force of this step.
@@ -73,14 +73,6 @@ impl<const L: usize> Free<L> {
 
 /// The bounds of S of an impact.
 pub(super) const PUSHES: [f64; 2] = [f64::NEG_INFINITY, 0.0];
-
-/// A rigid impact.
-pub(super) fn stop(restitution: f64) -> Result<Form, LawFault> {
-    match restitution <= 1.0 {
-        true => Ok(Form::Stop { restitution }),
-        false => Err(LawFault::Restitution(restitution)),
-    }
-}
 
 /// S for F >= 0. The difference makes no negative zero.
 #[inline(always)]

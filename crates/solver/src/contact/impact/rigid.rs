@@ -1,13 +1,7 @@
 //! Contact without compliance.
 
-use super::{Free, PUSHES, RigidImpact, loop_of, resisting, stop};
-use crate::contact::numbers::{bars, structure};
-use crate::contact::offer::{Form, In, Offer};
-use crate::contact::{
-    ClosedForm, ContactKind, Cycle, Deflection, Described, Flexibility, Law, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
-};
-use crate::lane::Lane;
+use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
+use crate::contact::prelude::*;
 
 /// r >= 0, S <= 0, r S = 0.
 ///
@@ -21,6 +15,23 @@ pub struct Rigid {
     pub restitution: f64,
     /// Whether the method acts by impulses. The work of the contact is then the loss of the impact, else an error.
     pub impulses: bool,
+}
+
+/// A rigid impact; whether its method acts by impulses is what the problem knows besides.
+fn rigid(given: &GivenNumbers, restitution: f64) -> Form {
+    let impulses = given.given("impulses").is_some_and(|x| x != 0.0);
+    Form::of(Rigid {
+        restitution,
+        impulses,
+    })
+}
+
+/// A rigid impact of a structure.
+pub(in crate::contact) fn stop(given: &GivenNumbers, e: f64) -> Result<Form, LawFault> {
+    match e <= 1.0 {
+        true => Ok(rigid(given, e)),
+        false => Err(LawFault::Restitution(e)),
+    }
 }
 
 /// The law over a step.
@@ -47,23 +58,12 @@ impl StoredEnergy for Rigid {
 impl Described for Rigid {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "rigid";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &[],
-        oscillator: None,
-        bars: Some(In {
-            meaning: "without compliance: r >= 0 at the end of a step; with moreau-jean instead restitution of the ends, and an overlap may remain (Moreau 1988, Jean 1999)",
-            numbers: &[&bars::RESTITUTION],
-        }),
-        structure: Some(In {
-            meaning: "impact without compliance, with restitution e (Moreau 1988, Jean 1999)",
-            numbers: &[&structure::E],
-        }),
-        form: |given| match given.given("restitution") {
-            Some(restitution) => Ok(Form::Stop { restitution }),
-            None => stop(given.need("e")?),
-        },
-    }];
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| match given.given("restitution") {
+            Some(restitution) => Ok(rigid(given, restitution)),
+            None => stop(given, given.need("e")?),
+        })
+.between_bars("without compliance: r >= 0 at the end of a step; with moreau-jean instead restitution of the ends, and an overlap may remain (Moreau 1988, Jean 1999)", &[&bars::RESTITUTION])
+.in_structures("impact without compliance, with restitution e (Moreau 1988, Jean 1999)", &[&structure::E])];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, _, _| RigidImpact {
         restitution: law.restitution,
         duration: 0.0,
@@ -86,6 +86,15 @@ impl Properties for Rigid {
 
     fn bounds(&self) -> [f64; 2] {
         PUSHES
+    }
+
+    fn is_vertical(&self) -> bool {
+        true
+    }
+
+    fn line(&self) -> Option<ClippedLine> {
+        let restitution = self.restitution;
+        Some(ClippedLine::Stop { restitution })
     }
 }
 

@@ -1,67 +1,51 @@
 //! What the LuGre model says of itself.
 
 use super::Lugre;
-use crate::contact::numbers::{oscillator, structure};
-use crate::contact::offer::{Form, In, InOscillator, Offer};
-use crate::contact::{ClosedForm, ContactKind, ContactLaw, Described, Properties, StepFlexibility};
+use crate::contact::prelude::*;
 
 impl Described for Lugre {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "lugre";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &[],
-        oscillator: Some(InOscillator {
-            of: In {
-                meaning: "bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
-                numbers: &[
-                    &oscillator::SIGMA0,
-                    &oscillator::SIGMA1,
-                    &oscillator::SIGMA2,
-                    &oscillator::STATIC_RATIO,
-                    &oscillator::STRIBECK_VELOCITY,
-                ],
-            },
-            law: |given| {
-                let [sigma0, sigma1, sigma2, static_limit, stribeck_velocity] = given.all()?;
-                Some(ContactLaw::Lugre(Lugre {
-                    sigma0,
-                    sigma1,
-                    sigma2,
-                    limit: 1.0,
-                    static_limit,
-                    stribeck_velocity,
-                }))
-            },
-        }),
-        bars: None,
-        structure: Some(In {
-            meaning: "friction, bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
-            numbers: &[
-                &structure::SIGMA0,
-                &structure::SIGMA1,
-                &structure::SIGMA2,
-                &structure::STATIC_RATIO,
-                &structure::STRIBECK_VELOCITY,
-            ],
-        }),
-        form: |given| {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
             let ratio = given.need("static_ratio")?;
             // Without a fall of the limit v_S has no effect.
             let stribeck_velocity = match (ratio > 1.0, given.given("stribeck_velocity")) {
                 (false, None) => 1.0,
                 _ => given.need("stribeck_velocity")?,
             };
-            Ok(Form::Friction(ContactLaw::Lugre(Lugre {
+            Ok(Form::of(Lugre {
                 sigma0: given.need("sigma0")?,
                 sigma1: given.need("sigma1")?,
                 sigma2: given.need("sigma2")?,
                 limit: given.limit(),
                 static_limit: ratio * given.limit(),
                 stribeck_velocity,
-            })))
-        },
-    }];
+            }))
+        })
+.in_oscillator("bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)", &[
+                    &oscillator::SIGMA0,
+                    &oscillator::SIGMA1,
+                    &oscillator::SIGMA2,
+                    &oscillator::STATIC_RATIO,
+                    &oscillator::STRIBECK_VELOCITY,
+                ], |given| {
+                let [sigma0, sigma1, sigma2, static_limit, stribeck_velocity] = given.all()?;
+                Some(Lugre {
+                    sigma0,
+                    sigma1,
+                    sigma2,
+                    limit: 1.0,
+                    static_limit,
+                    stribeck_velocity,
+                }.into())
+            })
+.in_structures("friction, bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)", &[
+                &structure::SIGMA0,
+                &structure::SIGMA1,
+                &structure::SIGMA2,
+                &structure::STATIC_RATIO,
+                &structure::STRIBECK_VELOCITY,
+            ])];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let [g, _] = law.strength(velocity);
         let faded = libm::exp(-law.sigma0 * velocity * time / g);
@@ -127,5 +111,13 @@ impl Properties for Lugre {
             true => (self.sigma1 + self.sigma2) * rdot,
             false => 0.0,
         })
+    }
+
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        Some(self)
+    }
+
+    fn in_plane(&self) -> Option<InPlane> {
+        Some(InPlane::Lugre(*self))
     }
 }

@@ -1,12 +1,11 @@
 //! The LuGre model of friction.
 
-mod described;
-
 use super::saturation::{self, rise};
 use super::{
     Cycle, Evolution, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots,
 };
-use crate::lane::Lane;
+use crate::contact::prelude::*;
+mod described;
 
 /// LuGre model [Canudas de Wit, Olsson, Astrom and Lischinsky 1995]: bristles with the mean deflection z,
 ///
@@ -142,10 +141,6 @@ impl Law for Lugre {
             static_limit,
             ..self
         }
-    }
-
-    fn evolution(&self) -> Option<&dyn Evolution> {
-        Some(self)
     }
 
     #[inline(always)]

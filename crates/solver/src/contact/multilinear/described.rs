@@ -1,9 +1,7 @@
 //! What the multilinear law says of itself.
 
 use super::Multilinear;
-use crate::contact::number::{Number, Range};
-use crate::contact::offer::{Form, In, Offer};
-use crate::contact::{ClosedForm, ContactKind, ContactLaw, Described, Properties};
+use crate::contact::prelude::*;
 
 /// The table.
 const TABLE: Number = Number::new(
@@ -15,20 +13,12 @@ const TABLE: Number = Number::new(
 impl Described for Multilinear {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "multilinear";
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &["trilinear", "iwan", "multilinearplastic"],
-        oscillator: None,
-        bars: None,
-        structure: Some(In {
-            meaning: "yields along a table of r and S, symmetric or not, and unloads by Masing's rule (Iwan 1966)",
-            numbers: &[&TABLE],
-        }),
-        form: |given| {
+    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
             let law = Multilinear::new(given.table)?;
-            Ok(Form::Link(ContactLaw::Multilinear(law)))
-        },
-    }];
+            Ok(Form::of(law))
+        })
+.also(&["trilinear", "iwan", "multilinearplastic"])
+.in_structures("yields along a table of r and S, symmetric or not, and unloads by Masing's rule (Iwan 1966)", &[&TABLE])];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
         Some(law.force(r, &law.first(r)))
@@ -64,5 +54,9 @@ impl Properties for Multilinear {
                 false => bends[0].signum() * f64::INFINITY,
             }
         })
+    }
+
+    fn straight(&self) -> Option<Straight> {
+        Some(Straight::Parts(*self))
     }
 }

@@ -1,11 +1,11 @@
 //! A yielding part with a table of deflection and force.
 
+use super::{Law, LawFault, StepFlexibility, StepLaw, StoredEnergy, Trial};
+use crate::contact::prelude::*;
 mod described;
 mod shared;
 mod table;
 
-use super::{Law, LawFault, StepFlexibility, StepLaw, StoredEnergy, Trial};
-use crate::lane::Lane;
 use std::ops::Deref;
 
 /// Most bends of a table, both sides together where they are not the same.

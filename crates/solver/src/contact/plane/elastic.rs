@@ -12,7 +12,7 @@
 use super::pair::{self, Pair, dot, length};
 use super::{PlaneMemory, PlaneStep, PlaneTrial, along, running};
 use crate::contact::pendulum::{coefficient, expected};
-use crate::contact::{AnyRunningLaw, ContactLaw, DisplacementControl};
+use crate::contact::{AnyRunningLaw, DisplacementControl};
 
 /// The law of friction with the step of its scalar form.
 #[derive(Debug, Clone, Copy)]
@@ -50,7 +50,7 @@ impl Elastic {
         let step = match now == 1.0 {
             true => self.step,
             false => {
-                let law = ContactLaw::DisplacementControl(self.law);
+                let law = self.law.into();
                 running(&law, now * on.h * share, on)
             }
         };

@@ -3,9 +3,10 @@
 use super::Flow;
 use super::contact::{Contact, LimitAt, Motion, Watched};
 use super::plane::{PlaneContact, PlaneState};
+use crate::contact::ClippedLine;
 use crate::contact::plane::Pair;
 use crate::exact::events::{Model, State, StateBuffers};
-use crate::system::structure::{Limit, PlaneRow, Structure, StructureLaw};
+use crate::system::structure::{Limit, PlaneRow, Structure};
 
 /// Part of the time between two points of tables over which the rate of a limit is a difference.
 const DIFFERENCE: f64 = 1e-4;
@@ -367,7 +368,7 @@ impl<'a> Moving<'a> {
             [room.r[i], room.rate[i]] = self.relative(i, t, y);
             room.force[i] = forces[i];
             room.slip[i] = room.r[i];
-            if let StructureLaw::DisplacementControl { stiffness, .. } = own.law {
+            if let Some(ClippedLine::Elastic { stiffness }) = own.law.line() {
                 room.slip[i] -= room.force[i] / stiffness;
             }
         }

@@ -9,7 +9,7 @@ use super::series::Series;
 use super::state_buffers::StateBuffers;
 use super::watch::{Found, first_event};
 use super::{Event, EventsFault, bernstein};
-use crate::system::structure::StructureLaw;
+use crate::contact::ClippedLine;
 
 /// Most events of a motion.
 pub const MOST_EVENTS: usize = 1_000_000;
@@ -124,7 +124,7 @@ impl<'a> Motion<'a> {
 
     fn refuse_overlaps(&self) -> Result<(), EventsFault> {
         for (i, contact) in self.model.contacts.iter().enumerate() {
-            let rigid = matches!(contact.law, StructureLaw::RigidStop { .. });
+            let rigid = contact.law.is_stop();
             let r = self.series.contacts[i].r[0];
             if rigid && r < -self.scales.r(&self.model, i, self.series.length) {
                 return Err(EventsFault::Overlap {
@@ -225,8 +225,8 @@ impl<'a> Motion<'a> {
             room.force[i] = force;
             room.r[i] = r;
             room.rate[i] = rate;
-            room.slip[i] = match contact.law {
-                StructureLaw::DisplacementControl { stiffness, .. } => r - force / stiffness,
+            room.slip[i] = match contact.law.line() {
+                Some(ClippedLine::Elastic { stiffness }) => r - force / stiffness,
                 _ => r,
             };
         }

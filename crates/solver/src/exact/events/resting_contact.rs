@@ -5,8 +5,7 @@ use super::model::Model;
 use super::phase::{ContactState, Phase};
 use super::scales::Scales;
 use super::series::Series;
-use crate::contact::ContactKind;
-use crate::system::structure::StructureLaw;
+use crate::contact::{ClippedLine, ContactKind};
 
 /// A contact that may stick or stay shut.
 #[derive(Clone, Copy)]
@@ -44,15 +43,15 @@ pub fn candidates(
     let mut candidates = Vec::new();
     for (contact, state) in states.iter_mut().enumerate() {
         let [r, change] = [0, 1].map(|k| series.contacts[contact].r[k]);
-        match model.contacts[contact].law {
-            StructureLaw::RigidStop { .. } => {
+        match model.contacts[contact].law.line() {
+            Some(ClippedLine::Stop { .. }) => {
                 if r > scales.r(model, contact, series.length) || change > tolerance {
                     state.phase = Phase::Open;
                     continue;
                 }
             }
-            StructureLaw::Coulomb { .. } if state.phase == Phase::Open => continue,
-            StructureLaw::Coulomb { .. } => {
+            Some(ClippedLine::Coulomb) if state.phase == Phase::Open => continue,
+            Some(ClippedLine::Coulomb) => {
                 if change.abs() > tolerance {
                     state.phase = Phase::Sliding(1.0_f64.copysign(change));
                     continue;

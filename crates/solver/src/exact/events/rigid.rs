@@ -10,7 +10,7 @@ use super::model::Model;
 use super::phase::{ContactState, Phase};
 use super::scales::Scales;
 use super::series::Series;
-use crate::system::structure::StructureLaw;
+use crate::contact::ClippedLine;
 
 /// Impacts with a smaller |rdot|, over the largest velocity, accumulate: the contact shuts.
 const SHUT: f64 = 1e-9;
@@ -55,7 +55,7 @@ pub fn impacts(
     let mut touching = Vec::new();
     let (mut d, mut before) = (Vec::new(), Vec::new());
     for (i, contact) in model.contacts.iter().enumerate() {
-        let StructureLaw::RigidStop { restitution } = contact.law else {
+        let Some(ClippedLine::Stop { restitution }) = contact.law.line() else {
             continue;
         };
         if series.contacts[i].r[0] <= scales.r(model, i, series.length) {

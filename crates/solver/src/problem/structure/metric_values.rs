@@ -8,10 +8,10 @@ use super::motion::Energies;
 use super::node::Numbering;
 use super::solve::FEW;
 use super::still::Still;
-use crate::contact::ContactKind;
+use crate::contact::{ClippedLine, ContactKind};
 use crate::metrics::measured::energy_per_cycle;
 use crate::metrics::structure as reduce;
-use crate::system::structure::{Structure, StructureLaw};
+use crate::system::structure::Structure;
 use std::collections::HashMap;
 
 /// Quantities of a motion at the steps 0..=N, one list for each number.
@@ -300,10 +300,7 @@ fn of_contact(
         },
         Reduction::Work => {
             let law = &of.structure.contacts[contact].law;
-            let rigid = matches!(
-                law,
-                StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
-            );
+            let rigid = law.line().is_some_and(ClippedLine::is_rigid);
             Some(match of.impulses && rigid {
                 true => reduce::work_of_impulses(force, series(Quantity::Velocity), of.dt),
                 false => reduce::work(force, series(Quantity::Displacement)),

@@ -10,6 +10,7 @@ use super::model::{Bounds, MOST_MODES, Model};
 use super::row::{LANES, Row, dot, sum};
 use super::signals;
 use super::sparse::Rows;
+use crate::contact::ClippedLine;
 use crate::system::structure::{Contact, Structure, StructureLaw, Symmetric};
 use condense::{Condensed, entries};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -252,20 +253,17 @@ fn laws(structure: &Structure, flexible: Option<&Flexible>) -> Result<Vec<Contac
     let mut contacts = structure.contacts.clone();
     for i in flexible.iter().flat_map(|flexible| &flexible.contacts) {
         let contact = &mut contacts[*i];
-        contact.law = match &contact.law {
-            StructureLaw::RigidStop { .. } => StructureLaw::ImpactSpring {
-                stiffness: f64::INFINITY,
-            },
-            StructureLaw::Coulomb { limit } => StructureLaw::DisplacementControl {
-                stiffness: f64::INFINITY,
-                limit: limit.clone(),
-            },
-            StructureLaw::VelocityControl { .. } => {
+        let stiffness = f64::INFINITY;
+        let line = match contact.law.line() {
+            Some(ClippedLine::Stop { .. }) => ClippedLine::Spring { stiffness },
+            Some(ClippedLine::Coulomb) => ClippedLine::Elastic { stiffness },
+            Some(ClippedLine::Viscous { .. }) => {
                 let contact = contact.name.clone();
                 return Err(EventsFault::MasslessViscous { contact });
             }
-            other => other.clone(),
+            _ => continue,
         };
+        contact.law = StructureLaw::new(line, contact.law.limit().cloned());
     }
     Ok(contacts)
 }
