@@ -16,79 +16,36 @@
 
 mod any;
 mod at_rest;
-mod band;
-mod bearing;
-mod bilinear;
-mod bouc_wen;
 pub mod coupled;
 mod curve;
-mod dahl;
-mod described;
-mod displacement_control;
-pub mod element;
-mod evolution;
-mod fault;
 #[cfg(test)]
 mod friction_tests;
-mod given;
-mod imk;
-pub mod impact;
-mod impact_spring;
-mod in_plane;
-mod kind;
-mod line;
-mod lugre;
-mod multilinear;
-pub mod number;
-pub mod numbers;
-pub mod offer;
-mod one_sided;
-mod pendulum;
+mod law;
+mod laws;
+mod offers;
+mod pair;
 pub mod plane;
 mod prelude;
-mod restrainer;
 mod roots;
 mod saturation;
 mod series;
-mod shared;
-mod straight;
-mod stribeck;
-mod tanh;
-mod velocity_control;
-mod viscous;
 
 pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, WhichLaw};
-pub use band::Band;
-pub use bearing::Bearing;
-pub use bilinear::Bilinear;
-pub use bouc_wen::BoucWen;
 pub use coupled::{CoupledForces, RigidForces, Unsolved};
-pub use dahl::Dahl;
-pub use described::{ClosedForm, Described, Properties};
-pub use displacement_control::DisplacementControl;
-pub use evolution::Evolution;
-pub use fault::LawFault;
-pub use given::GivenNumbers;
-pub use imk::Imk;
-pub use impact::{
-    GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, ImpactYield, Jankowski, KelvinVoigt,
-    Rigid, Ye,
+pub use law::{
+    ClippedLine, ClosedForm, ContactKind, Described, Evolution, InPlane, Properties, element,
 };
-pub use impact_spring::ImpactSpring;
-pub use in_plane::InPlane;
-pub use kind::ContactKind;
-pub use line::ClippedLine;
-pub use lugre::Lugre;
-pub use multilinear::Multilinear;
-pub use one_sided::OneSided;
-pub use pendulum::Pendulum;
-pub use restrainer::Restrainer;
+pub use laws::friction::{
+    Bearing, BoucWen, Dahl, DisplacementControl, Lugre, Pendulum, Stribeck, Tanh, VelocityControl,
+};
+pub use laws::impact::{
+    self, GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, ImpactSpring, ImpactYield,
+    Jankowski, KelvinVoigt, Rigid, Ye,
+};
+pub use laws::link::{Bilinear, Imk, Multilinear, Restrainer, Viscous};
+pub use laws::yielding::{Band, OneSided, Straight};
+pub use offers::{GivenNumbers, LawFault, number, numbers, offer};
 pub use series::in_series;
-pub use straight::Straight;
-pub use stribeck::Stribeck;
-pub use tanh::Tanh;
-pub use velocity_control::VelocityControl;
-pub use viscous::Viscous;
 
 use crate::lane::Lane;
 
@@ -362,7 +319,7 @@ mod tests {
         compliance: f64,
         limit: f64,
         on: &StepFlexibility<1>,
-    ) -> displacement_control::Step<1> {
+    ) -> <DisplacementControl as Law>::Step<1> {
         DisplacementControl::step(&[DisplacementControl { compliance, limit }], on)
     }
 
@@ -370,7 +327,7 @@ mod tests {
         compliance: f64,
         limit: f64,
         on: &StepFlexibility<1>,
-    ) -> velocity_control::Step<1> {
+    ) -> <VelocityControl as Law>::Step<1> {
         VelocityControl::step(&[VelocityControl { compliance, limit }], on)
     }
 

@@ -11,19 +11,17 @@ mod bouc_wen;
 mod continuous;
 mod elastic;
 mod lugre;
-mod pair;
+mod scalar;
 #[cfg(test)]
 mod tests;
 
-pub use pair::{Pair, dot, length};
+pub use super::pair::{Pair, dot, length};
 
 use super::coupled::curved::Directions;
-use super::{
-    AnyRunningLaw, ContactLaw, ContactResponse, DisplacementControl, Flexibility, InPlane, Lugre,
-    StepFlexibility, Trial,
-};
-use crate::lane::Lane;
+use super::pair;
+use super::{AnyRunningLaw, ContactLaw, DisplacementControl, InPlane, Lugre};
 use elastic::Elastic;
+use scalar::{along, running, scalar_slope};
 
 /// A law of friction in a plane, with what it needs of a step.
 #[derive(Debug, Clone, Copy)]
@@ -278,63 +276,5 @@ impl PlaneLaw {
             ..PlaneMemory::default()
         };
         (self.force(friction, r, rdot), memory)
-    }
-}
-
-/// A flexibility that changes nothing but keeps the law without compliance finite.
-const LEAST: f64 = f64::MIN_POSITIVE;
-
-/// The scalar law over a step.
-fn running(law: &ContactLaw, h: f64, on: &PlaneStep) -> AnyRunningLaw<1> {
-    let flexibility = |h: f64, h_rate: f64| Flexibility {
-        h: Lane([h]),
-        h_rate: Lane([h_rate]),
-    };
-    // Without compliance, the force of a given velocity is the limit.
-    let steps = [[h, on.h_rate.max(LEAST)], [0.0, LEAST]].map(|[h, h_rate]| StepFlexibility {
-        // The motion contains S.
-        start: flexibility(0.0, 0.0),
-        end: flexibility(h, h_rate),
-        dt: Lane([on.dt]),
-        by_impulse: false,
-    });
-    ContactLaw::running(&[*law], &steps)
-}
-
-/// The force of a scalar law along a direction.
-fn along(mut step: AnyRunningLaw<1>, part: usize, direction: Pair, trial: &PlaneTrial) -> Pair {
-    if direction == [0.0; 2] {
-        return [0.0; 2];
-    }
-    let unit = pair::unit(direction);
-    let part_of = |of: Pair| Lane([dot(unit, of)]);
-    let trial = Trial {
-        displacement: part_of(trial.displacement),
-        velocity: part_of(trial.velocity),
-        force: part_of(trial.force),
-        change: part_of(trial.change),
-        rate: part_of(trial.rate),
-    };
-    let Lane([force]) = step.force(part, &trial);
-    unit.map(|x| x * force)
-}
-
-/// dS/drdot of a scalar law along rdot.
-fn scalar_slope(step: AnyRunningLaw<1>, moved: &PlaneTrial, speed: f64) -> f64 {
-    let width = 1e-7 * speed;
-    let direction = pair::unit(moved.rate);
-    let at = |speed: f64| {
-        let moved = PlaneTrial {
-            rate: direction.map(|x| x * speed),
-            ..*moved
-        };
-        dot(direction, along(step, 1, moved.rate, &moved))
-    };
-    match speed > 0.0 {
-        true => (at(speed + width) - at(speed - width)) / (2.0 * width),
-        false => {
-            let width = f64::MIN_POSITIVE.sqrt();
-            at(width) / width
-        }
     }
 }
