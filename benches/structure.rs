@@ -2,6 +2,7 @@
 //! and in lanes that share the factor of Khat. The time of a step grows with the number of nodes only.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use slipgap::contact::ClippedLine;
 use slipgap::solve::structure::{Books, Prepared, State, run};
 use slipgap::system::structure::{
     Contact, Limit, Load, Node, Signal, Structure, StructureLaw, Symmetric, Table,
@@ -51,7 +52,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
     };
     let impact = |i| {
         let stiffness = gamma * element;
-        let law = StructureLaw::ImpactSpring { stiffness };
+        let law = StructureLaw::new(ClippedLine::Spring { stiffness }, None);
         contact([right(i), left(i + 1)], 0.02, law)
     };
     let bearing = |i, j| {
@@ -60,7 +61,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
         contact(
             [i, j],
             0.0,
-            StructureLaw::DisplacementControl { stiffness, limit },
+            StructureLaw::new(ClippedLine::Elastic { stiffness }, limit),
         )
     };
     let masses = nodes.iter().map(|node| node.mass).enumerate();

@@ -2,6 +2,7 @@
 //! integrates by Dormand and Prince's method of order 8 from event to event.
 
 use serde_json::Value as Json;
+use slipgap::contact::ClippedLine;
 use slipgap::exact::events;
 use slipgap::solve::structure::{Prepared, run};
 use slipgap::system::structure::{
@@ -55,17 +56,24 @@ fn limit(json: &Json) -> Limit {
 
 fn relation(json: &Json) -> StructureLaw {
     match json["law"].as_str().unwrap() {
-        "impact" => StructureLaw::ImpactSpring {
-            stiffness: number(&json["k"]),
-        },
-        "displacement-control" => StructureLaw::DisplacementControl {
-            stiffness: number(&json["k"]),
-            limit: limit(&json["limit"]),
-        },
-        "velocity-control" => StructureLaw::VelocityControl {
-            viscosity: number(&json["c"]),
-            limit: limit(&json["limit"]),
-        },
+        "impact" => StructureLaw::new(
+            ClippedLine::Spring {
+                stiffness: number(&json["k"]),
+            },
+            None,
+        ),
+        "displacement-control" => StructureLaw::new(
+            ClippedLine::Elastic {
+                stiffness: number(&json["k"]),
+            },
+            limit(&json["limit"]),
+        ),
+        "velocity-control" => StructureLaw::new(
+            ClippedLine::Viscous {
+                viscosity: number(&json["c"]),
+            },
+            limit(&json["limit"]),
+        ),
         law => panic!("{law}"),
     }
 }

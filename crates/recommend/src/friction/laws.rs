@@ -34,8 +34,13 @@ pub fn width(law: &str) -> Option<&'static str> {
     numbers.first().map(|number| number.key)
 }
 
+/// Whether the width of a law is that of bristles.
+pub fn has_bristles(name: &str) -> bool {
+    which(name) == Some(WhichLaw::Lugre)
+}
+
 /// The law of a name.
-pub fn which(name: &str) -> Option<WhichLaw> {
+fn which(name: &str) -> Option<WhichLaw> {
     Some(Offered::named(Place::Oscillator, name)?.law)
 }
 

@@ -1,12 +1,11 @@
 //! The candidates of a friction model, and their values in tables and studies.
 
-use super::laws::{parameters, which, width};
+use super::laws::{has_bristles, parameters, width};
 use super::{EVERY, Friction, MOST, Releases, WIDTHS, X0_DIFFERENCE, energy_gain, released};
 use crate::format::{is_positive_integer, plain};
 use crate::grid::decades;
 use crate::setting::{has_sub_steps, method_parameters, sentence};
 use crate::{CostLevel, EnergyChange, Further, Grid, Range, SearchSpace, Variant, Variants};
-use slipgap_solver::contact::WhichLaw;
 use slipgap_solver::problem::friction::FrictionOscillator;
 use slipgap_solver::problem::numbers::parameter::shortest;
 use slipgap_solver::problem::{Case, Problem, Solution};
@@ -107,10 +106,7 @@ impl SearchSpace for Friction {
 
     fn notes(&self) -> Vec<String> {
         let ends = WIDTHS.map(shortest).join(" .. ");
-        let lugre = self
-            .variants
-            .iter()
-            .any(|v| which(v.law.name) == Some(WhichLaw::Lugre));
+        let lugre = self.variants.iter().any(|v| has_bristles(v.law.name));
         let bristles = match lugre {
             true => " (lugre: 1/sigma0, with sigma1 = sqrt(sigma0))",
             false => "",

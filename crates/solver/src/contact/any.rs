@@ -1,6 +1,5 @@
 //! The law of a contact, any of the list at the end of this file.
 
-use super::element::Element;
 use super::impact::*;
 use super::offer::{self, Offered, Place};
 use super::*;
@@ -59,13 +58,24 @@ macro_rules! laws {
             $(#[doc = concat!("See [`", stringify!($law), "`].")] $law),+
         }
 
+        impl WhichLaw {
+            /// All laws.
+            pub const ALL: &[WhichLaw] = &[$(WhichLaw::$law),+];
+        }
+
         /// A law over the steps of a run, for L cases.
         #[derive(Debug, Clone, Copy)]
         pub enum AnyRunningLaw<const L: usize> {
             $(#[doc = concat!("Of [`", stringify!($law), "`].")] $law(RunningLaw<<$law as Law>::Step<L>, L>)),+
         }
 
-        $(impl $law {
+        $(impl From<$law> for ContactLaw {
+            fn from(law: $law) -> ContactLaw {
+                ContactLaw::$law(law)
+            }
+        }
+
+        impl $law {
             fn of(law: &ContactLaw) -> Option<$law> {
                 match law {
                     ContactLaw::$law(law) => Some(*law),
@@ -150,34 +160,6 @@ macro_rules! laws {
             pub fn cycle(&self, reach: f64) -> Cycle {
                 match self {
                     $(ContactLaw::$law(law) => law.cycle(reach)),+
-                }
-            }
-
-            /// The law in continuous time, see [`Law::evolution`].
-            pub fn evolution(&self) -> Option<&dyn Evolution> {
-                match self {
-                    $(ContactLaw::$law(law) => law.evolution()),+
-                }
-            }
-
-            /// Where S has a corner, see [`Law::corner`].
-            pub fn corner(&self, rdot: f64) -> f64 {
-                match self {
-                    $(ContactLaw::$law(law) => law.corner(rdot)),+
-                }
-            }
-
-            /// What has a meaning in time steps only, see [`Law::only_in_steps`].
-            pub fn only_in_steps(&self) -> Option<&'static str> {
-                match self {
-                    $(ContactLaw::$law(law) => law.only_in_steps()),+
-                }
-            }
-
-            /// The law as the papers print it, at r under S; `None` if they do not.
-            pub fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
-                match self {
-                    $(ContactLaw::$law(law) => law.element(r, s)),+
                 }
             }
         }
@@ -270,9 +252,14 @@ impl Offered {
 }
 
 impl ContactLaw {
-    /// Whether r >= 0 holds without compliance.
-    pub fn rigid(&self) -> bool {
-        self.which() == WhichLaw::Rigid
+    /// The clipped line that the law is, see [`Properties::line`].
+    pub fn line(&self) -> Option<ClippedLine> {
+        self.properties().line()
+    }
+
+    /// The law in continuous time, see [`Properties::evolution`].
+    pub fn evolution(&self) -> Option<&dyn Evolution> {
+        self.properties().evolution()
     }
 }
 

@@ -723,7 +723,7 @@ fn lugre_is_passive_where_its_condition_holds() {
         let steps = 20_000;
         let dt = std::f64::consts::TAU / f64::from(steps);
         let step = curve::law_of_motion(law, dt);
-        let mut bristles = lugre::Bristles::<1>::default();
+        let mut bristles = laws::friction::lugre::Bristles::<1>::default();
         let [mut s, mut least] = [0.0, f64::INFINITY];
         for k in 1..=2 * steps {
             let at = |k: i32| {

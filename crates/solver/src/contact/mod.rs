@@ -16,73 +16,38 @@
 
 mod any;
 mod at_rest;
-mod band;
-mod bearing;
-mod bilinear;
-mod bouc_wen;
 pub mod coupled;
 mod curve;
-mod dahl;
-mod described;
-mod displacement_control;
-pub mod element;
-mod evolution;
-mod fault;
 #[cfg(test)]
 mod friction_tests;
-mod given;
-mod imk;
-pub mod impact;
-mod impact_spring;
-mod kind;
-mod lugre;
-mod multilinear;
-pub mod number;
-pub mod numbers;
-pub mod offer;
-mod one_sided;
-mod pendulum;
+mod law;
+mod laws;
+mod offers;
+mod pair;
 pub mod plane;
-mod restrainer;
+mod prelude;
 mod roots;
 mod saturation;
 mod series;
-mod shared;
-mod stribeck;
-mod tanh;
-mod velocity_control;
-mod viscous;
 
 pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, WhichLaw};
-pub use bearing::Bearing;
-pub use bilinear::Bilinear;
-pub use bouc_wen::BoucWen;
 pub use coupled::{CoupledForces, RigidForces, Unsolved};
-pub use dahl::Dahl;
-pub use described::{ClosedForm, Described, Properties};
-pub use displacement_control::DisplacementControl;
-pub use evolution::Evolution;
-pub use fault::LawFault;
-pub use given::GivenNumbers;
-pub use imk::Imk;
-pub use impact::{
-    GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, ImpactYield, Jankowski, KelvinVoigt,
-    Rigid, Ye,
+pub use law::{
+    ClippedLine, ClosedForm, ContactKind, Described, Evolution, InPlane, Properties, element,
 };
-pub use impact_spring::ImpactSpring;
-pub use kind::ContactKind;
-pub use lugre::Lugre;
-pub use multilinear::Multilinear;
-pub use pendulum::Pendulum;
-pub use restrainer::Restrainer;
+pub use laws::friction::{
+    Bearing, BoucWen, Dahl, DisplacementControl, Lugre, Pendulum, Stribeck, Tanh, VelocityControl,
+};
+pub use laws::impact::{
+    self, GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, ImpactSpring, ImpactYield,
+    Jankowski, KelvinVoigt, Rigid, Ye,
+};
+pub use laws::link::{Bilinear, Imk, Multilinear, Restrainer, Viscous};
+pub use laws::yielding::{Band, OneSided, Straight};
+pub use offers::{GivenNumbers, LawFault, number, numbers, offer};
 pub use series::in_series;
-pub use stribeck::Stribeck;
-pub use tanh::Tanh;
-pub use velocity_control::VelocityControl;
-pub use viscous::Viscous;
 
 use crate::lane::Lane;
-use element::Element;
 
 /// A contact at the start of a step, and its motion over the step without contact forces.
 #[derive(Debug, Clone, Copy)]
@@ -152,29 +117,11 @@ pub trait Law: Described + Properties {
         self
     }
 
-    /// The law in continuous time, if it has a state; `None` where S follows from r and rdot, and from r and S at the last reversal.
-    fn evolution(&self) -> Option<&dyn Evolution> {
-        None
-    }
-
-    /// A number that changes its sign where S has a corner at this rdot, besides rdot = 0 and the bounds of S; 0 for a law without one.
-    fn corner(&self, _rdot: f64) -> f64 {
-        0.0
-    }
-
-    /// What the law does that has a meaning in time steps only; `None` if its steps tend to a motion in continuous time that is known.
-    fn only_in_steps(&self) -> Option<&'static str> {
-        None
-    }
-
-    /// The law as the papers print it, at r under S; `None` if they do not.
-    fn element(&self, _r: f64, _s: f64) -> Option<Box<dyn Element>> {
-        None
-    }
-
     /// Points (r, S), or (rdot, S) for a viscous law, of a cycle between -`reach` and `reach`, and which of them carry a
-    /// marker in figures.
-    fn cycle(&self, reach: f64) -> Cycle;
+    /// marker in figures. Without a form of its own from rest to `reach`, to -`reach` and back.
+    fn cycle(&self, reach: f64) -> Cycle {
+        curve::over_displacement(*self, reach)
+    }
 }
 
 /// The deflection of a closed contact under S.
@@ -188,8 +135,10 @@ pub struct Deflection {
 
 /// What a contact stores.
 pub trait StoredEnergy: Copy {
-    /// Energy that the contact stores at r under S.
-    fn stored_energy(&self, r: f64, s: f64) -> f64;
+    /// Energy that the contact stores at r under S; a law that stores nothing dissipates all work.
+    fn stored_energy(&self, _r: f64, _s: f64) -> f64 {
+        0.0
+    }
 
     /// The deflection of the closed contact under S; `None` for a law whose r does not follow from S alone.
     fn deflection(&self, _s: f64) -> Option<Deflection> {
@@ -370,7 +319,7 @@ mod tests {
         compliance: f64,
         limit: f64,
         on: &StepFlexibility<1>,
-    ) -> displacement_control::Step<1> {
+    ) -> <DisplacementControl as Law>::Step<1> {
         DisplacementControl::step(&[DisplacementControl { compliance, limit }], on)
     }
 
@@ -378,7 +327,7 @@ mod tests {
         compliance: f64,
         limit: f64,
         on: &StepFlexibility<1>,
-    ) -> velocity_control::Step<1> {
+    ) -> <VelocityControl as Law>::Step<1> {
         VelocityControl::step(&[VelocityControl { compliance, limit }], on)
     }
 

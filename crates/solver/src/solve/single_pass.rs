@@ -28,6 +28,7 @@ pub fn run(system: &System, mut record: impl FnMut(&Assembled)) -> Result<(), Un
     let r = assembly.relative(&u) + system.gap;
     let element = system
         .law
+        .properties()
         .element(r, system.force)
         .ok_or(Unsolvable::NotPrinted)?;
     let mut newmark =

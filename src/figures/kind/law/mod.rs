@@ -6,7 +6,7 @@ mod papers;
 use super::Draw;
 use crate::figures::FigureData;
 use slipgap_drawing::layout::sheet::Sheet;
-use slipgap_solver::contact::{ContactLaw, WhichLaw};
+use slipgap_solver::contact::{ClippedLine, ContactLaw};
 use slipgap_study::kinds::Law;
 
 impl Draw for Law {
@@ -17,8 +17,10 @@ impl Draw for Law {
             .map(|shown| study.problem.contact_law(&shown.case()))
             .collect();
         let softened = |law: &Option<ContactLaw>| match law {
-            Some(ContactLaw::VelocityControl(law)) => law.compliance > 0.0,
-            Some(law) => law.which() == WhichLaw::DisplacementControl,
+            Some(law) => matches!(
+                law.line(),
+                Some(ClippedLine::Elastic { .. } | ClippedLine::Viscous { .. })
+            ),
             None => true,
         };
         match laws.iter().all(softened) {

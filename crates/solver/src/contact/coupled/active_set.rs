@@ -2,6 +2,7 @@
 
 use super::factor::Factor;
 use super::matrix::Matrix;
+use super::step::Step;
 
 /// The place of a force in its box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,28 +10,6 @@ pub(super) enum At {
     Low,
     Free,
     High,
-}
-
-/// The numbers of one step.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Step<'a> {
-    pub d: &'a [f64],
-    pub low: &'a [f64],
-    pub high: &'a [f64],
-    pub size: &'a [f64],
-}
-
-impl Step<'_> {
-    /// The same numbers; the compiler may know how many they are.
-    #[inline(always)]
-    pub fn of(self, contacts: usize) -> Self {
-        Step {
-            d: &self.d[..contacts],
-            low: &self.low[..contacts],
-            high: &self.high[..contacts],
-            size: &self.size[..contacts],
-        }
-    }
 }
 
 /// The place of each contact, with the factor of the free ones.

@@ -1,6 +1,6 @@
 //! The matrix A = H + diag(g), and the round-off of q = d - A S.
 
-use super::active_set::Step;
+use super::step::Step;
 
 /// Round-off of q as part of the sum of its terms: some 500 times the unit round-off, for sums of many terms and solutions of
 /// blocks. As part of d alone, which may be a small difference of large numbers, it would be too small.

@@ -15,13 +15,15 @@ mod factor;
 mod matrix;
 mod pivoting;
 mod rigid;
+mod step;
 #[cfg(test)]
 pub(super) mod tests;
 
-use active_set::{ActiveSet, At, Step};
+use active_set::{ActiveSet, At};
 use matrix::Matrix;
 pub use rigid::RigidForces;
 use std::fmt;
+use step::Step;
 
 /// Part of A_ii that is added to it where A is singular; see `solve_singular`.
 const SOFTENING: f64 = 1e-6;

@@ -1,7 +1,8 @@
 //! Search for the right pattern.
 
 use super::Unsolved;
-use super::active_set::{ActiveSet, Step};
+use super::active_set::ActiveSet;
+use super::step::Step;
 
 /// Rounds that change all wrong contacts although these have not become fewer.
 const TRIES: usize = 3;

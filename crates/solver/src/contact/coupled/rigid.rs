@@ -2,7 +2,7 @@
 
 use super::curved::{CurvedForces, Directions, Laws};
 use super::{CoupledForces, Unsolved};
-use crate::contact::plane::{Pair, length};
+use crate::contact::pair::{Pair, length};
 
 /// Minimises 1/2 S^T A S - S^T d over intervals, and discs where contacts are in a plane.
 pub enum RigidForces {

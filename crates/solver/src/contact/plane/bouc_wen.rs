@@ -7,9 +7,9 @@
 //! In one direction it is the scalar model. It is isotropic, as the part with gamma of the model of Park, Wen and Ang (1986), and
 //! |z| <= 1.
 
-use super::pair::{Pair, cut, dot, length, map, root};
 use super::{PlaneStep, PlaneTrial};
 use crate::contact::BoucWen;
+use crate::contact::pair::{Pair, cut, dot, length, map, root};
 
 /// Of the two implicit stages, which are of second order and damp what is much faster than a step: 1 - 1/sqrt 2.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;

@@ -1,8 +1,8 @@
 //! The laws in a plane in continuous time.
 
-use super::pair::{Pair, cut, dot, length, map};
 use super::{Form, PlaneLaw, PlaneMemory, PlaneTrial};
-use crate::contact::pendulum::coefficient;
+use crate::contact::laws::friction::pendulum::coefficient;
+use crate::contact::pair::{Pair, cut, dot, length, map};
 
 impl PlaneLaw {
     /// Whether the law has a state z: friction without the spring beside it, or the force of bristles.

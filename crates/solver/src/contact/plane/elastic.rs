@@ -9,10 +9,11 @@
 //! last step, so that it is known: F' + Lambda n' = F + dr/c + q with q = Lambda (n - n_before)/2. This is of second order, and F'
 //! remains the projection of a known point plus dr/c: the gradient of a convex function. On a straight path, q = 0.
 
-use super::pair::{self, Pair, dot, length};
-use super::{PlaneMemory, PlaneStep, PlaneTrial, along, running};
-use crate::contact::pendulum::{coefficient, expected};
-use crate::contact::{AnyRunningLaw, ContactLaw, DisplacementControl};
+use super::scalar::{along, running};
+use super::{PlaneMemory, PlaneStep, PlaneTrial};
+use crate::contact::laws::friction::pendulum::{coefficient, expected};
+use crate::contact::pair::{self, Pair, dot, length};
+use crate::contact::{AnyRunningLaw, DisplacementControl};
 
 /// The law of friction with the step of its scalar form.
 #[derive(Debug, Clone, Copy)]
@@ -50,7 +51,7 @@ impl Elastic {
         let step = match now == 1.0 {
             true => self.step,
             false => {
-                let law = ContactLaw::DisplacementControl(self.law);
+                let law = self.law.into();
                 running(&law, now * on.h * share, on)
             }
         };

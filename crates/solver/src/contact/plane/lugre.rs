@@ -7,9 +7,9 @@
 //! The step is that of the scalar model: z follows its flow for the mean velocity of the step, in which it relaxes to the direction of
 //! the motion, and dz/dt at the end is the slope of the parabola through the last three z.
 
-use super::pair::{Pair, cut, length, map, root};
 use super::{PlaneMemory, PlaneStep, PlaneTrial};
 use crate::contact::Lugre;
+use crate::contact::pair::{Pair, cut, length, map, root};
 use crate::contact::saturation::rise;
 
 /// S' of a step, and the bristles after it.

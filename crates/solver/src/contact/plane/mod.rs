@@ -11,19 +11,17 @@ mod bouc_wen;
 mod continuous;
 mod elastic;
 mod lugre;
-mod pair;
+mod scalar;
 #[cfg(test)]
 mod tests;
 
-pub use pair::{Pair, dot, length};
+pub use super::pair::{Pair, dot, length};
 
 use super::coupled::curved::Directions;
-use super::{
-    AnyRunningLaw, ContactLaw, ContactResponse, DisplacementControl, Flexibility, Lugre,
-    StepFlexibility, Trial,
-};
-use crate::lane::Lane;
+use super::pair;
+use super::{AnyRunningLaw, ContactLaw, DisplacementControl, InPlane, Lugre};
 use elastic::Elastic;
+use scalar::{along, running, scalar_slope};
 
 /// A law of friction in a plane, with what it needs of a step.
 #[derive(Debug, Clone, Copy)]
@@ -38,8 +36,9 @@ pub struct PlaneLaw {
 enum Form {
     /// The scalar law along rdot.
     OfVelocity {
-        law: ContactLaw,
         step: AnyRunningLaw<1>,
+        /// rdot/S and the limit of a law that is viscous up to its limit.
+        viscous: Option<Pair>,
     },
     /// The scalar law along the trial force.
     Elastic(Elastic),
@@ -106,58 +105,48 @@ pub const NAMES: [&str; 9] = [
 
 /// Whether a law slides in a plane.
 pub fn slides_in_plane(law: &ContactLaw) -> bool {
-    let on = PlaneStep {
-        h: 0.0,
-        h_rate: 0.0,
-        dt: 1.0,
-    };
-    PlaneLaw::new(law, on).is_some()
+    law.properties().in_plane().is_some()
+}
+
+/// A number that changes its sign where the force in a plane has a corner at this speed; 0 for a law without one.
+pub fn corner(law: &ContactLaw, speed: f64) -> f64 {
+    match law.properties().in_plane() {
+        Some(InPlane::OfVelocity {
+            viscous: Some([compliance, limit]),
+        }) => speed - compliance * limit,
+        _ => law.properties().corner(speed),
+    }
 }
 
 impl PlaneLaw {
     /// The law in a step; `None` for a law that does not slide in a plane.
     pub fn new(law: &ContactLaw, on: PlaneStep) -> Option<PlaneLaw> {
-        let of_velocity = || Form::OfVelocity {
-            law: *law,
-            step: running(law, on.h, &on),
-        };
-        let elastic =
-            |compliance: f64, limit: f64, spring: f64, from_zero: bool, rising: [f64; 2]| {
+        let (form, spring) = match law.properties().in_plane()? {
+            InPlane::OfVelocity { viscous } => {
+                let step = running(law, on.h, &on);
+                (Form::OfVelocity { step, viscous }, 0.0)
+            }
+            InPlane::Elastic {
+                compliance,
+                limit,
+                spring,
+                from_zero,
+                rising,
+            } => {
                 let law = DisplacementControl { compliance, limit };
                 let h = on.h / (1.0 + spring * on.h);
-                let step = running(&ContactLaw::DisplacementControl(law), h, &on);
-                Form::Elastic(Elastic {
+                let step = running(&law.into(), h, &on);
+                let elastic = Elastic {
                     law,
                     step,
                     from_zero,
                     spring,
                     rising,
-                })
-            };
-        let (form, spring) = match law {
-            ContactLaw::VelocityControl(_)
-            | ContactLaw::Bearing(_)
-            | ContactLaw::Tanh(_)
-            | ContactLaw::Stribeck(_) => (of_velocity(), 0.0),
-            ContactLaw::DisplacementControl(own) => (
-                elastic(own.compliance, own.limit, 0.0, false, [1.0, 0.0]),
-                0.0,
-            ),
-            ContactLaw::Pendulum(own) => {
-                let spring = own.stiffness();
-                (
-                    elastic(own.compliance, own.limit, spring, false, own.rising),
-                    spring,
-                )
+                };
+                (Form::Elastic(elastic), spring)
             }
-            ContactLaw::Bilinear(own) => {
-                let [compliance, width] = own.elastic_part();
-                let spring = own.hardening;
-                (elastic(compliance, width, spring, true, [1.0, 0.0]), spring)
-            }
-            ContactLaw::BoucWen(own) => (Form::BoucWen(*own), 0.0),
-            ContactLaw::Lugre(own) => (Form::Lugre(*own), 0.0),
-            _ => return None,
+            InPlane::BoucWen(own) => (Form::BoucWen(own), 0.0),
+            InPlane::Lugre(own) => (Form::Lugre(own), 0.0),
         };
         Some(PlaneLaw { form, spring, on })
     }
@@ -219,15 +208,15 @@ impl PlaneLaw {
         };
         let pace = if is_explicit { 1.0 } else { pace };
         let (along, stiffness) = match &self.form {
-            Form::OfVelocity { law, step } => {
+            Form::OfVelocity { step, viscous } => {
                 let size = length(force);
                 let speed = length(moved.rate);
-                let slope = match law {
-                    ContactLaw::VelocityControl(own) if size < own.limit => 1.0 / own.compliance,
-                    ContactLaw::VelocityControl(_) => 0.0,
-                    _ => scalar_slope(*step, &moved, speed),
+                let inside = viscous.is_some_and(|[_, limit]| size < limit);
+                let slope = match viscous {
+                    Some([compliance, _]) if inside => 1.0 / compliance,
+                    Some(_) => 0.0,
+                    None => scalar_slope(*step, &moved, speed),
                 };
-                let inside = matches!(law, ContactLaw::VelocityControl(own) if size < own.limit);
                 let across = if inside || speed == 0.0 {
                     slope
                 } else {
@@ -287,63 +276,5 @@ impl PlaneLaw {
             ..PlaneMemory::default()
         };
         (self.force(friction, r, rdot), memory)
-    }
-}
-
-/// A flexibility that changes nothing but keeps the law without compliance finite.
-const LEAST: f64 = f64::MIN_POSITIVE;
-
-/// The scalar law over a step.
-fn running(law: &ContactLaw, h: f64, on: &PlaneStep) -> AnyRunningLaw<1> {
-    let flexibility = |h: f64, h_rate: f64| Flexibility {
-        h: Lane([h]),
-        h_rate: Lane([h_rate]),
-    };
-    // Without compliance, the force of a given velocity is the limit.
-    let steps = [[h, on.h_rate.max(LEAST)], [0.0, LEAST]].map(|[h, h_rate]| StepFlexibility {
-        // The motion contains S.
-        start: flexibility(0.0, 0.0),
-        end: flexibility(h, h_rate),
-        dt: Lane([on.dt]),
-        by_impulse: false,
-    });
-    ContactLaw::running(&[*law], &steps)
-}
-
-/// The force of a scalar law along a direction.
-fn along(mut step: AnyRunningLaw<1>, part: usize, direction: Pair, trial: &PlaneTrial) -> Pair {
-    if direction == [0.0; 2] {
-        return [0.0; 2];
-    }
-    let unit = pair::unit(direction);
-    let part_of = |of: Pair| Lane([dot(unit, of)]);
-    let trial = Trial {
-        displacement: part_of(trial.displacement),
-        velocity: part_of(trial.velocity),
-        force: part_of(trial.force),
-        change: part_of(trial.change),
-        rate: part_of(trial.rate),
-    };
-    let Lane([force]) = step.force(part, &trial);
-    unit.map(|x| x * force)
-}
-
-/// dS/drdot of a scalar law along rdot.
-fn scalar_slope(step: AnyRunningLaw<1>, moved: &PlaneTrial, speed: f64) -> f64 {
-    let width = 1e-7 * speed;
-    let direction = pair::unit(moved.rate);
-    let at = |speed: f64| {
-        let moved = PlaneTrial {
-            rate: direction.map(|x| x * speed),
-            ..*moved
-        };
-        dot(direction, along(step, 1, moved.rate, &moved))
-    };
-    match speed > 0.0 {
-        true => (at(speed + width) - at(speed - width)) / (2.0 * width),
-        false => {
-            let width = f64::MIN_POSITIVE.sqrt();
-            at(width) / width
-        }
     }
 }

@@ -2,7 +2,10 @@
 
 use super::*;
 use crate::contact::coupled::tests::Random;
-use crate::contact::{Bearing, Bilinear, BoucWen, Pendulum, Stribeck, Tanh, VelocityControl};
+use crate::contact::{
+    Bearing, Bilinear, BoucWen, ContactResponse, Pendulum, Stribeck, Tanh, Trial, VelocityControl,
+};
+use crate::lane::Lane;
 
 /// The laws, with a limit of 1 and the displacement and velocity 0.1 up to it.
 fn laws() -> Vec<ContactLaw> {

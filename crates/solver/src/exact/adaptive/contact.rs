@@ -199,7 +199,7 @@ impl Contact {
                     _ => -1.0,
                 };
                 to.push(two_sided(side, 0.5));
-                to.push(two_sided(law.corner(rdot), 0.0));
+                to.push(two_sided(law.properties().corner(rdot), 0.0));
             }
         }
     }

@@ -33,7 +33,7 @@ mod watched;
 use super::events::{EventsFault, Model, State, StateBuffers};
 use crate::contact::ContactLaw;
 use crate::exact::adaptive::watched::Watched;
-use crate::system::structure::{Structure, StructureLaw};
+use crate::system::structure::Structure;
 use drive::Drive;
 use std::fmt;
 use structure::Moving;
@@ -196,7 +196,7 @@ fn refuse(structure: &Structure) -> Result<(), AdaptiveFault> {
     for contact in &structure.contacts {
         let mut nodes = contact.along.iter();
         let what = match &contact.law {
-            StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. } => "is rigid",
+            law if law.row().is_none() && law.is_rigid() => "is rigid",
             law if law.row().is_some() && !law.is_rigid() && is_vertical(&law.law(1.0)) => {
                 "is rigid at rest"
             }
@@ -204,7 +204,7 @@ fn refuse(structure: &Structure) -> Result<(), AdaptiveFault> {
             _ if nodes.any(|(node, _)| structure.nodes[*node].mass <= 0.0) => {
                 "is at a node without mass"
             }
-            law => match law.law(1.0).only_in_steps() {
+            law => match law.as_given().properties().only_in_steps() {
                 Some(what) => what,
                 None => continue,
             },
@@ -226,5 +226,5 @@ pub fn refuse_large(structure: &Structure) -> Result<(), AdaptiveFault> {
 
 /// Whether S is not a function of the motion: it may have any value within bounds at rest.
 pub fn is_vertical(law: &ContactLaw) -> bool {
-    law.is_vertical()
+    law.properties().is_vertical()
 }

@@ -2,7 +2,7 @@
 
 use super::watched::{LimitAt, Watched};
 use crate::contact::ContactLaw;
-use crate::contact::plane::{Pair, PlaneLaw, PlaneStep, dot, length};
+use crate::contact::plane::{self, Pair, PlaneLaw, PlaneStep, dot, length};
 
 /// Relative size of values that are round-off.
 const ROUND_OFF: f64 = 1e-15;
@@ -204,10 +204,7 @@ impl PlaneContact {
             let speed = length(state.rdot);
             let scalar = limit.map_or(self.law, |limit| self.law.at_limit(limit.value));
             to.push(Watched {
-                value: match &scalar {
-                    ContactLaw::VelocityControl(own) => speed - own.compliance * own.limit,
-                    own => own.corner(speed),
-                },
+                value: plane::corner(&scalar, speed),
                 least: rdot_scale,
                 one_sided: false,
             });

@@ -1,8 +1,9 @@
 //! Forces, accelerations and their terms in the motion of a structure.
 
 use super::structure::{DIFFERENCE, Moving};
+use crate::contact::ClippedLine;
 use crate::exact::events::{State, StateBuffers};
-use crate::system::structure::{Limit, StructureLaw};
+use crate::system::structure::Limit;
 
 impl Moving<'_> {
     /// u'' of the coordinates.
@@ -111,7 +112,7 @@ impl Moving<'_> {
             [room.r[i], room.rate[i]] = self.relative(i, t, y);
             room.force[i] = forces[i];
             room.slip[i] = room.r[i];
-            if let StructureLaw::DisplacementControl { stiffness, .. } = own.law {
+            if let Some(ClippedLine::Elastic { stiffness }) = own.law.line() {
                 room.slip[i] -= room.force[i] / stiffness;
             }
         }

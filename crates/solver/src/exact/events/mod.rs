@@ -88,6 +88,7 @@ pub struct Summary {
 /// A mass slides with 2, is slowed down by a limit of 1, and rests from t = 2 on at u = 2^2/2:
 ///
 /// ```
+/// use slipgap_solver::contact::ClippedLine;
 /// use slipgap_solver::exact::events::run;
 /// use slipgap_solver::system::structure::{Contact, Direction, Limit, Node, StructureLaw, Structure, Symmetric};
 ///
@@ -100,7 +101,7 @@ pub struct Summary {
 ///         name: "floor".into(),
 ///         along: vec![(0, 1.0)],
 ///         gap: 0.0,
-///         law: StructureLaw::Coulomb { limit: Limit::constant(1.0) },
+///         law: StructureLaw::new(ClippedLine::Coulomb, Limit::constant(1.0)),
 ///     }],
 ///     loads: Vec::new(),
 ///     displacement: vec![0.0],

@@ -1,17 +1,17 @@
 //! The motion, piece by piece.
 
+use super::coordinates::model::{LONGEST, Model};
+use super::numerics::bernstein;
+use super::phases::contact_phase::Phase;
+use super::phases::contact_state::ContactState;
+use super::pieces::book::{Book, energy};
+use super::pieces::scales::Scales;
+use super::pieces::series::Series;
+use super::pieces::state_buffers::StateBuffers;
+use super::pieces::watch::{Found, first_event};
+use super::transitions::rigid::Constraints;
 use super::{Event, EventsFault};
-use crate::exact::events::coordinates::model::{LONGEST, Model};
-use crate::exact::events::numerics::bernstein;
-use crate::exact::events::phases::contact_phase::Phase;
-use crate::exact::events::phases::contact_state::ContactState;
-use crate::exact::events::pieces::book::{Book, energy};
-use crate::exact::events::pieces::scales::Scales;
-use crate::exact::events::pieces::series::Series;
-use crate::exact::events::pieces::state_buffers::StateBuffers;
-use crate::exact::events::pieces::watch::{Found, first_event};
-use crate::exact::events::transitions::rigid::Constraints;
-use crate::system::structure::StructureLaw;
+use crate::contact::ClippedLine;
 
 /// Most events of a motion.
 pub const MOST_EVENTS: usize = 1_000_000;
@@ -126,7 +126,7 @@ impl<'a> Motion<'a> {
 
     fn refuse_overlaps(&self) -> Result<(), EventsFault> {
         for (i, contact) in self.model.contacts.iter().enumerate() {
-            let rigid = matches!(contact.law, StructureLaw::RigidStop { .. });
+            let rigid = contact.law.is_stop();
             let r = self.series.contacts[i].r[0];
             if rigid && r < -self.scales.r(&self.model, i, self.series.length) {
                 return Err(EventsFault::Overlap {
@@ -227,8 +227,8 @@ impl<'a> Motion<'a> {
             room.force[i] = force;
             room.r[i] = r;
             room.rate[i] = rate;
-            room.slip[i] = match contact.law {
-                StructureLaw::DisplacementControl { stiffness, .. } => r - force / stiffness,
+            room.slip[i] = match contact.law.line() {
+                Some(ClippedLine::Elastic { stiffness }) => r - force / stiffness,
                 _ => r,
             };
         }

@@ -139,8 +139,19 @@ impl From<PlainLaw> for ContactLaw {
     #[inline(always)]
     fn from(law: PlainLaw) -> ContactLaw {
         match law {
-            PlainLaw::Displacement(law) => ContactLaw::DisplacementControl(law),
-            PlainLaw::Velocity(law) => ContactLaw::VelocityControl(law),
+            PlainLaw::Displacement(law) => law.into(),
+            PlainLaw::Velocity(law) => law.into(),
+        }
+    }
+}
+
+impl PlainLaw {
+    /// The same of any law; `None` for one that is not of `[F]`.
+    pub fn of(law: &ContactLaw) -> Option<PlainLaw> {
+        match *law {
+            ContactLaw::DisplacementControl(law) => Some(PlainLaw::Displacement(law)),
+            ContactLaw::VelocityControl(law) => Some(PlainLaw::Velocity(law)),
+            _ => None,
         }
     }
 }

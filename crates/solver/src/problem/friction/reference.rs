@@ -2,6 +2,7 @@
 
 use super::case::OscillatorCase;
 use super::coulomb;
+use super::law::PlainLaw;
 use crate::contact::ContactLaw;
 use crate::exact::adaptive;
 use crate::exact::regularised::{self, Regularised};
@@ -25,29 +26,28 @@ pub struct Softened {
 
 /// Whether the motion with a law has a closed form.
 pub fn in_closed_form(law: &ContactLaw) -> bool {
-    matches!(
-        law,
-        ContactLaw::DisplacementControl(_) | ContactLaw::VelocityControl(_)
-    )
+    PlainLaw::of(law).is_some()
 }
 
 /// The motion at these times; `None` outside the range of [`regularised::holds`], and where the integration does not get to its end
 /// ([`adaptive::AdaptiveFault`]).
 pub fn softened(case: &OscillatorCase, times: &[f64], with_error: bool) -> Option<Softened> {
     let (x0, force, end) = (case.x0, case.force, *times.last()?);
-    let mut motion = match case.law {
-        ContactLaw::VelocityControl(law) if law.compliance == 0.0 => {
+    let Some(law) = PlainLaw::of(&case.law) else {
+        return integrated(case, times, with_error);
+    };
+    let mut motion = match law {
+        PlainLaw::Velocity(law) if law.compliance == 0.0 => {
             let motion = coulomb(x0, times);
             return Some(Softened {
                 motion,
                 coarse: None,
             });
         }
-        ContactLaw::DisplacementControl(law) => regularised::holds(x0, law.compliance, force, end)
+        PlainLaw::Displacement(law) => regularised::holds(x0, law.compliance, force, end)
             .then(|| Regularised::displacement(x0, law.compliance, force))?,
-        ContactLaw::VelocityControl(law) => regularised::holds(x0, law.compliance, 0.0, end)
+        PlainLaw::Velocity(law) => regularised::holds(x0, law.compliance, 0.0, end)
             .then(|| Regularised::velocity(x0, law.compliance))?,
-        _ => return integrated(case, times, with_error),
     };
     Some(Softened {
         motion: History::sample(times, |time| motion.at(time).values()),
@@ -125,10 +125,7 @@ fn structure(case: &OscillatorCase) -> Structure {
             name: String::new(),
             along: between([None, Some(0)]),
             gap: 0.0,
-            law: StructureLaw::CurvedFriction {
-                law: case.law,
-                limit: Limit::constant(1.0),
-            },
+            law: StructureLaw::new(case.law, Limit::constant(1.0)).from_its_answer(),
         }],
         loads: Vec::new(),
         displacement: vec![case.x0],

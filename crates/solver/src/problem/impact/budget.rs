@@ -2,7 +2,7 @@
 
 use super::case::{self, ImpactCase};
 use super::scaled::{CLOSING, Scaled};
-use crate::contact::WhichLaw;
+use crate::contact::ClippedLine;
 use crate::exact::adaptive::{self, AdaptiveFault};
 use crate::exact::mesh::Mesh;
 use crate::exact::spring::Spring;
@@ -35,7 +35,7 @@ pub fn references(scaled: &Scaled, times: &[f64], with_error: bool) -> Option<Re
     if pair.left.elements > MOST_ELEMENTS {
         return None;
     }
-    if scaled.law.which() == WhichLaw::ImpactSpring {
+    if matches!(scaled.law.line(), Some(ClippedLine::Spring { .. })) {
         return in_closed_form(scaled, times);
     }
     let alike = pair.right.is_none() || pair.equal();
@@ -155,10 +155,7 @@ fn mesh(scaled: &Scaled) -> Structure {
             name: String::new(),
             along: (0..modes.len()).map(|j| (j, 1.0)).collect(),
             gap: scaled.bars.gap,
-            law: StructureLaw::CurvedImpact {
-                law: scaled.law,
-                restitution: 1.0,
-            },
+            law: StructureLaw::new(scaled.law, None).from_its_answer(),
         }],
         loads: Vec::new(),
         displacement: vec![0.0; modes.len()],

@@ -163,7 +163,7 @@ pub fn condense<const L: usize>(cases: &[ImpactCase; L], track: &mut Track<L>) {
         ContactLaw::accept(&laws, Condense { track, compliance });
     }
     track.touching.clear();
-    if laws[0].rigid() {
+    if laws[0].properties().is_vertical() {
         let states = track.displacement.iter().zip(&track.force);
         let touching = states.map(|(r, force)| {
             r.zip(

@@ -4,8 +4,8 @@ use super::tables::LAW;
 use super::tables::laws::rows;
 use crate::contact::number::Number;
 use crate::contact::numbers::bars;
-use crate::contact::offer::{Form, Offered, Place, most_numbers};
-use crate::contact::{ALL, ContactLaw, GivenNumbers, ImpactSpring, Rigid, WhichLaw};
+use crate::contact::offer::{Offered, Place, most_numbers};
+use crate::contact::{ALL, ContactKind, ContactLaw, GivenNumbers, WhichLaw};
 use crate::methods::Method;
 use crate::problem::Case;
 use crate::problem::numbers::parameter::Value;
@@ -62,20 +62,12 @@ pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<Con
         numbers: own.numbers,
         values: &values[..own.numbers.len()],
         table: &[],
-        others: &[("k", stiffness), ("colliding_mass", mass)],
+        others: &[
+            ("k", stiffness),
+            ("colliding_mass", mass),
+            ("impulses", f64::from(method.has_impulses())),
+        ],
     };
-    match (offer.form)(&given).ok()? {
-        Form::Spring { stiffness } => Some(ContactLaw::ImpactSpring(ImpactSpring { stiffness })),
-        Form::Stop { restitution } => Some(ContactLaw::Rigid(Rigid {
-            restitution,
-            impulses: method.has_impulses(),
-        })),
-        Form::Impact { law, .. } => Some(law),
-        // No impacts.
-        Form::Elastic { .. }
-        | Form::Viscous { .. }
-        | Form::Coulomb { .. }
-        | Form::Friction(_)
-        | Form::Link(_) => None,
-    }
+    let form = (offer.form)(&given).ok()?;
+    (form.law.kind() == ContactKind::Impact).then_some(form.law)
 }

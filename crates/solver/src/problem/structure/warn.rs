@@ -190,16 +190,12 @@ impl StructureProblem {
 
 /// Whether an impact law has a largest force: what lies behind the gap may give way by more than the gap.
 fn yields(law: &StructureLaw) -> bool {
-    matches!(law, StructureLaw::CurvedImpact { law, .. } if !law.properties().has_rigid_form())
+    law.kind() == ContactKind::Impact && !law.as_given().properties().has_rigid_form()
 }
 
 /// Whether a law of friction or of a damper without elastic displacement: its force may jump from step to step.
 fn resists_velocity(law: &StructureLaw) -> bool {
-    match law {
-        StructureLaw::Coulomb { .. } | StructureLaw::VelocityControl { .. } => true,
-        StructureLaw::CurvedFriction { law, .. } | StructureLaw::Link { law } => law.of_velocity(),
-        _ => false,
-    }
+    law.row().is_none() && law.as_given().of_velocity()
 }
 
 /// Whether a force turns back at each of some steps in a row, by more than a share of its peak.

@@ -26,6 +26,7 @@
 //! A mass of 1 with the velocity 2 and Coulomb friction 1 comes to rest after 2 s at v^2/2 = 2:
 //!
 //! ```
+//! use slipgap_solver::contact::ClippedLine;
 //! use slipgap_solver::solve::structure::{Prepared, run};
 //! use slipgap_solver::system::structure::{Contact, Direction, Limit, Node, StructureLaw, Structure, Symmetric};
 //!
@@ -34,7 +35,7 @@
 //!     name: "floor".to_string(),
 //!     along: vec![(0, 1.0)],
 //!     gap: 0.0,
-//!     law: StructureLaw::Coulomb { limit },
+//!     law: StructureLaw::new(ClippedLine::Coulomb, limit),
 //! };
 //! let block = Structure {
 //!     nodes: vec![Node { name: "block".to_string(), mass: 1.0, direction: Direction::X }],

@@ -1,8 +1,8 @@
 //! The elastic contacts of a structure at rest, with their initial stiffness.
 
-use super::{Contact, Structure, StructureLaw, Symmetric};
-use crate::contact::ContactKind;
-use crate::system::structure::sparse::factor::negative_pivot;
+use super::sparse::factor::negative_pivot;
+use super::{Contact, Structure, Symmetric};
+use crate::contact::{ClippedLine, ContactKind};
 use std::collections::BTreeMap;
 
 /// Stiffness of a contact that touches, over the largest entry of K: below the inverse of what is round-off of a pivot.
@@ -18,10 +18,10 @@ impl Contact {
     pub fn initial_stiffness(&self) -> f64 {
         let overlap = (-self.gap).max(0.0);
         let limit = self.law.limit().map_or(0.0, |limit| limit.at(0.0));
-        match &self.law {
+        match self.law.line() {
             // Without the round-off of 1/(1/k).
-            StructureLaw::DisplacementControl { stiffness, .. } if limit > 0.0 => *stiffness,
-            law => law.law(limit).properties().initial_stiffness(overlap),
+            Some(ClippedLine::Elastic { stiffness }) if limit > 0.0 => stiffness,
+            _ => self.law.law(limit).properties().initial_stiffness(overlap),
         }
     }
 
@@ -165,7 +165,7 @@ fn join(part: &mut [usize], i: usize, j: usize) {
 mod tests {
     use super::*;
     use crate::contact::{BoucWen, ContactLaw, Hertz, KelvinVoigt, Lugre, Tanh};
-    use crate::system::structure::{Limit, Node};
+    use crate::system::structure::{Limit, Node, StructureLaw};
 
     fn contact(between: [Option<usize>; 2], gap: f64, law: StructureLaw) -> Contact {
         Contact {
@@ -182,18 +182,11 @@ mod tests {
 
     #[test]
     fn the_initial_stiffness_is_the_slope_of_the_law() {
-        let elastic = |k: f64, force: f64| StructureLaw::DisplacementControl {
-            stiffness: k,
-            limit: limit(force),
+        let elastic = |k: f64, force: f64| {
+            StructureLaw::new(ClippedLine::Elastic { stiffness: k }, limit(force))
         };
-        let friction = |law: ContactLaw| StructureLaw::CurvedFriction {
-            law,
-            limit: limit(2.0),
-        };
-        let impact = |law: ContactLaw| StructureLaw::CurvedImpact {
-            law,
-            restitution: 1.0,
-        };
+        let friction = |law: ContactLaw| StructureLaw::new(law, limit(2.0)).from_its_answer();
+        let impact = |law: ContactLaw| StructureLaw::new(law, None).from_its_answer();
         let compliance = 1.0 / 64.0;
         let lugre = Lugre {
             sigma0: 80.0,
@@ -214,7 +207,7 @@ mod tests {
             ratio: 1.0,
             rate: 0.0,
         };
-        let spring = StructureLaw::ImpactSpring { stiffness: 90.0 };
+        let spring = StructureLaw::new(ClippedLine::Spring { stiffness: 90.0 }, None);
         let hertz = impact(ContactLaw::Hertz(Hertz { stiffness: 100.0 }));
         let kelvin = impact(ContactLaw::KelvinVoigt(KelvinVoigt::new(70.0, 0.5, 1.0)));
         for (law, gap, k) in [
@@ -224,7 +217,11 @@ mod tests {
             (friction(ContactLaw::BoucWen(boucwen)), 0.0, 64.0),
             (friction(ContactLaw::Lugre(lugre)), 0.0, 80.0),
             (friction(ContactLaw::Tanh(tanh)), 0.0, 0.0),
-            (StructureLaw::Coulomb { limit: limit(2.0) }, 0.0, 0.0),
+            (
+                StructureLaw::new(ClippedLine::Coulomb, limit(2.0)),
+                0.0,
+                0.0,
+            ),
             (spring.clone(), 0.01, 0.0),
             (spring.clone(), 0.0, 0.0),
             (spring, -0.01, 90.0),
@@ -240,12 +237,9 @@ mod tests {
 
     #[test]
     fn elastic_contacts_and_coulomb_friction_hold_and_open_gaps_do_not() {
-        let elastic = StructureLaw::DisplacementControl {
-            stiffness: 50.0,
-            limit: limit(2.0),
-        };
-        let coulomb = StructureLaw::Coulomb { limit: limit(2.0) };
-        let gap = StructureLaw::ImpactSpring { stiffness: 1e4 };
+        let elastic = StructureLaw::new(ClippedLine::Elastic { stiffness: 50.0 }, limit(2.0));
+        let coulomb = StructureLaw::new(ClippedLine::Coulomb, limit(2.0));
+        let gap = StructureLaw::new(ClippedLine::Spring { stiffness: 1e4 }, None);
         let structure = |contacts: Vec<Contact>| {
             let mut stiffness = Symmetric::zeros(4);
             stiffness.add_spring([Some(1), Some(2)], 10.0);

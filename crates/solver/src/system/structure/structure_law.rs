@@ -3,74 +3,20 @@
 use super::{PressedBy, Signal};
 use crate::contact::offer::Form;
 use crate::contact::plane::slides_in_plane;
-use crate::contact::{
-    ContactKind, ContactLaw, DisplacementControl, ImpactSpring, Rigid, VelocityControl,
-};
+use crate::contact::{ClippedLine, ContactKind, ContactLaw};
 use std::sync::Arc;
 
-/// The law of a contact of a structure.
+/// The law of a contact of a structure, with what the structure adds to it.
 #[derive(Debug, Clone)]
-pub enum StructureLaw {
-    /// S = k min(r, 0) `[I (7)]`.
-    ImpactSpring {
-        /// k, > 0.
-        stiffness: f64,
-    },
-    /// S <= 0 <= r, and r' after an impact is -e times r' before it.
-    RigidStop {
-        /// e, from 0 to 1.
-        restitution: f64,
-    },
-    /// Elastic with k up to the limit `[F (9)]`; S(0) = 0.
-    DisplacementControl {
-        /// k^C, > 0.
-        stiffness: f64,
-        /// Friction limit.
-        limit: Limit,
-    },
-    /// Viscous with c up to the limit `[F (16)]`.
-    VelocityControl {
-        /// c^C, > 0.
-        viscosity: f64,
-        /// Friction limit.
-        limit: Limit,
-    },
-    /// Coulomb friction without compliance.
-    Coulomb {
-        /// Friction limit.
-        limit: Limit,
-    },
-    /// A law of impact that is not a clipped line.
-    CurvedImpact {
-        /// The law.
-        law: ContactLaw,
-        /// Its target of the coefficient of restitution; 1 without damping.
-        restitution: f64,
-    },
-    /// A law of friction that is not a clipped line.
-    CurvedFriction {
-        /// The law; its limit follows [`Limit`].
-        law: ContactLaw,
-        /// Friction limit; of a coefficient that depends on velocity, the largest or the kinetic one.
-        limit: Limit,
-    },
-    /// A law of a link, whose force is always found from its own answer.
-    Link {
-        /// The law.
-        law: ContactLaw,
-    },
-    /// One direction of friction in a plane. Both directions are two contacts, one behind the other, with the same law and limit.
-    Plane {
-        /// The law.
-        law: ContactLaw,
-        /// Friction limit; 0 for a link, whose law has its own.
-        limit: Limit,
-        /// Which direction.
-        row: PlaneRow,
-    },
+pub struct StructureLaw {
+    law: ContactLaw,
+    line: Option<ClippedLine>,
+    restitution: f64,
+    limit: Option<Limit>,
+    row: Option<PlaneRow>,
 }
 
-/// A direction of a contact in a plane.
+/// A direction of a contact in a plane. Both directions are two contacts, one behind the other, with the same law and limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlaneRow {
     /// The first one; the next contact is the second one.
@@ -80,154 +26,134 @@ pub enum PlaneRow {
 }
 
 impl StructureLaw {
-    /// The law of a form; a law of friction has this limit.
-    pub fn new(form: Form, limit: Limit) -> StructureLaw {
-        match form {
-            Form::Spring { stiffness } => StructureLaw::ImpactSpring { stiffness },
-            Form::Stop { restitution } => StructureLaw::RigidStop { restitution },
-            Form::Elastic { stiffness } => StructureLaw::DisplacementControl { stiffness, limit },
-            Form::Viscous { viscosity } => StructureLaw::VelocityControl { viscosity, limit },
-            Form::Coulomb { static_ratio } => StructureLaw::Coulomb {
-                limit: Limit {
-                    static_ratio,
-                    ..limit
-                },
-            },
-            Form::Impact { law, restitution } => StructureLaw::CurvedImpact { law, restitution },
-            Form::Friction(law) => StructureLaw::CurvedFriction { law, limit },
-            Form::Link(law) => StructureLaw::Link { law },
+    /// A law, or the law of a clipped line; friction has this limit.
+    ///
+    /// ```
+    /// use slipgap_solver::contact::{ClippedLine, ContactKind};
+    /// use slipgap_solver::system::structure::{Limit, StructureLaw};
+    ///
+    /// let friction = StructureLaw::new(ClippedLine::Elastic { stiffness: 4.0 }, Limit::constant(1.0));
+    /// assert_eq!(friction.kind(), ContactKind::Friction);
+    /// let stop = StructureLaw::new(ClippedLine::Stop { restitution: 1.0 }, None);
+    /// assert!(stop.is_rigid() && stop.limit().is_none());
+    /// ```
+    pub fn new(form: impl Into<Form>, limit: impl Into<Option<Limit>>) -> StructureLaw {
+        let form = form.into();
+        let mut limit = limit.into();
+        if let Some(limit) = limit.as_mut().filter(|_| form.static_ratio > 1.0) {
+            limit.static_ratio = form.static_ratio;
+        }
+        StructureLaw {
+            law: form.law,
+            line: form.line,
+            restitution: form.restitution,
+            limit: limit.filter(|_| form.law.kind() == ContactKind::Friction),
+            row: None,
         }
     }
 
     /// Both directions of the law in a plane; `None` for a law that does not slide in one.
     pub fn in_plane(self) -> Option<[StructureLaw; 2]> {
-        let limit = self.limit().cloned().unwrap_or(Limit::constant(0.0));
-        let law = self.law(limit.at(0.0));
+        let law = self.law(self.limit().map_or(0.0, |limit| limit.at(0.0)));
         slides_in_plane(&law).then(|| {
-            [PlaneRow::First, PlaneRow::Second].map(|row| StructureLaw::Plane {
+            [PlaneRow::First, PlaneRow::Second].map(|row| StructureLaw {
                 law,
-                limit: limit.clone(),
-                row,
+                row: Some(row),
+                ..self.clone().from_its_answer()
             })
         })
     }
 
+    /// The law without its line: its force is found from its own answer, as that of any other law.
+    pub fn from_its_answer(self) -> StructureLaw {
+        StructureLaw { line: None, ..self }
+    }
+
+    /// The law without compliance that it tends to, with its target of the coefficient of restitution or its limit; itself for a link
+    /// and for a law without a rigid form.
+    pub fn rigid_form(self) -> StructureLaw {
+        let has_form = self.law.properties().has_rigid_form();
+        let line = match self.kind() {
+            ContactKind::Impact if has_form => ClippedLine::Stop {
+                restitution: self.restitution,
+            },
+            ContactKind::Friction if has_form => ClippedLine::Coulomb,
+            _ => return self,
+        };
+        let form = StructureLaw::new(line, self.limit);
+        match self.row {
+            Some(_) => StructureLaw {
+                row: self.row,
+                ..form.from_its_answer()
+            },
+            None => form,
+        }
+    }
+
     /// The direction of a contact in a plane.
     pub fn row(&self) -> Option<PlaneRow> {
-        match self {
-            StructureLaw::Plane { row, .. } => Some(*row),
-            _ => None,
-        }
+        self.row
     }
 
     /// What the contact can do.
     pub fn kind(&self) -> ContactKind {
-        match self {
-            StructureLaw::ImpactSpring { .. }
-            | StructureLaw::RigidStop { .. }
-            | StructureLaw::CurvedImpact { .. } => ContactKind::Impact,
-            StructureLaw::DisplacementControl { .. }
-            | StructureLaw::VelocityControl { .. }
-            | StructureLaw::CurvedFriction { .. }
-            | StructureLaw::Coulomb { .. } => ContactKind::Friction,
-            StructureLaw::Link { .. } => ContactKind::Link,
-            StructureLaw::Plane { law, .. } => law.kind(),
-        }
+        self.law.kind()
+    }
+
+    /// The clipped line that the law is over a step; `None` for a law whose force is found from its own answer.
+    pub fn line(&self) -> Option<ClippedLine> {
+        self.line
+    }
+
+    /// Whether the law is not a clipped line over a step.
+    pub fn is_curved(&self) -> bool {
+        self.line.is_none()
+    }
+
+    /// k of a clipped line that is a spring.
+    pub fn spring(&self) -> Option<f64> {
+        self.line.and_then(ClippedLine::stiffness)
+    }
+
+    /// Whether it is a rigid stop.
+    pub fn is_stop(&self) -> bool {
+        matches!(self.line, Some(ClippedLine::Stop { .. }))
     }
 
     /// The friction limit; `None` for an impact and a link.
     pub fn limit(&self) -> Option<&Limit> {
-        match self {
-            StructureLaw::ImpactSpring { .. }
-            | StructureLaw::RigidStop { .. }
-            | StructureLaw::CurvedImpact { .. }
-            | StructureLaw::Link { .. } => None,
-            StructureLaw::Plane { law, limit, .. } => {
-                (law.kind() == ContactKind::Friction).then_some(limit)
-            }
-            StructureLaw::DisplacementControl { limit, .. }
-            | StructureLaw::VelocityControl { limit, .. }
-            | StructureLaw::CurvedFriction { limit, .. }
-            | StructureLaw::Coulomb { limit } => Some(limit),
-        }
+        self.limit.as_ref()
     }
 
     /// The same to change it.
     pub fn limit_mut(&mut self) -> Option<&mut Limit> {
-        match self {
-            StructureLaw::ImpactSpring { .. }
-            | StructureLaw::RigidStop { .. }
-            | StructureLaw::CurvedImpact { .. }
-            | StructureLaw::Link { .. } => None,
-            StructureLaw::Plane { law, limit, .. } => {
-                (law.kind() == ContactKind::Friction).then_some(limit)
-            }
-            StructureLaw::DisplacementControl { limit, .. }
-            | StructureLaw::VelocityControl { limit, .. }
-            | StructureLaw::CurvedFriction { limit, .. }
-            | StructureLaw::Coulomb { limit } => Some(limit),
-        }
+        self.limit.as_mut()
     }
 
     /// Whether the law has no compliance: its force does not follow from its motion.
     pub fn is_rigid(&self) -> bool {
-        match self {
-            StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. } => true,
-            StructureLaw::Plane { law, .. } => {
-                matches!(law, ContactLaw::VelocityControl(own) if own.compliance == 0.0)
-            }
-            _ => false,
+        match self.line.or(self.law.line().filter(|_| self.row.is_some())) {
+            Some(line) => line.is_rigid(),
+            None => false,
         }
     }
 
     /// Static limit over the kinetic one; 1 where both are the same, or where the law itself has both.
     pub fn static_ratio(&self) -> f64 {
-        match self {
-            StructureLaw::Coulomb { limit } => limit.static_ratio,
+        match (self.line, &self.limit) {
+            (Some(ClippedLine::Coulomb), Some(limit)) => limit.static_ratio,
             _ => 1.0,
         }
     }
 
-    /// Whether the law is not a clipped line over a step.
-    pub fn is_curved(&self) -> bool {
-        matches!(
-            self,
-            StructureLaw::CurvedImpact { .. }
-                | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. }
-                | StructureLaw::Plane { .. }
-        )
+    /// The law as it was given, of friction with the limit at rest.
+    pub fn as_given(&self) -> &ContactLaw {
+        &self.law
     }
 
     /// The law while the friction limit is this; only friction has one.
     pub fn law(&self, limit: f64) -> ContactLaw {
-        match *self {
-            StructureLaw::ImpactSpring { stiffness } => {
-                ContactLaw::ImpactSpring(ImpactSpring { stiffness })
-            }
-            StructureLaw::RigidStop { restitution } => ContactLaw::Rigid(Rigid {
-                restitution,
-                impulses: false,
-            }),
-            StructureLaw::DisplacementControl { stiffness, .. } => {
-                let compliance = 1.0 / stiffness;
-                ContactLaw::DisplacementControl(DisplacementControl { compliance, limit })
-            }
-            StructureLaw::VelocityControl { viscosity, .. } => {
-                let compliance = 1.0 / viscosity;
-                ContactLaw::VelocityControl(VelocityControl { compliance, limit })
-            }
-            StructureLaw::Coulomb { .. } => {
-                let compliance = 0.0;
-                ContactLaw::VelocityControl(VelocityControl { compliance, limit })
-            }
-            StructureLaw::CurvedImpact { law, .. } | StructureLaw::Link { law } => law,
-            StructureLaw::CurvedFriction { law, .. } => law.at_limit(limit),
-            StructureLaw::Plane { law, .. } => match law.kind() {
-                ContactKind::Friction => law.at_limit(limit),
-                ContactKind::Impact | ContactKind::Link => law,
-            },
-        }
+        self.law.at_limit(limit)
     }
 }
 

@@ -55,12 +55,9 @@ fn free_bodies_touch_for_the_estimated_time() {
     // A step more or less at both ends, of 1e-5 s: of 0.03 s for the linear laws, and of 0.06 s for the others.
     let near = |ratio: f64| assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
     let stiffness = 4000.0;
-    let spring = StructureLaw::ImpactSpring { stiffness };
+    let spring = StructureLaw::new(ClippedLine::Spring { stiffness }, None);
     near(ratio(spring, r#""law": "impact-spring", "k": 4000"#));
-    let curved = |law: ContactLaw| StructureLaw::CurvedImpact {
-        law,
-        restitution: 1.0,
-    };
+    let curved = |law: ContactLaw| StructureLaw::new(law, None).from_its_answer();
     let k_h = 90_000.0;
     let hertz = curved(ContactLaw::Hertz(Hertz { stiffness: k_h }));
     near(ratio(hertz, r#""law": "hertz", "k_h": 90000"#));

@@ -4,7 +4,7 @@ use super::*;
 
 fn friction(law: ContactLaw) -> Structure {
     let limit = Limit::constant(1.0);
-    let mut structure = one(1.0, StructureLaw::CurvedFriction { law, limit }, 0.0);
+    let mut structure = one(1.0, StructureLaw::new(law, limit).from_its_answer(), 0.0);
     structure.displacement = vec![12.0];
     structure.preload.forces = vec![Some(0.0)];
     structure
@@ -148,14 +148,7 @@ fn a_mass_bounces_on_springs_as_the_closed_forms_of_the_laws_say() {
         }),
     ];
     for law in laws {
-        let mut structure = one(
-            0.0,
-            StructureLaw::CurvedImpact {
-                law,
-                restitution: 1.0,
-            },
-            1.0,
-        );
+        let mut structure = one(0.0, StructureLaw::new(law, None).from_its_answer(), 1.0);
         structure.velocity = vec![-2.0];
         let end = at(&structure, &[3.0], TOLERANCE)[0];
         let expected = law.collision(1.0, 2.0).unwrap();

@@ -1,6 +1,7 @@
 //! Structures, against the motions by events of laws of straight lines.
 
 use super::*;
+use crate::contact::ClippedLine;
 use std::sync::Arc;
 
 /// A chain of three masses under a table and a sine, an impact between the first two, friction with a limit that changes in time at
@@ -22,7 +23,7 @@ fn chain(law: impl Fn(Limit) -> StructureLaw) -> Structure {
         name: "gap".into(),
         along: vec![(0, -1.0), (1, 1.0)],
         gap: 0.2,
-        law: StructureLaw::ImpactSpring { stiffness: 400.0 },
+        law: StructureLaw::new(ClippedLine::Spring { stiffness: 400.0 }, None),
     });
     let table = Table::new(
         vec![0.0, 0.7, 1.9, 1.9, 3.3, 8.0],
@@ -59,14 +60,8 @@ fn limit() -> Limit {
 #[test]
 fn laws_of_lines_move_as_by_events() {
     let times = times(10.0, 250);
-    let elastic = |limit| StructureLaw::DisplacementControl {
-        stiffness: 20.0,
-        limit,
-    };
-    let viscous = |limit| StructureLaw::VelocityControl {
-        viscosity: 5.0,
-        limit,
-    };
+    let elastic = |limit| StructureLaw::new(ClippedLine::Elastic { stiffness: 20.0 }, limit);
+    let viscous = |limit| StructureLaw::new(ClippedLine::Viscous { viscosity: 5.0 }, limit);
     for structure in [chain(elastic), chain(viscous)] {
         let [own, exact] = [
             at(&structure, &times, TOLERANCE),
@@ -85,10 +80,7 @@ fn laws_of_lines_move_as_by_events() {
 fn laws_with_a_state_follow_a_limit_that_changes() {
     // Dahl's model with n = 0 is displacement-control, and a pendulum of a very large radius, too.
     let times = times(10.0, 250);
-    let elastic = |limit| StructureLaw::DisplacementControl {
-        stiffness: 20.0,
-        limit,
-    };
+    let elastic = |limit| StructureLaw::new(ClippedLine::Elastic { stiffness: 20.0 }, limit);
     let exact = by_events(&chain(elastic), &times);
     let [compliance, constant] = [0.05, 0.6];
     let dahl = ContactLaw::Dahl(Dahl {
@@ -104,7 +96,7 @@ fn laws_with_a_state_follow_a_limit_that_changes() {
         rising: [1.0, 0.0],
     });
     for law in [dahl, pendulum] {
-        let structure = chain(|limit| StructureLaw::CurvedFriction { law, limit });
+        let structure = chain(|limit| StructureLaw::new(law, limit).from_its_answer());
         let own = at(&structure, &times, TOLERANCE);
         let error = distance(&own, &exact, 0);
         println!("{error:e}");
@@ -115,18 +107,19 @@ fn laws_with_a_state_follow_a_limit_that_changes() {
 #[test]
 fn what_the_integration_does_not_know_is_said() {
     let of = |law| run_of(&one(1.0, law, 0.0), &[0], &[1.0], TOLERANCE, |_, _| {});
-    let rigid = of(StructureLaw::Coulomb {
-        limit: Limit::constant(1.0),
-    });
+    let rigid = of(StructureLaw::new(
+        ClippedLine::Coulomb,
+        Limit::constant(1.0),
+    ));
     let text = rigid.unwrap_err().to_string();
     assert!(text.starts_with("contact floor is rigid, which"), "{text}");
     // A law that is nearly vertical: steps of its width would take too long.
     let mut stiff = one(
         1.0,
-        StructureLaw::VelocityControl {
-            viscosity: 1e12,
-            limit: Limit::constant(1.0),
-        },
+        StructureLaw::new(
+            ClippedLine::Viscous { viscosity: 1e12 },
+            Limit::constant(1.0),
+        ),
         0.0,
     );
     stiff.displacement = vec![12.0];

@@ -2,6 +2,7 @@
 
 use super::contact_phase::Phase;
 use super::lines::Line;
+use crate::contact::ClippedLine;
 use crate::system::structure::StructureLaw;
 
 /// A contact at one time.
@@ -65,31 +66,23 @@ impl ContactState {
             let slope = line.slope;
             return Force::Line { slope, at, force };
         }
-        match (self.phase, law) {
+        match (self.phase, law.line()) {
             (Phase::Open, _) => Force::None,
             (Phase::Sliding(direction), _) => Force::Limit(direction),
-            (Phase::Closed, StructureLaw::ImpactSpring { stiffness }) => Force::Spring {
-                k: *stiffness,
-                origin: 0.0,
+            (Phase::Closed, Some(line)) => match line {
+                ClippedLine::Spring { stiffness } => Force::Spring {
+                    k: stiffness,
+                    origin: 0.0,
+                },
+                ClippedLine::Elastic { stiffness } => Force::Spring {
+                    k: stiffness,
+                    origin: self.origin,
+                },
+                ClippedLine::Viscous { viscosity } => Force::Dashpot { c: viscosity },
+                ClippedLine::Stop { .. } | ClippedLine::Coulomb => Force::Constraint,
             },
-            (Phase::Closed, StructureLaw::DisplacementControl { stiffness, .. }) => Force::Spring {
-                k: *stiffness,
-                origin: self.origin,
-            },
-            (Phase::Closed, StructureLaw::VelocityControl { viscosity, .. }) => {
-                Force::Dashpot { c: *viscosity }
-            }
-            (Phase::Closed, StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }) => {
-                Force::Constraint
-            }
             // Such laws are refused, or have lines.
-            (
-                Phase::Closed,
-                StructureLaw::CurvedImpact { .. }
-                | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. }
-                | StructureLaw::Plane { .. },
-            ) => Force::None,
+            (Phase::Closed, None) => Force::None,
         }
     }
 }

@@ -1,12 +1,12 @@
 //! The energy book: E(t) - E(0) = work of the loads - dissipated energy, E kinetic, of K and of the springs of the contacts.
 
 use super::series::Series;
+use crate::contact::ClippedLine;
 use crate::exact::events::coordinates::model::Model;
 use crate::exact::events::numerics::bernstein::{slope, value};
 use crate::exact::events::numerics::row::dot;
 use crate::exact::events::phases::contact_state::{ContactState, Force};
 use crate::exact::events::phases::lines::{self, Line};
-use crate::system::structure::StructureLaw;
 
 /// Points and weights of Gauss's rule with ten points on -1..=1, for the positive points.
 const TEN: &[[f64; 2]] = &[
@@ -111,8 +111,8 @@ fn contact_work(
     if let Some(line) = &state.line {
         return line_work(series, i, line, points);
     }
-    let elastic = match (state.law(law), law) {
-        (Force::Limit(_), StructureLaw::DisplacementControl { stiffness, .. }) => 1.0 / stiffness,
+    let elastic = match (state.law(law), law.line()) {
+        (Force::Limit(_), Some(ClippedLine::Elastic { stiffness })) => 1.0 / stiffness,
         (Force::Limit(_) | Force::Dashpot { .. }, _) => 0.0,
         _ => return 0.0,
     };
@@ -154,10 +154,9 @@ pub fn energy(model: &Model, states: &[ContactState], u: &[f64], v: &[f64]) -> f
         Some(lines::of(&contact.law)?.stored(line, state.r))
     });
     let lines: f64 = lines.sum();
-    let stored = contacts.map(|(contact, state)| match contact.law {
-        StructureLaw::ImpactSpring { stiffness: k }
-        | StructureLaw::DisplacementControl { stiffness: k, .. } => state.force * state.force / k,
-        _ => 0.0,
+    let stored = contacts.map(|(contact, state)| {
+        let spring = contact.law.spring();
+        spring.map_or(0.0, |k| state.force * state.force / k)
     });
     let flexible = model.flexible.as_ref();
     let flexible = flexible.map_or(0.0, |flexible| 0.5 * flexible.stored(states));

@@ -1,8 +1,8 @@
 //! Round-off of the quantities that events depend on, from the largest values so far.
 
 use super::series::Series;
+use crate::contact::ClippedLine;
 use crate::exact::events::coordinates::model::Model;
-use crate::system::structure::StructureLaw;
 
 /// Tolerance over the largest value.
 const TOLERANCE: f64 = 1e-12;
@@ -121,22 +121,17 @@ impl Scales {
 
     /// Tolerance of S of a contact on a piece of this length.
     pub fn contact_force(&self, model: &Model, contact: usize, length: f64) -> f64 {
-        let motion = match &model.contacts[contact].law {
-            StructureLaw::ImpactSpring { stiffness: k }
-            | StructureLaw::DisplacementControl { stiffness: k, .. } => {
+        let line = model.contacts[contact].law.line();
+        let motion = match line {
+            Some(ClippedLine::Spring { stiffness } | ClippedLine::Elastic { stiffness }) => {
                 // Infinite for rigid contacts of nodes without mass that only contacts hold.
-                match model.stiffness_of(contact, *k) {
+                match model.stiffness_of(contact, stiffness) {
                     f64::INFINITY => TOLERANCE * self.force,
                     k => k * self.r(model, contact, length),
                 }
             }
-            StructureLaw::VelocityControl { viscosity, .. } => viscosity * self.rate(length),
-            StructureLaw::RigidStop { .. }
-            | StructureLaw::Coulomb { .. }
-            | StructureLaw::CurvedImpact { .. }
-            | StructureLaw::CurvedFriction { .. }
-            | StructureLaw::Link { .. }
-            | StructureLaw::Plane { .. } => TOLERANCE * self.force,
+            Some(ClippedLine::Viscous { viscosity }) => viscosity * self.rate(length),
+            Some(ClippedLine::Stop { .. } | ClippedLine::Coulomb) | None => TOLERANCE * self.force,
         };
         motion + self.limit(contact)
     }

@@ -2,7 +2,7 @@
 
 use super::scales::Scales;
 use super::series::Series;
-use crate::contact::ContactKind;
+use crate::contact::{ClippedLine, ContactKind};
 use crate::exact::events::coordinates::model::Model;
 use crate::exact::events::numerics::bernstein::{Polynomial, TERMS, first_negative};
 use crate::exact::events::phases::contact_phase::Phase;
@@ -145,7 +145,7 @@ impl Watched<'_> {
         let length = self.series.length;
         let tolerance = self.scales.r(self.model, self.contact, length);
         let rate_tolerance = self.scales.rate(length);
-        let rigid = matches!(law, StructureLaw::RigidStop { .. });
+        let rigid = law.is_stop();
         if rigid && r[0].abs() <= tolerance && r[1] > rate_tolerance * length {
             let over_s = std::array::from_fn(|k| r[k + 1]);
             test(Crossing::Touch, &over_s, rate_tolerance * length);
@@ -162,14 +162,14 @@ impl Watched<'_> {
         );
         let tolerance = self.scales.rate(length);
         let mut slip = self.series.rate(self.contact).map(|rate| direction * rate);
-        match law {
+        match law.line() {
             // The spring follows the limit, so that the slip has the rate rdot - direction (nu N)'/k^C.
-            StructureLaw::DisplacementControl { stiffness, .. } => {
+            Some(ClippedLine::Elastic { stiffness }) => {
                 for k in 0..TERMS - 1 {
                     slip[k] -= (k + 1) as f64 * limit[k + 1] / (length * stiffness);
                 }
             }
-            StructureLaw::VelocityControl { viscosity, .. } => {
+            Some(ClippedLine::Viscous { viscosity }) => {
                 for (slip, limit) in slip.iter_mut().zip(limit) {
                     *slip -= limit / viscosity;
                 }

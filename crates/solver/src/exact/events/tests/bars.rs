@@ -1,6 +1,7 @@
 //! Bars of finite elements with impact springs.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::exact::mesh::Mesh;
 use crate::exact::spring::Spring;
 use crate::system::bar::{Bar, Mass};
@@ -18,7 +19,7 @@ fn row(rates: &[f64], n: usize, stiffness: f64) -> Structure {
             s = s.spring([Some(i), Some(i + 1)], k);
         }
         if bar > 0 {
-            let law = StructureLaw::ImpactSpring { stiffness };
+            let law = StructureLaw::new(ClippedLine::Spring { stiffness }, None);
             s = s.contact([Some(first - 1), Some(first)], 0.0, law);
         }
     }

@@ -1,6 +1,7 @@
 //! Friction of one mass.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::Regularised;
 use libm::tan;
@@ -110,16 +111,20 @@ fn amplitudes_of_softened_laws_approach_it_with_their_orders() {
         (1e-3, -0.00996, -2.0e-5, 1e-6),
     ] {
         let limit = Limit::constant(0.3);
-        let law = StructureLaw::DisplacementControl {
-            stiffness: 0.3 / width,
-            limit: limit.clone(),
-        };
+        let law = StructureLaw::new(
+            ClippedLine::Elastic {
+                stiffness: 0.3 / width,
+            },
+            limit.clone(),
+        );
         // The printed numbers are of a sampled motion: 0.6e-5 below these.
         assert!((change(law) - elastic).abs() < 1e-5, "{width}");
-        let law = StructureLaw::VelocityControl {
-            viscosity: 0.3 / width,
+        let law = StructureLaw::new(
+            ClippedLine::Viscous {
+                viscosity: 0.3 / width,
+            },
             limit,
-        };
+        );
         assert!((change(law) - viscous).abs() < decimals, "{width}");
     }
 }
@@ -196,14 +201,18 @@ fn free_vibration_with_coulomb_friction_is_the_closed_form() {
 fn free_vibration_with_softened_laws_is_the_closed_form() {
     for width in [10.0, 1.0, 0.1, 1e-3] {
         let limit = Limit::constant(1.0);
-        let elastic = StructureLaw::DisplacementControl {
-            stiffness: 1.0 / width,
-            limit: limit.clone(),
-        };
-        let viscous = StructureLaw::VelocityControl {
-            viscosity: 1.0 / width,
+        let elastic = StructureLaw::new(
+            ClippedLine::Elastic {
+                stiffness: 1.0 / width,
+            },
+            limit.clone(),
+        );
+        let viscous = StructureLaw::new(
+            ClippedLine::Viscous {
+                viscosity: 1.0 / width,
+            },
             limit,
-        };
+        );
         for (law, mut exact) in [
             (elastic, Regularised::displacement(12.3, width, 0.0)),
             (viscous, Regularised::velocity(12.3, width)),

@@ -1,11 +1,12 @@
 //! Impacts of one mass.
 
 use super::*;
+use crate::contact::ClippedLine;
 use libm::acos;
 use std::f64::consts::{PI, SQRT_2};
 
 fn stop(restitution: f64) -> StructureLaw {
-    StructureLaw::RigidStop { restitution }
+    StructureLaw::new(ClippedLine::Stop { restitution }, None)
 }
 
 /// Times of impacts, and |rdot| before them.
@@ -48,7 +49,7 @@ fn stiff_springs_approach_the_elastic_stop_with_order_half() {
         (1e5, 0.0101, 5e-5),
         (1e6, 0.0032, 5e-5),
     ] {
-        let law = StructureLaw::ImpactSpring { stiffness: k };
+        let law = StructureLaw::new(ClippedLine::Spring { stiffness: k }, None);
         let (spring, _) = first(&oscillator(law), &times);
         let squares = rigid
             .iter()
@@ -63,7 +64,10 @@ fn stiff_springs_approach_the_elastic_stop_with_order_half() {
         let half = steps(1e-5, 40_000);
         let near: Vec<f64> = half.iter().map(|t| times[time - 1] + t).collect();
         let (near, _) = first(
-            &oscillator(StructureLaw::ImpactSpring { stiffness: k }),
+            &oscillator(StructureLaw::new(
+                ClippedLine::Spring { stiffness: k },
+                None,
+            )),
             &near,
         );
         let peak = near.iter().map(|state| -state.force).fold(0.0, f64::max);

@@ -2,20 +2,17 @@
 
 use super::*;
 use crate::contact::{
-    Bilinear, ContactLaw, GapYield, ImpactYield, Multilinear, Pendulum, Restrainer,
+    Bilinear, ClippedLine, ContactLaw, GapYield, ImpactYield, Multilinear, Pendulum, Restrainer,
 };
 use crate::methods::{AverageAcceleration, Method};
 use crate::solve::structure::{Prepared, run as run_steps};
 
 fn link(law: ContactLaw) -> StructureLaw {
-    StructureLaw::Link { law }
+    StructureLaw::new(law, None)
 }
 
 fn impact(law: ContactLaw) -> StructureLaw {
-    StructureLaw::CurvedImpact {
-        law,
-        restitution: 1.0,
-    }
+    StructureLaw::new(law, None).from_its_answer()
 }
 
 fn bilinear() -> StructureLaw {
@@ -67,16 +64,17 @@ fn impact_yield() -> StructureLaw {
 
 fn pendulum() -> StructureLaw {
     let limit = 1.5;
-    StructureLaw::CurvedFriction {
-        law: ContactLaw::Pendulum(Pendulum {
+    StructureLaw::new(
+        ContactLaw::Pendulum(Pendulum {
             compliance: 0.01,
             limit,
             restoring: 2.0,
             at_rest: [limit, 1.0],
             rising: [1.0, 0.0],
         }),
-        limit: Limit::constant(limit),
-    }
+        Limit::constant(limit),
+    )
+    .from_its_answer()
 }
 
 /// Two masses that a sine drives, with this law twice.
@@ -172,9 +170,11 @@ fn energy_is_kept_and_steps_tend_to_the_motion() {
 
 #[test]
 fn yielding_parts_are_springs_with_friction_beside_them() {
-    let friction = |k: f64, limit: f64| StructureLaw::DisplacementControl {
-        stiffness: k,
-        limit: Limit::constant(limit),
+    let friction = |k: f64, limit: f64| {
+        StructureLaw::new(
+            ClippedLine::Elastic { stiffness: k },
+            Limit::constant(limit),
+        )
     };
     let at_rest = |structure: Structure| {
         let mut structure = structure.moving(&[0.0, 0.0], &[2.0, -1.0]);
@@ -238,10 +238,7 @@ fn a_restrainer_is_a_gap_that_yields_in_tension() {
 fn a_mass_meets_a_part_that_yields_as_two_bodies_do() {
     let (mass, speed, gap) = (1.3, 1.7, 0.2);
     for law in [gap_yield(true, 0.0), gap_yield(false, 0.3), impact_yield()] {
-        let StructureLaw::CurvedImpact { law: own, .. } = law.clone() else {
-            continue;
-        };
-        let expected = own.collision(mass, speed).unwrap();
+        let expected = law.as_given().collision(mass, speed).unwrap();
         let structure = masses(&[mass])
             .contact([None, Some(0)], gap, law)
             .moving(&[0.0], &[-speed]);
@@ -278,7 +275,7 @@ fn laws_without_lines_are_refused() {
     let refused = run(&driven(&viscous), &[1.0], |_, _| ());
     assert!(matches!(refused, Err(EventsFault::Law { .. })));
     let mut varying = pendulum();
-    if let StructureLaw::CurvedFriction { limit, .. } = &mut varying {
+    if let Some(limit) = varying.limit_mut() {
         let table = Table::new(vec![0.0, 1.0], vec![1.0, 2.0]).unwrap();
         limit.varying = Some((1.0, Arc::new(Signal::Table(table))));
     }

@@ -14,6 +14,7 @@ mod several;
 mod static_ratio;
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::system::structure::{
     Contact, Limit, Load, Node, Signal, StructureLaw, Symmetric, Table,
 };
@@ -114,9 +115,7 @@ pub fn table(points: &[[f64; 2]]) -> Signal {
 
 /// Coulomb friction with a limit that does not change.
 pub fn coulomb(limit: f64) -> StructureLaw {
-    StructureLaw::Coulomb {
-        limit: Limit::constant(limit),
-    }
+    StructureLaw::new(ClippedLine::Coulomb, Limit::constant(limit))
 }
 
 /// u of the first node, v, r of the first contact, rdot, S.

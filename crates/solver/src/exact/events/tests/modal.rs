@@ -1,6 +1,7 @@
 //! Modes as coordinates: against nodes, closed forms, and structures with small masses in place of none.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::exact::events::coordinates::modal;
 use crate::exact::events::coordinates::model::Model;
 
@@ -66,24 +67,24 @@ fn chain(n: usize, damped: bool) -> Structure {
 
 /// A chain with an elastic and a rigid stop, a bearing, viscous and rigid friction, with ground acceleration and a moving limit.
 fn with_contacts(damped: bool) -> Structure {
-    let bearing = StructureLaw::DisplacementControl {
-        stiffness: 30.0,
-        limit: varying(0.6, 0.3, sine(1.0, 2.0, 0.3)),
-    };
-    let viscous = StructureLaw::VelocityControl {
-        viscosity: 2.0,
-        limit: Limit::constant(0.3),
-    };
+    let bearing = StructureLaw::new(
+        ClippedLine::Elastic { stiffness: 30.0 },
+        varying(0.6, 0.3, sine(1.0, 2.0, 0.3)),
+    );
+    let viscous = StructureLaw::new(
+        ClippedLine::Viscous { viscosity: 2.0 },
+        Limit::constant(0.3),
+    );
     chain(30, damped)
         .contact(
             [None, Some(29)],
             0.9,
-            StructureLaw::ImpactSpring { stiffness: 60.0 },
+            StructureLaw::new(ClippedLine::Spring { stiffness: 60.0 }, None),
         )
         .contact(
             [Some(25), None],
             1.1,
-            StructureLaw::RigidStop { restitution: 0.6 },
+            StructureLaw::new(ClippedLine::Stop { restitution: 0.6 }, None),
         )
         .contact([None, Some(20)], 0.0, bearing)
         .contact([Some(8), Some(12)], 0.0, viscous)
@@ -222,10 +223,13 @@ fn plate(mass: f64, support: f64, law: StructureLaw) -> Structure {
 #[test]
 fn a_stop_on_a_spring_without_mass_is_a_spring() {
     // Springs in series are a spring; a rigid stop without mass before a spring has no impact.
-    let spring = |stiffness| StructureLaw::ImpactSpring { stiffness };
+    let spring = |stiffness| StructureLaw::new(ClippedLine::Spring { stiffness }, None);
     for (law, stiffness) in [
         (spring(60.0), 1.0 / (1.0 / 60.0 + 1.0 / 30.0)),
-        (StructureLaw::RigidStop { restitution: 0.5 }, 30.0),
+        (
+            StructureLaw::new(ClippedLine::Stop { restitution: 0.5 }, None),
+            30.0,
+        ),
     ] {
         let expected = masses(&[1.0])
             .spring([None, Some(0)], 4.0)
@@ -263,12 +267,9 @@ fn coulomb_friction_behind_a_spring_without_mass_is_displacement_control() {
         .contact(
             [None, Some(1)],
             0.0,
-            StructureLaw::Coulomb { limit: limit() },
+            StructureLaw::new(ClippedLine::Coulomb, limit()),
         );
-    let law = StructureLaw::DisplacementControl {
-        stiffness: 25.0,
-        limit: limit(),
-    };
+    let law = StructureLaw::new(ClippedLine::Elastic { stiffness: 25.0 }, limit());
     let expected = masses(&[1.0])
         .spring([None, Some(0)], 2.0)
         .moving(&[0.5], &[1.0])
@@ -289,10 +290,10 @@ fn coulomb_friction_behind_a_spring_without_mass_is_displacement_control() {
 
 /// A gap, a plate that only contacts hold, and a soil that yields; `mass` of the plate.
 fn abutment(mass: f64) -> Structure {
-    let soil = StructureLaw::DisplacementControl {
-        stiffness: 50.0,
-        limit: Limit::constant(1.5),
-    };
+    let soil = StructureLaw::new(
+        ClippedLine::Elastic { stiffness: 50.0 },
+        Limit::constant(1.5),
+    );
     masses(&[1.0, mass])
         .spring([None, Some(0)], 3.0)
         .dashpot([None, Some(0)], 0.1)
@@ -301,7 +302,7 @@ fn abutment(mass: f64) -> Structure {
         .contact(
             [Some(1), Some(0)],
             0.1,
-            StructureLaw::ImpactSpring { stiffness: 200.0 },
+            StructureLaw::new(ClippedLine::Spring { stiffness: 200.0 }, None),
         )
         .contact([None, Some(1)], 0.0, soil)
 }
@@ -345,7 +346,7 @@ fn loads_and_frames_of_nodes_without_mass_are_condensed() {
             .contact(
                 [None, Some(1)],
                 0.15,
-                StructureLaw::ImpactSpring { stiffness: 80.0 },
+                StructureLaw::new(ClippedLine::Spring { stiffness: 80.0 }, None),
             )
             .contact([Some(1), Some(2)], 0.0, coulomb(0.5))
     };
@@ -375,10 +376,10 @@ fn loads_and_frames_of_nodes_without_mass_are_condensed() {
         refused(&s),
         EventsFault::MasslessDamping { node: "n1".into() }
     );
-    let viscous = StructureLaw::VelocityControl {
-        viscosity: 1.0,
-        limit: Limit::constant(1.0),
-    };
+    let viscous = StructureLaw::new(
+        ClippedLine::Viscous { viscosity: 1.0 },
+        Limit::constant(1.0),
+    );
     let s = structure(0.0).contact([None, Some(1)], 0.0, viscous);
     assert_eq!(
         refused(&s),

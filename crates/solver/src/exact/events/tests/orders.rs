@@ -1,6 +1,7 @@
 //! Contacts that are decided by later derivatives of their forces, and after impacts.
 
 use super::*;
+use crate::contact::ClippedLine;
 
 /// The phases of a contact, without their times.
 fn phases(summary: &Summary, contact: usize) -> Vec<EventKind> {
@@ -53,7 +54,7 @@ fn a_block_at_its_limit_is_decided_by_the_first_derivative_of_its_load_that_is_n
 #[test]
 fn a_body_between_two_stops_on_one_side_stays_there_while_it_is_pushed_harder() {
     // The forces of both stops are not unique. Without any force at t = 0, the load -t decides: nothing ever moves.
-    let stop = || StructureLaw::RigidStop { restitution: 0.5 };
+    let stop = || StructureLaw::new(ClippedLine::Stop { restitution: 0.5 }, None);
     let s = one()
         .load(&[(0, -1.0)], table(&[[0.0, 0.0], [5.0, 5.0]]))
         .contact([None, Some(0)], 0.0, stop())
@@ -71,16 +72,16 @@ fn a_body_between_two_stops_on_one_side_stays_there_while_it_is_pushed_harder() 
 #[test]
 fn viscous_friction_is_at_its_limit_after_an_impact() {
     // A body with 2 strikes another of the same mass at t = 1/2, which then slides with 2 - t up to 1/2 = limit/c, 1.5 later.
-    let law = StructureLaw::VelocityControl {
-        viscosity: 2.0,
-        limit: Limit::constant(1.0),
-    };
+    let law = StructureLaw::new(
+        ClippedLine::Viscous { viscosity: 2.0 },
+        Limit::constant(1.0),
+    );
     let s = masses(&[1.0, 1.0])
         .moving(&[0.0, 0.0], &[2.0, 0.0])
         .contact(
             [Some(0), Some(1)],
             1.0,
-            StructureLaw::RigidStop { restitution: 1.0 },
+            StructureLaw::new(ClippedLine::Stop { restitution: 1.0 }, None),
         )
         .contact([None, Some(1)], 0.0, law);
     let (state, summary) = last(&s, 3.0);
@@ -97,16 +98,16 @@ fn viscous_friction_is_at_its_limit_after_an_impact() {
 fn friction_that_an_impact_turns_round_keeps_the_stop_shut() {
     // Body 0 slides with 2 - t, body 1 comes with -5: 7 t - t^2/2 = 1 at t = 7 - sqrt(47). Then both have w = (2 - t - 5)/2, and
     // friction, which now pushes body 0 to body 1, slows both down by 1/2. In its former direction it would part them.
-    let law = StructureLaw::VelocityControl {
-        viscosity: 2.0,
-        limit: Limit::constant(1.0),
-    };
+    let law = StructureLaw::new(
+        ClippedLine::Viscous { viscosity: 2.0 },
+        Limit::constant(1.0),
+    );
     let s = masses(&[1.0, 1.0])
         .moving(&[0.0, 1.0], &[2.0, -5.0])
         .contact(
             [Some(0), Some(1)],
             0.0,
-            StructureLaw::RigidStop { restitution: 0.0 },
+            StructureLaw::new(ClippedLine::Stop { restitution: 0.0 }, None),
         )
         .contact([None, Some(0)], 0.0, law);
     let (state, summary) = last(&s, 1.0);
@@ -128,7 +129,7 @@ fn friction_that_an_impact_turns_round_keeps_the_stop_shut() {
 
 #[test]
 fn the_least_rate_of_impacts_need_not_be_the_last_or_the_first() {
-    let stop = || StructureLaw::RigidStop { restitution: 1.0 };
+    let stop = || StructureLaw::new(ClippedLine::Stop { restitution: 1.0 }, None);
     let s = masses(&[1.0; 3])
         .moving(&[0.0; 3], &[-1.0, -0.5, -2.0])
         .contact([None, Some(0)], 0.1, stop())

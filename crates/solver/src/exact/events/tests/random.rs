@@ -1,6 +1,7 @@
 //! Random structures with any mixture of contacts.
 
 use super::*;
+use crate::contact::ClippedLine;
 
 /// SplitMix64.
 pub struct Random(pub u64);
@@ -113,27 +114,35 @@ pub fn structure(random: &mut Random, rigid: bool) -> Structure {
             Some(random.below(j))
         };
         let law = match random.below(if rigid { 5 } else { 3 }) {
-            0 => StructureLaw::ImpactSpring {
-                stiffness: random.number(5.0, 500.0),
-            },
-            1 => StructureLaw::DisplacementControl {
-                stiffness: random.number(1.0, 100.0),
-                limit: limit(random),
-            },
-            2 => StructureLaw::VelocityControl {
-                viscosity: random.number(0.3, 30.0),
-                limit: limit(random),
-            },
-            3 => StructureLaw::Coulomb {
-                limit: limit(random),
-            },
-            _ => StructureLaw::RigidStop {
-                restitution: if random.below(4) == 0 {
-                    0.0
-                } else {
-                    random.number(0.0, 1.0)
+            0 => StructureLaw::new(
+                ClippedLine::Spring {
+                    stiffness: random.number(5.0, 500.0),
                 },
-            },
+                None,
+            ),
+            1 => StructureLaw::new(
+                ClippedLine::Elastic {
+                    stiffness: random.number(1.0, 100.0),
+                },
+                limit(random),
+            ),
+            2 => StructureLaw::new(
+                ClippedLine::Viscous {
+                    viscosity: random.number(0.3, 30.0),
+                },
+                limit(random),
+            ),
+            3 => StructureLaw::new(ClippedLine::Coulomb, limit(random)),
+            _ => StructureLaw::new(
+                ClippedLine::Stop {
+                    restitution: if random.below(4) == 0 {
+                        0.0
+                    } else {
+                        random.number(0.0, 1.0)
+                    },
+                },
+                None,
+            ),
         };
         let between = if random.below(2) == 0 {
             [i, Some(j)]
@@ -151,20 +160,17 @@ fn violation(s: &Structure, t: f64, state: &State) -> f64 {
     for (i, contact) in s.contacts.iter().enumerate() {
         let (r, rate, force) = (state.r[i], state.rate[i], state.force[i]);
         let limit = contact.law.limit().map_or(0.0, |limit| limit.at(t));
-        let off = match &contact.law {
-            StructureLaw::ImpactSpring { stiffness } => {
+        let off = match contact.law.line() {
+            Some(ClippedLine::Spring { stiffness }) => {
                 (force - stiffness * r.min(0.0)).abs() / stiffness
             }
-            StructureLaw::RigidStop { .. } => force.max(0.0).max(-r).max((force * r).abs()),
-            StructureLaw::VelocityControl { viscosity, .. } => {
+            Some(ClippedLine::Stop { .. }) => force.max(0.0).max(-r).max((force * r).abs()),
+            Some(ClippedLine::Viscous { viscosity }) => {
                 (force - (viscosity * rate).clamp(-limit, limit)).abs()
             }
-            StructureLaw::DisplacementControl { .. } => force.abs() - limit,
-            StructureLaw::CurvedImpact { .. }
-            | StructureLaw::CurvedFriction { .. }
-            | StructureLaw::Link { .. }
-            | StructureLaw::Plane { .. } => unreachable!(),
-            StructureLaw::Coulomb { .. } => {
+            Some(ClippedLine::Elastic { .. }) => force.abs() - limit,
+            None => unreachable!(),
+            Some(ClippedLine::Coulomb) => {
                 let over = force.abs() - limit;
                 let slip = if rate.abs() > 1e-9 {
                     (force - limit.copysign(rate)).abs()

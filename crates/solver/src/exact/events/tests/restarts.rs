@@ -1,6 +1,7 @@
 //! Softened contacts by Runge-Kutta steps of order 4 that restart at events, found by bisection.
 
 use super::*;
+use crate::contact::ClippedLine;
 
 /// The direction of a contact at its limit; 0 for open and 2 for closed or sticking.
 type Phases = Vec<f64>;
@@ -18,16 +19,16 @@ impl Restarts<'_> {
     fn force(&self, i: usize, t: f64, y: &[f64]) -> f64 {
         let (n, contact, phase) = (self.s.len(), &self.s.contacts[i], self.phases[i]);
         let limit = contact.law.limit().map_or(0.0, |limit| limit.at(t));
-        match &contact.law {
+        match contact.law.line() {
             _ if phase.abs() == 1.0 => phase * limit,
             _ if phase == OPEN => 0.0,
-            StructureLaw::ImpactSpring { stiffness } => {
+            Some(ClippedLine::Spring { stiffness }) => {
                 stiffness * (self.s.relative(i, &y[..n]) + contact.gap)
             }
-            StructureLaw::VelocityControl { viscosity, .. } => {
+            Some(ClippedLine::Viscous { viscosity }) => {
                 viscosity * self.s.relative(i, &y[n..2 * n])
             }
-            StructureLaw::DisplacementControl { stiffness, .. } => stiffness * y[2 * n + i],
+            Some(ClippedLine::Elastic { stiffness }) => stiffness * y[2 * n + i],
             _ => f64::NAN,
         }
     }
@@ -78,9 +79,9 @@ impl Restarts<'_> {
         if phase == CLOSED {
             return (force.abs() > l).then_some(force.signum());
         }
-        let over = match contact.law {
-            StructureLaw::VelocityControl { viscosity, .. } => phase * viscosity * rate < l,
-            StructureLaw::DisplacementControl { stiffness, .. } => {
+        let over = match contact.law.line() {
+            Some(ClippedLine::Viscous { viscosity }) => phase * viscosity * rate < l,
+            Some(ClippedLine::Elastic { stiffness }) => {
                 let change = (limit.at(t + 1e-7) - limit.at(t - 1e-7)) / 2e-7;
                 phase * rate < change / stiffness
             }
@@ -92,7 +93,8 @@ impl Restarts<'_> {
     /// The elongations of sliding friction springs.
     fn stretch(&self, t: f64, y: &mut [f64]) {
         for (i, contact) in self.s.contacts.iter().enumerate() {
-            if let StructureLaw::DisplacementControl { stiffness, limit } = &contact.law
+            if let (Some(ClippedLine::Elastic { stiffness }), Some(limit)) =
+                (contact.law.line(), contact.law.limit())
                 && self.phases[i].abs() == 1.0
             {
                 y[2 * self.s.len() + i] = self.phases[i] * limit.at(t) / stiffness;
@@ -105,8 +107,8 @@ impl Restarts<'_> {
 pub fn restarts(s: &Structure, end: f64, count: usize) -> Vec<f64> {
     let (m, h) = (s.contacts.len(), end / count as f64);
     let mut y = [&s.displacement[..], &s.velocity, &vec![0.0; m]].concat();
-    let start = |i: usize| match s.contacts[i].law {
-        StructureLaw::ImpactSpring { .. } => OPEN,
+    let start = |i: usize| match s.contacts[i].law.line() {
+        Some(ClippedLine::Spring { .. }) => OPEN,
         _ => CLOSED,
     };
     let mut motion = Restarts {

@@ -1,6 +1,7 @@
 //! Rigid contacts, several at once.
 
 use super::*;
+use crate::contact::ClippedLine;
 
 #[test]
 fn a_slab_drags_a_block_until_both_move_as_one() {
@@ -19,7 +20,7 @@ fn a_slab_drags_a_block_until_both_move_as_one() {
 
 #[test]
 fn balls_of_equal_mass_exchange_their_velocities() {
-    let stop = |e| StructureLaw::RigidStop { restitution: e };
+    let stop = |e| StructureLaw::new(ClippedLine::Stop { restitution: e }, None);
     let balls = |masses_of: &[f64], e: f64| {
         masses(masses_of)
             .moving(&[0.0; 3], &[1.0, 0.0, 0.0])
@@ -44,7 +45,7 @@ fn a_block_that_sticks_takes_an_impact_and_slides() {
         .contact(
             [Some(0), Some(1)],
             0.5,
-            StructureLaw::RigidStop { restitution: 0.8 },
+            StructureLaw::new(ClippedLine::Stop { restitution: 0.8 }, None),
         )
         .contact([None, Some(1)], 0.0, coulomb(0.3));
     let (state, summary) = last(&block, 20.0);
@@ -61,7 +62,7 @@ fn friction_ends_where_the_limit_falls_below_the_load() {
     let block = one().load(&[(0, 1.0)], table(&[[0.0, 0.5]])).contact(
         [None, Some(0)],
         0.0,
-        StructureLaw::Coulomb { limit },
+        StructureLaw::new(ClippedLine::Coulomb, limit),
     );
     let (states, summary) = first(&block, &[5.0, 8.0, 12.0]);
     let times: Vec<f64> = summary.events.iter().map(|event| event.time).collect();
@@ -115,11 +116,13 @@ fn rigid_contacts_are_the_limit_of_softened_ones() {
     let structure = |rigid: bool, narrow: f64| {
         let limit = |l| varying(l, 0.3, sine(1.0, 1.3, 0.4));
         let friction = |l| match rigid {
-            true => StructureLaw::Coulomb { limit: limit(l) },
-            false => StructureLaw::VelocityControl {
-                viscosity: 1.0 / narrow,
-                limit: limit(l),
-            },
+            true => StructureLaw::new(ClippedLine::Coulomb, limit(l)),
+            false => StructureLaw::new(
+                ClippedLine::Viscous {
+                    viscosity: 1.0 / narrow,
+                },
+                limit(l),
+            ),
         };
         masses(&[1.0, 2.0, 0.5])
             .spring([None, Some(0)], 4.0)
@@ -150,7 +153,7 @@ fn rigid_contacts_are_the_limit_of_softened_ones() {
 fn two_masses_that_are_pushed_against_a_wall_leave_one_after_the_other() {
     // A is pulled by 0.2, B pushes it with cos t. The wall's force is 0.2 - cos t, so that both leave at cos t1 = 0.2 with
     // (0.2 - cos t)/2; the force between them is -(0.2 + cos t)/2, so that they part at cos t2 = -0.2.
-    let stop = || StructureLaw::RigidStop { restitution: 0.7 };
+    let stop = || StructureLaw::new(ClippedLine::Stop { restitution: 0.7 }, None);
     let pair = masses(&[1.0, 1.0])
         .load(&[(0, 1.0)], table(&[[0.0, 0.2]]))
         .load(&[(1, -1.0)], sine(1.0, 1.0, 0.5 * std::f64::consts::PI))

@@ -2,6 +2,7 @@
 //! fixed point: M u'' = p - K u - C v - B S with the support as a node of known motion.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::exact::events::coordinates::model::{LONGEST, Model};
 use crate::exact::events::numerics::cholesky::Cholesky;
 use crate::exact::events::numerics::row::Row;
@@ -63,19 +64,28 @@ fn structure() -> Structure {
         .contact(
             [Some(3), Some(0)],
             GAP,
-            StructureLaw::ImpactSpring {
-                stiffness: STIFFNESS,
-            },
+            StructureLaw::new(
+                ClippedLine::Spring {
+                    stiffness: STIFFNESS,
+                },
+                None,
+            ),
         )
         .contact(
             [Some(0), Some(1)],
             0.0,
-            StructureLaw::VelocityControl {
-                viscosity: VISCOSITY,
-                limit: Limit::constant(9.0),
-            },
+            StructureLaw::new(
+                ClippedLine::Viscous {
+                    viscosity: VISCOSITY,
+                },
+                Limit::constant(9.0),
+            ),
         )
-        .contact([Some(3), Some(1)], 0.0, StructureLaw::Coulomb { limit })
+        .contact(
+            [Some(3), Some(1)],
+            0.0,
+            StructureLaw::new(ClippedLine::Coulomb, limit),
+        )
         .contact([Some(3), Some(2)], 0.0, coulomb(5.0));
     s.prescribe(vec![("s".into(), Arc::new(motion.unwrap()))]);
     s

@@ -3,6 +3,7 @@
 use super::random::softened;
 use super::restarts::restarts;
 use super::*;
+use crate::contact::ClippedLine;
 
 /// Three masses with dampers, loads with a jump, and all softened laws, with limits that become 0.
 fn three() -> Structure {
@@ -20,31 +21,31 @@ fn three() -> Structure {
         .contact(
             [Some(0), Some(1)],
             0.0,
-            StructureLaw::DisplacementControl {
-                stiffness: 40.0,
-                limit: varying(0.3, 0.6, sine(1.0, 2.3, 0.1)),
-            },
+            StructureLaw::new(
+                ClippedLine::Elastic { stiffness: 40.0 },
+                varying(0.3, 0.6, sine(1.0, 2.3, 0.1)),
+            ),
         )
         .contact(
             [Some(1), Some(2)],
             0.1,
-            StructureLaw::ImpactSpring { stiffness: 50.0 },
+            StructureLaw::new(ClippedLine::Spring { stiffness: 50.0 }, None),
         )
         .contact(
             [None, Some(2)],
             0.0,
-            StructureLaw::VelocityControl {
-                viscosity: 5.0,
-                limit: varying(0.5, 1.0, table(&pressure)),
-            },
+            StructureLaw::new(
+                ClippedLine::Viscous { viscosity: 5.0 },
+                varying(0.5, 1.0, table(&pressure)),
+            ),
         )
         .contact(
             [None, Some(1)],
             0.0,
-            StructureLaw::DisplacementControl {
-                stiffness: 30.0,
-                limit: Limit::constant(0.4),
-            },
+            StructureLaw::new(
+                ClippedLine::Elastic { stiffness: 30.0 },
+                Limit::constant(0.4),
+            ),
         )
 }
 
@@ -136,15 +137,12 @@ fn bridge() -> Structure {
         s = s.contact(
             [Some(i - 1), Some(i)],
             0.1,
-            StructureLaw::ImpactSpring { stiffness: 1000.0 },
+            StructureLaw::new(ClippedLine::Spring { stiffness: 1000.0 }, None),
         );
     }
     for i in [0, 12, 24] {
         let limit = Limit::constant(1.0);
-        let law = StructureLaw::DisplacementControl {
-            stiffness: 100.0,
-            limit,
-        };
+        let law = StructureLaw::new(ClippedLine::Elastic { stiffness: 100.0 }, limit);
         s = s.contact([None, Some(i)], 0.0, law);
     }
     s
@@ -178,7 +176,7 @@ fn what_has_no_exact_motion_is_a_fault() {
 fn nodes_that_the_ground_moves_alike_do_not_touch() {
     // From rest and with a gap of 0, r is round-off of the accelerations.
     let ground = [(0, -0.3), (1, -0.7), (2, -1.1)];
-    let law = || StructureLaw::ImpactSpring { stiffness: 1e6 };
+    let law = || StructureLaw::new(ClippedLine::Spring { stiffness: 1e6 }, None);
     let s = masses(&[0.3, 0.7, 1.1])
         .load(&ground, table(&[[0.0, 0.1], [1.0, 0.7], [2.0, -0.9]]))
         .contact([Some(0), Some(1)], 0.0, law())

@@ -1,15 +1,17 @@
 //! Coulomb friction with a static limit above the kinetic one.
 
 use super::*;
+use crate::contact::ClippedLine;
 
 /// Coulomb friction that sticks up to `ratio` times the limit.
 fn two_limits(limit: f64, ratio: f64) -> StructureLaw {
-    StructureLaw::Coulomb {
-        limit: Limit {
+    StructureLaw::new(
+        ClippedLine::Coulomb,
+        Limit {
             static_ratio: ratio,
             ..Limit::constant(limit)
         },
-    }
+    )
 }
 
 fn changes(summary: &Summary) -> Vec<(f64, Phase)> {

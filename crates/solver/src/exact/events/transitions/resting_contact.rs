@@ -1,13 +1,12 @@
 //! Rigid contacts that do not move.
 
-use crate::contact::ContactKind;
+use crate::contact::{ClippedLine, ContactKind};
 use crate::exact::events::coordinates::model::Model;
 use crate::exact::events::phases::contact_phase::Phase;
 use crate::exact::events::phases::contact_state::ContactState;
 use crate::exact::events::pieces::gaps::Gaps;
 use crate::exact::events::pieces::scales::Scales;
 use crate::exact::events::pieces::series::Series;
-use crate::system::structure::StructureLaw;
 
 /// A contact that may stick or stay shut.
 #[derive(Clone, Copy)]
@@ -45,15 +44,15 @@ pub fn candidates(
     let mut candidates = Vec::new();
     for (contact, state) in states.iter_mut().enumerate() {
         let [r, change] = [0, 1].map(|k| series.contacts[contact].r[k]);
-        match model.contacts[contact].law {
-            StructureLaw::RigidStop { .. } => {
+        match model.contacts[contact].law.line() {
+            Some(ClippedLine::Stop { .. }) => {
                 if r > scales.r(model, contact, series.length) || change > tolerance {
                     state.phase = Phase::Open;
                     continue;
                 }
             }
-            StructureLaw::Coulomb { .. } if state.phase == Phase::Open => continue,
-            StructureLaw::Coulomb { .. } => {
+            Some(ClippedLine::Coulomb) if state.phase == Phase::Open => continue,
+            Some(ClippedLine::Coulomb) => {
                 if change.abs() > tolerance {
                     state.phase = Phase::Sliding(1.0_f64.copysign(change));
                     continue;

@@ -3,6 +3,7 @@
 //! Impulses minimise 1/2 J^T A J - J^T d, J <= 0, A = B^T M^-1 B, with d = (1 + e) rdot of contacts that close. A finite friction
 //! limit has no impulse.
 
+use crate::contact::ClippedLine;
 use crate::exact::events::coordinates::model::Model;
 use crate::exact::events::numerics::cholesky::Cholesky;
 use crate::exact::events::numerics::least::{Singular, least};
@@ -11,7 +12,6 @@ use crate::exact::events::phases::contact_state::ContactState;
 use crate::exact::events::pieces::book::Book;
 use crate::exact::events::pieces::scales::Scales;
 use crate::exact::events::pieces::series::Series;
-use crate::system::structure::StructureLaw;
 
 /// Impacts with a smaller |rdot|, over the largest velocity, accumulate: the contact shuts.
 const SHUT: f64 = 1e-9;
@@ -56,7 +56,7 @@ pub fn impacts(
     let mut touching = Vec::new();
     let (mut d, mut before) = (Vec::new(), Vec::new());
     for (i, contact) in model.contacts.iter().enumerate() {
-        let StructureLaw::RigidStop { restitution } = contact.law else {
+        let Some(ClippedLine::Stop { restitution }) = contact.law.line() else {
             continue;
         };
         if series.contacts[i].r[0] <= scales.r(model, i, series.length) {

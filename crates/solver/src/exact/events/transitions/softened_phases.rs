@@ -1,6 +1,6 @@
 //! Phases after an event, a point of a table or an impact: limits that become positive, 0 or jump, and softened laws.
 
-use crate::contact::ContactKind;
+use crate::contact::{ClippedLine, ContactKind};
 use crate::exact::events::coordinates::model::Model;
 use crate::exact::events::phases::contact_phase::Phase;
 use crate::exact::events::phases::contact_state::ContactState;
@@ -9,7 +9,6 @@ use crate::exact::events::pieces::book::Book;
 use crate::exact::events::pieces::scales::Scales;
 use crate::exact::events::pieces::series::Series;
 use crate::exact::events::pieces::watch::{Crossing, Found};
-use crate::system::structure::StructureLaw;
 
 /// What a review works on: a piece that has begun, and the phases.
 pub struct SoftenedPhases<'a> {
@@ -31,14 +30,13 @@ impl SoftenedPhases<'_> {
             }
             state.origin = r;
             let at_rest = self.model.structure.preload.force(i);
-            if let (StructureLaw::DisplacementControl { stiffness, .. }, Some(force)) =
-                (&self.model.contacts[i].law, at_rest)
-            {
+            let line = self.model.contacts[i].law.line();
+            if let (Some(ClippedLine::Elastic { stiffness }), Some(force)) = (line, at_rest) {
                 state.phase = Phase::Closed;
                 state.origin = r - force / stiffness;
                 state.force = force;
             }
-            if let StructureLaw::ImpactSpring { stiffness } = self.model.contacts[i].law
+            if let Some(ClippedLine::Spring { stiffness }) = line
                 && r < 0.0
             {
                 state.phase = Phase::Closed;
@@ -64,18 +62,21 @@ impl SoftenedPhases<'_> {
             *state = ContactState::on(lines.next(&line, end, series.r[0]), series.r[0]);
             return;
         }
-        match (&self.model.contacts[i].law, found.crossing) {
-            (StructureLaw::ImpactSpring { .. }, Crossing::Touch) => state.phase = Phase::Closed,
-            (StructureLaw::ImpactSpring { .. }, Crossing::Release) => state.phase = Phase::Open,
-            (
-                StructureLaw::DisplacementControl { .. } | StructureLaw::VelocityControl { .. },
-                Crossing::Limit(direction),
-            ) => state.phase = Phase::Sliding(direction),
-            (StructureLaw::DisplacementControl { stiffness, .. }, Crossing::Stop) => {
+        let Some(line) = self.model.contacts[i].law.line() else {
+            return;
+        };
+        use ClippedLine::{Elastic, Spring, Viscous};
+        match (line, found.crossing) {
+            (Spring { .. }, Crossing::Touch) => state.phase = Phase::Closed,
+            (Spring { .. }, Crossing::Release) => state.phase = Phase::Open,
+            (Elastic { .. } | Viscous { .. }, Crossing::Limit(direction)) => {
+                state.phase = Phase::Sliding(direction);
+            }
+            (Elastic { stiffness }, Crossing::Stop) => {
                 state.origin = series.r[0] - state.force / stiffness;
                 state.phase = Phase::Closed;
             }
-            (StructureLaw::VelocityControl { .. }, Crossing::Stop) => state.phase = Phase::Closed,
+            (Viscous { .. }, Crossing::Stop) => state.phase = Phase::Closed,
             _ => {}
         }
     }
@@ -92,12 +93,12 @@ impl SoftenedPhases<'_> {
                 state.phase = Phase::Open;
                 continue;
             }
-            match law {
-                StructureLaw::DisplacementControl { stiffness, .. } => {
-                    self.displacement_control(i, *stiffness, state);
+            match law.line() {
+                Some(ClippedLine::Elastic { stiffness }) => {
+                    self.displacement_control(i, stiffness, state);
                 }
-                StructureLaw::VelocityControl { viscosity, .. } => {
-                    self.velocity_control(i, *viscosity, state);
+                Some(ClippedLine::Viscous { viscosity }) => {
+                    self.velocity_control(i, viscosity, state);
                 }
                 _ if state.phase == Phase::Open => {
                     state.phase = Phase::Sliding(1.0_f64.copysign(self.series.contacts[i].r[1]));
@@ -144,10 +145,10 @@ impl SoftenedPhases<'_> {
 
     /// The friction spring relaxes to a smaller force; S^2/2k falls by the work of the slip.
     fn drop_force(&mut self, i: usize, state: &mut ContactState, limit: f64) {
-        if let StructureLaw::DisplacementControl { stiffness, .. } = &self.model.contacts[i].law {
+        if let Some(ClippedLine::Elastic { stiffness }) = self.model.contacts[i].law.line() {
             let force = state.force;
             self.book.dissipate(
-                0.5 * (force - limit) * (force + limit) / self.model.stiffness_of(i, *stiffness),
+                0.5 * (force - limit) * (force + limit) / self.model.stiffness_of(i, stiffness),
             );
             state.force = limit.copysign(force);
         }

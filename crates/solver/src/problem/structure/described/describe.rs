@@ -1,6 +1,6 @@
 //! The assembled structure as text, for `explain`.
 
-use crate::contact::{ContactKind, ContactLaw};
+use crate::contact::{ClippedLine, ContactKind, ContactLaw};
 use crate::problem::structure::given::short::short;
 use crate::problem::structure::model::contact_duration;
 use crate::problem::structure::model::damping::{Modes, modes};
@@ -219,50 +219,31 @@ fn law(relation: &StructureLaw) -> String {
         None => format!("limit {}", short(limit.at(0.0))),
         Some(_) => format!("limit {} at t = 0, varying", short(limit.at(0.0))),
     };
-    match relation {
-        StructureLaw::ImpactSpring { stiffness } => {
-            format!("impact spring k = {}", short(*stiffness))
+    let own = relation.as_given();
+    let text = match relation.line() {
+        Some(ClippedLine::Spring { stiffness }) => {
+            format!("impact spring k = {}", short(stiffness))
         }
-        StructureLaw::RigidStop { restitution } => {
-            format!(
-                "rigid impact, restitution {} in the exact motion; the time steps ignore it",
-                short(*restitution)
-            )
+        Some(ClippedLine::Stop { restitution }) => {
+            let e = short(restitution);
+            format!("rigid impact, restitution {e} in the exact motion; the time steps ignore it")
         }
-        StructureLaw::DisplacementControl {
-            stiffness,
-            limit: own,
-        } => format!(
-            "displacement-control k = {}, {}",
-            short(*stiffness),
-            limit(own)
-        ),
-        StructureLaw::VelocityControl {
-            viscosity,
-            limit: own,
-        } => format!("velocity-control c = {}, {}", short(*viscosity), limit(own)),
-        StructureLaw::Coulomb { limit: own } if own.static_ratio > 1.0 => {
-            let ratio = short(own.static_ratio);
-            format!(
-                "Coulomb friction, {}, sticks up to {ratio} times it",
-                limit(own)
-            )
+        Some(ClippedLine::Elastic { stiffness }) => {
+            format!("{} k = {}", own.name(), short(stiffness))
         }
-        StructureLaw::Coulomb { limit: own } => format!("Coulomb friction, {}", limit(own)),
-        StructureLaw::CurvedImpact { law, .. } | StructureLaw::Link { law } => curved(law),
-        StructureLaw::CurvedFriction { law, limit: own } => {
-            format!("{}, {}", curved(law), limit(own))
+        Some(ClippedLine::Viscous { viscosity }) => {
+            format!("{} c = {}", own.name(), short(viscosity))
         }
-        StructureLaw::Plane {
-            law, limit: own, ..
-        } => match law.kind() {
-            ContactKind::Friction if relation.is_rigid() => {
-                format!("Coulomb friction in a plane, {}", limit(own))
-            }
-            ContactKind::Friction => format!("{} in a plane, {}", curved(law), limit(own)),
-            ContactKind::Impact | ContactKind::Link => format!("{} in a plane", curved(law)),
-        },
-    }
+        _ if relation.is_rigid() => "Coulomb friction".to_owned(),
+        _ => curved(own),
+    };
+    let plane = relation.row().map_or("", |_| " in a plane");
+    let limit = relation.limit().map(|own| format!(", {}", limit(own)));
+    let static_ratio = match relation.static_ratio() {
+        1.0 => String::new(),
+        ratio => format!(", sticks up to {} times it", short(ratio)),
+    };
+    format!("{text}{plane}{}{static_ratio}", limit.unwrap_or_default())
 }
 
 /// A law that is not a clipped line, with its numbers.

@@ -3,7 +3,7 @@
 use super::independent::IndependentRows;
 use crate::methods::Method;
 use crate::system::structure::sparse::factor::{Factor, NotPositive};
-use crate::system::structure::{Along, Contact, Structure, StructureLaw};
+use crate::system::structure::{Along, Contact, Structure};
 
 /// Stiffness of the spring that keeps the place of a node which only contacts hold, over the smallest stiffness of these contacts.
 /// It changes their forces by about this part, and the round-off of the forces grows by its inverse.
@@ -67,9 +67,7 @@ fn hold_others(structure: &mut Structure, is_between: &[bool]) {
 
 /// The stiffness of a contact with a spring where it presses, or before it slides.
 fn stiffness(contact: &Contact) -> Option<f64> {
-    if let StructureLaw::ImpactSpring { stiffness }
-    | StructureLaw::DisplacementControl { stiffness, .. } = contact.law
-    {
+    if let Some(stiffness) = contact.law.spring() {
         return Some(stiffness);
     }
     let limit = contact.law.limit().map_or(0.0, |limit| limit.at(0.0));

@@ -3,14 +3,13 @@
 use super::measured_metrics;
 use super::recorded::{MetricContext, Motions, Recorded};
 use super::still::Still;
-use crate::contact::ContactKind;
+use crate::contact::{ClippedLine, ContactKind};
 use crate::metrics::measured::energy_per_cycle;
 use crate::metrics::structure as reduce;
 use crate::problem::structure::channels::channel::{Number, Quantity};
 use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::metrics::reduction::Reduction;
-use crate::system::structure::StructureLaw;
 
 /// The quantities that a metric of a structure with so many contacts needs.
 pub fn needed(metric: &StructureMetric, numbering: &Numbering, contacts: usize) -> Vec<Number> {
@@ -201,10 +200,7 @@ fn of_contact(
         },
         Reduction::Work => {
             let law = &of.structure.contacts[contact].law;
-            let rigid = matches!(
-                law,
-                StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
-            );
+            let rigid = law.line().is_some_and(ClippedLine::is_rigid);
             Some(match of.impulses && rigid {
                 true => reduce::work_of_impulses(force, series(Quantity::Velocity), of.dt),
                 false => reduce::work(force, series(Quantity::Displacement)),

@@ -3,7 +3,6 @@
 use super::derived;
 use super::observer::Observer;
 use super::recorded::{Energies, Recorded};
-use crate::contact::{ContactKind, ContactLaw, VelocityControl};
 use crate::exact::adaptive::{self, AdaptiveFault};
 use crate::exact::events::{self, EventsFault};
 use crate::lane::Lane;
@@ -12,7 +11,7 @@ use crate::problem::structure::channels::channel::{Derived, Number, Quantity};
 use crate::problem::structure::model::massless;
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Books, ContactStep, Prepared, State, Watch, Watched, run, settle};
-use crate::system::structure::{Structure, StructureLaw};
+use crate::system::structure::Structure;
 use std::collections::BTreeSet;
 
 /// Cases side by side.
@@ -284,35 +283,7 @@ fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Num
 pub fn rigid(structure: &Structure) -> Result<Structure, Unsolvable> {
     let mut rigid = structure.clone();
     for contact in &mut rigid.contacts {
-        contact.law = match contact.law.clone() {
-            law @ (StructureLaw::CurvedImpact { law: own, .. }
-            | StructureLaw::CurvedFriction { law: own, .. })
-                if !own.properties().has_rigid_form() =>
-            {
-                law
-            }
-            StructureLaw::ImpactSpring { .. } => StructureLaw::RigidStop { restitution: 1.0 },
-            StructureLaw::CurvedImpact { restitution, .. } => {
-                StructureLaw::RigidStop { restitution }
-            }
-            StructureLaw::DisplacementControl { limit, .. }
-            | StructureLaw::CurvedFriction { limit, .. }
-            | StructureLaw::VelocityControl { limit, .. } => StructureLaw::Coulomb { limit },
-            StructureLaw::Plane { law, limit, row }
-                if law.kind() == ContactKind::Friction && law.properties().has_rigid_form() =>
-            {
-                let coulomb = VelocityControl {
-                    compliance: 0.0,
-                    limit: limit.at(0.0),
-                };
-                let law = ContactLaw::VelocityControl(coulomb);
-                StructureLaw::Plane { law, limit, row }
-            }
-            law @ (StructureLaw::RigidStop { .. }
-            | StructureLaw::Plane { .. }
-            | StructureLaw::Coulomb { .. }
-            | StructureLaw::Link { .. }) => law,
-        };
+        contact.law = contact.law.clone().rigid_form();
     }
     rigid.preload.forces.clear();
     rigid.preload.laws.clear();

@@ -1,6 +1,6 @@
 //! The motion of a contact over a step, for laws that are not clipped lines.
 
-use crate::contact::{Flexibility, StepFlexibility, Trial};
+use crate::contact::{ClippedLine, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 use crate::system::structure::StructureLaw;
 
@@ -97,25 +97,18 @@ pub(crate) fn trial(motion: &Motion, change: f64, rate: f64) -> Trial<1> {
 
 /// 1/f' of a law that is a clipped line.
 pub(crate) fn line(relation: &StructureLaw, pace: f64) -> Option<f64> {
-    match relation {
-        StructureLaw::ImpactSpring { stiffness }
-        | StructureLaw::DisplacementControl { stiffness, .. } => Some(1.0 / stiffness),
-        StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. } => Some(0.0),
-        StructureLaw::VelocityControl { viscosity, .. } => Some(1.0 / (viscosity * pace)),
-        StructureLaw::CurvedImpact { .. }
-        | StructureLaw::CurvedFriction { .. }
-        | StructureLaw::Link { .. }
-        | StructureLaw::Plane { .. } => None,
-    }
+    Some(match relation.line()? {
+        ClippedLine::Spring { stiffness } | ClippedLine::Elastic { stiffness } => 1.0 / stiffness,
+        ClippedLine::Stop { .. } | ClippedLine::Coulomb => 0.0,
+        ClippedLine::Viscous { viscosity } => 1.0 / (viscosity * pace),
+    })
 }
 
 /// The same in an explicit method: S does not follow rdot' where it follows r'.
 pub(crate) fn explicit_line(relation: &StructureLaw) -> Option<f64> {
-    match relation {
-        StructureLaw::ImpactSpring { .. } | StructureLaw::DisplacementControl { .. } => {
-            Some(f64::INFINITY)
-        }
-        _ => line(relation, 1.0),
+    match relation.spring() {
+        Some(_) => Some(f64::INFINITY),
+        None => line(relation, 1.0),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The laws of the contacts over a step.
 
-use crate::contact::ContactKind;
+use crate::contact::{ClippedLine, ContactKind};
 use crate::system::structure::{Contact, Limit, StructureLaw};
 
 /// A law as a clipped line S = clip((r - c)/g, low, high).
@@ -26,10 +26,10 @@ impl Line {
             by_displacement: 0.0,
             by_force: 0.0,
         };
-        match law {
-            StructureLaw::VelocityControl { viscosity, .. } => viscous(dt / viscosity),
-            StructureLaw::Coulomb { .. } => viscous(0.0),
-            law => Line::new(law, dt),
+        match law.line() {
+            Some(ClippedLine::Viscous { viscosity }) => viscous(dt / viscosity),
+            Some(ClippedLine::Coulomb) => viscous(0.0),
+            _ => Line::new(law, dt),
         }
     }
 
@@ -47,23 +47,21 @@ impl Line {
             by_displacement: 0.0,
             by_force: 0.0,
         };
-        match law {
-            StructureLaw::ImpactSpring { stiffness } => impact(1.0 / stiffness),
-            StructureLaw::RigidStop { .. } => impact(0.0),
+        match law.line() {
+            Some(ClippedLine::Spring { stiffness }) => impact(1.0 / stiffness),
+            Some(ClippedLine::Stop { .. }) => impact(0.0),
             // c = r(i) - S(i)/k^C.
-            StructureLaw::DisplacementControl { stiffness, .. } => Line {
+            Some(ClippedLine::Elastic { stiffness }) => Line {
                 compliance: 1.0 / stiffness,
                 by_increment: 1.0,
                 by_displacement: 0.0,
                 by_force: 1.0 / stiffness,
             },
-            StructureLaw::VelocityControl { viscosity, .. } => viscous(0.5 * dt / viscosity),
-            StructureLaw::Coulomb { .. } => viscous(0.0),
+            Some(ClippedLine::Viscous { viscosity }) => viscous(0.5 * dt / viscosity),
+            Some(ClippedLine::Coulomb) => viscous(0.0),
             // The forces are found from the law's own answer.
-            StructureLaw::CurvedFriction { .. }
-            | StructureLaw::Link { .. }
-            | StructureLaw::Plane { .. } => viscous(0.0),
-            StructureLaw::CurvedImpact { .. } => impact(0.0),
+            None if law.kind() == ContactKind::Impact => impact(0.0),
+            None => viscous(0.0),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The contacts of a structure over a sub-step.
 
+use crate::contact::ClippedLine;
 use crate::lane::Lane;
 use crate::methods::{Method, SubStep};
 use crate::solve::structure::contacts::laws::bounds;
@@ -54,14 +55,14 @@ impl Line<f64> {
         impulses: bool,
     ) -> Line<f64> {
         let line = Line::new(law, sub_step, impulses);
-        match law {
-            StructureLaw::VelocityControl { viscosity, .. } => Line {
+        match law.line() {
+            Some(ClippedLine::Viscous { viscosity }) => Line {
                 compliance: sub_step.length / viscosity,
                 by_change: 1.0,
                 by_rate: 0.0,
                 ..line
             },
-            StructureLaw::Coulomb { .. } => Line {
+            Some(ClippedLine::Coulomb) => Line {
                 by_change: 1.0,
                 by_rate: 0.0,
                 ..line
@@ -86,36 +87,33 @@ impl Line<f64> {
             by_change: 1.0,
             ..none
         };
-        match law {
-            StructureLaw::ImpactSpring { stiffness } => impact(1.0 / stiffness),
+        match law.line() {
+            Some(ClippedLine::Spring { stiffness }) => impact(1.0 / stiffness),
             // rdot' = -e rdot while S' < 0.
-            StructureLaw::RigidStop { restitution } if impulses => Line {
+            Some(ClippedLine::Stop { restitution }) if impulses => Line {
                 by_rate: of_velocity,
                 by_bounce: of_velocity * restitution,
                 ..none
             },
-            StructureLaw::RigidStop { .. } => impact(0.0),
+            Some(ClippedLine::Stop { .. }) => impact(0.0),
             // S' = S + k^C (r' - r).
-            StructureLaw::DisplacementControl { stiffness, .. } => Line {
+            Some(ClippedLine::Elastic { stiffness }) => Line {
                 compliance: 1.0 / stiffness,
                 by_change: 1.0,
                 by_force: 1.0 / stiffness,
                 ..none
             },
-            StructureLaw::VelocityControl { viscosity, .. } => Line {
+            Some(ClippedLine::Viscous { viscosity }) => Line {
                 compliance: of_velocity / viscosity,
                 by_rate: of_velocity,
                 ..none
             },
-            StructureLaw::Coulomb { .. } => Line {
+            Some(ClippedLine::Coulomb) => Line {
                 by_rate: of_velocity,
                 ..none
             },
             // Not a line; its lanes have forces of their own.
-            StructureLaw::CurvedImpact { .. }
-            | StructureLaw::CurvedFriction { .. }
-            | StructureLaw::Link { .. }
-            | StructureLaw::Plane { .. } => impact(1.0),
+            None => impact(1.0),
         }
     }
 }
@@ -174,14 +172,7 @@ impl<const L: usize> LaneContact<L> {
         let of = |number: fn(&Contact) -> f64| lanes(cases, |case| number(&case.contacts[c]));
         let is =
             |rule: &dyn Fn(&StructureLaw) -> bool| cases.map(|case| rule(&case.contacts[c].law));
-        let rigid_stop = |law: &StructureLaw| matches!(law, StructureLaw::RigidStop { .. });
-        let coulomb = |law: &StructureLaw| matches!(law, StructureLaw::Coulomb { .. });
-        let spring = |law: &StructureLaw| {
-            matches!(
-                law,
-                StructureLaw::ImpactSpring { .. } | StructureLaw::DisplacementControl { .. }
-            )
-        };
+        let rigid = |law: &StructureLaw| law.line().is_some_and(ClippedLine::is_rigid);
         LaneContact {
             gap: of(|contact| contact.gap),
             bounds: [
@@ -189,14 +180,14 @@ impl<const L: usize> LaneContact<L> {
                 of(|contact| bounds(contact, 0.0)[1]),
             ],
             softness: of(|contact| softness(&contact.law)),
-            by_force: of(|contact| match contact.law {
-                StructureLaw::DisplacementControl { .. } => softness(&contact.law),
+            by_force: of(|contact| match contact.law.line() {
+                Some(ClippedLine::Elastic { .. }) => softness(&contact.law),
                 _ => 0.0,
             }),
-            stop: is(&|law| impulses && rigid_stop(law)),
-            by_impulse: is(&|law| impulses && (rigid_stop(law) || coulomb(law))),
-            by_velocity: is(&|law| at_end && (rigid_stop(law) || coulomb(law))),
-            known: is(&|law| explicit && spring(law)),
+            stop: is(&|law| impulses && law.is_stop()),
+            by_impulse: is(&|law| impulses && rigid(law)),
+            by_velocity: is(&|law| at_end && rigid(law)),
+            known: is(&|law| explicit && law.spring().is_some()),
             change: zero,
             rate: zero,
             size: zero,
@@ -215,9 +206,5 @@ impl<const L: usize> LaneContact<L> {
 
 /// 1/k of the spring of a law; 0 without one.
 fn softness(law: &StructureLaw) -> f64 {
-    match law {
-        StructureLaw::ImpactSpring { stiffness }
-        | StructureLaw::DisplacementControl { stiffness, .. } => 1.0 / stiffness,
-        _ => 0.0,
-    }
+    law.spring().map_or(0.0, |stiffness| 1.0 / stiffness)
 }

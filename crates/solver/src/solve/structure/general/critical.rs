@@ -2,7 +2,7 @@
 
 use crate::methods::{Method, six_digits_below};
 use crate::system::structure::sparse::factor::Factor;
-use crate::system::structure::{Structure, StructureLaw, Symmetric};
+use crate::system::structure::{Structure, Symmetric};
 use std::fmt;
 
 /// Part by which a step may be above the critical one: round-off of both.
@@ -110,8 +110,7 @@ pub fn critical_fault(structure: &Structure, method: &Method, dt: f64) -> Option
     if limit == f64::INFINITY {
         return None;
     }
-    let rigid = |law: &StructureLaw| matches!(law, StructureLaw::RigidStop { .. });
-    if let Some(stop) = structure.contacts.iter().find(|c| rigid(&c.law)) {
+    if let Some(stop) = structure.contacts.iter().find(|c| c.law.is_stop()) {
         return Some(CriticalFault::Rigid(stop.name.clone()));
     }
     if let Some(node) = structure.nodes.iter().find(|node| node.mass == 0.0) {
@@ -130,17 +129,10 @@ pub fn critical_fault(structure: &Structure, method: &Method, dt: f64) -> Option
 fn with_contacts(structure: &Structure) -> Symmetric {
     let mut stiffness = structure.stiffness.clone();
     for contact in &structure.contacts {
-        let k = match &contact.law {
-            StructureLaw::ImpactSpring { stiffness }
-            | StructureLaw::DisplacementControl { stiffness, .. } => *stiffness,
+        let k = match contact.law.line() {
+            Some(line) => line.stiffness().unwrap_or(0.0),
             // The stiffness of delta^1.5 grows with an overlap that is not known: only an unstable step without it is certain.
-            StructureLaw::CurvedImpact { law, .. }
-            | StructureLaw::CurvedFriction { law, .. }
-            | StructureLaw::Link { law }
-            | StructureLaw::Plane { law, .. } => law.properties().largest_stiffness(0.0),
-            StructureLaw::RigidStop { .. }
-            | StructureLaw::VelocityControl { .. }
-            | StructureLaw::Coulomb { .. } => 0.0,
+            None => contact.law.as_given().properties().largest_stiffness(0.0),
         };
         if k > 0.0 {
             stiffness.add_along(&contact.along, k);

@@ -200,13 +200,7 @@ fn of_limit<const L: usize>(force: Lane<L>, limit: Lane<L>) -> Lane<L> {
 /// (f(a) + f(b))(a + b) >= 0. For an elastic force up to a constant limit the slip of a step has the sign of the limit that it reaches, and
 /// then the mean of both forces has it, too.
 fn is_passive(law: &StructureLaw) -> bool {
-    let friction = matches!(
-        law,
-        StructureLaw::DisplacementControl { .. }
-            | StructureLaw::VelocityControl { .. }
-            | StructureLaw::Coulomb { .. }
-    );
-    friction
+    law.line().is_some()
         && law
             .limit()
             .is_some_and(|limit| limit.varying.is_none() && limit.pressed_by.is_none())

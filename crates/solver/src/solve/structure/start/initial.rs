@@ -1,10 +1,10 @@
 //! The contact forces at t = 0.
 
-use crate::contact::{RigidForces, Unsolved};
+use crate::contact::{ClippedLine, RigidForces, Unsolved};
 use crate::solve::structure::contacts::curved_contact::first_force;
 use crate::solve::structure::contacts::curved_plane::first_forces;
 use crate::solve::structure::contacts::laws::{bounds, friction};
-use crate::system::structure::{Inertia, PlaneRow, Structure, StructureLaw};
+use crate::system::structure::{Inertia, PlaneRow, Structure};
 
 /// S(0) of every contact.
 ///
@@ -28,15 +28,12 @@ pub(crate) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
         }
         // Round-off of the equilibrium opens no contact that presses.
         let is_open = r > 0.0 && at_rest.is_none_or(|force| force == 0.0);
-        forces[c] = match contact.law {
-            StructureLaw::ImpactSpring { stiffness } => stiffness * r.min(0.0),
-            StructureLaw::DisplacementControl { .. } => at_rest.unwrap_or_default(),
+        forces[c] = match (contact.law.line(), contact.law.row()) {
+            (Some(ClippedLine::Spring { stiffness }), _) => stiffness * r.min(0.0),
+            (Some(ClippedLine::Elastic { .. }), _) => at_rest.unwrap_or_default(),
             // Its first direction has found both.
-            StructureLaw::Plane {
-                row: PlaneRow::Second,
-                ..
-            } => forces[c],
-            StructureLaw::Plane { .. } => {
+            (None, Some(PlaneRow::Second)) => forces[c],
+            (None, Some(PlaneRow::First)) => {
                 let other = structure.relative(c + 1, u) + structure.contacts[c + 1].gap;
                 let other_rate = structure.relative(c + 1, v);
                 let is_held = contact.law.is_rigid() && rdot == 0.0 && other_rate == 0.0;
@@ -55,15 +52,13 @@ pub(crate) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
                 forces[c + 1] = second;
                 first
             }
-            StructureLaw::CurvedImpact { .. }
-            | StructureLaw::CurvedFriction { .. }
-            | StructureLaw::Link { .. } => first_force(structure, c, r, rdot),
-            StructureLaw::VelocityControl { viscosity, .. } => (viscosity * rdot).clamp(low, high),
-            StructureLaw::Coulomb { .. } if rdot > 0.0 => high,
-            StructureLaw::Coulomb { .. } if rdot < 0.0 => low,
-            StructureLaw::RigidStop { .. } if is_open || rdot != 0.0 => 0.0,
+            (None, None) => first_force(structure, c, r, rdot),
+            (Some(ClippedLine::Viscous { viscosity }), _) => (viscosity * rdot).clamp(low, high),
+            (Some(ClippedLine::Coulomb), _) if rdot > 0.0 => high,
+            (Some(ClippedLine::Coulomb), _) if rdot < 0.0 => low,
+            (Some(ClippedLine::Stop { .. }), _) if is_open || rdot != 0.0 => 0.0,
             // Where a node without mass gives way, nothing presses at rest.
-            StructureLaw::Coulomb { .. } | StructureLaw::RigidStop { .. } => {
+            (Some(ClippedLine::Coulomb | ClippedLine::Stop { .. }), _) => {
                 let mut nodes = structure.column(c);
                 if nodes.all(|(node, _)| structure.nodes[node].mass > 0.0) {
                     active.push(c);

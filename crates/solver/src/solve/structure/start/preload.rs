@@ -3,7 +3,7 @@
 //! The load is applied in parts where forces depend on the way; [`Equilibrium`] finds that of each.
 
 use super::equilibrium::Equilibrium;
-use crate::contact::{ContactKind, ContactLaw};
+use crate::contact::ContactKind;
 use crate::solve::Unsolvable;
 use crate::system::structure::{Structure, StructureLaw};
 
@@ -63,21 +63,7 @@ fn without_dampers(structure: &Structure) -> Option<Structure> {
 
 /// The law without its damper; `None` if it has none.
 fn at_rest(law: &StructureLaw) -> Option<StructureLaw> {
-    let law = match law {
-        StructureLaw::VelocityControl { .. }
-        | StructureLaw::CurvedFriction { .. }
-        | StructureLaw::CurvedImpact { .. }
-        | StructureLaw::Link { .. } => law.law(1.0).without_damper()?,
-        _ => return None,
-    };
-    Some(match law {
-        ContactLaw::ImpactSpring(law) => StructureLaw::ImpactSpring {
-            stiffness: law.stiffness,
-        },
-        ContactLaw::Hertz(_) => StructureLaw::CurvedImpact {
-            law,
-            restitution: 1.0,
-        },
-        law => StructureLaw::Link { law },
-    })
+    let own = law.law(1.0);
+    let still = own.without_damper().filter(|_| law.row().is_none())?;
+    Some(StructureLaw::new(still, None))
 }

@@ -1,9 +1,10 @@
 //! Forces of contacts of bodies that are exactly at rest: every number of such a contact is 0 until another contact moves it.
 
 use super::*;
+use crate::contact::offer::Form;
 use crate::contact::{
-    Bearing, BoucWen, ContactLaw, Dahl, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt,
-    Lugre, Stribeck, Tanh, Unsolved, Ye,
+    Bearing, BoucWen, ClippedLine, ContactLaw, Dahl, Hertz, HertzDamp, HuntCrossley, Jankowski,
+    KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
 };
 use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method, MoreauJean};
 use crate::solve::Unsolvable;
@@ -41,13 +42,12 @@ pub(super) const LAWS: usize = 17;
 pub(super) fn law(number: usize, random: &mut Random) -> (StructureLaw, f64) {
     let (k, e, mass) = (random.scale(1e2, 1e5), random.between(0.2, 1.0), 1.5);
     let gap = random.between(0.0, 0.01) * [0.0, 1.0][random.below(2)];
-    let impact = |law: ContactLaw| StructureLaw::CurvedImpact {
-        law,
-        restitution: e,
+    let impact = |law: ContactLaw| {
+        StructureLaw::new(Form::of(law).with_restitution(e), None).from_its_answer()
     };
     let relation = match number {
-        0 => StructureLaw::ImpactSpring { stiffness: k },
-        1 => StructureLaw::RigidStop { restitution: e },
+        0 => StructureLaw::new(ClippedLine::Spring { stiffness: k }, None),
+        1 => StructureLaw::new(ClippedLine::Stop { restitution: e }, None),
         2 => impact(ContactLaw::KelvinVoigt(KelvinVoigt::new(k, e, mass))),
         3 => impact(ContactLaw::Hertz(Hertz { stiffness: k })),
         4 => impact(ContactLaw::HertzDamp(HertzDamp::new(k, e))),
@@ -82,18 +82,12 @@ fn friction(number: usize, random: &mut Random) -> StructureLaw {
     let compliance = 1.0 / k;
     let law = match number {
         8 => {
-            return StructureLaw::DisplacementControl {
-                stiffness: k,
-                limit: own,
-            };
+            return StructureLaw::new(ClippedLine::Elastic { stiffness: k }, own);
         }
         9 => {
-            return StructureLaw::VelocityControl {
-                viscosity: c,
-                limit: own,
-            };
+            return StructureLaw::new(ClippedLine::Viscous { viscosity: c }, own);
         }
-        10 => return StructureLaw::Coulomb { limit: own },
+        10 => return StructureLaw::new(ClippedLine::Coulomb, own),
         11 => ContactLaw::Tanh(Tanh {
             compliance: 1.0 / c,
             limit,
@@ -131,7 +125,7 @@ fn friction(number: usize, random: &mut Random) -> StructureLaw {
             stribeck_velocity: 0.5,
         }),
     };
-    StructureLaw::CurvedFriction { law, limit: own }
+    StructureLaw::new(law, own).from_its_answer()
 }
 
 fn method(number: usize) -> Method {
@@ -198,12 +192,10 @@ fn structure(number: usize, random: &mut Random) -> Structure {
 
 /// Whether two contacts without compliance may depend on each other.
 fn may_be_singular(structure: &Structure) -> bool {
-    let rigid = structure.contacts.iter().filter(|contact| {
-        matches!(
-            contact.law,
-            StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
-        )
-    });
+    let rigid = structure
+        .contacts
+        .iter()
+        .filter(|contact| contact.law.line().is_some_and(ClippedLine::is_rigid));
     rigid.count() > 1
 }
 

@@ -1,7 +1,7 @@
 //! Motions that the two problems of one contact also have.
 
 use super::*;
-use crate::contact::{self, ContactLaw};
+use crate::contact::{self, ClippedLine, ContactLaw};
 use crate::methods::{AverageAcceleration, Method};
 use crate::solve::structure::{Prepared, run};
 use crate::solve::{ContactTrack, run as run_modes};
@@ -116,7 +116,7 @@ fn bars_move_like_the_modes_of_the_bars() {
                 }
             }
         }
-        let law = StructureLaw::ImpactSpring { stiffness };
+        let law = StructureLaw::new(ClippedLine::Spring { stiffness }, None);
         structure.contacts = vec![contact(assembly.nodes, gap, law)];
         let expected = run_modes::<ContactTrack>(&system).unwrap().track.0;
         let difference = difference(&track(&structure, dt, last as usize), &expected);

@@ -1,6 +1,7 @@
 //! The energy books.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::solve::structure::{Books, Prepared, run};
 
 fn energy_error(structure: &Structure, dt: f64, steps: usize) -> f64 {
@@ -69,7 +70,7 @@ fn energies_that_overflow_are_not_numbers_and_no_energy_is_no_error() {
             let mut structure = masses(&[1.0, 2.0]);
             structure.stiffness.add_spring([None, Some(0)], 4.0);
             structure.velocity[0] = v;
-            let law = StructureLaw::ImpactSpring { stiffness: 100.0 };
+            let law = StructureLaw::new(ClippedLine::Spring { stiffness: 100.0 }, None);
             structure.contacts = vec![contact([Some(1), Some(0)], 0.1, law)];
             let prepared = Prepared::by(&method, &structure, 0.01).unwrap();
             let mut books: Option<Books<1>> = None;

@@ -1,6 +1,7 @@
 //! Bodies on supports that move from t = 0 on.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::solve::structure::{Prepared, run};
 use crate::system::structure::{Baseline, Motion};
 
@@ -32,10 +33,8 @@ fn forces(law: StructureLaw, dt: f64) -> [f64; 2] {
 
 #[test]
 fn a_body_that_sticks_to_its_support_has_its_acceleration_from_the_start() {
-    let friction = StructureLaw::Coulomb {
-        limit: Limit::constant(9.0),
-    };
-    let stop = StructureLaw::RigidStop { restitution: 0.0 };
+    let friction = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(9.0));
+    let stop = StructureLaw::new(ClippedLine::Stop { restitution: 0.0 }, None);
     for law in [friction, stop] {
         // m a = -S. Round-off of sin(pi/2) and of products.
         assert!((forces(law.clone(), 0.05)[0] + 6.0).abs() < 1e-14);
@@ -49,8 +48,6 @@ fn a_body_that_sticks_to_its_support_has_its_acceleration_from_the_start() {
         assert!(error[1] < 0.3 * error[0] && error[0] < 0.01, "{error:?}");
     }
     // Friction that cannot hold the body slides from the start.
-    let weak = StructureLaw::Coulomb {
-        limit: Limit::constant(4.0),
-    };
+    let weak = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(4.0));
     assert_eq!(forces(weak, 0.05), [-4.0; 2]);
 }

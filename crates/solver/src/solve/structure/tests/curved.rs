@@ -3,8 +3,8 @@
 use super::*;
 use crate::contact::impact::collision::{DampedHertz, HertzDashpot, Linear as Dashpot};
 use crate::contact::{
-    Bearing, Bilinear, BoucWen, ContactKind, ContactLaw, Dahl, Hertz, HertzDamp, HuntCrossley,
-    ImpactSpring, Jankowski, KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
+    Bearing, Bilinear, BoucWen, ClippedLine, ContactKind, ContactLaw, Dahl, Hertz, HertzDamp,
+    HuntCrossley, ImpactSpring, Jankowski, KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
 };
 use crate::lane::Lane;
 use crate::methods::{AverageAcceleration, Method};
@@ -13,17 +13,11 @@ use crate::solve::{ContactTrack, Unsolvable, run as run_modes};
 use crate::system::{Linear, Mode, System};
 
 fn friction(law: ContactLaw, limit: f64) -> StructureLaw {
-    StructureLaw::CurvedFriction {
-        law,
-        limit: Limit::constant(limit),
-    }
+    StructureLaw::new(law, Limit::constant(limit)).from_its_answer()
 }
 
 fn impact(law: ContactLaw) -> StructureLaw {
-    StructureLaw::CurvedImpact {
-        law,
-        restitution: 1.0,
-    }
+    StructureLaw::new(law, None).from_its_answer()
 }
 
 /// Every law of friction with a limit of 1.
@@ -259,25 +253,19 @@ fn various(which: usize, ground: &Arc<Signal>) -> Structure {
 /// S of the laws that r and rdot alone tell.
 fn force(law: &StructureLaw, [r, rdot]: [f64; 2]) -> Option<f64> {
     let d = (-r).max(0.0);
-    match law {
-        StructureLaw::CurvedImpact { law, .. } => match law {
-            ContactLaw::Hertz(law) => Some(-law.stiffness * d * d.sqrt()),
-            ContactLaw::Jankowski(law) => {
-                let dashpot = law.damping * d.sqrt().sqrt() * (-rdot).max(0.0);
-                Some(-(law.stiffness * d * d.sqrt() + dashpot))
-            }
-            ContactLaw::KelvinVoigt(law) if d > 0.0 => {
-                Some(-(law.stiffness * d - law.damping * rdot).max(0.0))
-            }
-            _ => None,
-        },
-        StructureLaw::CurvedFriction {
-            law: ContactLaw::Tanh(law),
-            limit,
-        } => {
-            let least = (1.0 - law.ratio) * libm::exp(-law.rate * rdot.abs());
-            let limit = limit.constant;
-            Some(limit * (1.0 - least) * libm::tanh(rdot / (law.compliance * limit)))
+    match law.as_given() {
+        ContactLaw::Hertz(law) => Some(-law.stiffness * d * d.sqrt()),
+        ContactLaw::Jankowski(law) => {
+            let dashpot = law.damping * d.sqrt().sqrt() * (-rdot).max(0.0);
+            Some(-(law.stiffness * d * d.sqrt() + dashpot))
+        }
+        ContactLaw::KelvinVoigt(law) if d > 0.0 => {
+            Some(-(law.stiffness * d - law.damping * rdot).max(0.0))
+        }
+        ContactLaw::Tanh(own) => {
+            let least = (1.0 - own.ratio) * libm::exp(-own.rate * rdot.abs());
+            let limit = law.limit()?.constant;
+            Some(limit * (1.0 - least) * libm::tanh(rdot / (own.compliance * limit)))
         }
         _ => None,
     }
@@ -297,13 +285,7 @@ fn several_contacts_with_various_laws_obey_each_law() {
                 if law.kind() == ContactKind::Impact {
                     assert!(*s <= 0.0 && (*r < 1e-12 || *s == 0.0));
                     *touched += usize::from(*s < 0.0);
-                } else if !matches!(
-                    law,
-                    StructureLaw::CurvedFriction {
-                        law: ContactLaw::Lugre(_),
-                        ..
-                    }
-                ) {
+                } else if !matches!(law.as_given(), ContactLaw::Lugre(_)) {
                     let most = law.limit().unwrap().constant * 1.2;
                     assert!(s.abs() <= most * (1.0 + 1e-12));
                 }
@@ -335,13 +317,9 @@ fn clipped_lines_move_alike_on_both_ways() {
     let lines = mixed(4, 1.3, &ground);
     let mut structure = lines.clone();
     for (contact, line) in structure.contacts.iter_mut().zip(&lines.contacts) {
-        contact.law = match &line.law {
-            StructureLaw::ImpactSpring { stiffness } => {
-                let stiffness = *stiffness;
-                impact(ContactLaw::ImpactSpring(ImpactSpring { stiffness }))
-            }
-            law => law.clone(),
-        };
+        if let Some(ClippedLine::Spring { stiffness }) = line.law.line() {
+            contact.law = impact(ContactLaw::ImpactSpring(ImpactSpring { stiffness }));
+        }
     }
     let (rows, error) = motion(&structure, 0.002, 2500);
     let (expected, _) = motion(&lines, 0.002, 2500);
@@ -413,10 +391,7 @@ fn a_lane_with_curved_laws_has_its_own_bits_and_leaves_others_alone() {
         ratio: 1.0,
         rate: 0.0,
     });
-    cases[2].contacts[4].law = StructureLaw::CurvedFriction {
-        law,
-        limit: varying,
-    };
+    cases[2].contacts[4].law = StructureLaw::new(law, varying).from_its_answer();
     let prepared = Prepared::new(&cases[0], 0.002).unwrap();
     fn bits<const L: usize>(cases: &[&Structure; L], prepared: &Prepared) -> [Vec<u64>; L] {
         let mut bits = [const { Vec::new() }; L];
@@ -473,7 +448,7 @@ fn a_limit_that_varies_moves_the_curved_laws_as_the_line() {
     structure.contacts = vec![contact(
         [None, Some(0)],
         0.0,
-        StructureLaw::CurvedFriction { law, limit },
+        StructureLaw::new(law, limit).from_its_answer(),
     )];
     let dt = 0.01;
     let prepared = Prepared::new(&structure, dt).unwrap();
@@ -537,7 +512,7 @@ fn a_link_that_softens_too_fast_is_refused() {
         });
         let mut structure = masses(&[1.0]);
         structure.velocity[0] = 1e-4;
-        structure.contacts = vec![contact([None, Some(0)], 0.0, StructureLaw::Link { law })];
+        structure.contacts = vec![contact([None, Some(0)], 0.0, StructureLaw::new(law, None))];
         let prepared = Prepared::new(&structure, dt).unwrap();
         let [done] = run::<1>(&[&structure], &prepared, 30, |_, _| ());
         assert_eq!(done, expected, "{part}");

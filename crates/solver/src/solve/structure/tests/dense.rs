@@ -1,6 +1,7 @@
 //! The textbook form: full matrices, accelerations, and all patterns of the contacts.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::solve::structure::{Prepared, run};
 use nalgebra::{DMatrix, DVector};
 
@@ -81,18 +82,15 @@ impl Dense<'_> {
             let limit = law.limit().map(|limit| limit.at(t));
             (low[i], high[i]) = limit.map_or((f64::NEG_INFINITY, 0.0), |limit| (-limit, limit));
             let viscous = r[i] + gap[i] + 0.5 * dt * rdot[i];
-            (g[i], center[i]) = match law {
-                StructureLaw::ImpactSpring { stiffness } => (1.0 / stiffness, 0.0),
-                StructureLaw::RigidStop { .. } => (0.0, 0.0),
-                StructureLaw::DisplacementControl { stiffness, .. } => {
+            (g[i], center[i]) = match law.line() {
+                Some(ClippedLine::Spring { stiffness }) => (1.0 / stiffness, 0.0),
+                Some(ClippedLine::Stop { .. }) => (0.0, 0.0),
+                Some(ClippedLine::Elastic { stiffness }) => {
                     (1.0 / stiffness, r[i] + gap[i] - self.s[i] / stiffness)
                 }
-                StructureLaw::VelocityControl { viscosity, .. } => (0.5 * dt / viscosity, viscous),
-                StructureLaw::Coulomb { .. } => (0.0, viscous),
-                StructureLaw::CurvedImpact { .. }
-                | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. }
-                | StructureLaw::Plane { .. } => unreachable!(),
+                Some(ClippedLine::Viscous { viscosity }) => (0.5 * dt / viscosity, viscous),
+                Some(ClippedLine::Coulomb) => (0.0, viscous),
+                None => unreachable!(),
             };
         }
         self.s = all_patterns(

@@ -1,6 +1,7 @@
 //! The bits of a case do not depend on its lane.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::lane::Lane;
 use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method, MoreauJean};
 use crate::solve::Unsolvable;
@@ -105,7 +106,8 @@ fn a_case_has_the_same_bits_in_every_lane_by_every_method() {
         cases[2].contacts[2].gap = 0.01;
         for c in 0..3 {
             // Rigid impacts in one lane only; the last is friction with a limit that changes in another.
-            cases[2].contacts[c].law = StructureLaw::RigidStop { restitution: 0.6 };
+            cases[2].contacts[c].law =
+                StructureLaw::new(ClippedLine::Stop { restitution: 0.6 }, None);
         }
         let alone = cases.each_ref().map(|case| {
             let [bits] = bits_by::<1>(&method, 600, &[case]);
@@ -133,9 +135,7 @@ fn a_lane_that_fails_leaves_the_others_alone() {
         good.contacts[c].along = good.contacts[4].along.clone();
     }
     for c in [2, 3] {
-        bad.contacts[c].law = StructureLaw::Coulomb {
-            limit: Limit::constant(1e3),
-        };
+        bad.contacts[c].law = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(1e3));
     }
     let prepared = Prepared::new(&good, 0.002).unwrap();
     let mut last = [0.0; 2];
@@ -165,7 +165,7 @@ fn a_lane_fails_at_the_step_from_which_its_forces_are_not_unique() {
         ..Limit::constant(0.0)
     };
     let mut stuck = masses(&[1.0]);
-    let law = StructureLaw::Coulomb { limit };
+    let law = StructureLaw::new(ClippedLine::Coulomb, limit);
     stuck.contacts = vec![contact([None, Some(0)], 0.0, law); 2];
     let mut free = stuck.clone();
     for contact in &mut free.contacts {

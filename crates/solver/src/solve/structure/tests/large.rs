@@ -1,6 +1,7 @@
 //! Structures whose factor has much fill-in, so that steps go through it by panels.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::lane::Lane;
 use crate::methods::{AverageAcceleration, Coefficients, Method};
 use crate::solve::structure::{Books, Prepared, run};
@@ -44,7 +45,7 @@ fn truss(scale: f64) -> Structure {
     truss.damping.add_matrix(&truss.stiffness.clone(), 1e-3);
     for j in (0..WIDTH).step_by(3) {
         let face = joint(WIDTH - 1, j);
-        let stop = StructureLaw::ImpactSpring { stiffness: 5e3 };
+        let stop = StructureLaw::new(ClippedLine::Spring { stiffness: 5e3 }, None);
         let mut stop = contact([Some(face), None], 0.02, stop);
         stop.along.push((face + 1, 0.1));
         truss.contacts.push(stop);

@@ -22,7 +22,7 @@ fn decks(as_contact: bool) -> Structure {
                 limit: f64::INFINITY,
             };
             let law = ContactLaw::VelocityControl(damper);
-            let law = StructureLaw::Link { law };
+            let law = StructureLaw::new(law, None);
             assert_eq!(
                 (law.kind(), law.limit().is_none()),
                 (ContactKind::Link, true)

@@ -15,6 +15,7 @@ mod preload;
 mod pushed;
 mod static_ratio;
 
+use crate::contact::ClippedLine;
 use crate::system::structure::{
     Contact, Limit, Load, Node, Signal, Structure, StructureLaw, Symmetric, Table,
 };
@@ -54,17 +55,11 @@ fn contact(between: [Option<usize>; 2], gap: f64, law: StructureLaw) -> Contact 
 }
 
 fn displacement_control(stiffness: f64, limit: f64) -> StructureLaw {
-    StructureLaw::DisplacementControl {
-        stiffness,
-        limit: Limit::constant(limit),
-    }
+    StructureLaw::new(ClippedLine::Elastic { stiffness }, Limit::constant(limit))
 }
 
 fn velocity_control(viscosity: f64, limit: f64) -> StructureLaw {
-    StructureLaw::VelocityControl {
-        viscosity,
-        limit: Limit::constant(limit),
-    }
+    StructureLaw::new(ClippedLine::Viscous { viscosity }, Limit::constant(limit))
 }
 
 /// A ground acceleration with many frequencies, peak about 3.
@@ -105,7 +100,7 @@ fn girders(n: usize, k_factor: f64, scale: f64, ground: &Arc<Signal>) -> Structu
         contact(
             [right(g), left(g + 1)],
             0.02,
-            StructureLaw::ImpactSpring { stiffness },
+            StructureLaw::new(ClippedLine::Spring { stiffness }, None),
         )
     };
     let bearing = |i, j| contact([i, j], 0.0, displacement_control(245.0 / 0.0005, 245.0));
@@ -132,17 +127,10 @@ fn mixed(n: usize, factor: f64, ground: &Arc<Signal>) -> Structure {
         varying: Some((30.0 * factor, ground.clone())),
         ..Limit::constant(0.0)
     };
-    structure.contacts[2].law = StructureLaw::VelocityControl {
-        viscosity: 2e4,
-        limit: weight.clone(),
-    };
-    structure.contacts[3].law = StructureLaw::DisplacementControl {
-        stiffness: 3e5,
-        limit: weight,
-    };
-    structure.contacts[4].law = StructureLaw::Coulomb {
-        limit: Limit::constant(150.0),
-    };
+    structure.contacts[2].law =
+        StructureLaw::new(ClippedLine::Viscous { viscosity: 2e4 }, weight.clone());
+    structure.contacts[3].law = StructureLaw::new(ClippedLine::Elastic { stiffness: 3e5 }, weight);
+    structure.contacts[4].law = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(150.0));
     structure.contacts.push(Contact {
         gap: 0.0,
         law: velocity_control(5e3 * factor, 60.0),

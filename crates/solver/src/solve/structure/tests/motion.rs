@@ -1,6 +1,7 @@
 //! Motions with printed numbers or closed forms.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::solve::structure::{Prepared, run};
 
 /// Displacements of node 0 at all steps.
@@ -123,7 +124,7 @@ fn a_block_that_coulomb_friction_holds_does_not_move() {
     structure.contacts = vec![contact(
         [None, Some(0)],
         0.0,
-        StructureLaw::Coulomb { limit },
+        StructureLaw::new(ClippedLine::Coulomb, limit),
     )];
     let table = Table::new(vec![0.0], vec![3.0]).unwrap();
     structure.loads = vec![Load {
@@ -147,16 +148,18 @@ fn softened_laws_give_the_forces_at_the_start() {
     structure.velocity[0] = 2.0;
     let between = [None, Some(0)];
     structure.contacts = vec![
-        contact(between, 0.1, StructureLaw::ImpactSpring { stiffness: 50.0 }),
+        contact(
+            between,
+            0.1,
+            StructureLaw::new(ClippedLine::Spring { stiffness: 50.0 }, None),
+        ),
         contact(between, 0.0, displacement_control(7.0, 1.0)),
         contact(between, 0.0, velocity_control(0.25, 1.0)),
         contact(between, 0.0, velocity_control(5.0, 1.0)),
         contact(
             between,
             0.0,
-            StructureLaw::Coulomb {
-                limit: Limit::constant(3.0),
-            },
+            StructureLaw::new(ClippedLine::Coulomb, Limit::constant(3.0)),
         ),
     ];
     let prepared = Prepared::new(&structure, 0.01).unwrap();
@@ -204,7 +207,7 @@ fn a_rigid_stop_is_not_passed() {
     let mut structure = masses(&[1.0]);
     structure.stiffness.add(0, 0, 1.0);
     structure.displacement[0] = 1.0;
-    let law = StructureLaw::RigidStop { restitution: 0.0 };
+    let law = StructureLaw::new(ClippedLine::Stop { restitution: 0.0 }, None);
     structure.contacts = vec![contact([None, Some(0)], 0.1, law)];
     let u = displacements(&structure, 0.01, 3000);
     let smallest = u.iter().fold(0.0, |a: f64, b| a.min(*b));

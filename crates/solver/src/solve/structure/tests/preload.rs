@@ -2,7 +2,7 @@
 
 use super::at_rest::{LAWS, Random, law};
 use super::*;
-use crate::contact::{BoucWen, ContactLaw};
+use crate::contact::{BoucWen, ClippedLine, ContactLaw};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Prepared, run, settle};
 
@@ -54,11 +54,7 @@ fn every_law_stays_in_its_equilibrium() {
     let random = &mut Random(7);
     for number in (0..LAWS).cycle().take(4 * LAWS) {
         let (mut law, gap) = law(number, random);
-        if let StructureLaw::DisplacementControl { limit, .. }
-        | StructureLaw::VelocityControl { limit, .. }
-        | StructureLaw::CurvedFriction { limit, .. }
-        | StructureLaw::Coulomb { limit } = &mut law
-        {
+        if let Some(limit) = law.limit_mut() {
             limit.varying = None;
         }
         let forces = [random.between(5.0, 20.0), -random.between(1.0, 20.0)];
@@ -105,7 +101,7 @@ fn a_bearing_that_slides_leaves_the_rest_to_the_springs() {
 
 #[test]
 fn a_stop_carries_what_presses_it() {
-    let stop = StructureLaw::RigidStop { restitution: 0.5 };
+    let stop = StructureLaw::new(ClippedLine::Stop { restitution: 0.5 }, None);
     let mut structure = pair(stop, [0.0, -12.0], [100.0, 0.0]);
     settle(&mut structure).unwrap();
     assert!((structure.preload.force(0).unwrap() + 12.0).abs() < 1e-12);
@@ -126,10 +122,7 @@ fn the_memory_of_a_curved_law_is_that_of_a_slow_push() {
         limit,
         exponent: 1.0,
     };
-    let law = StructureLaw::CurvedFriction {
-        law: ContactLaw::BoucWen(law),
-        limit: Limit::constant(limit),
-    };
+    let law = StructureLaw::new(ContactLaw::BoucWen(law), Limit::constant(limit)).from_its_answer();
     let mut structure = pair(law, [0.0, force], [1e3, 0.0]);
     settle(&mut structure).unwrap();
     let r = structure.displacement[1] - structure.displacement[0];

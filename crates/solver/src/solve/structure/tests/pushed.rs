@@ -1,7 +1,8 @@
 //! The closing speed of a damped impact that other contacts push together, and what is counted for contacts.
 
 use super::*;
-use crate::contact::{BoucWen, ContactLaw, Dahl, HertzDamp};
+use crate::contact::offer::Form;
+use crate::contact::{BoucWen, ClippedLine, ContactLaw, Dahl, HertzDamp};
 use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method, MoreauJean};
 use crate::solve::structure::{Books, Prepared, run};
 
@@ -41,10 +42,11 @@ fn a_contact_that_another_one_pushes_together_has_the_speed_that_closes_its_gap(
     // A fast body 0 strikes body 1, which is at rest before the wall: within the step body 1 overlaps the wall, though it would not
     // without the forces of the step. The mean speed that closes the gap of 0.02 in dt = 0.01 is 2.
     let law = HertzDamp::new(1e4, 0.5);
-    let damped = StructureLaw::CurvedImpact {
-        law: ContactLaw::HertzDamp(law),
-        restitution: 0.5,
-    };
+    let damped = StructureLaw::new(
+        Form::of(ContactLaw::HertzDamp(law)).with_restitution(0.5),
+        None,
+    )
+    .from_its_answer();
     let mut structure = masses(&[1.0, 0.01]);
     structure.velocity[0] = 10.0;
     structure.contacts = vec![
@@ -52,7 +54,7 @@ fn a_contact_that_another_one_pushes_together_has_the_speed_that_closes_its_gap(
         contact(
             [Some(0), Some(1)],
             0.0,
-            StructureLaw::ImpactSpring { stiffness: 1e4 },
+            StructureLaw::new(ClippedLine::Spring { stiffness: 1e4 }, None),
         ),
     ];
     let dt = 0.01;
@@ -100,8 +102,16 @@ fn energies_are_relative_to_the_largest_one_with_that_of_the_contacts() {
     };
     for (u, force, law) in [
         (0.0, 1.0, displacement_control(4.0, 1e9)),
-        (-1.0, -9.0, StructureLaw::ImpactSpring { stiffness: 4.0 }),
-        (-1.0, -1.5, StructureLaw::ImpactSpring { stiffness: 4.0 }),
+        (
+            -1.0,
+            -9.0,
+            StructureLaw::new(ClippedLine::Spring { stiffness: 4.0 }, None),
+        ),
+        (
+            -1.0,
+            -1.5,
+            StructureLaw::new(ClippedLine::Spring { stiffness: 4.0 }, None),
+        ),
     ] {
         let mut by_contact = masses(&[1.0]);
         by_contact.displacement[0] = u;
@@ -148,10 +158,8 @@ fn slip_is_r_but_for_displacement_control_by_every_method() {
     ] {
         let mut structure = masses(&[1.0]);
         structure.velocity[0] = 1.0;
-        let curved = laws.map(|law| StructureLaw::CurvedFriction {
-            law,
-            limit: Limit::constant(limit),
-        });
+        let curved =
+            laws.map(|law| StructureLaw::new(law, Limit::constant(limit)).from_its_answer());
         let lines = [displacement_control(10.0, 1.0), velocity_control(3.0, 1.0)];
         let all = curved.into_iter().chain(lines);
         structure.contacts = all.map(|law| contact([None, Some(0)], 0.0, law)).collect();

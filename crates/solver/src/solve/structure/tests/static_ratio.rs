@@ -1,7 +1,7 @@
 //! Coulomb friction with a static limit above the kinetic one, beside the exact motion by events.
 
 use super::*;
-use crate::contact::{ContactLaw, Tanh};
+use crate::contact::{ClippedLine, ContactLaw, Tanh};
 use crate::exact::events;
 use crate::lane::Lane;
 use crate::methods::{AverageAcceleration, Method, MoreauJean};
@@ -11,12 +11,13 @@ const AVERAGE: Method = Method::AverageAcceleration(AverageAcceleration);
 const IMPULSES: Method = Method::MoreauJean(MoreauJean { theta: 0.5 });
 
 fn two_limits(limit: Limit, ratio: f64) -> StructureLaw {
-    StructureLaw::Coulomb {
-        limit: Limit {
+    StructureLaw::new(
+        ClippedLine::Coulomb,
+        Limit {
             static_ratio: ratio,
             ..limit
         },
-    }
+    )
 }
 
 /// Blocks on springs that a frame pulls: each sticks and slips, and its springs load its neighbours.
@@ -172,10 +173,7 @@ fn an_idle_contact_with_a_curved_law_changes_nothing() {
         ratio: 1.0,
         rate: 0.0,
     });
-    let law = StructureLaw::CurvedFriction {
-        law: idle,
-        limit: Limit::constant(0.0),
-    };
+    let law = StructureLaw::new(idle, Limit::constant(0.0)).from_its_answer();
     beside.contacts.push(contact([Some(0), Some(1)], 0.0, law));
     let [own, other] = [&s, &beside].map(|s| steps(&AVERAGE, s, 0.003, 9.0).0);
     for (own, other) in own.iter().zip(&other) {

@@ -6,10 +6,12 @@ mod refine;
 use super::flexible::Flexible;
 use super::model::{Bounds, MANY, MOST_MODES, Model};
 use super::modes::Modes;
+use crate::contact::ClippedLine;
+use crate::exact::events::EventsFault;
 use crate::exact::events::numerics::matrix::Matrix;
 use crate::exact::events::numerics::row::{LANES, Row, dot, sum};
+use crate::exact::events::numerics::signals;
 use crate::exact::events::numerics::sparse::Rows;
-use crate::exact::events::{EventsFault, numerics::signals};
 use crate::system::structure::{Contact, Structure, StructureLaw, Symmetric};
 use condense::{Condensed, entries};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -246,20 +248,17 @@ fn laws(structure: &Structure, flexible: Option<&Flexible>) -> Result<Vec<Contac
     let mut contacts = structure.contacts.clone();
     for i in flexible.iter().flat_map(|flexible| &flexible.contacts) {
         let contact = &mut contacts[*i];
-        contact.law = match &contact.law {
-            StructureLaw::RigidStop { .. } => StructureLaw::ImpactSpring {
-                stiffness: f64::INFINITY,
-            },
-            StructureLaw::Coulomb { limit } => StructureLaw::DisplacementControl {
-                stiffness: f64::INFINITY,
-                limit: limit.clone(),
-            },
-            StructureLaw::VelocityControl { .. } => {
+        let stiffness = f64::INFINITY;
+        let line = match contact.law.line() {
+            Some(ClippedLine::Stop { .. }) => ClippedLine::Spring { stiffness },
+            Some(ClippedLine::Coulomb) => ClippedLine::Elastic { stiffness },
+            Some(ClippedLine::Viscous { .. }) => {
                 let contact = contact.name.clone();
                 return Err(EventsFault::MasslessViscous { contact });
             }
-            other => other.clone(),
+            _ => continue,
         };
+        contact.law = StructureLaw::new(line, contact.law.limit().cloned());
     }
     Ok(contacts)
 }

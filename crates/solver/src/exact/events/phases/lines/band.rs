@@ -1,53 +1,19 @@
 //! Laws that are elastic between two parallel lines: bilinear, the pendulum, the impact that yields.
 
 use super::{End, Line};
-use crate::contact::{Bilinear, ImpactYield, Pendulum};
 use crate::exact::events::phases::contact_phase::Phase;
 
 /// A spring k1 between the lines k2 r + low and k2 r + high; a stop has it for r < 0 alone.
 #[derive(Debug, Clone, Copy)]
 pub struct Band {
-    stiffness: [f64; 2],
-    bounds: [f64; 2],
+    pub stiffness: [f64; 2],
+    pub bounds: [f64; 2],
     /// Whether its elastic part has no force at t = 0, whatever r is.
-    unbent: bool,
-    is_stop: bool,
+    pub unbent: bool,
+    pub is_stop: bool,
 }
 
 impl Band {
-    pub fn bilinear(law: &Bilinear) -> Band {
-        let width = law.yield_force * (1.0 - law.hardening / law.stiffness);
-        Band {
-            stiffness: [law.stiffness, law.hardening],
-            bounds: [-width, width],
-            unbent: false,
-            is_stop: false,
-        }
-    }
-
-    /// `None` without a normal force, or with friction that rises with velocity.
-    pub fn pendulum(law: &Pendulum) -> Option<Band> {
-        let surface = law.stiffness();
-        let is_straight = law.limit > 0.0 && law.rising[0] == 1.0;
-        is_straight.then_some(Band {
-            stiffness: [1.0 / law.compliance + surface, surface],
-            bounds: [-law.limit, law.limit],
-            unbent: true,
-            is_stop: false,
-        })
-    }
-
-    pub fn impact(law: &ImpactYield) -> Band {
-        let [k1, k2] = [law.stiffness, law.hardening];
-        Band {
-            stiffness: [k1, k2],
-            // S = -F falls to the line where F yields.
-            bounds: [(k2 - k1) * law.yield_overlap, 0.0],
-            unbent: false,
-            is_stop: true,
-        }
-    }
-
     /// Elastic, through this point.
     fn elastic(&self, [r, s]: [f64; 2]) -> Line {
         let [k1, k2] = self.stiffness;

@@ -5,7 +5,7 @@ mod one_sided;
 mod parts;
 
 use super::contact_phase::Phase;
-use crate::contact::ContactLaw;
+use crate::contact::Straight;
 use crate::system::structure::StructureLaw;
 use band::Band;
 use one_sided::OneSided;
@@ -58,22 +58,37 @@ pub enum Lines {
 
 /// The lines of a law; `None` if it has none, or if they change with time.
 pub fn of(law: &StructureLaw) -> Option<Lines> {
-    let own = match law {
-        StructureLaw::Link { law } | StructureLaw::CurvedImpact { law, .. } => *law,
-        StructureLaw::CurvedFriction { law, limit } if limit.varying.is_none() => {
-            law.at_limit(limit.constant)
-        }
-        _ => return None,
+    let own = match law.limit() {
+        Some(limit) if limit.varying.is_none() => law.law(limit.constant),
+        Some(_) => return None,
+        None => *law.as_given(),
     };
-    Some(match own {
-        ContactLaw::Bilinear(law) => Lines::Band(Band::bilinear(&law)),
-        ContactLaw::Pendulum(law) => Lines::Band(Band::pendulum(&law)?),
-        ContactLaw::ImpactYield(law) => Lines::Band(Band::impact(&law)),
-        ContactLaw::GapYield(law) => Lines::OneSided(OneSided::gap(&law)),
-        ContactLaw::Restrainer(law) => Lines::OneSided(OneSided::restrainer(&law)),
-        ContactLaw::Multilinear(law) => Lines::Parts(Parts(law)),
-        _ => return None,
-    })
+    match own
+        .properties()
+        .straight()
+        .filter(|_| law.row().is_none())?
+    {
+        Straight::Band {
+            band,
+            unbent,
+            is_stop,
+        } => Some(Lines::Band(Band {
+            stiffness: band.stiffness,
+            bounds: band.bounds,
+            unbent,
+            is_stop,
+        })),
+        Straight::OneSided {
+            spring,
+            sign,
+            shift,
+        } => Some(Lines::OneSided(OneSided {
+            sign,
+            shift,
+            spring,
+        })),
+        Straight::Parts(law) => Some(Lines::Parts(Parts(law))),
+    }
 }
 
 impl Line {

@@ -1,44 +1,18 @@
 //! Laws that act on one side of a gap: the gap that yields, the restrainer.
 
 use super::{End, KEPT, Line};
-use crate::contact::{GapYield, Restrainer};
+use crate::contact::OneSided as Spring;
 use crate::exact::events::phases::contact_phase::Phase;
 
 /// F = sign S over d = sign r + shift: k (d - s) up to Fy (1 - eta) + eta k d. What it keeps is s.
 #[derive(Debug, Clone, Copy)]
 pub struct OneSided {
-    sign: f64,
-    shift: f64,
-    stiffness: f64,
-    yield_force: f64,
-    hardening: f64,
-    /// Whether s comes back with d.
-    returns: bool,
+    pub sign: f64,
+    pub shift: f64,
+    pub spring: Spring,
 }
 
 impl OneSided {
-    pub fn gap(law: &GapYield) -> OneSided {
-        OneSided {
-            sign: -1.0,
-            shift: 0.0,
-            stiffness: law.stiffness,
-            yield_force: law.yield_force,
-            hardening: law.hardening,
-            returns: !law.damage,
-        }
-    }
-
-    pub fn restrainer(law: &Restrainer) -> OneSided {
-        OneSided {
-            sign: 1.0,
-            shift: -law.slack,
-            stiffness: law.stiffness,
-            yield_force: law.yield_force,
-            hardening: law.hardening,
-            returns: false,
-        }
-    }
-
     /// d at r, and r at d.
     fn deflection(&self, r: f64) -> f64 {
         self.sign * r + self.shift
@@ -81,9 +55,9 @@ impl OneSided {
     }
 
     fn elastic(&self, set: f64) -> Line {
-        let (k, eta) = (self.stiffness, self.hardening);
+        let (k, eta) = (self.spring.stiffness, self.spring.hardening);
         let end = match eta < 1.0 {
-            true => self.yield_force / k + set / (1.0 - eta),
+            true => self.spring.yield_force / k + set / (1.0 - eta),
             false => f64::INFINITY,
         };
         let line = self.line(k, [set, 0.0], [set, end], 0.0).keeping(set);
@@ -94,9 +68,9 @@ impl OneSided {
     }
 
     fn yielding(&self) -> Line {
-        let (k, eta) = (self.stiffness, self.hardening);
+        let (k, eta) = (self.spring.stiffness, self.spring.hardening);
         let ends = [f64::NEG_INFINITY, f64::INFINITY];
-        let start = self.yield_force * (1.0 - eta);
+        let start = self.spring.yield_force * (1.0 - eta);
         Line {
             loss: [0.0, 1.0 - eta],
             phase: Phase::Sliding(self.sign),
@@ -107,11 +81,15 @@ impl OneSided {
     pub fn start(&self, r: f64, force: Option<f64>) -> Line {
         let d = self.deflection(r);
         if let Some(force) = force.filter(|force| *force != 0.0) {
-            return self.elastic(d - self.sign * force / self.stiffness);
+            return self.elastic(d - self.sign * force / self.spring.stiffness);
         }
         match d {
             _ if d <= 0.0 => self.open(0.0),
-            _ if self.hardening < 1.0 && self.stiffness * d > self.yield_force => self.yielding(),
+            _ if self.spring.hardening < 1.0
+                && self.spring.stiffness * d > self.spring.yield_force =>
+            {
+                self.yielding()
+            }
             _ => self.elastic(0.0),
         }
     }
@@ -125,15 +103,17 @@ impl OneSided {
             (Phase::Open, _) if outwards => self.open(0.0),
             (Phase::Open, _) => self.elastic(set),
             (Phase::Closed, _) if !outwards => self.yielding(),
-            (Phase::Closed, _) if self.returns && set > 0.0 => self.following(set),
+            (Phase::Closed, _) if self.spring.returns && set > 0.0 => self.following(set),
             (Phase::Closed, _) => self.open(set),
-            (Phase::Sliding(_), _) => self.elastic(d - self.sign * line.force(r) / self.stiffness),
+            (Phase::Sliding(_), _) => {
+                self.elastic(d - self.sign * line.force(r) / self.spring.stiffness)
+            }
         }
     }
 
     pub fn stored(&self, line: &Line, r: f64) -> f64 {
         let force = line.force(r);
-        0.5 * force * force / self.stiffness
+        0.5 * force * force / self.spring.stiffness
     }
 }
 

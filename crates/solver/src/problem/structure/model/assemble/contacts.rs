@@ -1,7 +1,7 @@
 //! The contacts of a structure under construction.
 
 use super::{Detail, Draft};
-use crate::contact::plane;
+use crate::contact::{ClippedLine, plane};
 use crate::problem::Violation;
 use crate::problem::structure::parts::contacts;
 use crate::system::structure::{Contact, Limit, PlaneRow, StructureLaw};
@@ -66,9 +66,8 @@ impl Draft<'_> {
             return Err(contacts::violation(contact, message));
         };
         if is_held {
-            let limit = Limit::constant(0.0);
-            let stiffness = 1.0;
-            return Ok(StructureLaw::DisplacementControl { stiffness, limit });
+            let line = ClippedLine::Elastic { stiffness: 1.0 };
+            return Ok(StructureLaw::new(line, Limit::constant(0.0)));
         }
         let other = match row {
             PlaneRow::First => i + 1,
@@ -91,7 +90,7 @@ impl Draft<'_> {
         for (c, contact) in self.template.contacts.iter().enumerate() {
             let own = &self.structure.contacts[c];
             let r = self.structure.relative(c, &self.structure.displacement) + own.gap;
-            if matches!(own.law, StructureLaw::RigidStop { .. }) && r < 0.0 {
+            if own.law.is_stop() && r < 0.0 {
                 let message = format!("a rigid contact must start with r >= 0, got {r}");
                 self.violations.push(contacts::violation(contact, message));
             }

@@ -1,7 +1,8 @@
 //! Faults of an exact motion, planted: it is that of a structure with another start, load, law or support than the steps have.
 
 use super::*;
-use crate::contact::{BoucWen, ContactLaw, Dahl, HuntCrossley, Lugre, Pendulum, Tanh};
+use crate::contact::offer::Form;
+use crate::contact::{BoucWen, ContactKind, ContactLaw, Dahl, HuntCrossley, Lugre, Pendulum, Tanh};
 use crate::methods::AverageAcceleration;
 use crate::problem::structure::channels::names::Names;
 use crate::solve::structure::settle;
@@ -51,10 +52,7 @@ fn load(mut structure: Structure, p: f64) -> Structure {
 }
 
 fn friction(law: ContactLaw) -> StructureLaw {
-    StructureLaw::CurvedFriction {
-        law,
-        limit: Limit::constant(2.0),
-    }
+    StructureLaw::new(law, Limit::constant(2.0)).from_its_answer()
 }
 
 /// Laws whose motion is integrated.
@@ -86,13 +84,15 @@ fn laws() -> Vec<StructureLaw> {
             ratio: 1.0,
             rate: 0.0,
         })),
-        StructureLaw::CurvedImpact {
-            law: ContactLaw::HuntCrossley(HuntCrossley {
+        StructureLaw::new(
+            Form::of(ContactLaw::HuntCrossley(HuntCrossley {
                 stiffness: 2e4,
                 damping: 0.5,
-            }),
-            restitution: 0.7,
-        },
+            }))
+            .with_restitution(0.7),
+            None,
+        )
+        .from_its_answer(),
     ]
 }
 
@@ -211,7 +211,7 @@ fn a_wrong_start_load_law_or_mass_is_seen() {
             let mut other = own.clone();
             fault(&mut other);
             // Friction that has no memory of r has no gap.
-            let impact = matches!(other.contacts[0].law, StructureLaw::CurvedImpact { .. });
+            let impact = other.contacts[0].law.kind() == ContactKind::Impact;
             if what == "gap" && !impact {
                 continue;
             }

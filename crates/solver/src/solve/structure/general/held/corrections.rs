@@ -4,7 +4,7 @@ use crate::lane::Lane;
 use crate::solve::structure::Prepared;
 use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::general::contacts::LaneContact;
-use crate::system::structure::{Structure, StructureLaw};
+use crate::system::structure::Structure;
 
 /// What the corrections need.
 #[derive(Debug)]
@@ -27,9 +27,7 @@ impl<const L: usize> Corrections<L> {
         contacts: &[LaneContact<L>],
         prepared: &Prepared,
     ) -> Option<Corrections<L>> {
-        let stop = |c: usize| {
-            cases.map(|case| matches!(case.contacts[c].law, StructureLaw::RigidStop { .. }))
-        };
+        let stop = |c: usize| cases.map(|case| case.contacts[c].law.is_stop());
         let stops: Vec<[bool; L]> = (0..contacts.len()).map(stop).collect();
         if !prepared.method.corrects() || stops.iter().all(|stop| *stop == [false; L]) {
             return None;

@@ -1,7 +1,8 @@
 //! The critical step of central differences.
 
 use super::*;
-use crate::contact::{ContactLaw, Dahl, KelvinVoigt};
+use crate::contact::offer::Form;
+use crate::contact::{ClippedLine, ContactLaw, Dahl, KelvinVoigt};
 use crate::solve::Unsolvable;
 use crate::solve::structure::critical_step;
 use nalgebra::DMatrix;
@@ -68,9 +69,9 @@ fn contacts_shorten_it() {
         (k[(i, j)], k[(j, i)]) = (value, value);
     }
     for c in &structure.contacts {
-        let value = match c.law {
-            StructureLaw::ImpactSpring { stiffness } => stiffness,
-            StructureLaw::DisplacementControl { stiffness, .. } => stiffness,
+        let value = match c.law.line() {
+            Some(ClippedLine::Spring { stiffness }) => stiffness,
+            Some(ClippedLine::Elastic { stiffness }) => stiffness,
             _ => 0.0,
         };
         for (i, x) in &c.along {
@@ -101,7 +102,7 @@ fn contacts_shorten_it() {
 #[test]
 fn a_rigid_impact_is_refused() {
     let mut structure = masses(&[1.0]);
-    let law = StructureLaw::RigidStop { restitution: 0.5 };
+    let law = StructureLaw::new(ClippedLine::Stop { restitution: 0.5 }, None);
     structure.contacts = vec![contact([None, Some(0)], 1.0, law)];
     let why = runs(&structure, 0.1).unwrap_err().to_string();
     assert!(
@@ -121,7 +122,10 @@ fn curved_laws_shorten_it_by_their_largest_stiffness() {
     let step = |k: f64| 2.0 * (3.0 / k).sqrt();
     let (stiffness, restitution) = (64.0, 0.5);
     let law = ContactLaw::KelvinVoigt(KelvinVoigt::new(stiffness, restitution, 1.0));
-    let found = critical(StructureLaw::CurvedImpact { law, restitution }).unwrap();
+    let found = critical(
+        StructureLaw::new(Form::of(law).with_restitution(restitution), None).from_its_answer(),
+    )
+    .unwrap();
     assert!((found / step(stiffness) - 1.0).abs() < 1e-11, "{found}");
     // Dahl's law unloads from the limit with 2^exponent times its stiffness at S = 0.
     let law = ContactLaw::Dahl(Dahl {
@@ -130,7 +134,7 @@ fn curved_laws_shorten_it_by_their_largest_stiffness() {
         exponent: 1.0,
     });
     let limit = Limit::constant(2.0);
-    let found = critical(StructureLaw::CurvedFriction { law, limit }).unwrap();
+    let found = critical(StructureLaw::new(law, limit).from_its_answer()).unwrap();
     assert!(
         (found / step(2.0 * stiffness) - 1.0).abs() < 1e-11,
         "{found}"

@@ -1,13 +1,18 @@
 //! The method of Moreau and Jean with rigid stops and Coulomb friction.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::exact::events::{self, EventKind};
 use proptest::prelude::*;
 
 const THETA: Method = Method::MoreauJean(MoreauJean { theta: 0.5 });
 
 fn stop(between: [Option<usize>; 2], gap: f64, restitution: f64) -> Contact {
-    contact(between, gap, StructureLaw::RigidStop { restitution })
+    contact(
+        between,
+        gap,
+        StructureLaw::new(ClippedLine::Stop { restitution }, None),
+    )
 }
 
 /// Constant forces, mass times -9.81.
@@ -194,7 +199,7 @@ fn friction_holds_a_block_with_zero_velocity_until_its_limit() {
     block.contacts = vec![contact(
         [None, Some(0)],
         0.0,
-        StructureLaw::Coulomb { limit },
+        StructureLaw::new(ClippedLine::Coulomb, limit),
     )];
     let table = Table::new(vec![0.0, 4.0], vec![0.0, 4.0]).unwrap();
     block.loads = vec![Load {
@@ -254,7 +259,7 @@ proptest! {
             }
         }
         if !wall {
-            let law = StructureLaw::Coulomb { limit: Limit::constant(limit) };
+            let law = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(limit));
             row.contacts.push(contact([None, Some(3)], 0.0, law));
         }
         row.contacts.push(contact([Some(1), Some(4)], 0.0, displacement_control(50.0, 2.0)));
@@ -263,8 +268,8 @@ proptest! {
             signal: ground(),
         }];
         let method = Method::MoreauJean(MoreauJean { theta });
-        let stops: Vec<(usize, f64)> = row.contacts.iter().enumerate().filter_map(|(c, contact)| match contact.law {
-            StructureLaw::RigidStop { restitution } => Some((c, restitution)),
+        let stops: Vec<(usize, f64)> = row.contacts.iter().enumerate().filter_map(|(c, contact)| match contact.law.line() {
+            Some(ClippedLine::Stop { restitution }) => Some((c, restitution)),
             _ => None,
         }).collect();
         let mut before: Vec<[f64; 3]> = Vec::new();

@@ -1,6 +1,7 @@
 //! Observed orders.
 
 use super::*;
+use crate::contact::ClippedLine;
 use crate::exact::events;
 
 /// Largest error of node 0 against the exact motion.
@@ -39,7 +40,7 @@ fn row(contacts: bool) -> Structure {
             contact(
                 [Some(2), None],
                 -5.0,
-                StructureLaw::ImpactSpring { stiffness: 8.0 },
+                StructureLaw::new(ClippedLine::Spring { stiffness: 8.0 }, None),
             ),
             contact([Some(0), Some(1)], 0.0, displacement_control(6.0, 1e3)),
             contact([None, Some(1)], 0.0, velocity_control(0.7, 1e3)),
@@ -95,7 +96,7 @@ fn softened_impacts_and_friction_converge() {
         contact(
             [Some(2), None],
             0.05,
-            StructureLaw::ImpactSpring { stiffness: 400.0 },
+            StructureLaw::new(ClippedLine::Spring { stiffness: 400.0 }, None),
         ),
         contact([Some(0), Some(1)], 0.0, displacement_control(60.0, 0.3)),
         contact([None, Some(1)], 0.0, velocity_control(5.0, 0.2)),
@@ -158,7 +159,7 @@ fn lugre_has_the_second_order_from_a_start_in_motion() {
         stribeck_velocity: STRIBECK,
     });
     let limit = Limit::constant(LIMITS[0]);
-    let law = StructureLaw::CurvedFriction { law, limit };
+    let law = StructureLaw::new(law, limit).from_its_answer();
     structure.contacts = vec![contact([None, Some(0)], 0.0, law)];
     for method in [
         Method::AverageAcceleration(AverageAcceleration),

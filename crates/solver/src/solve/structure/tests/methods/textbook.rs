@@ -2,6 +2,7 @@
 
 use super::super::dense::{all_patterns, full};
 use super::*;
+use crate::contact::ClippedLine;
 use nalgebra::{DMatrix, DVector};
 
 /// A structure with full matrices.
@@ -96,20 +97,15 @@ impl Dense<'_> {
         for (i, contact) in self.structure.contacts.iter().enumerate() {
             // rdot = by_u (r - gap) + rest.
             let still = gaps[i] - rest_of[i] / by_u;
-            (g[i], center[i]) = match contact.law {
-                StructureLaw::CurvedImpact { .. }
-                | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. }
-                | StructureLaw::Plane { .. } => unreachable!(),
-                StructureLaw::ImpactSpring { stiffness } => (1.0 / stiffness, 0.0),
-                StructureLaw::RigidStop { .. } => (0.0, 0.0),
-                StructureLaw::DisplacementControl { stiffness, .. } => {
+            (g[i], center[i]) = match contact.law.line() {
+                None => unreachable!(),
+                Some(ClippedLine::Spring { stiffness }) => (1.0 / stiffness, 0.0),
+                Some(ClippedLine::Stop { .. }) => (0.0, 0.0),
+                Some(ClippedLine::Elastic { stiffness }) => {
                     (1.0 / stiffness, r[i] - self.s[i] / stiffness)
                 }
-                StructureLaw::VelocityControl { viscosity, .. } => {
-                    (1.0 / (viscosity * by_u), still)
-                }
-                StructureLaw::Coulomb { .. } => (0.0, still),
+                Some(ClippedLine::Viscous { viscosity }) => (1.0 / (viscosity * by_u), still),
+                Some(ClippedLine::Coulomb) => (0.0, still),
             };
         }
         let [low, high] = self.bounds(t);
@@ -189,26 +185,23 @@ impl Dense<'_> {
         let still = (&r + &rdot * ((1.0 - theta) * dt)) / (theta * dt);
         let (mut g, mut center) = (DVector::zeros(count), DVector::zeros(count));
         for (i, contact) in self.structure.contacts.iter().enumerate() {
-            (g[i], center[i]) = match contact.law {
-                StructureLaw::CurvedImpact { .. }
-                | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. }
-                | StructureLaw::Plane { .. } => unreachable!(),
-                StructureLaw::ImpactSpring { stiffness } => {
+            (g[i], center[i]) = match contact.law.line() {
+                None => unreachable!(),
+                Some(ClippedLine::Spring { stiffness }) => {
                     (1.0 / (stiffness * theta * dt), -still[i])
                 }
-                StructureLaw::DisplacementControl { stiffness, .. } => {
+                Some(ClippedLine::Elastic { stiffness }) => {
                     let g = 1.0 / (stiffness * theta * dt);
                     (g, (r[i] / (theta * dt) - still[i]) - self.s[i] * g)
                 }
-                StructureLaw::VelocityControl { viscosity, .. } => (1.0 / viscosity, 0.0),
-                StructureLaw::Coulomb { .. } => (0.0, 0.0),
-                StructureLaw::RigidStop { restitution } => (0.0, -restitution * rdot[i]),
+                Some(ClippedLine::Viscous { viscosity }) => (1.0 / viscosity, 0.0),
+                Some(ClippedLine::Coulomb) => (0.0, 0.0),
+                Some(ClippedLine::Stop { restitution }) => (0.0, -restitution * rdot[i]),
             };
         }
         let [mut low, high] = self.bounds(t);
         for (i, contact) in self.structure.contacts.iter().enumerate() {
-            if matches!(contact.law, StructureLaw::RigidStop { .. }) {
+            if contact.law.is_stop() {
                 let active = r[i] + 0.5 * dt * rdot[i] <= 0.0;
                 low[i] = if active { f64::NEG_INFINITY } else { 0.0 };
             }
@@ -227,7 +220,7 @@ impl Dense<'_> {
         let none = DVector::zeros(self.s.len());
         let mut low = none.clone();
         for (i, contact) in self.structure.contacts.iter().enumerate() {
-            if matches!(contact.law, StructureLaw::RigidStop { .. }) {
+            if contact.law.is_stop() {
                 low[i] = f64::NEG_INFINITY;
             }
         }
@@ -264,16 +257,13 @@ impl Dense<'_> {
         let [mut low, mut high] = self.bounds(t);
         let mut g = DVector::zeros(count);
         for (i, contact) in self.structure.contacts.iter().enumerate() {
-            let known = match contact.law {
-                StructureLaw::CurvedImpact { .. }
-                | StructureLaw::CurvedFriction { .. }
-                | StructureLaw::Link { .. }
-                | StructureLaw::Plane { .. } => unreachable!(),
-                StructureLaw::ImpactSpring { stiffness } => stiffness * r[i],
-                StructureLaw::DisplacementControl { stiffness, .. } => {
+            let known = match contact.law.line() {
+                None => unreachable!(),
+                Some(ClippedLine::Spring { stiffness }) => stiffness * r[i],
+                Some(ClippedLine::Elastic { stiffness }) => {
                     self.s[i] + stiffness * (r[i] - before[i])
                 }
-                StructureLaw::VelocityControl { viscosity, .. } => {
+                Some(ClippedLine::Viscous { viscosity }) => {
                     g[i] = 2.0 * dt / viscosity;
                     continue;
                 }
@@ -343,12 +333,18 @@ fn random(seed: u64, rigid: bool) -> Structure {
         ..Limit::constant(0.0)
     };
     let impact = match rigid {
-        true => StructureLaw::RigidStop {
-            restitution: random.next(),
-        },
-        false => StructureLaw::ImpactSpring {
-            stiffness: random.between(50.0, 500.0),
-        },
+        true => StructureLaw::new(
+            ClippedLine::Stop {
+                restitution: random.next(),
+            },
+            None,
+        ),
+        false => StructureLaw::new(
+            ClippedLine::Spring {
+                stiffness: random.between(50.0, 500.0),
+            },
+            None,
+        ),
     };
     let stiffness = random.between(20.0, 200.0);
     structure.contacts = vec![
@@ -356,7 +352,7 @@ fn random(seed: u64, rigid: bool) -> Structure {
         contact(
             [Some(1), Some(4)],
             0.0,
-            StructureLaw::DisplacementControl { stiffness, limit },
+            StructureLaw::new(ClippedLine::Elastic { stiffness }, limit),
         ),
         contact(
             [None, Some(3)],
@@ -367,7 +363,7 @@ fn random(seed: u64, rigid: bool) -> Structure {
     ];
     if rigid {
         let limit = Limit::constant(random.between(0.5, 2.0));
-        structure.contacts[2].law = StructureLaw::Coulomb { limit };
+        structure.contacts[2].law = StructureLaw::new(ClippedLine::Coulomb, limit);
     }
     structure
 }

@@ -2,9 +2,10 @@
 
 use super::super::dense::full;
 use super::*;
+use crate::contact::offer::Form;
 use crate::contact::{
-    Bilinear, BoucWen, ContactLaw, Dahl, GapYield, Hertz, HuntCrossley, HyperbolicGap, ImpactYield,
-    KelvinVoigt, Lugre, Multilinear, Pendulum, Restrainer, Tanh, Viscous,
+    Bilinear, BoucWen, ClippedLine, ContactLaw, Dahl, GapYield, Hertz, HuntCrossley, HyperbolicGap,
+    ImpactYield, KelvinVoigt, Lugre, Multilinear, Pendulum, Restrainer, Tanh, Viscous,
 };
 use crate::lane::Lane;
 use crate::methods::{METHODS, ManyModes, ModeStart, Recursion, Scheme, Start, each};
@@ -37,19 +38,14 @@ fn row(law: StructureLaw) -> Structure {
 
 /// A law of every form that a step has: clipped lines of r and of rdot, roots in closed form and by iteration, with and without memory.
 fn relations() -> Vec<StructureLaw> {
-    let impact = |law| StructureLaw::CurvedImpact {
-        law,
-        restitution: 0.6,
-    };
+    let impact =
+        |law| StructureLaw::new(Form::of(law).with_restitution(0.6), None).from_its_answer();
     let limit = || Limit::constant(0.8);
-    let link = |law| StructureLaw::Link { law };
+    let link = |law| StructureLaw::new(law, None);
     let table = Multilinear::new(&[[0.01, 2.0], [0.03, 3.0], [0.2, 4.0]]).unwrap();
-    let friction = |law| StructureLaw::CurvedFriction {
-        law,
-        limit: limit(),
-    };
+    let friction = |law| StructureLaw::new(law, limit()).from_its_answer();
     vec![
-        StructureLaw::ImpactSpring { stiffness: 300.0 },
+        StructureLaw::new(ClippedLine::Spring { stiffness: 300.0 }, None),
         displacement_control(200.0, 0.8),
         velocity_control(6.0, 0.8),
         impact(ContactLaw::Hertz(Hertz { stiffness: 500.0 })),
@@ -164,7 +160,10 @@ fn both_forms_of_a_method_agree_to_round_off() {
         let method = (description.method)(&defaults).unwrap();
         let mut laws = relations();
         if method.has_impulses() {
-            laws.push(StructureLaw::RigidStop { restitution: 0.7 });
+            laws.push(StructureLaw::new(
+                ClippedLine::Stop { restitution: 0.7 },
+                None,
+            ));
         }
         for law in laws {
             let structure = row(law.clone());

@@ -1,0 +1,14 @@
+//! What a law says of itself.
+
+mod described;
+pub mod element;
+mod evolution;
+mod in_plane;
+mod kind;
+mod line;
+
+pub use described::{ClosedForm, Described, Properties};
+pub use evolution::Evolution;
+pub use in_plane::InPlane;
+pub use kind::ContactKind;
+pub use line::ClippedLine;

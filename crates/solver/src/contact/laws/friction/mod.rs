@@ -1,0 +1,21 @@
+//! Laws of friction.
+
+mod bearing;
+mod bouc_wen;
+mod dahl;
+mod displacement_control;
+pub(in crate::contact) mod lugre;
+pub(in crate::contact) mod pendulum;
+mod stribeck;
+mod tanh;
+mod velocity_control;
+
+pub use bearing::Bearing;
+pub use bouc_wen::BoucWen;
+pub use dahl::Dahl;
+pub use displacement_control::DisplacementControl;
+pub use lugre::Lugre;
+pub use pendulum::Pendulum;
+pub use stribeck::Stribeck;
+pub use tanh::Tanh;
+pub use velocity_control::VelocityControl;

@@ -1,0 +1,13 @@
+//! Laws of links.
+
+mod bilinear;
+mod imk;
+mod multilinear;
+mod restrainer;
+mod viscous;
+
+pub use bilinear::Bilinear;
+pub use imk::Imk;
+pub use multilinear::Multilinear;
+pub use restrainer::Restrainer;
+pub use viscous::Viscous;

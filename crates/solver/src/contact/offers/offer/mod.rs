@@ -1,0 +1,8 @@
+//! The laws by the names that studies give them.
+
+mod offered;
+mod table;
+
+pub use offered::{Form, In, InOscillator, Offer, Offered, Place};
+pub use table::{Which, most_numbers, names, number_of};
+pub(in crate::contact) use table::{collect, count};
