@@ -1,7 +1,7 @@
 //! The parameters of a case in words.
 
 use crate::problem::Case;
-use crate::problem::parameter::Value;
+use crate::problem::numbers::parameter::Value;
 use crate::study::{Axis, Study};
 
 /// Most parameters that a label names.

@@ -14,18 +14,16 @@
 //!
 //! Everything that determines a result is in this crate, except the reader of structures: [`VERSION_KEY`] is a hash of its code.
 
-pub mod contact;
-pub mod exact;
-pub mod history;
-pub mod lane;
-pub mod methods;
-pub mod metrics;
-pub mod problem;
-pub mod range;
-pub mod solve;
-pub mod system;
-pub mod textbook;
+pub use slipgap_contact::{contact, lane, range};
+pub use slipgap_motion::{exact, history, solve, textbook};
+pub use slipgap_problem::{metrics, problem};
+pub use slipgap_system::{methods, system};
 
-/// Hash of the code of this crate and of the crates that it computes with. A change of it makes stored results outdated; a
-/// change of comments, documentation or tests does not change it.
-pub const VERSION_KEY: &str = env!("SLIPGAP_SOLVER");
+/// Hashes of the code of all crates that determine a result. A change of it makes stored results outdated; a change of comments,
+/// documentation or tests does not change it.
+pub const VERSION_KEYS: [&str; 4] = [
+    slipgap_contact::CODE_KEY,
+    slipgap_system::CODE_KEY,
+    slipgap_motion::CODE_KEY,
+    slipgap_problem::CODE_KEY,
+];

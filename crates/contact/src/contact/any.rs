@@ -1,0 +1,291 @@
+//! The law of a contact, any of the list at the end of this file.
+
+use super::impact::*;
+use super::offer::{self, Offered, Place};
+use super::*;
+use crate::lane::Lane;
+use multiversion::multiversion;
+
+/// The laws. Loops over steps are compiled once for each of the `direct` laws, which the recorded speeds are of, and once for all
+/// others together, with a choice in every step.
+macro_rules! laws {
+    (direct: $($direct:ident),+; others: $($other:ident),* $(,)?) => {
+        laws!(@all $($direct),+ $(, $other)*);
+
+        impl ContactLaw {
+            /// Runs the visitor with the laws themselves; all cases have a law of the first one's kind.
+            pub fn accept<const L: usize, V: LawsVisitor<L>>(laws: &[ContactLaw; L], visitor: V) -> V::Output {
+                match laws[0] {
+                    $(ContactLaw::$direct(first) => {
+                        visitor.visit(&own_laws(laws, first, $direct::of))
+                    })+
+                    _ => visitor.visit(laws),
+                }
+            }
+        }
+
+        impl<const L: usize> AnyRunningLaw<L> {
+            /// Runs the visitor with the law itself.
+            pub fn accept(&mut self, visitor: impl Visitor<L>) {
+                match self {
+                    $(AnyRunningLaw::$direct(law) => visitor.visit(law),)+
+                    _ => visitor.visit(self),
+                }
+            }
+        }
+    };
+    (@all $($law:ident),+) => {
+        /// The law of a contact.
+        ///
+        /// A sliding contact dissipates S times the distance, and its elastic part stores S^2/(2 k^C):
+        ///
+        /// ```
+        /// use slipgap_contact::contact::{ContactLaw, DisplacementControl, StoredEnergy, WhichLaw};
+        ///
+        /// let friction = DisplacementControl { compliance: 0.1, limit: 1.0 };
+        /// let law = ContactLaw::DisplacementControl(friction);
+        /// assert_eq!(law.which(), WhichLaw::DisplacementControl);
+        /// assert_eq!(law.stored_energy(3.0, 1.0), 0.05);
+        /// ```
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub enum ContactLaw {
+            $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law)),+
+        }
+
+        /// The laws without their numbers.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum WhichLaw {
+            $(#[doc = concat!("See [`", stringify!($law), "`].")] $law),+
+        }
+
+        impl WhichLaw {
+            /// All laws.
+            pub const ALL: &[WhichLaw] = &[$(WhichLaw::$law),+];
+        }
+
+        /// A law over the steps of a run, for L cases.
+        #[derive(Debug, Clone, Copy)]
+        pub enum AnyRunningLaw<const L: usize> {
+            $(#[doc = concat!("Of [`", stringify!($law), "`].")] $law(RunningLaw<<$law as Law>::Step<L>, L>)),+
+        }
+
+        $(impl From<$law> for ContactLaw {
+            fn from(law: $law) -> ContactLaw {
+                ContactLaw::$law(law)
+            }
+        }
+
+        impl $law {
+            fn of(law: &ContactLaw) -> Option<$law> {
+                match law {
+                    ContactLaw::$law(law) => Some(*law),
+                    _ => None,
+                }
+            }
+        })+
+
+        impl ContactLaw {
+            /// Which law it is.
+            pub fn which(&self) -> WhichLaw {
+                match self {
+                    $(ContactLaw::$law(_) => WhichLaw::$law),+
+                }
+            }
+
+            /// What its contact can do.
+            pub fn kind(&self) -> ContactKind {
+                match self {
+                    $(ContactLaw::$law(_) => $law::KIND),+
+                }
+            }
+
+            /// Its name in text.
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $(ContactLaw::$law(_) => $law::NAME),+
+                }
+            }
+
+            /// Whether S follows from rdot alone.
+            pub fn of_velocity(&self) -> bool {
+                match self {
+                    $(ContactLaw::$law(_) => $law::OF_VELOCITY),+
+                }
+            }
+
+            /// What its numbers tell.
+            pub fn properties(&self) -> &dyn Properties {
+                match self {
+                    $(ContactLaw::$law(law) => law),+
+                }
+            }
+
+            /// The law with another friction limit; an impact and a link have none.
+            pub fn at_limit(&self, limit: f64) -> ContactLaw {
+                match *self {
+                    $(ContactLaw::$law(law) => ContactLaw::$law(law.at_limit(limit))),+
+                }
+            }
+
+            /// The collision of two rigid masses, of m = m1 m2/(m1 + m2) and the closing speed; `None` for a law without one.
+            pub fn collision(&self, mass: f64, speed: f64) -> Option<RigidImpact> {
+                match self {
+                    $(ContactLaw::$law(law) => match $law::CLOSED_FORM {
+                        ClosedForm::Collision(collision) => Some(collision(law, mass, speed)),
+                        ClosedForm::Driven(_) => None,
+                    }),+
+                }
+            }
+
+            /// S after a motion from rest with S = 0 at this rdot > 0 for this time; `None` without a closed form.
+            pub fn driven(&self, velocity: f64, time: f64) -> Option<f64> {
+                match self {
+                    $(ContactLaw::$law(law) => match $law::CLOSED_FORM {
+                        ClosedForm::Driven(driven) => driven(law, velocity, time),
+                        ClosedForm::Collision(_) => None,
+                    }),+
+                }
+            }
+
+            /// The law over the steps of a run with a method of these flexibilities; all cases have a law of the first one's kind.
+            pub fn running<const L: usize>(laws: &[ContactLaw; L], on: &[StepFlexibility<L>; 2]) -> AnyRunningLaw<L> {
+                match laws[0] {
+                    $(ContactLaw::$law(first) => {
+                        AnyRunningLaw::$law(RunningLaw::of(&own_laws(laws, first, $law::of), on))
+                    }),+
+                }
+            }
+
+            /// The law's curve, see [`Law::cycle`].
+            pub fn cycle(&self, reach: f64) -> Cycle {
+                match self {
+                    $(ContactLaw::$law(law) => law.cycle(reach)),+
+                }
+            }
+        }
+
+        /// The offers of each law.
+        const OFFERS: &[(WhichLaw, ContactKind, bool, &[offer::Offer])] = &[
+            $((WhichLaw::$law, $law::KIND, $law::OF_VELOCITY, $law::OFFERS)),+
+        ];
+
+        impl<const L: usize> AnyRunningLaw<L> {
+            /// Other numbers of a law of the same kind in all lanes; the memory stays.
+            pub fn change(&mut self, law: &ContactLaw, on: &[StepFlexibility<L>; 2]) {
+                match (self, law) {
+                    $((AnyRunningLaw::$law(running), ContactLaw::$law(law)) => {
+                        running.parts = RunningLaw::of(&[*law; L], on).parts;
+                    })+
+                    // Of another kind it would have no memory.
+                    (other, law) => *other = ContactLaw::running(&[*law; L], on),
+                }
+            }
+        }
+
+        impl StoredEnergy for ContactLaw {
+            fn stored_energy(&self, r: f64, s: f64) -> f64 {
+                match self {
+                    $(ContactLaw::$law(law) => law.stored_energy(r, s)),+
+                }
+            }
+
+            fn deflection(&self, s: f64) -> Option<Deflection> {
+                match self {
+                    $(ContactLaw::$law(law) => law.deflection(s)),+
+                }
+            }
+
+            fn conservative_force(&self, r: f64, s: f64) -> f64 {
+                match self {
+                    $(ContactLaw::$law(law) => law.conservative_force(r, s)),+
+                }
+            }
+        }
+
+        impl<const L: usize> AnyRunningLaw<L> {
+            fn own_correction(&self, displacement: Lane<L>) -> Lane<L> {
+                match self {
+                    $(AnyRunningLaw::$law(law) => law.correction(displacement)),+
+                }
+            }
+        }
+
+        // A function of its own: it is compiled once, and not in every loop over steps.
+        #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+        fn answer<const L: usize>(law: &mut AnyRunningLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
+            match law {
+                $(AnyRunningLaw::$law(law) => law.force(part, trial)),+
+            }
+        }
+    };
+}
+
+laws!(
+    direct: DisplacementControl, VelocityControl, ImpactSpring;
+    others: KelvinVoigt, Hertz, HertzDamp, HuntCrossley, Ye, Jankowski, Rigid,
+        Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre, Bilinear, GapYield, Restrainer, Viscous, Multilinear, HyperbolicGap, Pendulum, ImpactYield, Imk
+);
+
+/// All laws by the names of studies: impacts, friction, links.
+pub static LAWS: [Offered; offer::count(OFFERS)] = ALL;
+/// The same, for constants.
+pub const ALL: [Offered; offer::count(OFFERS)] = {
+    let (law, kind, of_velocity, offers) = OFFERS[0];
+    let first = Offered {
+        law,
+        kind,
+        of_velocity,
+        offer: &offers[0],
+    };
+    offer::collect(OFFERS, first)
+};
+
+impl Offered {
+    /// The law of this name in a problem.
+    #[inline]
+    pub fn named(place: Place, name: &str) -> Option<&'static Offered> {
+        // Names of the tables: mostly the same memory.
+        let is = |law: &&Offered| std::ptr::eq(law.offer.name, name) || law.offer.name == name;
+        let mut offered = LAWS.iter().filter(|law| law.at(place).is_some());
+        offered.find(is)
+    }
+}
+
+impl ContactLaw {
+    /// The clipped line that the law is, see [`Properties::line`].
+    pub fn line(&self) -> Option<ClippedLine> {
+        self.properties().line()
+    }
+
+    /// The law in continuous time, see [`Properties::evolution`].
+    pub fn evolution(&self) -> Option<&dyn Evolution> {
+        self.properties().evolution()
+    }
+}
+
+impl<const L: usize> ContactResponse<L> for AnyRunningLaw<L> {
+    fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L> {
+        answer(self, part, trial)
+    }
+
+    fn correction(&self, displacement: Lane<L>) -> Lane<L> {
+        self.own_correction(displacement)
+    }
+}
+
+/// The laws themselves, which all have the kind of the first.
+// Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
+#[inline(always)]
+fn own_laws<W: Copy, const L: usize>(
+    laws: &[ContactLaw; L],
+    first: W,
+    own: impl Fn(&ContactLaw) -> Option<W>,
+) -> [W; L] {
+    let mut all = [first; L];
+    for (slot, law) in all.iter_mut().zip(laws) {
+        if let Some(law) = own(law) {
+            *slot = law;
+        }
+    }
+    all
+}

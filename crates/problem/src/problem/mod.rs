@@ -1,0 +1,273 @@
+//! Problems: each makes a system of a case, knows its exact solution, and computes its metrics.
+
+pub mod expression;
+pub mod friction;
+pub mod impact;
+mod laws;
+pub mod method;
+pub mod numbers;
+mod parameter_expression;
+mod side_by_side;
+pub mod structure;
+pub mod table;
+
+pub use crate::problem::numbers::text::{Text, escape, interned};
+pub use crate::problem::table::case::{Case, Violation};
+pub use crate::problem::table::schema::{
+    Budget, Channel, Metric, Profile, Quantity, Schema, metric_of,
+};
+pub use crate::problem::table::solution::{
+    HistoryColumn, Lines, MeasuredChannel, Snapshot, Solution,
+};
+pub use parameter_expression::{NotComputed, ParameterExpression, values_used};
+
+use crate::contact::ContactLaw;
+use crate::history::History;
+use crate::metrics::steps;
+use crate::problem::numbers::parameter::Parameter;
+use crate::problem::numbers::unit::Dimension;
+use crate::problem::table::cases::Cases;
+use crate::solve::{MetricTable, Unsolvable, Warning};
+use std::sync::{Arc, LazyLock};
+use structure::{GroundMotion, Scheme};
+
+/// A problem: its schema, and how one of its cases is solved and judged.
+///
+/// A case of `[F]` Fig. 5 with the time step pi/10; its rms error is 0.0245 |x0|:
+///
+/// ```
+/// use slipgap_problem::problem::{self, Case, crate::problem::numbers::parameter::Value};
+/// use std::f64::consts::PI;
+///
+/// let problem = problem::find("friction-oscillator").expect("a problem");
+/// let given = [
+///     ("law", Value::Name("displacement-control")),
+///     ("alpha", Value::Number(0.1)),
+///     ("dT", Value::Number(PI / 10.0)),
+///     ("duration", Value::Number(8.0 * PI)),
+/// ];
+/// let (case, violations) = Case::given(&*problem, &given);
+/// assert_eq!(violations, []);
+/// let solution = problem.solve(&case, &[])?;
+/// assert_eq!(solution.computed.len(), 81);
+/// let rms = solution.metrics[0].expect("rms_error is always defined");
+/// assert!((rms - 0.0245).abs() < 5e-5);
+/// # Ok::<(), slipgap_motion::solve::Unsolvable>(())
+/// ```
+pub trait Problem: Send + Sync + std::fmt::Debug {
+    /// The tables.
+    fn schema(&self) -> &Arc<Schema>;
+    /// Fills in the values that follow from others, and reports every rule across parameters that the case breaks.
+    fn complete(&self, case: &mut Case) -> Vec<Violation>;
+    /// Cost of a completed case: steps times modes. A core computes about 5e8 of them in a second.
+    fn work(&self, case: &Case) -> u64 {
+        self.steps(case)
+    }
+    /// Cost of the references of the metrics in these rows, in the same unit.
+    fn reference_work(&self, _case: &Case, _wanted: &[usize]) -> u64 {
+        0
+    }
+    /// Cost of a completed case whose steps are each solved once, with the matrices of the papers, in the same unit.
+    fn once_work(&self, case: &Case) -> u64 {
+        // Measured: 1 us a step for one mode, and 30 ns for each element of a full matrix.
+        self.steps(case).saturating_mul(600)
+    }
+    /// Solves a completed case.
+    ///
+    /// `wanted` has rows of the table of metrics; of those that are not default, only they are computed.
+    fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable>;
+    /// The same by the papers' element matrices, each step solved once and not iterated: the other reading of the papers, for
+    /// the claims.
+    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable>;
+    /// The default metrics of the completed cases in these rows, in their order, solved side by side: to the bit what `solve`
+    /// gives for each.
+    fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable;
+    /// The exact solution of a completed case as a line to draw: at these times, rising from 0, and on both sides of
+    /// every jump between them; `None` where there is none.
+    fn exact(&self, case: &Case, times: &[f64]) -> Option<History>;
+    /// The exact motion of a completed case at these times, which increase, at a jump its right-hand limit; `None` where there
+    /// is none.
+    fn exact_at(&self, case: &Case, times: &[f64]) -> Option<History> {
+        self.exact(case, times)
+    }
+    /// The exact motion of a completed case with its own law, where [`Problem::exact`] has another one, at these times, which increase;
+    /// `None` where none is known.
+    fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
+        None
+    }
+    /// Why the whole history of a completed case does not fit in memory; `None` if it does. Its metrics and figures may need less.
+    fn history_fault(&self, _case: &Case) -> Option<Violation> {
+        None
+    }
+    /// The columns of the history of a completed case, after the time.
+    fn history_columns(&self, _case: &Case) -> Vec<HistoryColumn> {
+        let channels = self.schema().channels.iter().enumerate();
+        let column = |(index, channel): (usize, &Channel)| HistoryColumn {
+            index,
+            column: channel.clone(),
+        };
+        channels.map(column).collect()
+    }
+    /// What was measured of the motion of a completed case, for each channel that the study gives; none without.
+    fn measured(&self, _case: &Case) -> Vec<MeasuredChannel> {
+        Vec::new()
+    }
+    /// What determines results and is neither in the parameters nor in the program; empty if there is nothing.
+    fn identity(&self) -> &str {
+        ""
+    }
+    /// What identifies the sampled signals of a completed case.
+    fn samples(&self, _case: &Case) -> Samples {
+        Samples::default()
+    }
+    /// Number of sampled signals that were made so far; cases share them.
+    fn sampled_so_far(&self) -> u64 {
+        0
+    }
+    /// What was done to input files that the study does not ask for, and what may be a mistake, in words.
+    fn notes(&self) -> &[String] {
+        &[]
+    }
+    /// Lines that describe a completed case, for `explain`.
+    fn description(&self, _case: &Case) -> Option<String> {
+        None
+    }
+    /// The warnings of a completed case that need no motion, each with what it is of.
+    fn doubts(&self, _case: &Case) -> Vec<(Warning, String)> {
+        Vec::new()
+    }
+    /// Whether a change of 1e-10 in start and loads of a completed case reaches 1 % of the peak of a channel that metrics are of;
+    /// `None` if it cannot be solved, and for a problem without such a change.
+    fn diverges(&self, _case: &Case) -> Option<bool> {
+        None
+    }
+    /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
+    fn diverges_by(&self, _metrics: &[Option<f64>]) -> Option<bool> {
+        None
+    }
+    /// Whether two completed cases have the same equations of motion and measured points to the bit, with the same steps: a parameter in
+    /// which alone they differ is not used. False for a case that cannot be solved.
+    fn has_same_motion(&self, _one: &Case, _other: &Case) -> bool {
+        false
+    }
+    /// Whether two completed cases are stepped side by side in a sweep. False for a case that cannot be solved.
+    fn are_side_by_side(&self, _one: &Case, _other: &Case) -> bool {
+        false
+    }
+    /// The law of the one contact of a completed case, in the problem's scales; `None` for a problem with several contacts.
+    fn contact_law(&self, _case: &Case) -> Option<ContactLaw> {
+        None
+    }
+    /// The structure of a completed case for a picture; `None` for a problem without one.
+    fn scheme(&self, _case: &Case) -> Option<Scheme> {
+        None
+    }
+    /// The largest friction force of each contact of a completed case at the times of its motion, >= 0, in the unit of force; `None` for a
+    /// contact without friction. Empty for a problem with one contact.
+    fn friction_limits(&self, _case: &Case, _motion: &History) -> Vec<Option<Vec<f64>>> {
+        Vec::new()
+    }
+    /// The acceleration of the ground in a completed case; `None` where there is none.
+    fn ground_motion(&self, _case: &Case) -> Option<GroundMotion> {
+        None
+    }
+    /// The profiles of a completed case at the steps nearest to `times`; none for a problem without extent.
+    fn snapshots(&self, _case: &Case, _times: &[f64]) -> Vec<Snapshot> {
+        Vec::new()
+    }
+    /// The numbers of `Schema::later` for a completed case, the event after `flight` of free motion; `None` where undefined.
+    fn after(&self, _case: &Case, _flight: f64) -> Vec<Option<f64>> {
+        Vec::new()
+    }
+    /// Size of the unit of a dimension in a completed case, in the units of its parameters; `None` for a problem without.
+    fn size(&self, _case: &Case, _dimension: Dimension) -> Option<f64> {
+        None
+    }
+
+    /// The unit of a dimension as the study of a described structure names it; `None` if it names none, and for other problems.
+    fn unit_name(&self, _dimension: Dimension) -> Option<String> {
+        None
+    }
+
+    /// Its name in a study's `problem`.
+    fn name(&self) -> &str {
+        &self.schema().name
+    }
+    /// The table of parameters.
+    fn parameters(&self) -> &[Parameter] {
+        &self.schema().parameters
+    }
+    /// The table of metrics.
+    fn metrics(&self) -> &[Metric] {
+        &self.schema().metrics
+    }
+    /// Number of steps N of a completed case.
+    fn steps(&self, case: &Case) -> u64 {
+        let number = |row| case.at(row).unwrap_or(f64::NAN);
+        steps(number(self.schema().duration), number(self.schema().step))
+    }
+}
+
+/// The sampled signals of a case, such as synthetic ground motions.
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Samples {
+    /// The same for cases that share all of them; empty without any.
+    pub key: Vec<u64>,
+    /// Size of the largest one in numbers, of which [`structure::MOST_SAMPLED`] are kept for each load.
+    pub numbers: usize,
+    /// Cost of making all of them, in steps times modes.
+    pub work: u64,
+}
+
+/// Every problem there is.
+pub static PROBLEMS: LazyLock<[Arc<dyn Problem>; 2]> = LazyLock::new(|| {
+    [
+        Arc::new(friction::FrictionOscillator),
+        Arc::new(impact::BarImpact),
+    ]
+});
+
+/// The names of all problems: of those in [`PROBLEMS`], and of structures, which studies describe.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    let known = PROBLEMS.iter().map(|problem| problem.name());
+    known.chain([structure::tables::schema::NAME])
+}
+
+/// The problem called `name`.
+pub fn find(name: &str) -> Option<Arc<dyn Problem>> {
+    PROBLEMS.iter().find(|p| p.name() == name).cloned()
+}
+
+/// Whether studies describe the system of the problem called `name`, see [`Schema::described`].
+pub fn is_described(name: &str) -> bool {
+    find(name).is_none() && names().any(|known| known == name)
+}
+
+/// Number of cases that were solved and have no contact: those without [`Schema::contact_metric`]. None for a
+/// problem without impacts.
+pub fn cases_without_contact(problem: &dyn Problem, table: &MetricTable) -> u64 {
+    let metric = problem.schema().contact_metric;
+    metric.map_or(0, |metric| table.solved_without(metric))
+}
+
+/// Most steps of a run: a history of more, with its exact solution, would not fit in 2 GiB.
+pub const MOST_STEPS: u64 = 30_000_000;
+
+/// The rules that every problem has for its `step` and duration.
+fn time_rules(step_name: &'static str, step: f64, duration: f64) -> Vec<Violation> {
+    let message = if step > duration {
+        format!("must be at most duration = {duration}, got {step}")
+    } else if steps(duration, step) > MOST_STEPS {
+        format!(
+            "gives {:.3e} steps, at most {MOST_STEPS} fit in memory",
+            duration / step
+        )
+    } else {
+        return Vec::new();
+    };
+    vec![Violation {
+        parameter: step_name.into(),
+        message,
+        at: None,
+    }]
+}
