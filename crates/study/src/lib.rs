@@ -38,7 +38,7 @@ pub use computed::{Computed, Found, Partners, Reference, Rule};
 pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
 pub use describe::{problem_pages, problem_reference, reference, schema, start};
-pub use figure::kinds::{self, FigureKind};
+pub use figure::kinds::{self, FigureKind, Marks, Ridge};
 pub use measure::Measure;
 pub use measure::measures;
 pub use reduction::{Groups, Operator, Reduced, Reduction};
@@ -47,8 +47,7 @@ pub use source::input::{Input, STDIN};
 pub use source::setting::{Setting, SettingFault};
 pub use units::Units;
 
-pub use slipgap_drawing::colour_map::{Marks, Ridge};
-pub use slipgap_drawing::layout::axis::Scale;
+pub use slipgap_solver::problem::parameter::Scale;
 
 /// Hash of the code that makes numbers of a structure: the keys of stores have no numbers of structures. Comments, documentation and
 /// tests do not change it.

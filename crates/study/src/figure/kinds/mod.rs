@@ -117,6 +117,7 @@ macro_rules! kinds {
 }
 
 pub use fragility::Fit;
+pub use map::{Marks, Ridge};
 pub use spectrum::Ordinate;
 
 kinds! {
