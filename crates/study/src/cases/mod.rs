@@ -14,6 +14,7 @@ pub(super) mod representative;
 pub mod scope;
 mod select;
 
+mod tabulate;
 #[cfg(test)]
 mod tests_sobol;
 pub(super) mod values;

@@ -1,15 +1,15 @@
 //! The values under the keys of a figure, decoded by the types in the table of `kinds`.
 
+use super::choice::{Fit, Marks, Ridge};
 use super::extent;
 use super::keys::{FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
-use super::kinds::Fit;
 use crate::faults::{Faults, join};
 use crate::object::Object;
 use crate::scope::{Scope, names};
 use crate::tree::{Node, Tree};
 use crate::units::NEEDS_UNITS;
 use crate::value::{name, number, text};
-use crate::{ColumnRef, Filter, Marks, Ridge, Scale};
+use crate::{ColumnRef, Filter, Scale};
 use slipgap_solver::problem::parameter::{self, Range};
 
 /// Longest file name of a figure, well within the limits of file systems with an extension.

@@ -1,6 +1,7 @@
 //! The `figures` of a study.
 
 mod checker;
+mod choice;
 pub(super) mod decoded_value;
 mod ensembles;
 pub(super) mod extent;
@@ -8,6 +9,7 @@ pub(super) mod keys;
 pub mod kinds;
 mod limits;
 pub mod reduced;
+mod reductions;
 mod sampled;
 mod vary;
 
@@ -94,7 +96,7 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         before,
     };
     let table = kind?;
-    checker.reduced = reduced::check(table.name, table.keys, &mut checker);
+    checker.reduced = reductions::check(table.name, table.keys, &mut checker);
     let kind = figure.kind.decoded();
     limits::check(&mut checker);
     kind.check_keys(&mut checker);

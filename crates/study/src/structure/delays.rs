@@ -1,6 +1,6 @@
 //! The range of the delays of a study, from which the points that are compared follow: they are the same for all of its delays.
 
-use super::names::{member, members};
+use super::given::{member, members};
 use crate::axes::draft::BlockDraft;
 use crate::axes::parameters::parameters;
 use crate::source::faults::Faults;

@@ -1,9 +1,14 @@
 //! Files beside a study.
 
+use super::given::Choices;
 use super::reader::Reader;
 use crate::source::faults::{Faults, quoted};
 use crate::source::input::open;
 use crate::source::tree::Node;
+use crate::value::text;
+use slipgap_solver::problem::interned;
+use slipgap_solver::problem::parameter::Kind;
+use slipgap_solver::problem::structure::template::Chosen;
 use slipgap_solver::system::import::ImportFault;
 use std::io::{self, Read};
 use std::path::Path;
@@ -62,5 +67,36 @@ impl Reader<'_> {
         if !all.iter().any(|(known, _)| known == file) {
             all.push((file.to_owned(), bytes));
         }
+    }
+}
+
+impl Reader<'_> {
+    /// The row of the parameter with this name and what it chooses from, if it chooses names.
+    pub fn choices(&self, name: &str) -> Option<(usize, Choices)> {
+        let row = self.table.iter().position(|p| p.name == name)?;
+        match self.table[row].kind {
+            Kind::Choice(choices) => Some((row, choices)),
+            Kind::Number(_) | Kind::Whole { .. } => None,
+        }
+    }
+
+    /// The file that a text names, or the parameter that chooses one; and all of the files.
+    pub fn files(
+        &self,
+        node: &Node,
+        path: &str,
+        faults: &mut Faults,
+    ) -> Option<(Chosen, Vec<&'static str>)> {
+        let file = text(node, path, faults)?;
+        Some(match self.choices(&file) {
+            Some((row, files)) => {
+                let files = files.iter().map(|file| file.0);
+                (Chosen::Parameter(row), files.collect())
+            }
+            None => {
+                let file = interned(&file);
+                (Chosen::Name(file), vec![file])
+            }
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! Labels of cases: parameters that no part of the structure contains, in a `zip` with parameters that it does.
 
-use super::names::{Choices, Choosing, given, interned_choices, member, members, texts};
+use super::given::{Choices, Choosing, given, interned_choices, member, members, texts};
 use crate::source::faults::{Faults, quoted};
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::expression::Formula;

@@ -6,6 +6,7 @@ use super::keys::{
 use super::reader::{Reader, open};
 use super::records::record;
 use super::shape::shape;
+use super::table::table;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
@@ -155,43 +156,6 @@ fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
         omega: omega?,
         phase: reader.optional(&object, "phase", Range::Any, faults),
     })
-}
-
-/// Lists of one length under two keys, such as times and values.
-pub(super) fn table(
-    node: &Node,
-    path: &str,
-    (keys, [times, values]): (super::keys::Keys, [&str; 2]),
-    reader: &Reader,
-    faults: &mut Faults,
-) -> Option<[Vec<Amount>; 2]> {
-    let object = open(node, path, keys, faults)?;
-    let mut list = |key: &str| {
-        let node = object.need(key, "a list of numbers", faults)?;
-        let path = object.path(key);
-        let Tree::List(items) = &node.tree else {
-            faults.must_be(node, &path, "a list of numbers");
-            return None;
-        };
-        let before = faults.count();
-        let amounts = items.iter().enumerate().filter_map(|(i, item)| {
-            reader.amount(item, &format!("{path}[{i}]"), Range::Any, faults)
-        });
-        let amounts: Vec<Amount> = amounts.collect();
-        (faults.count() == before).then_some(amounts)
-    };
-    let (t, f) = (list(times), list(values));
-    let (t, f) = (t?, f?);
-    if t.len() != f.len() || t.is_empty() {
-        let message = format!(
-            "needs as many numbers in {times} as in {values}, at least one, got {} and {}",
-            t.len(),
-            f.len()
-        );
-        object.fault(message, faults);
-        return None;
-    }
-    Some([t, f])
 }
 
 fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {

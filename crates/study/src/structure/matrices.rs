@@ -2,12 +2,12 @@
 
 use super::files;
 use super::keys::{MATRICES, REDUCE};
-use super::matrix_rows::{listed, supported, tied};
-use super::parts::Part;
+use super::matrix_rows::{LARGEST, inline, listed, supported, tied};
+use super::reader::Part;
 use super::reader::{Reader, open};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Tree;
 use crate::value::text;
 use slipgap_solver::problem::interned;
 use slipgap_solver::problem::parameter::Range;
@@ -20,9 +20,6 @@ use slipgap_solver::problem::structure::template::{Matrices, Template, Variant};
 use slipgap_solver::system::import::{Dofs, ImportFault, Imported, Matrix, negative_pivot};
 use slipgap_solver::system::structure::Symmetric;
 use std::sync::Arc;
-
-/// Most bytes of a file: 10^6 rows with 80 entries each.
-pub(super) const LARGEST: u64 = 2 << 30;
 
 /// The matrices, each with its name.
 pub(super) fn matrices(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Matrices> {
@@ -209,19 +206,6 @@ fn variants(
         }
     }
     Some(variants)
-}
-
-/// The content of a file that stands in the study itself, as notebooks give it.
-pub(super) fn inline<T>(
-    content: &str,
-    (node, path): (&Node, &str),
-    faults: &mut Faults,
-    parse: impl FnOnce(&[u8]) -> Result<T, ImportFault>,
-) -> Option<T> {
-    let parsed = parse(content.as_bytes());
-    parsed
-        .map_err(|why| faults.add(node.at, path, why.to_string()))
-        .ok()
 }
 
 /// A matrix that fits the rows, and M without a negative pivot. What K pulls away contacts may hold, which a case tells.

@@ -1,12 +1,14 @@
 //! The rows of matrices of other programs, their supports, and the dofs that are tied to them.
 
 use super::files;
-use super::matrices::{LARGEST, inline};
 use super::reader::Reader;
 use crate::source::faults::Faults;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
 use slipgap_solver::system::import::{Dofs, ImportFault};
+
+/// Most bytes of a file: 10^6 rows with 80 entries each.
+pub(super) const LARGEST: u64 = 2 << 30;
 
 /// Rows with ties to them, of a file or of its content.
 pub(super) fn tied(
@@ -76,4 +78,17 @@ pub(super) fn supported(dofs: Dofs, reader: &Reader) -> Result<Dofs, ImportFault
         line: dof.line,
         message,
     })
+}
+
+/// The content of a file that stands in the study itself, as notebooks give it.
+pub(super) fn inline<T>(
+    content: &str,
+    (node, path): (&Node, &str),
+    faults: &mut Faults,
+    parse: impl FnOnce(&[u8]) -> Result<T, ImportFault>,
+) -> Option<T> {
+    let parsed = parse(content.as_bytes());
+    parsed
+        .map_err(|why| faults.add(node.at, path, why.to_string()))
+        .ok()
 }

@@ -5,6 +5,8 @@ mod contacts;
 mod delays;
 mod doubts;
 mod files;
+mod given;
+mod identity;
 pub(super) mod keys;
 mod labels;
 mod loads;
@@ -21,6 +23,7 @@ mod records;
 mod shape;
 mod springs;
 mod supports;
+mod table;
 #[cfg(test)]
 mod tests;
 
@@ -74,7 +77,7 @@ pub(super) fn problem(
         object.fault("has no node; give masses, bars or matrices", faults);
     }
     let (units, metre) = units(&object, node, faults);
-    let name = |part: &parts::Part| part.0.clone();
+    let name = |part: &reader::Part| part.0.clone();
     let inner = contacts::inner_nodes(&of_contacts);
     let inner_names = inner.iter().map(|own| own.name.clone());
     let mut reader = Reader {
@@ -190,7 +193,7 @@ pub(super) fn problem(
     notes.extend(doubts::notes(&template, &reader.names, node));
     let of_measured = root.get(measured::KEY.0).zip(template.measured.as_ref());
     let of_measured = of_measured.map(|(node, own)| (node, own.delays));
-    let identity = names::identity(node, of_measured, &reader.records.borrow());
+    let identity = identity::identity(node, of_measured, &reader.records.borrow());
     let schema = schema::schema(&parameters, &metrics, &drawn, &template.units);
     (faults.count() == before).then(|| {
         Arc::new(StructureProblem::new(
@@ -217,7 +220,7 @@ fn units(object: &Object, structure: &Node, faults: &mut Faults) -> (String, f64
     let metre = LENGTHS.iter().find(|known| parts.contains(&known.0));
     // Of other units, g and the accelerations of records are unknown.
     let needs_metre = ["record", "synthetic", "weight"];
-    if (metre.is_none() || !parts.contains(&"s")) && names::has_key(structure, &needs_metre) {
+    if (metre.is_none() || !parts.contains(&"s")) && given::has_key(structure, &needs_metre) {
         let message = format!(
             "records, synthetic motions and weights need a length in m, cm or mm and a time in s, as in \"t, kN, m, s\", got {}",
             quoted(&text)

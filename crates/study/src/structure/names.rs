@@ -1,115 +1,24 @@
-//! The names that a study gives its parameters, and the identity of its structure.
+//! The names that a study gives its parameters.
 
+use super::given::{Choices, Choosing, given, interned_choices, member, texts, under};
 use super::labels::{is_label, labels, report_texts_of_tables};
 use super::measured::KEY;
-use super::reader::{Reader, is_name};
-use crate::source::faults::{Faults, join, quoted};
+use super::reader::is_name;
+use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
-use crate::source::tree::{Member, Node, Tree};
+use crate::source::tree::{Node, Tree};
 use crate::value::text;
-use sha2::{Digest, Sha256};
 use slipgap_solver::expression::FUNCTIONS;
 use slipgap_solver::expression::Formula;
 use slipgap_solver::problem::interned;
 use slipgap_solver::problem::method::PARAMETERS;
-use slipgap_solver::problem::parameter::{Kind, Parameter};
+use slipgap_solver::problem::parameter::Parameter;
 use slipgap_solver::problem::structure::contacts::NAMES;
 use slipgap_solver::problem::structure::metric::OF_ALL;
 use slipgap_solver::problem::structure::schema::{FIXED, Named, of_method};
-use slipgap_solver::problem::structure::template::Chosen;
 
 /// The key of measurements.
 const MEASURED: &str = KEY.0;
-
-/// The names that a parameter chooses from, each with its meaning.
-pub(super) type Choices = &'static [(&'static str, &'static str)];
-
-/// The members of an object; none of another value.
-pub(super) fn members(node: &Node) -> &[Member] {
-    match &node.tree {
-        Tree::Object(members) => members,
-        _ => &[],
-    }
-}
-
-/// The value of a key of an object.
-pub(super) fn member<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
-    let mut members = members(node).iter();
-    members
-        .find(|member| member.key == key)
-        .map(|member| &member.node)
-}
-
-/// The members of all `parameters` of a study, each with its path.
-pub(super) fn given(root: &Node) -> Vec<(&Member, String)> {
-    let of = |node: &Node, path: &str| -> Vec<(usize, String)> {
-        let members = members(node).iter().enumerate();
-        let real = members.filter(|(_, member)| member.key != "//");
-        real.map(|(i, member)| (i, join(path, &member.key)))
-            .collect()
-    };
-    let mut all = Vec::new();
-    let mut add = |node, path: &str| {
-        for (i, path) in of(node, path) {
-            all.push((&members(node)[i], path));
-        }
-    };
-    if let Some(node) = member(root, "parameters") {
-        add(node, "parameters");
-    }
-    if let Some(Tree::List(blocks)) = member(root, "blocks").map(|node| &node.tree) {
-        for (i, block) in blocks.iter().enumerate() {
-            if let Some(node) = member(block, "parameters") {
-                add(node, &format!("blocks[{i}].parameters"));
-            }
-        }
-    }
-    all
-}
-
-/// The texts of a value: of one text, or of a list.
-pub(super) fn texts(node: &Node) -> Vec<&str> {
-    match &node.tree {
-        Tree::Text(text) => vec![text],
-        Tree::List(items) => items.iter().flat_map(texts).collect(),
-        _ => Vec::new(),
-    }
-}
-
-/// Every text under `key` anywhere in a tree.
-pub(super) fn under<'a>(node: &'a Node, key: &str, found: &mut Vec<&'a str>) {
-    match &node.tree {
-        Tree::Object(members) => {
-            for member in members {
-                if member.key == key {
-                    found.extend(texts(&member.node));
-                }
-                under(&member.node, key, found);
-            }
-        }
-        Tree::List(items) => items.iter().for_each(|item| under(item, key, found)),
-        _ => {}
-    }
-}
-
-/// Whether one of these keys is anywhere in a tree.
-pub(super) fn has_key(node: &Node, keys: &[&str]) -> bool {
-    match &node.tree {
-        Tree::Object(members) => members
-            .iter()
-            .any(|member| keys.contains(&member.key.as_str()) || has_key(&member.node, keys)),
-        Tree::List(items) => items.iter().any(|item| has_key(item, keys)),
-        _ => false,
-    }
-}
-
-/// The parameters whose values are names: those that choose a law or a record, and labels.
-pub(super) struct Choosing {
-    /// Those that choose a law or a file, with what they choose from.
-    pub parts: Vec<(String, Choices)>,
-    /// Labels, with their texts.
-    pub labels: Vec<(String, Choices)>,
-}
 
 /// The parameters of a study whose values are names.
 pub(super) fn choices(structure: &Node, root: &Node) -> Choosing {
@@ -168,20 +77,6 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
         }
     }
     found
-}
-
-/// A table of names that lives as long as the program, one for equal lists.
-pub(super) fn interned_choices(names: Vec<(&'static str, &'static str)>) -> Choices {
-    use std::collections::BTreeSet;
-    use std::sync::{Mutex, PoisonError};
-    static TABLES: Mutex<BTreeSet<Choices>> = Mutex::new(BTreeSet::new());
-    let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = tables.get(&names[..]) {
-        return known;
-    }
-    let table: Choices = Box::leak(names.into_boxed_slice());
-    tables.insert(table);
-    table
 }
 
 /// The parameters of all blocks in the order of the file. dt, duration and those of the method are always among them.
@@ -331,78 +226,5 @@ pub(super) fn report_unused(
             );
             faults.add(member.at, path, message);
         }
-    }
-}
-
-/// A hash of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records. What
-/// `measured` says belongs to it, with the range of the delays, which decides the points that are compared.
-pub(super) fn identity(
-    structure: &Node,
-    measured: Option<(&Node, [f64; 2])>,
-    records: &[(String, Vec<u8>)],
-) -> String {
-    let mut digest = Sha256::new();
-    for (name, bytes) in records {
-        digest.update(name.as_bytes());
-        digest.update([0]);
-        digest.update((bytes.len() as u64).to_le_bytes());
-        digest.update(bytes);
-    }
-    let hex = |bytes: &[u8]| -> String { bytes.iter().map(|byte| format!("{byte:02x}")).collect() };
-    let mut written = written(structure);
-    if let Some((node, delays)) = measured {
-        written += &self::written(node);
-        written += &format!("{delays:?}");
-    }
-    let structure = Sha256::digest(written);
-    let records = digest.finalize();
-    format!("{}.{}", hex(&structure), hex(&records))
-}
-
-/// A value as JSON without blanks and remarks.
-fn written(node: &Node) -> String {
-    let all = |parts: Vec<String>| parts.join(",");
-    match &node.tree {
-        Tree::Object(members) => {
-            let real = members.iter().filter(|member| member.key != "//");
-            let one = |member: &Member| format!("{:?}:{}", member.key, written(&member.node));
-            format!("{{{}}}", all(real.map(one).collect()))
-        }
-        Tree::List(items) => format!("[{}]", all(items.iter().map(written).collect())),
-        Tree::Text(text) => format!("{text:?}"),
-        Tree::Number(number) => number.clone(),
-        Tree::Bool(truth) => truth.to_string(),
-        Tree::Null => "null".to_owned(),
-    }
-}
-
-impl Reader<'_> {
-    /// The row of the parameter with this name and what it chooses from, if it chooses names.
-    pub fn choices(&self, name: &str) -> Option<(usize, Choices)> {
-        let row = self.table.iter().position(|p| p.name == name)?;
-        match self.table[row].kind {
-            Kind::Choice(choices) => Some((row, choices)),
-            Kind::Number(_) | Kind::Whole { .. } => None,
-        }
-    }
-
-    /// The file that a text names, or the parameter that chooses one; and all of the files.
-    pub fn files(
-        &self,
-        node: &Node,
-        path: &str,
-        faults: &mut Faults,
-    ) -> Option<(Chosen, Vec<&'static str>)> {
-        let file = text(node, path, faults)?;
-        Some(match self.choices(&file) {
-            Some((row, files)) => {
-                let files = files.iter().map(|file| file.0);
-                (Chosen::Parameter(row), files.collect())
-            }
-            None => {
-                let file = interned(&file);
-                (Chosen::Name(file), vec![file])
-            }
-        })
     }
 }

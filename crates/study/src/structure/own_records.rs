@@ -4,7 +4,7 @@
 //! record is scaled to the peak that all synthetic motions have; `scale` of the study stays. A `start` of the command line is that of
 //! the records, a `unit` their unit. Parameters that only the synthetic motions needed go.
 
-use super::names::{given, member, texts, under};
+use super::given::{given, member, texts, under};
 use super::reader::is_name;
 use super::record_axis::{add_zip, blocks};
 use crate::source::faults::{Faults, join, quoted};

@@ -1,9 +1,9 @@
 //! Masses, bars, springs, damping and start of a structure.
 
 use super::contacts::plane;
+use super::given::member;
 use super::keys::{BAR, GRAVITY, GROUND, MASS, RAYLEIGH, START};
-use super::names::member;
-use super::reader::{Reader, open, take_name};
+use super::reader::{Part, Reader, open, take_name};
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
@@ -12,9 +12,6 @@ use slipgap_solver::problem::structure::amount::Amount;
 use slipgap_solver::problem::structure::template::{Bar, Mass, Moved, Start, StaticLoad};
 use slipgap_solver::system::structure::Direction;
 use std::collections::HashSet;
-
-/// A named part with its value in the study.
-pub(super) type Part<'a> = (String, &'a Node, String);
 
 /// The masses, with one part for each direction of a mass that moves in several: NAME.x, NAME.y.
 pub(super) fn in_directions<'a>(parts: Vec<Part<'a>>, faults: &mut Faults) -> Vec<Part<'a>> {

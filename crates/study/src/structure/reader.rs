@@ -18,6 +18,9 @@ use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 use std::sync::Arc;
 
+/// A named part with its value in the study.
+pub(super) type Part<'a> = (String, &'a Node, String);
+
 /// The surroundings of a value in a structure.
 pub(super) struct Reader<'a> {
     /// The parameters of the study.

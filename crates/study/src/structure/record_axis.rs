@@ -2,9 +2,9 @@
 //! in `measured`.
 //! It becomes the list of the files, which is what the rest of the reader sees.
 
+use super::given::{member, members, texts};
 use super::keys::FILES;
 use super::measured::KEY;
-use super::names::{member, members, texts};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};

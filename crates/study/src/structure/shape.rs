@@ -1,8 +1,8 @@
 //! What is done to the function of a motion: `start`, `end`, `baseline`, `scale_to` and `delay`.
 
 use super::keys::{ASCE_7, EN_1998, Keys, SCALE_TO, SPECTRUM, TARGET_TABLE, names};
-use super::loads::table;
 use super::reader::{Reader, open};
+use super::table::table;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::Node;

@@ -1,12 +1,13 @@
 //! Supports with motions of their own: an acceleration, or one in each direction, with a delay.
 
+use super::given::member;
 use super::keys::{DISPLACEMENT, FUNCTION, GROUND, IMPOSED, IMPOSED_BY_FILE, SUPPORT, names};
-use super::loads::{function, table};
+use super::loads::function;
 use super::measured::{column, test};
-use super::names::member;
-use super::parts::Part;
+use super::reader::Part;
 use super::reader::{Reader, open};
 use super::shape::baseline;
+use super::table::table;
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};

@@ -2,6 +2,7 @@
 
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::checker::Checker;
+use crate::figure::choice::Fit;
 use crate::figure::ensembles;
 use crate::figure::keys::{BY_OUTSIDE, COLOUR, Takes, X_RANGE, X_SCALE, Y_RANGE, key};
 use crate::{ColumnRef, Scale};
@@ -48,23 +49,6 @@ pub(super) const KIND: Kind = Kind {
         }))
     },
 };
-
-/// How the lognormal function of a fragility figure is found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Fit {
-    /// The largest likelihood of the parts that exceed.
-    #[default]
-    Likelihood,
-    /// From the place at which each member of the ensemble reaches the limit.
-    Incremental,
-    /// From a line through the logarithms of all cases.
-    Cloud,
-}
-
-impl Fit {
-    /// All of them, in the order of their names.
-    pub(crate) const ALL: [Fit; 3] = [Fit::Likelihood, Fit::Incremental, Fit::Cloud];
-}
 
 /// The probability that a metric exceeds a limit, over a parameter or a metric.
 #[derive(Debug)]

@@ -2,6 +2,7 @@
 
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::checker::Checker;
+use crate::figure::choice::{Marks, Ridge};
 use crate::figure::keys::{Takes, X, X_SCALE, Y_SCALE, key};
 use crate::figure::{limits, sampled, vary};
 use crate::{ColumnRef, Scale};
@@ -77,26 +78,6 @@ pub struct Map {
     pub marks: Option<Marks>,
     /// What the line along it follows, if there is one.
     pub ridge: Option<Ridge>,
-}
-
-/// Places that a map marks.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Marks {
-    /// What the legend calls them, in markup.
-    pub label: String,
-    /// Their values of the two axes' parameters.
-    pub at: Vec<[f64; 2]>,
-}
-
-/// The value that a line along a map follows from column to column.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ridge {
-    /// The smallest.
-    Least,
-    /// The largest.
-    Greatest,
-    /// The one nearest to 1.
-    NearestToOne,
 }
 
 impl Decoded for Map {

@@ -22,6 +22,7 @@ mod spectrum;
 mod wave;
 
 use super::checker::Checker;
+pub use super::choice::{Fit, Marks, Ridge};
 use super::decoded_value::Values;
 use super::keys::{COMMON, Key};
 use crate::scope::Scope;
@@ -116,8 +117,6 @@ macro_rules! kinds {
     };
 }
 
-pub use fragility::Fit;
-pub use map::{Marks, Ridge};
 pub use spectrum::Ordinate;
 
 kinds! {

@@ -5,7 +5,7 @@ use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use crate::structure::keys::{LISTS, PART};
-use crate::structure::parts::Part;
+use crate::structure::reader::Part;
 use crate::structure::reader::{Reader, open};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::{Amount, Source};
