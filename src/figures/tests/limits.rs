@@ -4,7 +4,6 @@ use super::{colour_at, decode, fig5, run};
 use crate::figures::{png, style};
 use slipgap_drawing::layout::below;
 use slipgap_drawing::layout::sheet::{Rect, Sheet};
-use slipgap_drawing::layout::slope;
 use slipgap_drawing::text;
 use slipgap_solver::problem::parameter::Value;
 use slipgap_study::error::Error;
@@ -93,10 +92,7 @@ fn fits(sheet: &Sheet, width: f64) {
         assert!(frame.width >= 60.0, "{frame:?}");
         assert!(frame.left >= 0.0 && frame.right() <= width && frame.bottom() <= sheet.height);
         for other in 0..k {
-            assert!(
-                !slope::overlap(&with_axis(k), &with_axis(other)),
-                "{k} {other}"
-            );
+            assert!(!with_axis(k).overlaps(&with_axis(other)), "{k} {other}");
         }
     }
     for words in &sheet.heading {

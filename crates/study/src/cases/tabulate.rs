@@ -1,7 +1,7 @@
 //! The values of a formula for all combinations of a block that it depends on.
 
 use super::block::Block;
-use super::formula_table::FormulaTable;
+use crate::cases::formulas::formula_table::FormulaTable;
 use slipgap_solver::expression::{ExpressionFault, Formula};
 use slipgap_solver::problem::{Case, Schema};
 use std::sync::Arc;

@@ -19,7 +19,7 @@ use crate::figure::extent::WIDTHS;
 use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::{self, KINDS};
 use crate::reduction::OPERATORS;
-use crate::structure::names::SHOWN;
+use crate::structure::named::names::SHOWN;
 use crate::units::IN;
 use slipgap_solver::expression::FUNCTIONS;
 use slipgap_solver::problem::parameter::{Kind, Parameter, Range};

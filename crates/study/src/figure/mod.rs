@@ -11,6 +11,7 @@ mod limits;
 pub mod reduced;
 mod reductions;
 mod sampled;
+mod values;
 mod vary;
 
 use std::collections::HashSet;
@@ -22,9 +23,10 @@ use crate::scope::Scope;
 use crate::tree::Node;
 use crate::value::name;
 use checker::Checker;
-use decoded_value::{DecodedValue, Values, take};
+use decoded_value::take;
 use keys::{COMMON, Key, Takes};
 use kinds::{KINDS, Kind, Needs};
+use values::{DecodedValue, Values};
 
 /// Decodes all figures, leaving out those with a fault; names must differ by more than case, which some file systems
 /// ignore.

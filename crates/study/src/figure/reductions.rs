@@ -1,9 +1,9 @@
 //! The checks of the figures that show reductions.
 
 use super::checker::Checker;
-use super::decoded_value::Values;
 use super::keys::{Key, Takes};
 use super::reduced::KINDS;
+use super::values::Values;
 use crate::ColumnRef;
 use crate::Reduction;
 use crate::faults::quoted;

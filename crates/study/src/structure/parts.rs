@@ -1,12 +1,12 @@
 //! Masses, bars, springs, damping and start of a structure.
 
 use super::contacts::plane;
-use super::given::member;
 use super::keys::{BAR, GRAVITY, GROUND, MASS, RAYLEIGH, START};
-use super::reader::{Part, Reader, open, take_name};
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::structure::reading::given::member;
+use crate::structure::reading::reader::{Part, Reader, open, take_name};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::Amount;
 use slipgap_solver::problem::structure::template::{Bar, Mass, Moved, Start, StaticLoad};

@@ -2,10 +2,10 @@
 
 use super::contacts::plane;
 use super::keys::SPRING;
-use super::reader::{Reader, open};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::{Amount, Source};
