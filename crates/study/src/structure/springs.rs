@@ -25,7 +25,6 @@ pub(super) fn springs(
     let name = object.get("name");
     let name = name.and_then(|node| text(node, &object.path("name"), faults));
     let name = name.unwrap_or_default();
-    reader.direction(&object, faults)?;
     let Some(node) = object.get("directions") else {
         let along = reader.along(&object, "a spring", faults);
         let numbers = numbers(&object, None, reader, faults);

@@ -1,7 +1,7 @@
 //! The nodes of springs and contacts with their factors.
 
 use super::reader::Reader;
-use crate::source::faults::{Faults, join};
+use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
@@ -11,6 +11,7 @@ use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::{Amount, Source};
 use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
 use slipgap_solver::problem::structure::template::Term;
+use slipgap_solver::system::structure::Direction;
 use std::sync::Arc;
 
 /// What moves at one side, each node with its factor, and its terms.
@@ -18,17 +19,47 @@ pub(in crate::structure) type Side = (Vec<(f64, NodeRef)>, Vec<Term>);
 
 impl Reader<'_> {
     /// The nodes of a spring or a contact with their factors: two nodes under `between`, -1 and 1, or nodes with factors under
-    /// `along`.
+    /// `along`. A support without a direction moves in the one of the object.
     pub fn along(&self, object: &Object, what: &str, faults: &mut Faults) -> Option<Vec<Term>> {
+        let direction = match object.get("direction") {
+            Some(_) => Some(self.direction(object, faults)?),
+            None => None,
+        };
         if let Some(node) = object.get("along") {
             if object.get("between").is_some() {
                 let message = "give between or along, not both";
                 faults.add(node.at, &object.path("along"), message);
                 return None;
             }
-            return self.factors(node, &object.path("along"), what, faults);
+            return self.factors(node, &object.path("along"), (what, direction), faults);
         }
-        self.between(object, what, faults)
+        self.between(object, (what, direction), faults)
+    }
+
+    /// The name of a node with this direction behind it, if it is that of a support.
+    fn in_direction(
+        &self,
+        name: &str,
+        direction: Option<Direction>,
+        (at, path): (usize, &str),
+        faults: &mut Faults,
+    ) -> Option<String> {
+        let Some(direction) =
+            direction.filter(|_| !name.contains('.') && self.names.is_support(name))
+        else {
+            return Some(name.to_owned());
+        };
+        let own = format!("{name}.{}", direction.name());
+        if self.names.motion(name, direction).is_none() {
+            let message = format!(
+                "{name} does not move in {}; the node {} is held there",
+                direction.name(),
+                quoted(&own)
+            );
+            faults.add(at, path, message);
+            return None;
+        }
+        Some(own)
     }
 
     /// The members of an object of nodes and factors.
@@ -36,7 +67,7 @@ impl Reader<'_> {
         &self,
         node: &Node,
         path: &str,
-        what: &str,
+        (what, direction): (&str, Option<Direction>),
         faults: &mut Faults,
     ) -> Option<Vec<Term>> {
         let Tree::Object(members) = &node.tree else {
@@ -48,8 +79,9 @@ impl Reader<'_> {
         let terms = members.filter_map(|member| {
             let path = join(path, &member.key);
             let factor = self.amount(&member.node, &path, Range::Any, faults);
-            let nodes = self.named_nodes(&member.key, member.at, &path, faults);
-            Some(self.terms(&member.key, nodes?, &factor?))
+            let name = self.in_direction(&member.key, direction, (member.at, &path), faults)?;
+            let nodes = self.named_nodes(&name, member.at, &path, faults);
+            Some(self.terms(&name, nodes?, &factor?))
         });
         let terms: Vec<Term> = terms.flatten().collect();
         if faults.count() == before && terms.iter().all(|term| term.node.node == NodeRef::Ground) {
@@ -113,7 +145,12 @@ impl Reader<'_> {
     }
 
     /// Two different nodes with the factors -1 and 1.
-    fn between(&self, object: &Object, what: &str, faults: &mut Faults) -> Option<Vec<Term>> {
+    fn between(
+        &self,
+        object: &Object,
+        (what, direction): (&str, Option<Direction>),
+        faults: &mut Faults,
+    ) -> Option<Vec<Term>> {
         let wanted = "two nodes; or along, nodes with their factors";
         let node = object.need("between", wanted, faults)?;
         let path = object.path("between");
@@ -129,6 +166,7 @@ impl Reader<'_> {
         let mut side = |node: &Node, place: usize, factor: f64| {
             let path = format!("{path}[{place}]");
             let name = text(node, &path, faults)?;
+            let name = self.in_direction(&name, direction, (node.at, &path), faults)?;
             self.side(&name, (node.at, path), factor, faults)
         };
         let (first, second) = (side(i, 0, -1.0), side(j, 1, 1.0));
