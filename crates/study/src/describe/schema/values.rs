@@ -114,7 +114,7 @@ fn axis(parameter: &Parameter) -> Json {
 }
 
 /// The range as text, or the names with their meanings.
-pub(super) fn allowed(parameter: &Parameter) -> String {
+pub(in crate::describe) fn allowed(parameter: &Parameter) -> String {
     match parameter.kind {
         Kind::Number(range) => range.to_string(),
         Kind::Whole { min, max } => format!("a whole number from {min} to {max}"),

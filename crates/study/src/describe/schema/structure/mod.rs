@@ -1,23 +1,22 @@
 //! The schema of studies of structures, whose parameters, channels and metrics have free names.
 
-use super::schema::{
-    block_keys, calibrate, computed, listed_metrics, reduction, several, width_and_pair,
+mod motions;
+mod results;
+
+use motions::{contact_value, function_value, support};
+use results::{check, figure, metric};
+
+use crate::describe::schema::parts::{
+    block_keys, calibrate, computed, listed_metrics, reduction, several,
 };
-use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
-use crate::decode::checks;
-use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
-use crate::figure::kinds::{KINDS, Needs};
+use crate::describe::schema::values::{INTERVAL, RULE, expression, names, number, object, refer};
+use crate::figure::kinds::KINDS;
 use crate::structure::keys::{self, Keys};
 use serde_json::{Map, Value as Json, json};
 use slipgap_solver::problem::method::PARAMETERS;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::contacts::NAMES;
-use slipgap_solver::problem::structure::ground_metric::PREFIX;
-use slipgap_solver::problem::structure::metric::REDUCTIONS;
 use slipgap_solver::problem::structure::schema::{FIXED, MEANING, NAME};
-use slipgap_solver::system::loads::Unit;
-use slipgap_solver::system::loads::record::Mean;
-use slipgap_solver::system::structure::{Baseline, Direction};
+use slipgap_solver::system::structure::Direction;
 
 /// The rules for studies of structures.
 pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
@@ -141,90 +140,11 @@ fn all_numbers(keys: Keys, required: &[&str]) -> Json {
     described(keys, |_| any(), required)
 }
 
-fn function_value(key: &str) -> Json {
-    match key {
-        "sine" => all_numbers(keys::SINE, &["amplitude", "omega"]),
-        "table" => described(keys::TABLE, |_| numbers(), &["t", "f"]),
-        "record" => json!({ "anyOf": [{ "type": "string" }, files()] }),
-        "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
-        "mean" => json!({ "enum": Mean::ALL.map(Mean::name) }),
-        "column" | "component" => json!({ "type": "integer", "minimum": 1 }),
-        "dt" => number(Range::Positive),
-        "baseline" => json!({ "enum": Baseline::ALL.map(Baseline::name) }),
-        "scale_to" => scale_to(),
-        "pulse" => described(
-            keys::PULSE,
-            |key| match key {
-                "ricker" => all_numbers(keys::RICKER, &keys::names(keys::RICKER)),
-                _ => all_numbers(keys::COSINE, &keys::names(keys::COSINE)),
-            },
-            &[],
-        ),
-        "synthetic" => json!({ "anyOf": [all_numbers(keys::SYNTHETIC, &["seed"]), any()] }),
-        _ => any(),
-    }
-}
-
-/// The strength of a motion.
-fn scale_to() -> Json {
-    let mut spectrum = described(
-        keys::SPECTRUM,
-        |key| match key {
-            "ASCE 7" => all_numbers(keys::ASCE_7, &keys::names(keys::ASCE_7)),
-            _ => all_numbers(keys::EN_1998, &keys::names(keys::EN_1998)),
-        },
-        &[],
-    );
-    add_properties(
-        &mut spectrum,
-        &described(keys::TARGET_TABLE, |_| numbers(), &[]),
-    );
-    described(
-        keys::SCALE_TO,
-        |key| match key {
-            "spectrum" => spectrum.clone(),
-            "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
-            _ => any(),
-        },
-        &[],
-    )
-}
-
 /// Adds the properties of a schema to those of another one.
 fn add_properties(schema: &mut Json, more: &Json) {
     if let (Json::Object(to), Json::Object(from)) = (&mut schema["properties"], &more["properties"])
     {
         to.extend(from.clone());
-    }
-}
-
-fn contact_value(key: &str, function: &Json) -> Json {
-    match key {
-        "law" => {
-            json!({ "anyOf": [names(NAMES.iter().copied()), { "type": "string" }] })
-        }
-        "between" => between(),
-        "along" => along(),
-        "pairs" => json!({ "type": "string" }),
-        "N" => {
-            let table = described(keys::NORMAL_TABLE, |_| numbers(), &["t", "N"]);
-            let value = |key: &str| match key {
-                "vertical" => function.clone(),
-                _ => any(),
-            };
-            let weight = described(keys::WEIGHT, value, &["weight", "vertical"]);
-            let pressing = described(
-                keys::PRESSING,
-                |_| json!({ "anyOf": [{ "type": "string" }, { "type": "array", "minItems": 1, "items": { "type": "string" } }] }),
-                &["contact"],
-            );
-            json!({ "anyOf": [any(), table, weight, pressing] })
-        }
-        "series" | "parallel" => {
-            json!({ "type": "array", "minItems": 2, "items": refer(&part()) })
-        }
-        "table" => described(keys::LAW_TABLE, |_| numbers(), &["r", "S"]),
-        _ => any(),
     }
 }
 
@@ -293,47 +213,6 @@ fn structure(function: &Json, contact: &Json) -> Json {
     described(keys::STRUCTURE, value, &[])
 }
 
-/// A support: a function of time in x, or one in each direction, with its delay.
-fn support(function: &Json) -> Json {
-    let mut schema = described(keys::FUNCTION, function_value, &[]);
-    let course = json!({ "anyOf": [function, all_of_displacement()] });
-    let directions = described(keys::GROUND, |_| course.clone(), &[]);
-    let own = described(
-        keys::SUPPORT,
-        |key| match key {
-            "baseline" => json!({ "enum": Baseline::ALL.map(Baseline::name) }),
-            "displacement" => imposed(),
-            _ => any(),
-        },
-        &[],
-    );
-    for more in [directions, own] {
-        add_properties(&mut schema, &more);
-    }
-    schema
-}
-
-/// Imposed displacements under their key.
-fn all_of_displacement() -> Json {
-    described(
-        &[keys::DISPLACEMENT],
-        |_| imposed(),
-        &[keys::DISPLACEMENT.0],
-    )
-}
-
-fn imposed() -> Json {
-    let file = |key: &str| match key {
-        "file" => json!({ "type": "string" }),
-        _ => column(),
-    };
-    let by_file = keys::names(keys::IMPOSED_BY_FILE);
-    json!({ "anyOf": [
-        described(keys::IMPOSED, |_| numbers(), &["t", "u"]),
-        described(keys::IMPOSED_BY_FILE, file, &by_file),
-    ] })
-}
-
 /// A column of a file.
 fn column() -> Json {
     let text = || json!({ "type": "string" });
@@ -350,89 +229,6 @@ fn measured() -> Json {
     };
     let required = keys::names(&keys::MEASURED[..3]);
     described(keys::MEASURED, value, &required)
-}
-
-/// The name of a metric.
-fn metric() -> Json {
-    let one = |name: &str| match name.strip_prefix(PREFIX) {
-        Some(measure) => format!("ground\\.([xyz]\\.)?{measure}"),
-        None => name.to_owned(),
-    };
-    let all: Vec<String> = REDUCTIONS.iter().map(|known| one(known.0)).collect();
-    json!({
-        "type": "string",
-        "pattern": format!("^({})( *\\(.+\\))?$", all.join("|")),
-        "description": "a reduction of a channel, such as peak(g1.right - p2) or impacts(gap12), or a measure of the ground, such as ground.pga or, of several directions, ground.y.pga",
-    })
-}
-
-fn check(metric: &Json) -> Json {
-    let value = |key: &str| match key {
-        "metric" => metric.clone(),
-        "where" => json!({ "type": "object" }),
-        _ => any(),
-    };
-    let mut schema = described(&checks::KEYS, value, &["metric"]);
-    schema["anyOf"] = json!([{ "required": ["min"] }, { "required": ["max"] }]);
-    schema
-}
-
-/// The rules for figures of one kind.
-fn figure(kind: &crate::figure::kinds::Kind) -> Json {
-    let mut properties = Map::new();
-    let mut required = Vec::new();
-    for key in COMMON.iter().chain(kind.keys) {
-        let mut schema = taken(key);
-        schema["description"] = key.meaning.into();
-        properties.insert(key.name.into(), schema);
-        if key.required {
-            required.push(key.name);
-        }
-    }
-    let then = match kind.needs == Needs::Profiles || kind.name == "law" {
-        true => json!(false),
-        false => object(properties, &required),
-    };
-    json!({
-        "if": { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
-        "then": then,
-    })
-}
-
-fn taken(key: &Key) -> Json {
-    let text = json!({ "type": "string" });
-    match key.takes {
-        Takes::FileName => {
-            json!({ "type": "string", "pattern": "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$" })
-        }
-        Takes::Kind => json!({}),
-        Takes::Filter => json!({ "type": "object" }),
-        Takes::Quantities
-        | Takes::Profiles
-        | Takes::Metrics
-        | Takes::Budgets
-        | Takes::Parameters => several(text),
-        Takes::Ordinates => several(names(ORDINATES.into_iter())),
-        Takes::Ratios => several(ratio()),
-        Takes::Times => several(number(Range::NotNegative)),
-        Takes::Width => width_and_pair().0,
-        Takes::Range | Takes::Periods | Takes::Probabilities => width_and_pair().1,
-        Takes::Number => any(),
-        Takes::Marks => json!({ "type": "object" }),
-        Takes::InUnits => json!({ "const": false }),
-        Takes::Switch => json!({ "type": "boolean" }),
-        Takes::Ridge => json!({ "enum": RIDGES }),
-        Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
-        Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
-        Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
-        Takes::Text
-        | Takes::Parameter
-        | Takes::NumericParameter
-        | Takes::Column
-        | Takes::Quantity
-        | Takes::Profile
-        | Takes::Metric => text,
-    }
 }
 
 /// Values of a parameter with a free name.
