@@ -28,19 +28,23 @@ pub(crate) struct Values<'a> {
     pub taken: Vec<(&'static str, &'a Node, DecodedValue)>,
 }
 
-impl Values<'_> {
-    pub fn text(&self, key: &str) -> Option<String> {
-        match self.get(key)? {
-            DecodedValue::Text(text) => Some(text.clone()),
+/// The value of a key as a variant of [`DecodedValue`]; `None` if the key is not given, or has another meaning for the kind.
+macro_rules! taken {
+    ($values:expr, $key:expr, $kind:ident) => {
+        match $values.get($key) {
+            Some(DecodedValue::$kind(value)) => Some(Clone::clone(value)),
             _ => None,
         }
+    };
+}
+
+impl Values<'_> {
+    pub fn text(&self, key: &str) -> Option<String> {
+        taken!(self, key, Text)
     }
 
     pub fn rows(&self, key: &str) -> Option<Vec<usize>> {
-        match self.get(key)? {
-            DecodedValue::Rows(rows) => Some(rows.clone()),
-            _ => None,
-        }
+        taken!(self, key, Rows)
     }
 
     pub fn row(&self, key: &str) -> Option<usize> {
@@ -48,10 +52,7 @@ impl Values<'_> {
     }
 
     pub fn column(&self, key: &str) -> Option<ColumnRef> {
-        match self.get(key)? {
-            DecodedValue::Column(column) => Some(*column),
-            _ => None,
-        }
+        taken!(self, key, Column)
     }
 
     pub fn scale(&self, key: &str) -> Scale {
@@ -59,72 +60,44 @@ impl Values<'_> {
     }
 
     pub fn scale_or(&self, key: &str, left_out: Scale) -> Scale {
-        match self.get(key) {
-            Some(DecodedValue::Scale(scale)) => *scale,
-            _ => left_out,
-        }
+        taken!(self, key, Scale).unwrap_or(left_out)
     }
 
     pub fn ridge(&self, key: &str) -> Option<Ridge> {
-        match self.get(key)? {
-            DecodedValue::Ridge(ridge) => Some(*ridge),
-            _ => None,
-        }
+        taken!(self, key, Ridge)
     }
 
     pub fn fit(&self, key: &str) -> Fit {
-        match self.get(key) {
-            Some(DecodedValue::Fit(fit)) => *fit,
-            _ => Fit::default(),
-        }
+        taken!(self, key, Fit).unwrap_or_default()
     }
 
     pub fn marks(&self, key: &str) -> Option<Marks> {
-        match self.get(key)? {
-            DecodedValue::Marks(marks) => Some(marks.clone()),
-            _ => None,
-        }
+        taken!(self, key, Marks)
     }
 
     pub fn switch(&self, key: &str) -> bool {
         self.given_switch(key) == Some(true)
     }
 
-    /// `None` if the key is not given, or has another meaning for the kind.
     pub fn given_switch(&self, key: &str) -> Option<bool> {
-        match self.get(key)? {
-            DecodedValue::Switch(on) => Some(*on),
-            _ => None,
-        }
+        taken!(self, key, Switch)
     }
 
     /// Times or ratios; none if the key is not given.
     pub fn numbers(&self, key: &str) -> Vec<f64> {
-        match self.get(key) {
-            Some(DecodedValue::Numbers(numbers)) => numbers.clone(),
-            _ => Vec::new(),
-        }
+        taken!(self, key, Numbers).unwrap_or_default()
     }
 
     pub fn width(&self, key: &str) -> Option<f64> {
-        match self.get(key)? {
-            DecodedValue::Width(width) => Some(*width),
-            _ => None,
-        }
+        taken!(self, key, Width)
     }
 
     pub fn range(&self, key: &str) -> Option<[f64; 2]> {
-        match self.get(key)? {
-            DecodedValue::Range(range) => Some(*range),
-            _ => None,
-        }
+        taken!(self, key, Range)
     }
 
     pub fn filter(&self) -> Filter {
-        match self.get("where") {
-            Some(DecodedValue::Filter(filter)) => filter.clone(),
-            _ => Filter::default(),
-        }
+        taken!(self, "where", Filter).unwrap_or_default()
     }
 
     fn get(&self, key: &str) -> Option<&DecodedValue> {

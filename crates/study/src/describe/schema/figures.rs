@@ -7,9 +7,9 @@ use super::values::{names, number, object, ratio, refer, value};
 use crate::decode::checks;
 use crate::figure::decoded_value::MARKS;
 use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
-use crate::figure::kinds::{self};
+use crate::figure::kinds::Kind;
 use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::parameter::{Kind, Parameter, Range};
+use slipgap_solver::problem::parameter::{self, Parameter, Range};
 
 /// The name of a definition that belongs to a problem.
 pub(super) fn name_of(problem: &dyn Problem, what: &str) -> String {
@@ -17,18 +17,23 @@ pub(super) fn name_of(problem: &dyn Problem, what: &str) -> String {
 }
 
 /// The rules for figures of one kind.
-pub(super) fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
+pub(super) fn of_kind(kind: &Kind, problem: &dyn Problem) -> Json {
+    rules(kind, kind.suits(problem), |key| taken(key, problem))
+}
+
+/// The same with what the keys take; figures of a kind that does not suit the problem are refused.
+pub(super) fn rules(kind: &Kind, suits: bool, taken: impl Fn(&Key) -> Json) -> Json {
     let mut properties = Map::new();
     let mut required = Vec::new();
     for key in COMMON.iter().chain(kind.keys) {
-        let mut schema = taken(key, problem);
+        let mut schema = taken(key);
         schema["description"] = key.meaning.into();
         properties.insert(key.name.into(), schema);
         if key.required {
             required.push(key.name);
         }
     }
-    let then = match kind.suits(problem) {
+    let then = match suits {
         true => object(properties, &required),
         false => json!(false),
     };
@@ -41,7 +46,7 @@ pub(super) fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
 /// The name of a parameter; of one that is a number, if `numeric`.
 pub(super) fn parameter_names(problem: &dyn Problem, numeric: bool) -> Json {
     let table = problem.parameters().iter();
-    let suitable = table.filter(|p| !numeric || !matches!(p.kind, Kind::Choice(_)));
+    let suitable = table.filter(|p| !numeric || !matches!(p.kind, parameter::Kind::Choice(_)));
     names(suitable.map(|p| (&*p.name, &*p.meaning)))
 }
 
@@ -63,27 +68,18 @@ pub(super) fn taken(key: &Key, problem: &dyn Problem) -> Json {
     };
     let defined = |what: &str| refer(&name_of(problem, what));
     match key.takes {
-        Takes::FileName => {
-            json!({ "type": "string", "pattern": "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$" })
-        }
-        Takes::Kind => json!({}),
-        Takes::Text => json!({ "type": "string" }),
         Takes::Filter => defined("where"),
         Takes::Parameter => parameters(false),
         Takes::Parameters => several(parameters(false)),
         Takes::NumericParameter => parameters(true),
         Takes::Quantity => quantities(),
         Takes::Quantities => several(quantities()),
-        Takes::Ordinates => several(names(ORDINATES.into_iter())),
-        Takes::Ratios => several(ratio()),
-        Takes::Periods | Takes::Probabilities => pair(),
         Takes::Number => number(Range::Any),
         Takes::Column => json!({ "anyOf": [parameters(true), defined("column")] }),
         Takes::Profile => profiles(),
         Takes::Profiles => several(profiles()),
         Takes::Metric => defined("column"),
         Takes::Metrics => several(defined("column")),
-        Takes::Times => several(number(Range::NotNegative)),
         Takes::Budgets => several(names(
             problem
                 .schema()
@@ -91,16 +87,31 @@ pub(super) fn taken(key: &Key, problem: &dyn Problem) -> Json {
                 .iter()
                 .map(|b| (&*b.name, &*b.title)),
         )),
-        Takes::Width => width(),
-        Takes::Range => pair(),
         Takes::Marks => marks(),
         Takes::InUnits if problem.schema().units.is_empty() => json!({ "const": false }),
         Takes::InUnits => json!({ "type": "boolean", "default": false }),
+        _ => of_any_problem(key.takes),
+    }
+}
+
+/// The value of a key that takes the same for every problem; a text for others.
+pub(super) fn of_any_problem(takes: Takes) -> Json {
+    match takes {
+        Takes::FileName => {
+            json!({ "type": "string", "pattern": "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$" })
+        }
+        Takes::Kind => json!({}),
+        Takes::Ordinates => several(names(ORDINATES.into_iter())),
+        Takes::Ratios => several(ratio()),
+        Takes::Times => several(number(Range::NotNegative)),
+        Takes::Width => width(),
+        Takes::Range | Takes::Periods | Takes::Probabilities => pair(),
         Takes::Switch => json!({ "type": "boolean" }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
         Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
+        _ => json!({ "type": "string" }),
     }
 }
 

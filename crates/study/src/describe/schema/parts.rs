@@ -104,11 +104,6 @@ pub(super) fn width() -> Json {
     json!({ "anyOf": [plain, refer(EXPRESSION)] })
 }
 
-/// A width in mm, and the two ends of an axis.
-pub(super) fn width_and_pair() -> (Json, Json) {
-    (width(), pair())
-}
-
 /// The key `calibrate`.
 pub(super) fn calibrate() -> Json {
     let mut properties = Map::new();

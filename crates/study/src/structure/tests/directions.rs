@@ -13,7 +13,8 @@ fn text(spring: &str, support: &str) -> String {
     )
 }
 
-const BOTH: &str = r#"{"x": {"sine": {"A": 1, "omega": 3}}, "y": {"sine": {"A": 2, "omega": 5}}}"#;
+const BOTH: &str =
+    r#"{"x": {"sine": {"amplitude": 1, "omega": 3}}, "y": {"sine": {"amplitude": 2, "omega": 5}}}"#;
 
 #[test]
 fn a_spring_acts_in_its_direction_of_a_support() {
@@ -31,16 +32,16 @@ fn a_spring_acts_in_its_direction_of_a_support() {
 
 #[test]
 fn a_support_that_does_not_move_in_the_direction_is_a_fault() {
-    let only_x = r#"{"sine": {"A": 1, "omega": 3}}"#;
+    let only_x = r#"{"sine": {"amplitude": 1, "omega": 3}}"#;
     let says = "left does not move in y; the node \"left.y\" is held there";
     for (spring, place) in [
         (
             r#""between": ["left", "a"], "direction": "y""#,
-            "3:41: structure.springs[0].between[0]: ",
+            "3:40: structure.springs[0].between[0]: ",
         ),
         (
             r#""along": {"left": -1, "a": 1}, "direction": "y""#,
-            "3:39: structure.springs[0].along.left: ",
+            "3:38: structure.springs[0].along.left: ",
         ),
     ] {
         let found = faults(&text(spring, only_x));

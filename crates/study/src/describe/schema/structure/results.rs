@@ -2,12 +2,11 @@
 
 use super::{any, described};
 use crate::decode::checks;
-use crate::describe::schema::parts::{several, width_and_pair};
-use crate::describe::schema::values::{names, number, object, ratio};
-use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
-use crate::figure::kinds::Needs;
-use serde_json::{Map, Value as Json, json};
-use slipgap_solver::problem::parameter::Range;
+use crate::describe::schema::figures::{of_any_problem, rules};
+use crate::describe::schema::parts::several;
+use crate::figure::keys::Takes;
+use crate::figure::kinds::{Kind, Needs};
+use serde_json::{Value as Json, json};
 use slipgap_solver::problem::structure::ground_metric::PREFIX;
 use slipgap_solver::problem::structure::metric::REDUCTIONS;
 
@@ -37,59 +36,22 @@ pub(super) fn check(metric: &Json) -> Json {
 }
 
 /// The rules for figures of one kind.
-pub(super) fn figure(kind: &crate::figure::kinds::Kind) -> Json {
-    let mut properties = Map::new();
-    let mut required = Vec::new();
-    for key in COMMON.iter().chain(kind.keys) {
-        let mut schema = taken(key);
-        schema["description"] = key.meaning.into();
-        properties.insert(key.name.into(), schema);
-        if key.required {
-            required.push(key.name);
-        }
-    }
-    let then = match kind.needs == Needs::Profiles || kind.name == "law" {
-        true => json!(false),
-        false => object(properties, &required),
-    };
-    json!({
-        "if": { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
-        "then": then,
-    })
+pub(super) fn figure(kind: &Kind) -> Json {
+    let suits = kind.needs != Needs::Profiles && kind.name != "law";
+    rules(kind, suits, |key| taken(key.takes))
 }
 
-pub(super) fn taken(key: &Key) -> Json {
-    let text = json!({ "type": "string" });
-    match key.takes {
-        Takes::FileName => {
-            json!({ "type": "string", "pattern": "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$" })
-        }
-        Takes::Kind => json!({}),
-        Takes::Filter => json!({ "type": "object" }),
+/// The value of a key of a figure, whose quantities and metrics have free names.
+fn taken(takes: Takes) -> Json {
+    match takes {
+        Takes::Filter | Takes::Marks => json!({ "type": "object" }),
         Takes::Quantities
         | Takes::Profiles
         | Takes::Metrics
         | Takes::Budgets
-        | Takes::Parameters => several(text),
-        Takes::Ordinates => several(names(ORDINATES.into_iter())),
-        Takes::Ratios => several(ratio()),
-        Takes::Times => several(number(Range::NotNegative)),
-        Takes::Width => width_and_pair().0,
-        Takes::Range | Takes::Periods | Takes::Probabilities => width_and_pair().1,
+        | Takes::Parameters => several(json!({ "type": "string" })),
         Takes::Number => any(),
-        Takes::Marks => json!({ "type": "object" }),
         Takes::InUnits => json!({ "const": false }),
-        Takes::Switch => json!({ "type": "boolean" }),
-        Takes::Ridge => json!({ "enum": RIDGES }),
-        Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
-        Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
-        Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
-        Takes::Text
-        | Takes::Parameter
-        | Takes::NumericParameter
-        | Takes::Column
-        | Takes::Quantity
-        | Takes::Profile
-        | Takes::Metric => text,
+        _ => of_any_problem(takes),
     }
 }
