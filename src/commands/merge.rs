@@ -3,7 +3,7 @@
 use super::arguments::{JobsArgs, OutputArgs, StudiesArgs, whole};
 use super::sources::Source;
 use super::terminal::{Terminal, report_error};
-use super::{NOT_MET, UNSOLVED};
+use super::{NOT_MET, PARTS_MISSING, UNSOLVED};
 use clap::Args;
 use slipgap::batch::output::Folder;
 use slipgap::batch::store::{STORE, Store};
@@ -67,7 +67,7 @@ fn merge(
                 made.iter().for_each(|folder| drop(fs::remove_dir(folder)));
                 report_error(&error);
                 terminal.skip(source);
-                missing = Some(error.exit_code());
+                missing = Some(PARTS_MISSING);
             }
             Err(other) => return Err(other),
         }

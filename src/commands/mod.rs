@@ -28,8 +28,21 @@ use terminal::note;
 pub const UNSOLVED: u8 = 3;
 /// Exit code if a check is not met.
 pub const NOT_MET: u8 = 5;
+/// Exit code if parts of a merge are missing.
+pub const PARTS_MISSING: u8 = 4;
 /// Exit code after Ctrl-C.
-const INTERRUPTED: i32 = 130;
+const INTERRUPTED: u8 = 130;
+
+/// The exit code of a command that failed: 2 for usage and studies, 1 for what has no code of its own.
+pub fn exit_code(error: &Error) -> u8 {
+    match error {
+        Error::Faults(_) | Error::Usage(_) => 2,
+        Error::Unsolved(_) => UNSOLVED,
+        Error::PartsMissing(_) => PARTS_MISSING,
+        Error::Interrupted => INTERRUPTED,
+        Error::Io { .. } | Error::Busy(_) | Error::Internal(_) => 1,
+    }
+}
 
 /// What the program does.
 #[derive(Subcommand)]
@@ -92,7 +105,7 @@ pub fn exit_on_interrupt() -> Result<(), Error> {
     ctrlc::set_handler(|| {
         let _guard = stop_writing();
         note("slipgap: interrupted; all files are complete; a run keeps its finished parts, and the same command continues it");
-        std::process::exit(INTERRUPTED);
+        std::process::exit(INTERRUPTED.into());
     })
     .map_err(|e| Error::Internal(format!("cannot listen for Ctrl-C: {e}")))
 }

@@ -4,7 +4,7 @@ use super::Draw;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::colour_map::bands;
 use slipgap_drawing::colour_map::bar;
-use slipgap_drawing::colour_map::ridge;
+use slipgap_drawing::colour_map::{self, ridge};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::cloud::{Cloud, Dot};
 use slipgap_drawing::layout::legend::Key;
@@ -16,8 +16,8 @@ use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
 use slipgap_solver::problem::escape;
 use slipgap_solver::problem::schema::NO_VALUE;
-use slipgap_study::Scale;
 use slipgap_study::kinds::Map;
+use slipgap_study::{Ridge, Scale};
 use std::collections::HashSet;
 
 /// Fewest places along each axis that make a contour.
@@ -128,6 +128,11 @@ impl Draw for Map {
                 z: values,
             };
             let along = ridge.map(|which| {
+                let which = match which {
+                    Ridge::Least => colour_map::Ridge::Least,
+                    Ridge::Greatest => colour_map::Ridge::Greatest,
+                    Ridge::NearestToOne => colour_map::Ridge::NearestToOne,
+                };
                 let [xs, ys] = values.places.each_ref().map(Vec::as_slice);
                 let label = ridge::label(which, &parameters[*x].symbol);
                 ridge::line(&panel, [xs, ys], &ridge::rows(&values, which), label)
@@ -163,7 +168,7 @@ impl Draw for Map {
             });
         }
         if let Some(marks) = marks {
-            panel.series.push(bands::marks(marks));
+            panel.series.push(bands::marks(&marks.label, &marks.at));
             keys.extend(panel.series.last().map(Key::of));
         }
         let mut sheet = Sheet {

@@ -2,8 +2,8 @@
 
 use super::draft::{BlockDraft, ParameterDraft};
 use super::interval::Interval;
-use crate::cases::design::{Design, Sampling};
-use crate::cases::values::Sampled;
+use crate::cases::axis::design::{Design, Sampling};
+use crate::cases::axis::values::Sampled;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::Node;

@@ -1,7 +1,7 @@
 //! The range of a parameter that a design samples.
 
 use crate::Scale;
-use crate::cases::values::Distribution;
+use crate::cases::axis::values::Distribution;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};

@@ -16,7 +16,7 @@ const SAME: f64 = 1e-9;
 /// The doubts of a structure, in words.
 pub(super) fn notes(template: &Template, names: &Names, structure: &Node) -> Vec<String> {
     let mut notes = Vec::new();
-    let sampled = super::names::has_key(structure, &["record", "synthetic"]);
+    let sampled = crate::structure::reading::given::has_key(structure, &["record", "synthetic"]);
     if template.units.is_empty() && sampled {
         notes.push(
             "without \"units\" the accelerations of records and synthetic motions are in m/s^2; \"units\" converts them".to_owned(),

@@ -3,7 +3,7 @@
 use crate::source::faults::{Faults, unknown};
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::PRESSING;
-use crate::structure::reader::open;
+use crate::structure::reading::reader::open;
 use crate::value::text;
 use slipgap_solver::problem::structure::template::{
     Contact, Normal, Pressing, PressingPart, Spring,
