@@ -1,6 +1,6 @@
 //! Studies as callers give them: a path, or a dictionary like the JSON of a study file.
 
-use crate::error::{raise, usage};
+use crate::error::{DICT, raise, usage};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -8,9 +8,6 @@ use pyo3::types::{PyDict, PyMapping, PyString};
 use slipgap::run::Source;
 use slipgap::study::{Input, MOST_CASES, Setting};
 use std::path::PathBuf;
-
-/// Name of a dictionary in place of a file.
-pub const DICT: &str = "<dict>";
 
 /// Name of the folder of results of a dictionary.
 const FOLDER: &str = "study";

@@ -60,7 +60,7 @@ impl Groups {
             let study = &shown.source.study;
             let table = match shown.designs.estimates() {
                 0 => None,
-                _ => shown.designs.table(study, || ())?,
+                _ => slipgap::batch::output::sobol::table(&shown.designs, study, || ())?,
             };
             Ok(table.map(|table| table.bytes))
         });

@@ -1,7 +1,8 @@
 //! The film of two bars that meet, or of a bar that meets a wall: displacements and stresses along them.
 
 use super::contact::Contact;
-use super::film::{Film, peak};
+use super::film::Film;
+use super::numbers::peak;
 use super::scene::{Bar, Link, Mover, Scene};
 use super::thin;
 use crate::history::History;

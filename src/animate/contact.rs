@@ -1,6 +1,6 @@
 //! A contact over time: when it touches or slides, and its force.
 
-use super::film::{differences, peak};
+use super::numbers::{differences, digits, peak};
 use super::trace;
 use serde_json::{Value, json};
 use std::borrow::Cow;
@@ -142,7 +142,7 @@ impl<'a> Contact<'a> {
                 Kind::Link => "link",
             },
             "spans": differences(ends),
-            "peak": [2 * step, trace::digits(force, 5)],
+            "peak": [2 * step, digits(force, 5)],
             "force": trace::of_steps(&self.force),
         })
     }

@@ -1,6 +1,7 @@
 //! A motion to show: what moves, how, and its contacts.
 
 use super::contact::Contact;
+use super::numbers::{differences, peak};
 use super::scene::Scene;
 use super::thin::{self, Row};
 use serde_json::{Value, json};
@@ -122,21 +123,4 @@ impl Film<'_> {
             .collect();
         thin::thin(&self.steps, candidates, kept, &rows, most)
     }
-}
-
-/// Largest absolute value.
-pub fn peak(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, x| most.max(x.abs()))
-}
-
-/// The first number, then the differences: short in a page.
-pub fn differences(numbers: impl Iterator<Item = i64>) -> Vec<i64> {
-    let mut before = 0;
-    numbers
-        .map(|x| {
-            let difference = x - before;
-            before = x;
-            difference
-        })
-        .collect()
 }

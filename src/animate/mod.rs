@@ -8,6 +8,7 @@ mod contact;
 mod film;
 mod label;
 mod nodes;
+mod numbers;
 mod oscillator;
 mod page;
 mod scene;

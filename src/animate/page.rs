@@ -1,6 +1,7 @@
 //! The page: its texts, its data and its program.
 
 use super::film::Film;
+use super::numbers::digits;
 use super::thin;
 use super::trace;
 use super::unit;
@@ -76,8 +77,8 @@ pub fn page(
                 "acceleration": size(Dimension::Acceleration),
             },
             "symbols": symbols(study),
-            "factor": trace::digits(factor, 6),
-            "reach": trace::digits(factor * largest, 4),
+            "factor": digits(factor, 6),
+            "reach": digits(factor * largest, 4),
             "bounds": bounds.map(|own| super::scene::points(&own)),
             "ground": ground.map(|own| ground_data(own, duration)).or_else(|| support_data(films.first()?)),
             "films": films.iter().map(|film| film.data(largest, most)).collect::<Vec<_>>(),
@@ -163,7 +164,7 @@ fn ground_data(ground: &GroundMotion, duration: f64) -> Value {
         "name": "ground",
         "half": duration / PARTS,
         "curve": trace::curve(&steps, &values),
-        "peak": [trace::digits(peak.0, 5), trace::digits(peak.1, 4)],
+        "peak": [digits(peak.0, 5), digits(peak.1, 4)],
     })
 }
 
@@ -179,7 +180,7 @@ fn support_data(film: &Film) -> Option<Value> {
         "name": format!("support {name}"),
         "half": 0.5 * film.dt,
         "curve": trace::of_steps(values),
-        "peak": [trace::digits(time, 5), trace::digits(values[largest], 4)],
+        "peak": [digits(time, 5), digits(values[largest], 4)],
     }))
 }
 

@@ -1,8 +1,9 @@
 //! The film of a structure: its scheme, moved by the histories of its nodes.
 
 use super::contact::Contact;
-use super::film::{Film, peak};
+use super::film::Film;
 use super::nodes;
+use super::numbers::peak;
 use super::scene::{Bar, Link, Mover, Point, Scene};
 use crate::figures::scheme::links::LinkPlace;
 use crate::figures::scheme::paint::{self, Painter};

@@ -1,6 +1,6 @@
 //! A curve over time in the page.
 
-use super::film::{differences, peak};
+use super::numbers::{differences, peak};
 use super::thin;
 use serde_json::{Value, json};
 
@@ -42,12 +42,6 @@ pub fn curve(steps: &[u64], values: &[f64]) -> Value {
     })
 }
 
-/// A number with few significant digits.
-pub fn digits(x: f64, count: usize) -> f64 {
-    let text = format!("{x:.*e}", count.saturating_sub(1));
-    text.parse().unwrap_or(x)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -76,11 +70,5 @@ mod tests {
         let i = t.iter().position(|t| *t == 2 * 123_456).unwrap();
         assert!(v[i - 1] == 0 && v[i + 1] == 0);
         assert!(t[i + 1] - t[i - 1] <= 2 * 200);
-    }
-
-    #[test]
-    fn few_digits_are_left() {
-        assert_eq!(digits(123_456.0, 3), 123_000.0);
-        assert_eq!(digits(-0.001_234_56, 4), -0.001_235);
     }
 }

@@ -1,9 +1,8 @@
 //! Arguments that several verbs share.
 
-use super::run::Format;
 use super::sources::{self, Source};
 use super::terminal::print;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use slipgap::error::Error;
 use slipgap::figures::style;
 use slipgap::run::{OutputOptions, Written};
@@ -91,6 +90,22 @@ impl OutputArgs {
             true => Ok(()),
             false => print(&format!("{}\n", folder.display())).map(drop),
         }
+    }
+}
+
+/// The files of a run in addition to figures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// results.csv for any number of cases, and the store
+    Csv,
+    /// Only the store, a folder of Parquet files
+    Parquet,
+}
+
+impl Format {
+    /// Whether results.csv is written.
+    pub fn has_table(self) -> bool {
+        self == Format::Csv
     }
 }
 

@@ -5,7 +5,7 @@ use super::shard;
 use super::sources::Source;
 use super::terminal::Terminal;
 use super::{NOT_MET, UNSOLVED};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use slipgap::batch::Shard;
 use slipgap::batch::output::Folder;
 use slipgap::batch::store::Store;
@@ -51,22 +51,6 @@ impl RunArgs {
         };
         self.jobs
             .run(|| run(&studies, &self.out, &options, &self.output))
-    }
-}
-
-/// The files of a run in addition to figures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Format {
-    /// results.csv for any number of cases, and the store
-    Csv,
-    /// Only the store, a folder of Parquet files
-    Parquet,
-}
-
-impl Format {
-    /// Whether results.csv is written.
-    pub fn has_table(self) -> bool {
-        self == Format::Csv
     }
 }
 

@@ -19,9 +19,9 @@ pub use tally::{Tally, cases_run};
 pub use unsolved::UnsolvedCases;
 
 use crate::batch::WarnedCases;
+use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::output::ensemble::EnsembleMetrics;
 use crate::batch::output::reductions::ReducedMetrics;
-use crate::batch::output::sobol::DesignMetrics;
 use crate::batch::output::tables::write_history;
 use crate::batch::output::{Folder, INDICES, REDUCTIONS, history_name};
 use crate::batch::store::Store;

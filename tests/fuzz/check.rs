@@ -4,8 +4,8 @@
 use crate::random_choice::RandomChoice;
 use crate::xml;
 use indicatif::ProgressBar;
+use slipgap::batch::groups::sobol::DesignMetrics;
 use slipgap::batch::output::reductions::ReducedMetrics;
-use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::{self, RunOptions, ShownCases};
 use slipgap::error::{Error, Fault};
 use slipgap::figures;

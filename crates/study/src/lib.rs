@@ -41,7 +41,7 @@ pub use describe::{problem_pages, problem_reference, reference, schema, start};
 pub use figure::kinds::{self, FigureKind};
 pub use measure::Measure;
 pub use measure::measures;
-pub use reduction::{Groups, Operator, Reduced, Reduction};
+pub use reduction::{CaseMetrics, Groups, Operator, Reduced, Reduction, reduced_cases};
 pub use slipgap_solver::expression::{printable, unprintable};
 pub use source::input::{Input, STDIN};
 pub use source::setting::{Setting, SettingFault};

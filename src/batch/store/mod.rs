@@ -9,11 +9,13 @@ mod constant_columns;
 mod lock;
 mod part_file;
 mod reading;
+mod rows;
 #[cfg(test)]
 mod tests;
 mod writing;
 
 pub use part_file::{STORE, rows};
+pub use rows::Rows;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt;

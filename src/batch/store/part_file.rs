@@ -2,9 +2,9 @@
 
 use super::catch_panic::catch_panic;
 use super::reading;
+use super::rows::Rows;
 use crate::batch::key::checksum;
 use crate::batch::output::atomic::read_file;
-use crate::compare::Rows;
 use slipgap_study::error::Error;
 use std::fs;
 use std::io::{self, ErrorKind};

@@ -1,6 +1,6 @@
 //! How far a command with several studies is, and what remains.
 
-use super::progress::duration;
+use super::duration::duration;
 use slipgap::batch::cost;
 use slipgap::batch::work_progress::WorkProgress;
 use slipgap::run::Source;

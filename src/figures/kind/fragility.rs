@@ -3,7 +3,8 @@
 use super::Draw;
 use super::ensembles::{Ensemble, ensembles, stroke, without_value};
 use crate::batch::GroupResults;
-use crate::batch::groups::fragility::{FragilityCurve, Probability};
+use crate::batch::groups::fragility::FragilityCurve;
+use crate::batch::groups::point::Probability;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::legend::Key;

@@ -11,7 +11,7 @@ mod measured;
 mod samples;
 mod structures;
 
-use crate::batch::output::sobol::DesignMetrics;
+use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::{DrawnCase, GroupResults};
 use crate::figures::{FigureData, ShownCases, png, sheet, svg};
 use slipgap_drawing::layout::sheet::Sheet;

@@ -1,7 +1,5 @@
 //! Whether values are within limits, and whether they still are when the limits move.
 
-use super::judge::short;
-
 /// Most values that a finding lists separately.
 const MOST: usize = 6;
 
@@ -103,6 +101,15 @@ fn summary(values: &[Option<f64>]) -> String {
     format!("{}..{} in {} cases", short(low), short(high), known.len())
 }
 
+/// A number with four digits.
+pub fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
+    match rounded.abs() {
+        0.0 | 1e-4..1e6 => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -153,5 +160,12 @@ mod tests {
     fn values_are_listed_or_summarised() {
         assert_eq!(summary(&[Some(1.0), None]), "undefined");
         assert_eq!(summary(&[Some(3.0); 7]), "3..3 in 7 cases");
+    }
+
+    #[test]
+    fn values_have_four_digits() {
+        assert_eq!(short(0.123456), "0.1235");
+        assert_eq!(short(1e-7), "1e-7");
+        assert_eq!(short(0.0), "0");
     }
 }

@@ -8,12 +8,9 @@ mod within;
 pub use page::{Judged, condition, page};
 pub use within::NEAR;
 
-use crate::batch;
-use crate::batch::store::{STORE, Store};
-use indicatif::ProgressBar;
-use ledger::{Claim, Ledger};
+use ledger::{Claim, Ledger, LedgerStudy};
+use slipgap_study::CaseMetrics;
 use slipgap_study::error::Error;
-use std::path::Path;
 
 /// The result of testing a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,17 +48,6 @@ impl Verdict {
     }
 }
 
-/// The store of a folder of results; none without results, or while another command uses it.
-fn store(results: &Path) -> Result<Option<Store>, Error> {
-    if !results.join(STORE).is_dir() {
-        return Ok(None);
-    }
-    match Store::open(results) {
-        Err(Error::Busy(_)) => Ok(None),
-        opened => opened.map(Some),
-    }
-}
-
 /// The computed result of a reading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
@@ -73,22 +59,21 @@ pub struct Finding {
     pub near: Vec<String>,
 }
 
-/// Tests every claim of a ledger, reading by reading. Each study is run once. Cases in the store of its folder in `out` are not
-/// computed again.
+/// Tests every claim of a ledger, reading by reading. `cases` gives the results of all cases of a study; it is called once for each.
 ///
 /// # Errors
-/// Of the store, and internal ones. An expectation of a case without a solution does not hold.
-pub fn compute(ledger: &Ledger, out: &Path, bar: &ProgressBar) -> Result<Vec<Vec<Finding>>, Error> {
-    let mut outcomes = Vec::new();
-    for ledger_study in &ledger.studies {
-        let store = store(&out.join(&ledger_study.name))?;
-        outcomes.push(batch::all(&ledger_study.study, store.as_ref(), bar)?);
-    }
+/// Those of `cases`. An expectation of a case without a solution does not hold.
+pub fn judged(
+    ledger: &Ledger,
+    cases: impl FnMut(&LedgerStudy) -> Result<Vec<CaseMetrics>, Error>,
+) -> Result<Vec<Vec<Finding>>, Error> {
+    let studies = ledger.studies.iter().map(cases);
+    let studies = studies.collect::<Result<Vec<_>, Error>>()?;
     let claim = |claim: &Claim| {
         let readings = claim.readings.iter();
         let findings = readings.map(|reading| {
             let study = &ledger.studies[reading.study].study;
-            judge::reading(study, &outcomes[reading.study], reading)
+            judge::reading(study, &studies[reading.study], reading)
         });
         findings.collect()
     };

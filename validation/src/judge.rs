@@ -2,13 +2,12 @@
 
 use super::Finding;
 use super::ledger::{Demand, Expect, Reading};
-use super::within::{Limits, Met, within};
-use crate::batch::{self, Outcome};
+use super::within::{Limits, Met, short, within};
 use slipgap_solver::problem::{Lines, Problem, Snapshot};
-use slipgap_study::{Reference, Study};
+use slipgap_study::{CaseMetrics, Reference, Study};
 
 /// Tests everything that a reading expects.
-pub fn reading(study: &Study, outcomes: &[Outcome], reading: &Reading) -> Finding {
+pub fn reading(study: &Study, outcomes: &[CaseMetrics], reading: &Reading) -> Finding {
     let results = reading
         .expect
         .iter()
@@ -32,25 +31,27 @@ fn finding(all: Vec<Met>) -> Finding {
     Finding { holds, found, near }
 }
 
-fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> Met {
+fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met {
     let cases = outcomes.iter().filter(|o| expect.filter.matches(&o.case));
-    let mut cases: Vec<&Outcome> = cases.collect();
+    let mut cases: Vec<&CaseMetrics> = cases.collect();
     let reduced = match expect.demand {
         Demand::Within { metric, .. }
         | Demand::Trend { metric, .. }
-        | Demand::LeastAt { metric, .. } => batch::reduced(study, &[metric], |take| {
-            for own in &cases {
-                take(&own.case, &|row| own.metrics.get(row).copied().flatten());
-            }
-        }),
+        | Demand::LeastAt { metric, .. } => {
+            slipgap_study::reduced_cases(study, &[metric], |take| {
+                for own in &cases {
+                    take(&own.case, &|row| own.metrics.get(row).copied().flatten());
+                }
+            })
+        }
         Demand::AwayFromFronts { .. } | Demand::LaterEvent { .. } => None,
     };
     if let Some(reduced) = &reduced {
         cases = reduced.iter().collect();
     }
     let problem = &*study.problem;
-    let own = |o: &Outcome, metric: usize| o.metrics[metric].filter(|x| x.is_finite());
-    let value = |o: &Outcome, metric: usize| match &expect.over {
+    let own = |o: &CaseMetrics, metric: usize| o.metrics[metric].filter(|x| x.is_finite());
+    let value = |o: &CaseMetrics, metric: usize| match &expect.over {
         None => own(o, metric),
         Some(over) => {
             let other = own(partner(over, o, outcomes)?, metric)?;
@@ -142,18 +143,22 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> Met {
 }
 
 /// The case that a metric is divided by.
-fn partner<'a>(over: &Reference, outcome: &Outcome, all: &'a [Outcome]) -> Option<&'a Outcome> {
+fn partner<'a>(
+    over: &Reference,
+    outcome: &CaseMetrics,
+    all: &'a [CaseMetrics],
+) -> Option<&'a CaseMetrics> {
     all.iter()
         .find(|other| over.pairs(&outcome.case, &other.case))
 }
 
 /// Parameter and value of every case in rising order of the parameter; `None` if a value is undefined.
 fn ordered(
-    cases: &[&Outcome],
+    cases: &[&CaseMetrics],
     along: usize,
-    value: impl Fn(&Outcome) -> Option<f64>,
+    value: impl Fn(&CaseMetrics) -> Option<f64>,
 ) -> Option<Vec<[f64; 2]>> {
-    let point = |o: &&Outcome| Some([o.case.values[along]?.as_f64()?, value(o)?]);
+    let point = |o: &&CaseMetrics| Some([o.case.values[along]?.as_f64()?, value(o)?]);
     let mut line = cases.iter().map(point).collect::<Option<Vec<_>>>()?;
     line.sort_by(|a, b| a[0].total_cmp(&b[0]));
     Some(line)
@@ -171,19 +176,10 @@ fn listed(line: &Option<Vec<[f64; 2]>>) -> String {
     }
 }
 
-/// A number with four digits.
-pub fn short(x: f64) -> String {
-    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
-    match rounded.abs() {
-        0.0 | 1e-4..1e6 => rounded.to_string(),
-        _ => format!("{rounded:e}"),
-    }
-}
-
 /// Root mean square of the error of a profile further than `away` from every front.
 fn away_from_fronts(
     problem: &dyn Problem,
-    outcome: &Outcome,
+    outcome: &CaseMetrics,
     row: usize,
     times: &[f64],
     away: f64,
@@ -210,7 +206,7 @@ fn away_from_fronts(
 /// Root mean square over the flights of the error of a number about the later event. The exact solution has 1.
 fn later_error(
     problem: &dyn Problem,
-    outcome: &Outcome,
+    outcome: &CaseMetrics,
     row: usize,
     flights: &[f64],
 ) -> Option<f64> {
@@ -245,13 +241,6 @@ mod tests {
         assert_eq!(near(&[1.0, 1.095, 0.905]), 2);
         assert_eq!(near(&[1.095, 1.105]), 1);
         assert_eq!(near(&[1.105, 1.2]), 0);
-    }
-
-    #[test]
-    fn values_have_four_digits() {
-        assert_eq!(short(0.123456), "0.1235");
-        assert_eq!(short(1e-7), "1e-7");
-        assert_eq!(short(0.0), "0");
     }
 
     #[test]
