@@ -3,8 +3,8 @@
 use crate::error::{raise, usage};
 use pyo3::prelude::*;
 use slipgap::batch::ShownCases;
+use slipgap::batch::files::atomic::write_file;
 use slipgap::batch::groups::sobol::DesignMetrics;
-use slipgap::batch::output::atomic::write_file;
 use slipgap::error::Error;
 use slipgap::figures::{self, FigureData, style};
 use slipgap::run::Source;

@@ -20,7 +20,7 @@ mod sources;
 pub mod terminal;
 
 use clap::Subcommand;
-use slipgap::batch::output::atomic::stop_writing;
+use slipgap::batch::files::atomic::stop_writing;
 use slipgap::error::Error;
 use terminal::note;
 

@@ -30,7 +30,7 @@ pub use quantiles::Quantiles;
 pub use results::{MOST_BYTES, Results};
 pub use section::{Section, TestedReading};
 
-use crate::batch::key::SOLVER_VERSION;
+use crate::batch::store::key::SOLVER_VERSION;
 use glyphs::Glyphs;
 use index::Index;
 use std::io::{self, Write};

@@ -502,7 +502,7 @@ fn the_names_of_parameters_belong_to_the_key_of_results() {
         ));
         let mut cases = Cases::new(study.problem.schema());
         study.cases().for_each(|case| cases.push(&case));
-        slipgap::batch::key::Key::new(&study, 0, &cases)
+        slipgap::batch::store::key::Key::new(&study, 0, &cases)
     };
     assert_ne!(key("a", "b"), key("b", "a"));
     assert_eq!(key("a", "b"), key("a", "b"));

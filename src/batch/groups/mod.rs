@@ -3,6 +3,7 @@
 mod capacities;
 pub mod fragility;
 pub mod point;
+pub(super) mod shown;
 pub mod sobol;
 
 use super::DrawnCase;

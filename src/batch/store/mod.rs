@@ -6,6 +6,7 @@
 
 mod catch_panic;
 mod constant_columns;
+pub mod key;
 mod lock;
 mod part_file;
 mod reading;
@@ -24,9 +25,9 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::chunk::{self, starts_in_same_chunk};
-use super::key::{Difference, Key, checksum};
-use super::output::atomic::{can_write, remove_leftovers, write_atomically};
+use crate::batch::files::atomic::{can_write, remove_leftovers, write_atomically};
+use crate::batch::parts::chunk::{self, starts_in_same_chunk};
+use crate::batch::store::key::{Difference, Key, checksum};
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
 use slipgap_solver::problem::cases::Cases;

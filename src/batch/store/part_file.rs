@@ -3,8 +3,8 @@
 use super::catch_panic::catch_panic;
 use super::reading;
 use super::rows::Rows;
-use crate::batch::key::checksum;
-use crate::batch::output::atomic::read_file;
+use crate::batch::files::atomic::read_file;
+use crate::batch::store::key::checksum;
 use slipgap_study::error::Error;
 use std::fs;
 use std::io::{self, ErrorKind};

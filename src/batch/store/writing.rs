@@ -18,7 +18,7 @@ use serde_json::json;
 
 use super::constant_columns::{ConstantColumns, EncodedColumn};
 use super::reading::{FAILURE, OWN_TEXTS, WARNED, general};
-use crate::batch::key::Key;
+use crate::batch::store::key::Key;
 use slipgap_solver::problem::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
 use slipgap_solver::problem::parameter::{Kind, Value};
 use slipgap_solver::solve::MetricTable;

@@ -1,9 +1,9 @@
 //! Computes cases: in lanes if possible, else one at a time.
 
-use super::chunk::WORK;
 use super::options::RunOptions;
 use super::part_result::Solutions;
 use super::signal_order::signal_order;
+use crate::batch::parts::chunk::WORK;
 use rayon::prelude::*;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::problem::{Case, Solution};
@@ -18,14 +18,14 @@ const MOST_CASES: u64 = 4096;
 const FEWEST_CASES: u64 = 64;
 
 /// Largest work of one sweep of more cases, which takes a fraction of a second.
-pub(super) const SWEEP_WORK: f64 = 2e7;
+pub(in crate::batch) const SWEEP_WORK: f64 = 2e7;
 
 /// Largest work of one sweep on a single thread: a fraction of a second, after which a run can be stopped.
 const LONGEST_SWEEP: f64 = 1e8;
 
 /// Cases of one sweep if there are several threads, of `cases` with this work together. Only cases with the same modes share
 /// lanes, so that each case of a small sweep takes longer than in a large one.
-pub(super) fn slice(cases: u64, work: f64) -> u64 {
+pub(in crate::batch) fn slice(cases: u64, work: f64) -> u64 {
     let slice = SWEEP_WORK / work * cases as f64;
     (slice as u64).clamp(FEWEST_CASES, MOST_CASES)
 }
@@ -40,7 +40,7 @@ fn lanes_possible(study: &Study, options: &RunOptions) -> bool {
 }
 
 /// Largest number of tasks of the study, with the work `total`, that can run at the same time on any number of threads.
-pub(super) fn parallel_tasks(study: &Study, options: &RunOptions, total: f64) -> usize {
+pub(in crate::batch) fn parallel_tasks(study: &Study, options: &RunOptions, total: f64) -> usize {
     let cases = study.len() as usize;
     let parts = (total / WORK as f64).ceil() as usize;
     match lanes_possible(study, options) {
@@ -53,7 +53,7 @@ pub(super) fn parallel_tasks(study: &Study, options: &RunOptions, total: f64) ->
 }
 
 /// The rows of cases that break no rule.
-pub(super) fn solvable_rows(cases: &Cases) -> Vec<u32> {
+pub(in crate::batch) fn solvable_rows(cases: &Cases) -> Vec<u32> {
     let rows = 0..cases.len() as u32;
     rows.filter(|row| cases.may_be_solved(*row as usize))
         .collect()
@@ -61,7 +61,7 @@ pub(super) fn solvable_rows(cases: &Cases) -> Vec<u32> {
 
 /// The metrics of these rows of a part, which have this work, and the histories to keep. `tick` receives the number of finished rows, some at a
 /// time.
-pub(super) fn compute_rows(
+pub(in crate::batch) fn compute_rows(
     study: &Study,
     first: u64,
     (cases, rows, work): (&Cases, &[u32], f64),

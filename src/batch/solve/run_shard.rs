@@ -1,11 +1,11 @@
 //! Computes the parts of a shard.
 
-use super::chunk;
 use super::compute;
-use super::queue::PartQueue;
 use super::run_part::{KeptPart, keep_part};
-use super::shard::Shard;
-use super::store::Store;
+use crate::batch::parts::chunk;
+use crate::batch::parts::queue::PartQueue;
+use crate::batch::parts::shard::Shard;
+use crate::batch::store::Store;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use slipgap_study::Study;

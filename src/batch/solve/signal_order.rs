@@ -8,7 +8,11 @@ use std::collections::BTreeMap;
 
 /// The rows in blocks whose sampled signals fit in memory, in the order of their first use; one block if all of them fit. In a
 /// block the order of the rows stays. Blocks that are computed one after the other need each signal in one block only.
-pub(super) fn signal_order(study: &Study, cases: &Cases, rows: Vec<u32>) -> Vec<Vec<u32>> {
+pub(in crate::batch) fn signal_order(
+    study: &Study,
+    cases: &Cases,
+    rows: Vec<u32>,
+) -> Vec<Vec<u32>> {
     let mut shown = cases.shown();
     let mut samples = |row: &u32| study.problem.samples(shown.at(*row as usize));
     match rows.first() {

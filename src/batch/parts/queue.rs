@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 /// The parts that are left.
-pub(super) struct PartQueue<'a> {
+pub(in crate::batch) struct PartQueue<'a> {
     study: &'a Study,
     /// Only parts of this shard are left, if there is one.
     shard: Option<Shard>,
@@ -20,7 +20,7 @@ pub(super) struct PartQueue<'a> {
 
 impl<'a> PartQueue<'a> {
     /// All parts of a study.
-    pub(super) fn new(study: &'a Study) -> PartQueue<'a> {
+    pub(in crate::batch) fn new(study: &'a Study) -> PartQueue<'a> {
         PartQueue {
             study,
             shard: None,
@@ -31,7 +31,7 @@ impl<'a> PartQueue<'a> {
     }
 
     /// The parts of one shard.
-    pub(super) fn of_shard(study: &'a Study, shard: Shard) -> PartQueue<'a> {
+    pub(in crate::batch) fn of_shard(study: &'a Study, shard: Shard) -> PartQueue<'a> {
         PartQueue {
             shard: Some(shard),
             ..PartQueue::new(study)
@@ -40,7 +40,7 @@ impl<'a> PartQueue<'a> {
 
     /// The next `count` parts with the numbers that decide their shards, fewer at the end. In a large study this is the number of
     /// the chunk, so that a shard makes only its own chunks; else the number of the part.
-    pub(super) fn next(&mut self, count: usize) -> Vec<(u64, Part)> {
+    pub(in crate::batch) fn next(&mut self, count: usize) -> Vec<(u64, Part)> {
         let (study, shard) = (self.study, self.shard);
         let whole = chunk::owned_whole(study);
         let has = |number: u64| shard.is_none_or(|shard| shard.has(number));

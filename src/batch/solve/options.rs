@@ -1,7 +1,7 @@
 //! How the cases of a study are run.
 
-use super::store::Store;
 use super::work_progress::WorkProgress;
+use crate::batch::store::Store;
 use slipgap_solver::problem::{Case, Solution};
 use slipgap_study::error::Error;
 
@@ -33,7 +33,7 @@ impl RunOptions<'_> {
     };
 
     /// [`Error::Interrupted`] if the run is stopped.
-    pub(super) fn go_on(&self) -> Result<(), Error> {
+    pub(in crate::batch) fn go_on(&self) -> Result<(), Error> {
         self.progress.map_or(Ok(()), WorkProgress::go_on)
     }
 }

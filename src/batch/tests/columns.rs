@@ -1,10 +1,10 @@
 //! A new parameter with a default: a copy of the friction oscillator with one more parameter.
 
-use super::key::{CaseHash, Key};
-use super::output::results::ResultTable;
-use super::output::tables::FailureTable;
-use super::store::Store;
-use super::{RunOptions, run};
+use crate::batch::output::results::ResultTable;
+use crate::batch::output::tables::FailureTable;
+use crate::batch::store::Store;
+use crate::batch::store::key::{CaseHash, Key};
+use crate::batch::{RunOptions, run};
 use slipgap_solver::history::History;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::problem::friction::FrictionOscillator;

@@ -1,7 +1,7 @@
 //! What is made for a study: sampled signals and the pieces of exact motions, counted.
 
-use crate::batch::cost::{self, measure, total};
-use crate::batch::{self, RunOptions, divergence};
+use crate::batch::solve::cost::{self, measure, total};
+use crate::batch::{self, RunOptions, solve::divergence};
 use slipgap_solver::problem::structure::MOST_SAMPLED;
 use slipgap_study::{Study, parse};
 use std::time::Duration;

@@ -1,7 +1,7 @@
 //! Metrics that are computed from others: in the units of the study, by arithmetic, and over those of a reference case. The store never
 //! contains them.
 
-use super::PartResult;
+use crate::batch::PartResult;
 use slipgap_solver::problem::Case;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::solve::MetricTable;
@@ -45,7 +45,7 @@ fn set_arithmetic(cases: &Cases, metrics: &mut MetricTable, column: usize, compu
 }
 
 /// Sets the ratios of all cases of a study, and what is computed from them.
-pub(super) fn add_ratios(study: &Study, parts: &mut [PartResult]) {
+pub(in crate::batch) fn add_ratios(study: &Study, parts: &mut [PartResult]) {
     for (column, _, computed) in study.computed().filter(|(.., computed)| computed.late) {
         match &computed.rule {
             Rule::Formula(_) => {

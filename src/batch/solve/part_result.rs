@@ -1,6 +1,6 @@
 //! The results of a part: as columns, or case by case.
 
-use super::store::Miss;
+use crate::batch::store::Miss;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::problem::{Case, Solution};
 use slipgap_solver::solve::{MetricTable, Unsolvable};
@@ -22,7 +22,7 @@ pub struct Outcome {
 }
 
 /// The histories of some cases of a part, by row.
-pub(super) type Solutions = BTreeMap<usize, Box<Solution>>;
+pub(in crate::batch) type Solutions = BTreeMap<usize, Box<Solution>>;
 
 /// The results of a part.
 #[derive(Debug)]
@@ -33,7 +33,7 @@ pub struct PartResult {
     pub cases: Cases,
     /// Their metrics.
     pub metrics: MetricTable,
-    pub(super) solutions: Solutions,
+    pub(in crate::batch) solutions: Solutions,
     /// Whether the store had the part; if not, why.
     pub stored: Result<(), Miss>,
     /// Number of cases whose metrics come from the store: from this part, or from others.

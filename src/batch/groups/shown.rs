@@ -1,6 +1,6 @@
 //! The results that figures show, as columns: 8 bytes for a number of a case.
 
-use super::PartResult;
+use crate::batch::PartResult;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::problem::parameter::Value;
 use slipgap_solver::problem::{Case, Schema, Snapshot, Solution};

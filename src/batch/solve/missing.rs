@@ -1,10 +1,10 @@
 //! The parts of a study that its store does not have: what is left for shards to compute.
 
-use super::chunk;
-use super::key::Key;
-use super::queue::PartQueue;
-use super::shard::shard_of;
-use super::store::{Miss, Store};
+use crate::batch::parts::chunk;
+use crate::batch::parts::queue::PartQueue;
+use crate::batch::parts::shard::shard_of;
+use crate::batch::store::key::Key;
+use crate::batch::store::{Miss, Store};
 use rayon::prelude::*;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
@@ -122,7 +122,7 @@ fn ranges(numbers: &BTreeSet<u64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::batch::key::Difference;
+    use crate::batch::store::key::Difference;
 
     #[test]
     fn the_message_counts_the_parts_and_names_the_shards() {

@@ -1,11 +1,11 @@
 //! Runs one part: reads it from the store, or computes and stores it.
 
-use super::chunk::Part;
-use super::key::{CaseHash, Key};
 use super::options::RunOptions;
 use super::part_result::{PartResult, Solutions};
-use super::store::{EarlierCases, Miss, Store};
 use super::{compute, computed};
+use crate::batch::parts::chunk::Part;
+use crate::batch::store::key::{CaseHash, Key};
+use crate::batch::store::{EarlierCases, Miss, Store};
 use indicatif::ProgressBar;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::solve::MetricTable;
@@ -13,7 +13,7 @@ use slipgap_study::Study;
 use slipgap_study::error::Error;
 
 /// Reads a part from the store, or computes and stores it.
-pub(super) fn run_part(
+pub(in crate::batch) fn run_part(
     study: &Study,
     part: Part,
     bar: &ProgressBar,
@@ -62,7 +62,7 @@ pub(super) fn run_part(
 }
 
 /// A part that is in the store now.
-pub(super) struct KeptPart {
+pub(in crate::batch) struct KeptPart {
     /// Whether it was computed; else it was there.
     pub computed: bool,
     /// Number of its computed cases that could not be solved.
@@ -71,7 +71,7 @@ pub(super) struct KeptPart {
 
 /// Computes and stores a part unless the store has it. Cases of other parts are not used: a shard would read the parts of all
 /// others for each of its own.
-pub(super) fn keep_part(
+pub(in crate::batch) fn keep_part(
     study: &Study,
     part: Part,
     bar: &ProgressBar,
