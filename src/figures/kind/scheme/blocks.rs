@@ -1,41 +1,18 @@
 //! Where links meet matrices: at named points on the edge of a block, or at a node that a thin line leads to.
 
-use super::inner;
+use super::join::end;
 use super::mesh;
-use super::paint::Painter;
-use super::places::has_places;
-use super::relations::{Join, Relations, end};
-use super::sizes::{NODES, length};
-use super::symbols;
+use super::painter::Painter;
+use super::part::{AROUND_NODES, BESIDE, extent, has_places, is_node, longest};
+use super::symbols::{self, length};
 use slipgap_drawing::layout::sheet::{Anchor, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text::markup;
 use slipgap_solver::problem::structure::scheme::model::Model;
-use slipgap_solver::problem::structure::scheme::{Part, Place, Scheme};
+use slipgap_solver::problem::structure::scheme::{Part, Place};
 
-/// Space beside a name.
-const BESIDE: f64 = 6.0;
 /// Distance of links over a part from its edge.
 const INSET: f64 = 5.0;
-
-/// The longest name at the edge of a block; 0 for other parts.
-pub fn longest(part: &Part) -> f64 {
-    let Some(model) = part.model.as_ref().filter(|_| !has_places(part)) else {
-        return 0.0;
-    };
-    let names = model.interface.iter().map(|named| length(&named.name));
-    names.fold(0.0, f64::max)
-}
-
-/// Width of the names at the edges of a block; 0 for other parts.
-pub fn room(scheme: &Scheme, relations: &Relations, part: usize) -> f64 {
-    let own = |join: &&Join| matches!(**join, Join::Over(a, b) if a == part || b == part);
-    let over = relations.joins.iter().filter(own).count().max(1);
-    match longest(&scheme.parts[part]) {
-        0.0 => 0.0,
-        longest => 2.0 * over as f64 * (longest + BESIDE),
-    }
-}
 
 /// Distance of link `count` over a part from the edge of the part.
 pub fn inset(part: &Part, count: usize) -> f64 {
@@ -51,10 +28,10 @@ impl Painter<'_> {
         let rect = self.rects[part];
         let own = [self.sizes.width[part], self.sizes.height[part]];
         let corner = [
-            rect.left + (rect.width - own[0]) / 2.0 + NODES,
-            rect.top + (rect.height - own[1]) / 2.0 + NODES,
+            rect.left + (rect.width - own[0]) / 2.0 + AROUND_NODES,
+            rect.top + (rect.height - own[1]) / 2.0 + AROUND_NODES,
         ];
-        let least = [0, 1].map(|axis| super::places::extent(&model.nodes, axis)[0]);
+        let least = [0, 1].map(|axis| extent(&model.nodes, axis)[0]);
         let nodes = model.nodes.iter();
         nodes
             .map(|node| [0, 1].map(|k| corner[k] + node[k] - least[k]))
@@ -63,7 +40,7 @@ impl Painter<'_> {
 
     /// Marks where an end of a link is at a part. `which` is 1 for the second of two ends at this part.
     pub fn attach(&mut self, l: usize, part: usize, which: usize, at: [f64; 2]) {
-        if inner::is_node(&self.scheme.parts[part]) {
+        if is_node(&self.scheme.parts[part]) {
             self.joined.push((part, at));
         }
         let link = &self.scheme.links[l];

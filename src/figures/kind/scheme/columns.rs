@@ -1,14 +1,15 @@
 //! The places of the parts of a scheme from left to right.
 
-use super::places::has_places;
-use super::relations::{Join, Relations};
+use super::join::Join;
+use super::part::has_places;
+use super::reach::reach;
+use super::relations::Relations;
 use super::sizes::{Sizes, interval};
-use slipgap_solver::problem::structure::scheme::{End, Place, Scheme};
+use super::symbols;
+use slipgap_solver::problem::structure::scheme::Scheme;
 
 /// Distance of parts in a row that nothing joins.
 const APART: f64 = 18.0;
-/// Room for an arrow at a face.
-const ARROW: f64 = 26.0;
 /// Rounds in which bars become longer until the masses below have room.
 const ROUNDS: usize = 20;
 
@@ -31,40 +32,6 @@ pub fn place(scheme: &Scheme, relations: &Relations) -> (Sizes, Vec<f64>) {
         }
     }
     (Sizes::of(scheme, relations, &longer), longer)
-}
-
-/// What is at the faces of a part besides other parts.
-fn reach(scheme: &Scheme, relations: &Relations, part: usize, side: usize) -> f64 {
-    let at_face = |join: &Join| match *join {
-        Join::Beside(parts) => parts[1 - side] == Some(part) && parts[side].is_none(),
-        _ => false,
-    };
-    let links = scheme.links.iter().zip(&relations.joins);
-    let wall = interval(
-        links
-            .filter(|(_, join)| at_face(join))
-            .map(|(link, _)| link),
-    );
-    let wall = if wall > 0.0 {
-        wall + super::symbols::DEPTH
-    } else {
-        0.0
-    };
-    let loaded = |end: &End| matches!(*end, End::Part(loaded, place) if loaded == part && at_side(place, side));
-    match scheme.loads.iter().any(loaded) {
-        true => wall.max(ARROW),
-        false => wall,
-    }
-}
-
-/// Whether an arrow at this place may be at a side.
-fn at_side(place: Place, side: usize) -> bool {
-    match place {
-        Place::Left => side == 0,
-        Place::Right => side == 1,
-        Place::Mass | Place::Dof(_) => true,
-        Place::Inner(_) => false,
-    }
 }
 
 /// Parts above one another.
@@ -233,7 +200,7 @@ impl<'a> Columns<'a> {
             for l in self.to_bars(column) {
                 if let Some(slot) = self.sizes.slots[l] {
                     let x = self.left[slot.of] + self.sizes.offset(slot);
-                    let half = super::symbols::across(self.scheme.links[l].kind) / 2.0 + 3.0;
+                    let half = symbols::across(self.scheme.links[l].kind) / 2.0 + 3.0;
                     places.push([x - half, x + half]);
                 }
             }

@@ -1,24 +1,13 @@
 //! The nodes between laws in series: a dot where the links meet.
 
 use super::mesh;
-use super::paint::Painter;
+use super::painter::Painter;
+use super::part::is_node;
 use super::symbols;
 use slipgap_drawing::layout::sheet::Shape;
-use slipgap_solver::problem::structure::scheme::Part;
-
-/// Width and height of such a node.
-pub const SIZE: f64 = 4.0;
 
 /// Radius of its dot.
 const DOT: f64 = 1.6;
-
-/// Whether a part is a node between laws in series, as NAME.node1. Other parts have no dot in their names.
-pub fn is_node(part: &Part) -> bool {
-    let number = part.name.rsplit_once(".node").map(|(_, number)| number);
-    part.elements.is_none()
-        && part.model.is_none()
-        && number.is_some_and(|number| number.parse::<u32>().is_ok())
-}
 
 impl Painter<'_> {
     /// The dots, with a line to each link.

@@ -1,17 +1,14 @@
-//! Draws the links of a scheme, the ground and the loads.
+//! Draws the links of a scheme.
 
 use super::blocks;
-use super::paint::{OVER, Painter, ROWS};
-use super::relations::{Join, end};
-use super::sizes::{self, NAME_GAP, lane};
-use super::symbols::{self, link};
+use super::join::{Join, end};
+use super::painter::{OVER, Painter, ROWS};
+use super::sizes::lane;
+use super::symbols::{self, NAME_GAP, link};
 use slipgap_drawing::layout::sheet::{Anchor, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text::markup;
-use slipgap_solver::problem::structure::scheme::{End, Link, LinkKind, Place};
-
-/// Length of an arrow.
-const FORCE: f64 = 22.0;
+use slipgap_solver::problem::structure::scheme::{Link, LinkKind};
 
 /// A point of the picture.
 type Point = [f64; 2];
@@ -34,26 +31,6 @@ pub struct LinkPlace {
     pub name: (Point, Anchor),
     /// Where ends are at parts.
     pub attached: Vec<(usize, usize, Point)>,
-}
-
-/// A force on a part.
-pub struct LoadPlace {
-    /// The end that it acts on.
-    pub end: End,
-    /// From its tail to its head.
-    pub arrow: [Point; 2],
-    /// A post on the part that carries it.
-    pub post: Option<[Point; 2]>,
-    /// Where its end is at the part.
-    pub at: Point,
-}
-
-/// A surface of the ground from one point to the other, hatched on the side `away`.
-pub struct GroundPlace {
-    /// The points.
-    pub ends: [Point; 2],
-    /// See above.
-    pub away: Point,
 }
 
 impl Painter<'_> {
@@ -85,44 +62,6 @@ impl Painter<'_> {
                 Join::Beside(_) => places.extend(self.beside(l)),
             }
         }
-        places
-    }
-
-    /// The surfaces of the ground: walls, then floors.
-    pub fn ground_places(&self) -> Vec<GroundPlace> {
-        let mut floors: Vec<[f64; 2]> = Vec::new();
-        let mut walls: Vec<(usize, usize)> = Vec::new();
-        for l in 0..self.scheme.links.len() {
-            match self.relations.joins[l] {
-                Join::Above(None, upper) => floors.extend(self.floor_below(l, upper)),
-                Join::Beside([left, right]) if left.is_none() || right.is_none() => {
-                    walls.extend(left.map(|part| (part, 1)));
-                    walls.extend(right.map(|part| (part, 0)));
-                }
-                Join::Above(..) | Join::Beside(_) | Join::Over(..) => {}
-            }
-        }
-        let wall = |(part, side): (usize, usize)| {
-            let (x, rect) = (self.wall(part, side), self.rects[part]);
-            GroundPlace {
-                ends: [[x, rect.top - 2.0], [x, rect.bottom() + 2.0]],
-                away: [2.0 * side as f64 - 1.0, 0.0],
-            }
-        };
-        let mut places: Vec<GroundPlace> = walls.into_iter().map(wall).collect();
-        floors.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let mut joined: Vec<[f64; 2]> = Vec::new();
-        for [from, to] in floors {
-            match joined.last_mut() {
-                Some(last) if from < last[1] + 120.0 => last[1] = last[1].max(to),
-                _ => joined.push([from, to]),
-            }
-        }
-        let floor = |[from, to]: [f64; 2]| GroundPlace {
-            ends: [[from, self.floor], [to, self.floor]],
-            away: [0.0, 1.0],
-        };
-        places.extend(joined.into_iter().map(floor));
         places
     }
 
@@ -193,35 +132,6 @@ impl Painter<'_> {
                 false => ([x - away, y], Anchor::End),
             },
             attached,
-        })
-    }
-
-    /// The ground that a vertical link needs, from left to right.
-    fn floor_below(&self, l: usize, upper: usize) -> Option<[f64; 2]> {
-        let slot = self.sizes.slots[l]?;
-        let x = self.rects[slot.of].left + self.sizes.offset(slot);
-        let rect = &self.rects[upper];
-        Some(match self.scheme.parts[upper].elements.is_some() {
-            true => [x - 18.0, x + 18.0],
-            false => [rect.left - 6.0, rect.right() + 6.0],
-        })
-    }
-
-    /// Where the wall at a side of a part is.
-    fn wall(&self, part: usize, side: usize) -> f64 {
-        let width = sizes::interval(self.at_face(part, side).map(|l| &self.scheme.links[l]));
-        match side {
-            0 => self.rects[part].left - width,
-            _ => self.rects[part].right() + width,
-        }
-    }
-
-    /// Horizontal links at a side of a part.
-    fn at_face(&self, part: usize, side: usize) -> impl Iterator<Item = usize> + '_ {
-        let joins = self.relations.joins.iter().enumerate();
-        joins.filter_map(move |(l, join)| match *join {
-            Join::Beside(parts) => (parts[1 - side] == Some(part)).then_some(l),
-            _ => None,
         })
     }
 
@@ -317,69 +227,6 @@ impl Painter<'_> {
                 (parts[1], usize::from(a == b), [to, second.top]),
             ],
         }
-    }
-
-    /// An arrow for each load: at a free face of its part, or over it.
-    pub fn loads(&mut self) {
-        for load in self.load_places() {
-            if let Some(post) = load.post {
-                let post = Shape::Line(post.to_vec(), symbols::OUTLINE);
-                self.picture.shapes.push(post);
-            }
-            self.picture.shapes.push(Shape::Arrow(load.arrow));
-            if let End::Part(part, Place::Dof(dof)) = load.end {
-                self.attach_dof(part, dof, load.at);
-            }
-        }
-    }
-
-    /// Where the loads are.
-    pub fn load_places(&self) -> Vec<LoadPlace> {
-        let mut done: Vec<(usize, usize)> = Vec::new();
-        let mut places = Vec::new();
-        for load in &self.scheme.loads {
-            let End::Part(part, place) = *load else {
-                continue;
-            };
-            let rect = self.rects[part];
-            let is_free = |side: usize| {
-                let shown = done.contains(&(part, side));
-                !shown && self.at_face(part, side).next().is_none()
-            };
-            let middle = rect.top + rect.height / 2.0;
-            let side = match place {
-                Place::Left | Place::Mass | Place::Dof(_) if is_free(0) => 0,
-                Place::Right | Place::Mass | Place::Dof(_) if is_free(1) => 1,
-                Place::Left | Place::Right | Place::Mass | Place::Inner(_) | Place::Dof(_) => 2,
-            };
-            done.push((part, side));
-            let mut post = None;
-            let arrow = match (side, place) {
-                (0, _) => [[rect.left - FORCE, middle], [rect.left - 0.5, middle]],
-                (1, _) => [[rect.right(), middle], [rect.right() + FORCE, middle]],
-                (_, place) => {
-                    let x = match place {
-                        Place::Left => rect.left + 4.0,
-                        Place::Right | Place::Mass | Place::Dof(_) => rect.right() - 4.0,
-                        Place::Inner(part) => rect.left + part * rect.width,
-                    };
-                    let y = rect.top - 7.0;
-                    post = Some([[x, rect.top], [x, y]]);
-                    [[x, y], [x + FORCE, y]]
-                }
-            };
-            places.push(LoadPlace {
-                end: *load,
-                arrow,
-                post,
-                at: match side {
-                    0 => [rect.left, middle],
-                    1 => [rect.right(), middle],
-                    _ => [rect.right() - 4.0, rect.top],
-                },
-            });
-        }
-        places
     }
 }
 

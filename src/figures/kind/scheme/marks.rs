@@ -4,6 +4,7 @@ use super::labels::Labels;
 use super::mesh;
 use super::places::Placed;
 use super::symbols::{self, FACE, GAP, OUTLINE};
+use super::walls::{Wall, Walls};
 use slipgap_drawing::layout::sheet::{Picture, Rect, Shape};
 use slipgap_drawing::text::markup;
 use slipgap_solver::problem::structure::scheme::model::Model;
@@ -19,9 +20,6 @@ const FACES: [f64; 2] = [4.0, 1.2];
 const PLATE: f64 = 8.0;
 /// More nodes than this are not named one by one, nor led to the ground.
 const MANY: usize = 12;
-/// Surfaces of the ground that are nearer are one.
-const ONE_GROUND: f64 = 60.0;
-
 /// A point of the picture.
 type Point = [f64; 2];
 
@@ -33,7 +31,7 @@ pub fn draw(picture: &mut Picture, placed: &Placed, model: &Model, places: &[Poi
         model,
         places,
         middle: middle(places),
-        walls: Vec::new(),
+        walls: Walls::default(),
     };
     let ends: Vec<[Point; 2]> = placed.inner.iter().map(|link| marks.ends(link)).collect();
     let middles: Vec<Point> = ends.iter().map(|ends| middle(ends)).collect();
@@ -55,7 +53,7 @@ pub fn draw(picture: &mut Picture, placed: &Placed, model: &Model, places: &[Poi
         });
     }
     marks.held(picture, &mut labels);
-    marks.ground(picture, &mut labels);
+    marks.walls.draw(picture, &mut labels);
     marks.forces(picture, &mut labels);
     for (name, [first, end]) in &placed.names {
         let own = &places[*first..*end];
@@ -87,19 +85,12 @@ fn half(at: Point, all: &[Point]) -> f64 {
     (0.38 * distances.fold(f64::INFINITY, f64::min)).clamp(FACES[1], FACES[0])
 }
 
-/// A link to the ground that needs a surface: which way it is, where, and along it.
-struct Wall {
-    away: Point,
-    at: f64,
-    along: f64,
-}
-
 struct Marks<'a> {
     placed: &'a Placed,
     model: &'a Model,
     places: &'a [Point],
     middle: Point,
-    walls: Vec<Wall>,
+    walls: Walls,
 }
 
 impl Marks<'_> {
@@ -150,7 +141,7 @@ impl Marks<'_> {
             true => end,
             false => [end[1], end[0]],
         };
-        self.walls.push(Wall { away, at, along });
+        self.walls.0.push(Wall { away, at, along });
         match i {
             Some(_) => [node, end],
             None => [end, node],
@@ -222,7 +213,7 @@ impl Marks<'_> {
                     .push(Shape::Line(vec![[x, y], [x, end]], symbols::HATCH));
                 labels.crossed([[x, y], [x, end]]);
             }
-            self.walls.push(Wall {
+            self.walls.0.push(Wall {
                 away: [0.0, 1.0],
                 at: end,
                 along: x,
@@ -246,39 +237,6 @@ impl Marks<'_> {
                 .rsplit_once('.')
                 .map_or(&own.name[..], |(node, _)| node);
             labels.near(self.places[own.node], markup::escape(name));
-        }
-    }
-
-    /// Surfaces of the ground.
-    fn ground(&mut self, picture: &mut Picture, labels: &mut Labels) {
-        self.walls.sort_by(|a, b| a.along.total_cmp(&b.along));
-        for away in [[-1.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
-            let mut joined: Vec<([f64; 2], f64)> = Vec::new();
-            for wall in self.walls.iter().filter(|wall| wall.away == away) {
-                match joined.last_mut() {
-                    Some((range, at))
-                        if wall.along < range[1] + ONE_GROUND && (wall.at - *at).abs() < 1.0 =>
-                    {
-                        range[1] = wall.along;
-                    }
-                    _ => joined.push(([wall.along; 2], wall.at)),
-                }
-            }
-            for ([from, to], at) in joined {
-                let ends = [from - 7.0, to + 7.0].map(|along| match away[1] == 0.0 {
-                    true => [at, along],
-                    false => [along, at],
-                });
-                symbols::ground(picture, ends, away);
-                let [left, top] = [0, 1].map(|k| ends[0][k].min(ends[1][k]) - symbols::DEPTH);
-                let lengths = [0, 1].map(|k| (ends[1][k] - ends[0][k]).abs());
-                labels.taken(Rect {
-                    left,
-                    top,
-                    width: lengths[0] + 2.0 * symbols::DEPTH,
-                    height: lengths[1] + 2.0 * symbols::DEPTH,
-                });
-            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! How the links between two parts of a scheme are drawn: side by side or above one another.
 
-use super::relations::{Join, end};
+use super::join::{Join, end};
 use slipgap_solver::problem::structure::scheme::{LinkKind, Place, Scheme};
 
 /// What decides how pairs are drawn.

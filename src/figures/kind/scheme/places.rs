@@ -1,7 +1,8 @@
 //! Nodes of other programs in the plane of the picture. All matrices with places become one part, whose nodes are in points.
 
-use super::sizes;
-use super::symbols;
+use super::groups;
+use super::part::{extent, has_places};
+use super::symbols::{self, length};
 use slipgap_solver::problem::structure::scheme::model::Model;
 use slipgap_solver::problem::structure::scheme::{End, Link, Part, Place, Scheme};
 
@@ -22,13 +23,6 @@ pub struct Placed {
     pub names: Vec<(String, [usize; 2])>,
     /// Which of X, Y, Z is horizontal and which vertical.
     pub axes: [usize; 2],
-}
-
-/// Whether a part is drawn as nodes.
-pub fn has_places(part: &Part) -> bool {
-    part.model
-        .as_ref()
-        .is_some_and(|model| !model.nodes.is_empty())
 }
 
 impl Placed {
@@ -85,10 +79,10 @@ impl Placed {
         let (on_nodes, loads): (Vec<End>, Vec<End>) =
             scheme.loads.iter().copied().map(end).partition(is_inner);
         scale(&mut all, axes);
-        super::groups::move_apart(
+        groups::move_apart(
             &mut all,
             &inner,
-            |link| symbols::along(link.kind).max(sizes::length(&link.name)) + 8.0,
+            |link| symbols::along(link.kind).max(length(&link.name)) + 8.0,
             LARGEST.map(|length| BESIDE * length),
         );
         let mut parts: Vec<Part> = others.iter().map(|i| scheme.parts[*i].clone()).collect();
@@ -114,14 +108,6 @@ impl Placed {
             axes,
         })
     }
-}
-
-/// The least and largest coordinate of an axis.
-pub fn extent(nodes: &[[f64; 3]], axis: usize) -> [f64; 2] {
-    let start = [f64::INFINITY, f64::NEG_INFINITY];
-    nodes.iter().fold(start, |[low, high], node| {
-        [low.min(node[axis]), high.max(node[axis])]
-    })
 }
 
 /// The two axes with the largest extents, in the order X, Y, Z.

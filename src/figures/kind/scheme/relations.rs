@@ -5,20 +5,10 @@
 //! building, and a bar to the mass that carries it; bars are joined end to end. The part that springs and friction connect
 //! to the ground in fewer steps is the lower one; a bar is on masses that are held, or that come first in their link.
 
+use super::join::{Join, end};
 use super::pairs::Facts;
-use slipgap_solver::problem::structure::scheme::{End, Link, LinkKind, Place, Scheme};
+use slipgap_solver::problem::structure::scheme::{Link, LinkKind, Place, Scheme};
 use std::collections::BTreeMap;
-
-/// How a link is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Join {
-    /// Between the right face of one part and the left face of another; `None` is a wall of the ground.
-    Beside([Option<usize>; 2]),
-    /// Between the top of a lower part and the bottom of an upper one; `None` is the ground.
-    Above(Option<usize>, usize),
-    /// Over other parts of their row, from the first to the second part.
-    Over(usize, usize),
-}
 
 /// The joins of a scheme and the rows of its parts.
 pub struct Relations {
@@ -28,14 +18,6 @@ pub struct Relations {
     pub rows: Vec<usize>,
     /// Parts that links connect, each group by its first part.
     pub groups: Vec<usize>,
-}
-
-/// A part of a link with its place; `None` for the ground.
-pub fn end(link: &Link, k: usize) -> Option<(usize, Place)> {
-    match link.between[k] {
-        End::Ground => None,
-        End::Part(part, place) => Some((part, place)),
-    }
 }
 
 /// The root of `i` among sets of parts.

@@ -1,10 +1,9 @@
 //! Sizes of the parts of a scheme, and the places of links on their upper and lower sides.
 
-use super::blocks;
-use super::inner;
-use super::places::{extent, has_places};
-use super::relations::{Join, Relations, end};
-use super::symbols;
+use super::join::{Join, end};
+use super::part::{self, AROUND_NODES, BESIDE, extent, has_places, is_node, longest};
+use super::relations::Relations;
+use super::symbols::{self, NAME_GAP, length};
 use slipgap_drawing::style;
 use slipgap_drawing::text;
 use slipgap_solver::problem::structure::scheme::{Link, Part, Place, Scheme};
@@ -13,14 +12,10 @@ use slipgap_solver::problem::structure::scheme::{Link, Part, Place, Scheme};
 const LEAST: [f64; 2] = [36.0, 104.0];
 /// Least height of a part.
 const HEIGHT: f64 = 23.0;
-/// Distance of a name from its symbol.
-pub const NAME_GAP: f64 = 3.0;
 /// Distance of neighbouring symbols.
 const BETWEEN: f64 = 8.0;
 /// Distance of the first symbol from the end of a bar.
 const INSET: f64 = 3.0;
-/// Space around nodes.
-pub const NODES: f64 = 14.0;
 /// Space left and right of a name inside a part.
 const MARGIN: f64 = 6.0;
 
@@ -47,11 +42,6 @@ pub struct Sizes {
     pub slots: Vec<Option<Slot>>,
 }
 
-/// Length of a name in the type of labels.
-pub fn length(name: &str) -> f64 {
-    text::width(&text::markup::escape(name), style::LABEL)
-}
-
 /// What a bar shows: its name, and its number of elements if it has too many ticks.
 pub fn label(scheme: &Scheme, part: usize) -> String {
     let part = &scheme.parts[part];
@@ -67,8 +57,18 @@ fn nodes(part: &Part) -> Option<[f64; 2]> {
     let model = part.model.as_ref().filter(|_| has_places(part))?;
     Some([0, 1].map(|axis| {
         let [low, high] = extent(&model.nodes, axis);
-        high - low + 2.0 * NODES
+        high - low + 2.0 * AROUND_NODES
     }))
+}
+
+/// Width of the names at the edges of a block; 0 for other parts.
+fn room(scheme: &Scheme, relations: &Relations, part: usize) -> f64 {
+    let own = |join: &&Join| matches!(**join, Join::Over(a, b) if a == part || b == part);
+    let over = relations.joins.iter().filter(own).count().max(1);
+    match longest(&scheme.parts[part]) {
+        0.0 => 0.0,
+        longest => 2.0 * over as f64 * (longest + BESIDE),
+    }
 }
 
 /// Width of a symbol with its name.
@@ -103,14 +103,14 @@ impl Sizes {
         let mut sizes = Sizes {
             width: (0..count)
                 .map(|part| {
-                    if inner::is_node(&scheme.parts[part]) {
-                        return inner::SIZE;
+                    if is_node(&scheme.parts[part]) {
+                        return part::NODE;
                     }
                     let is_bar = usize::from(scheme.parts[part].elements.is_some());
                     let label = text::width(&label(scheme, part), style::LABEL);
                     let least = LEAST[is_bar].max(label + 2.0 * MARGIN);
                     match nodes(&scheme.parts[part]) {
-                        None => least + blocks::room(scheme, relations, part),
+                        None => least + room(scheme, relations, part),
                         Some([width, _]) => width,
                     }
                 })
@@ -121,7 +121,7 @@ impl Sizes {
                 .map(|part| match (nodes(part), &part.model) {
                     (Some([_, height]), _) => height,
                     (None, Some(_)) => HEIGHT + 2.0 * style::LABEL,
-                    (None, None) if inner::is_node(part) => inner::SIZE,
+                    (None, None) if is_node(part) => part::NODE,
                     (None, None) => HEIGHT,
                 })
                 .collect(),
@@ -218,7 +218,7 @@ impl Sizes {
             _ => false,
         };
         let own: Vec<usize> = (0..scheme.links.len()).filter(is_own).collect();
-        let longest = blocks::longest(&scheme.parts[mass]);
+        let longest = longest(&scheme.parts[mass]);
         let wide = |l: usize| with_name(&scheme.links[l]).max(longest);
         let sums = own.iter().map(|l| wide(*l) + BETWEEN);
         let total = sums.sum::<f64>() - BETWEEN;
