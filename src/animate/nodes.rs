@@ -3,9 +3,9 @@
 use super::scene::{Link, Mover, Point, Scene};
 use super::structure::{Motion, kind};
 use crate::figures::scheme::mesh;
-use crate::figures::scheme::painter::Painter;
+use crate::figures::scheme::nodes::places::Placed;
+use crate::figures::scheme::paint::painter::Painter;
 use crate::figures::scheme::part::has_places;
-use crate::figures::scheme::places::Placed;
 use crate::figures::scheme::symbols;
 use slipgap_solver::problem::structure::scheme::model::Model;
 use slipgap_solver::problem::structure::scheme::{End, LinkKind, Place};

@@ -3,7 +3,7 @@
 //! The temporary name is random and new, so that no other process and no link can have it. The file is locked while it is
 //! written, which distinguishes the files of another run from those that a killed run left.
 
-use crate::batch::files::locks::{self, Locked};
+use super::locks::{self, Locked};
 use slipgap_study::error::Error;
 use std::collections::BTreeSet;
 use std::ffi::OsStr;

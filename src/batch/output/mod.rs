@@ -15,7 +15,7 @@ pub use names::{
 };
 
 use super::WarnedCases;
-use crate::batch::files::atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
+use super::files::atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
 use manifest::Manifest;
 use names::HISTORIES;
 use slipgap_study::Study;

@@ -25,11 +25,11 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use crate::batch::files::atomic::{can_write, remove_leftovers, write_atomically};
-use crate::batch::parts::chunk::{self, starts_in_same_chunk};
-use crate::batch::store::key::{Difference, Key, checksum};
+use super::files::atomic::{can_write, remove_leftovers, write_atomically};
+use super::parts::chunk::{self, starts_in_same_chunk};
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
+use key::{Difference, Key, checksum};
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::solve::MetricTable;
 use slipgap_study::Study;

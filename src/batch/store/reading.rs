@@ -6,9 +6,9 @@ use parquet::data_type::{ByteArray, DataType};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 
+use super::key::{CaseHash, Difference, Key};
 use super::rows::Rows;
 use crate::batch::parts::chunk::MOST_ROWS;
-use crate::batch::store::key::{CaseHash, Difference, Key};
 use slipgap_solver::problem::Case;
 use slipgap_solver::problem::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
 use slipgap_solver::solve::{MetricTable, Unsolvable, Warnings};

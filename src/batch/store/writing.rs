@@ -17,8 +17,8 @@ use parquet::schema::types::{ColumnDescPtr, ColumnPath, Type};
 use serde_json::json;
 
 use super::constant_columns::{ConstantColumns, EncodedColumn};
+use super::key::Key;
 use super::reading::{FAILURE, OWN_TEXTS, WARNED, general};
-use crate::batch::store::key::Key;
 use slipgap_solver::problem::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
 use slipgap_solver::problem::parameter::{Kind, Value};
 use slipgap_solver::solve::MetricTable;

@@ -22,7 +22,7 @@ mod sobol;
 mod spectrum;
 mod wave;
 
-use crate::figures::FigureData;
+use super::FigureData;
 use slipgap_drawing::layout::points::{self, Point};
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_study::kinds::FigureKind;

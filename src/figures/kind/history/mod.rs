@@ -6,7 +6,7 @@ pub(super) mod curves;
 pub(super) mod measured;
 mod stacked;
 
-use crate::figures::kind::Draw;
+use super::Draw;
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
 use arrangement::Arrangement;

@@ -1,28 +1,11 @@
 //! The structure of a case as a picture: ground, masses, bars with their elements, springs, contacts and loads.
 
-mod blocks;
-mod columns;
-mod ground;
-mod ground_motion;
-mod groups;
-mod inner;
-mod join;
-mod labels;
-pub(crate) mod links;
-mod loads;
-mod marks;
+mod arrange;
 pub(crate) mod mesh;
+pub(crate) mod nodes;
 pub(crate) mod paint;
-pub(crate) mod painter;
-mod pairs;
 pub(crate) mod part;
-mod parts;
-pub(crate) mod places;
-mod reach;
-mod relations;
-pub(crate) mod sizes;
 pub(crate) mod symbols;
-mod walls;
 
 use super::Draw;
 use crate::figures::FigureData;

@@ -1,11 +1,11 @@
 //! The places of the parts of a scheme from left to right.
 
+use super::super::part::has_places;
+use super::super::symbols;
 use super::join::Join;
-use super::part::has_places;
 use super::reach::reach;
 use super::relations::Relations;
 use super::sizes::{Sizes, interval};
-use super::symbols;
 use slipgap_solver::problem::structure::scheme::Scheme;
 
 /// Distance of parts in a row that nothing joins.

@@ -1,9 +1,9 @@
 //! How far what is at the faces of a part reaches.
 
+use super::super::symbols;
 use super::join::Join;
 use super::relations::Relations;
 use super::sizes::interval;
-use super::symbols;
 use slipgap_solver::problem::structure::scheme::{End, Place, Scheme};
 
 /// Room for an arrow at a face.

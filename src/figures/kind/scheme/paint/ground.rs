@@ -1,8 +1,8 @@
 //! The ground that links need: walls and floors.
 
-use super::join::Join;
+use super::super::arrange::join::Join;
+use super::super::arrange::sizes;
 use super::painter::Painter;
-use super::sizes;
 
 /// A point of the picture.
 type Point = [f64; 2];

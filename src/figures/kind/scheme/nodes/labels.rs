@@ -1,7 +1,7 @@
 //! Places of names between nodes and symbols.
 
-use super::mesh;
-use super::symbols::NAME_GAP;
+use super::super::mesh;
+use super::super::symbols::NAME_GAP;
 use slipgap_drawing::layout::sheet::{Anchor, PlacedText, Rect};
 use slipgap_drawing::style;
 use slipgap_drawing::text::{self, markup};

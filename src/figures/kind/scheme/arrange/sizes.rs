@@ -1,9 +1,9 @@
 //! Sizes of the parts of a scheme, and the places of links on their upper and lower sides.
 
+use super::super::part::{self, AROUND_NODES, BESIDE, extent, has_places, is_node, longest};
+use super::super::symbols::{self, NAME_GAP, length};
 use super::join::{Join, end};
-use super::part::{self, AROUND_NODES, BESIDE, extent, has_places, is_node, longest};
 use super::relations::Relations;
-use super::symbols::{self, NAME_GAP, length};
 use slipgap_drawing::style;
 use slipgap_drawing::text;
 use slipgap_solver::problem::structure::scheme::{Link, Part, Place, Scheme};

@@ -1,11 +1,11 @@
 //! Draws the parts of a scheme.
 
-use super::marks;
+use super::super::arrange::sizes;
+use super::super::nodes::marks;
+use super::super::nodes::places::Placed;
+use super::super::part::{has_places, is_node};
+use super::super::symbols;
 use super::painter::Painter;
-use super::part::{has_places, is_node};
-use super::places::Placed;
-use super::sizes;
-use super::symbols;
 use slipgap_drawing::layout::sheet::{Anchor, Shape};
 use slipgap_drawing::style;
 

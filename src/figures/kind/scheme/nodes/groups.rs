@@ -1,6 +1,6 @@
 //! Groups of coupled nodes, which are moved apart where contacts or springs between them have no room.
 
-use super::part::extent;
+use super::super::part::extent;
 use slipgap_solver::problem::structure::scheme::model::Model;
 use slipgap_solver::problem::structure::scheme::{End, Link, Place};
 

@@ -1,16 +1,25 @@
 //! Draws a scheme: its parts and symbols.
 
-use super::columns;
-use super::ground_motion;
-use super::painter::Painter;
-use super::places::Placed;
-use super::relations::Relations;
+pub(crate) mod attach;
+pub(crate) mod ground;
+pub(crate) mod ground_motion;
+pub(crate) mod joints;
+pub(crate) mod links;
+pub(crate) mod loads;
+pub(crate) mod painter;
+pub(crate) mod parts;
+
+use super::arrange::columns;
+use super::arrange::relations::Relations;
+use super::nodes::places::Placed;
+use painter::Painter;
 use slipgap_drawing::layout::sheet::{Anchor, Picture, Shape};
 use slipgap_drawing::text;
 use slipgap_solver::problem::structure::scheme::Scheme;
 
 /// The horizontal and the vertical axis of a structure without places: its row along X.
 const ROW: [usize; 2] = [0, 2];
+
 /// The picture of a scheme with its upper left corner at 0, and its size.
 pub fn paint(scheme: &Scheme) -> (Picture, [f64; 2]) {
     let (drawn, axes) = with_places(scheme, |mut painter, placed| {

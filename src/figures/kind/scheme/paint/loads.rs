@@ -1,7 +1,7 @@
 //! Draws the forces on parts.
 
+use super::super::symbols;
 use super::painter::Painter;
-use super::symbols;
 use slipgap_drawing::layout::sheet::Shape;
 use slipgap_solver::problem::structure::scheme::{End, Place};
 

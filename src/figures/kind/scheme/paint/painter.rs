@@ -1,9 +1,9 @@
 //! A picture under way, and the places of its parts from top to bottom.
 
-use super::join::Join;
-use super::part::has_places;
-use super::relations::Relations;
-use super::sizes::Sizes;
+use super::super::arrange::join::Join;
+use super::super::arrange::relations::Relations;
+use super::super::arrange::sizes::Sizes;
+use super::super::part::has_places;
 use slipgap_drawing::layout::sheet::{Anchor, Picture, PlacedText, Rect};
 use slipgap_drawing::style;
 use slipgap_solver::problem::structure::scheme::{LinkKind, Scheme};

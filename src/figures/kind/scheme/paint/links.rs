@@ -1,10 +1,10 @@
 //! Draws the links of a scheme.
 
-use super::blocks;
-use super::join::{Join, end};
+use super::super::arrange::join::{Join, end};
+use super::super::arrange::sizes::lane;
+use super::super::symbols::{self, NAME_GAP, link};
+use super::attach;
 use super::painter::{OVER, Painter, ROWS};
-use super::sizes::lane;
-use super::symbols::{self, NAME_GAP, link};
 use slipgap_drawing::layout::sheet::{Anchor, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text::markup;
@@ -200,7 +200,7 @@ impl Painter<'_> {
         };
         let [first, second] = parts.map(|part| self.rects[part]);
         let y = first.top.min(second.top) - OVER * count as f64 + 8.0;
-        let inset = |part: usize| blocks::inset(&self.scheme.parts[part], count);
+        let inset = |part: usize| attach::inset(&self.scheme.parts[part], count);
         let in_ = parts.map(inset);
         let (from, to) = match a == b {
             true => (first.left + in_[0], first.right() - in_[0]),

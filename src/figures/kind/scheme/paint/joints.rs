@@ -1,9 +1,9 @@
 //! The nodes between laws in series: a dot where the links meet.
 
-use super::mesh;
+use super::super::mesh;
+use super::super::part::is_node;
+use super::super::symbols;
 use super::painter::Painter;
-use super::part::is_node;
-use super::symbols;
 use slipgap_drawing::layout::sheet::Shape;
 
 /// Radius of its dot.

@@ -1,8 +1,8 @@
 //! Nodes of other programs in the plane of the picture. All matrices with places become one part, whose nodes are in points.
 
+use super::super::part::{extent, has_places};
+use super::super::symbols::{self, length};
 use super::groups;
-use super::part::{extent, has_places};
-use super::symbols::{self, length};
 use slipgap_solver::problem::structure::scheme::model::Model;
 use slipgap_solver::problem::structure::scheme::{End, Link, Part, Place, Scheme};
 

@@ -1,6 +1,6 @@
 //! The motion of the ground below a picture: an arrow for each direction in the plane, and all names where one is not in the plane.
 
-use super::symbols::NAME_GAP;
+use super::super::symbols::NAME_GAP;
 use slipgap_drawing::layout::sheet::{Anchor, Picture, PlacedText, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text;

@@ -1,9 +1,9 @@
 //! Contacts, springs and forces at nodes of other programs, with the ground that they need.
 
+use super::super::mesh;
+use super::super::symbols::{self, FACE, GAP, OUTLINE};
 use super::labels::Labels;
-use super::mesh;
 use super::places::Placed;
-use super::symbols::{self, FACE, GAP, OUTLINE};
 use super::walls::{Wall, Walls};
 use slipgap_drawing::layout::sheet::{Picture, Rect, Shape};
 use slipgap_drawing::text::markup;

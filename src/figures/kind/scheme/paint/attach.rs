@@ -1,10 +1,10 @@
 //! Where links meet matrices: at named points on the edge of a block, or at a node that a thin line leads to.
 
-use super::join::end;
-use super::mesh;
+use super::super::arrange::join::end;
+use super::super::mesh;
+use super::super::part::{AROUND_NODES, BESIDE, extent, has_places, is_node, longest};
+use super::super::symbols::{self, length};
 use super::painter::Painter;
-use super::part::{AROUND_NODES, BESIDE, extent, has_places, is_node, longest};
-use super::symbols::{self, length};
 use slipgap_drawing::layout::sheet::{Anchor, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text::markup;

@@ -1,7 +1,7 @@
 //! Surfaces of the ground that links of nodes need.
 
+use super::super::symbols;
 use super::labels::Labels;
-use super::symbols;
 use slipgap_drawing::layout::sheet::{Picture, Rect};
 
 /// Surfaces of the ground that are nearer are one.
