@@ -1,7 +1,7 @@
 //! Quantities along the structure: a row of panels for each time, a column for each quantity, the exact profile thin
 //! under the cases ([I] Fig. 6).
 
-use super::Draw;
+use crate::figures::kind::Draw;
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;

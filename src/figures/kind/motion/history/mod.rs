@@ -1,12 +1,12 @@
 //! Curves over time: one row of panels for each quantity, the exact solution thin under the cases, what was measured in grey
 //! under both.
 
-pub(super) mod arrangement;
-pub(super) mod curves;
-pub(super) mod measured;
+pub(in crate::figures::kind) mod arrangement;
+pub(in crate::figures::kind) mod curves;
+pub(in crate::figures::kind) mod measured;
 mod stacked;
 
-use super::Draw;
+use crate::figures::kind::Draw;
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
 use arrangement::Arrangement;

@@ -1,10 +1,10 @@
 //! The part of the cases in which a metric exceeds a limit, with intervals and a lognormal function.
 
-use super::Draw;
 use super::ensembles::{Ensemble, ensembles, stroke, without_value};
 use crate::batch::GroupResults;
 use crate::batch::groups::fragility::FragilityCurve;
 use crate::batch::groups::point::Probability;
+use crate::figures::kind::Draw;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::legend::Key;

@@ -1,9 +1,9 @@
 //! Empirical distribution functions of metrics with their confidence bands, a panel for each metric.
 
-use super::Draw;
 use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
 use crate::figures::FigureData;
 use crate::figures::column::has_place;
+use crate::figures::kind::Draw;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::limits;

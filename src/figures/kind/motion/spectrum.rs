@@ -1,6 +1,6 @@
 //! Response spectra of the ground motions of the cases: a panel for each ordinate, a curve for each motion and damping ratio.
 
-use super::Draw;
+use crate::figures::kind::Draw;
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
 use libm::pow;

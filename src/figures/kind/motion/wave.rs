@@ -1,8 +1,8 @@
 //! One quantity over place and time: computed as cells, a node or an element wide and a step high; exact as the pieces
 //! between its fronts.
 
-use super::Draw;
 use crate::figures::FigureData;
+use crate::figures::kind::Draw;
 use slipgap_drawing::colour_map::bar;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::guides;

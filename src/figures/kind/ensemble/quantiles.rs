@@ -1,7 +1,7 @@
 //! Quantiles of metrics over a parameter: the median as a line on a band, a panel for each metric.
 
-use super::Draw;
 use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
+use crate::figures::kind::Draw;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;

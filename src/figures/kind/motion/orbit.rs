@@ -1,7 +1,7 @@
 //! The path of a contact in a plane: a curve with equal scales, and the disc of its limit where it is of forces.
 
-use super::Draw;
 use super::curve::{DrawWith, Look};
+use crate::figures::kind::Draw;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout::sheet::{Series, Sheet};
 use slipgap_solver::problem::Quantity;

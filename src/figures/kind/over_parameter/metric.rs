@@ -1,8 +1,8 @@
 //! Metrics over a parameter.
 
-use super::Draw;
-use super::over_parameter::Curves;
+use super::Curves;
 use crate::figures::FigureData;
+use crate::figures::kind::Draw;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_study::kinds::Metric;
 

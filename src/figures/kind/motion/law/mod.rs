@@ -3,8 +3,8 @@
 mod loops;
 mod papers;
 
-use super::Draw;
 use crate::figures::FigureData;
+use crate::figures::kind::Draw;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_solver::contact::{ContactLaw, WhichLaw};
 use slipgap_study::kinds::Law;

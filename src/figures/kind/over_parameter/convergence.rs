@@ -1,8 +1,8 @@
 //! Errors over the time step, with the observed order.
 
-use super::Draw;
-use super::over_parameter::Curves;
+use super::Curves;
 use crate::figures::FigureData;
+use crate::figures::kind::Draw;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_study::Scale;
 use slipgap_study::kinds::Convergence;

@@ -1,12 +1,14 @@
 //! One quantity over another: a row of panels for each quantity, the exact solution thin under the cases, what was measured
 //! in grey under both.
 
-use super::Draw;
+mod pairs;
+
 use super::history::arrangement::Arrangement;
-use super::history::curves::{members, sizes, unmark_alone};
-use super::history::measured::Measured;
+use super::history::curves::{members, unmark_alone};
+use crate::figures::kind::Draw;
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
+use pairs::Pairs;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
@@ -14,15 +16,9 @@ use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style;
-use slipgap_solver::history::History;
-use slipgap_solver::problem::{Quantity, Solution};
+use slipgap_solver::problem::Quantity;
+use slipgap_study::Scale;
 use slipgap_study::kinds::Curve;
-use slipgap_study::{Scale, Study};
-
-/// Fewest and most points of an exact curve, and points for each step between them.
-const EXACT_POINTS: [usize; 2] = [800, 20_000];
-/// See `EXACT_POINTS`.
-const FOR_EACH_STEP: usize = 4;
 
 /// Largest value of an axis of an orbit over that of the path, and the height of a panel for its first layout.
 const MARGIN: f64 = 1.08;
@@ -39,15 +35,15 @@ impl Draw for Curve {
 
 /// What an orbit has more than a curve.
 #[derive(Debug, Default)]
-pub(super) struct Look {
+pub(in crate::figures::kind) struct Look {
     /// Whether both axes have one scale.
-    pub(super) equal: bool,
+    pub(in crate::figures::kind) equal: bool,
     /// The disc of forces.
-    pub(super) disc: Option<Series>,
+    pub(in crate::figures::kind) disc: Option<Series>,
 }
 
 /// The panels of a figure that draws one curve over another.
-pub(super) trait DrawWith {
+pub(in crate::figures::kind) trait DrawWith {
     /// The sheet with this look.
     fn sheet_with(&self, data: &FigureData, with: &Look) -> Sheet;
 }
@@ -187,117 +183,6 @@ impl DrawWith for Curve {
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet
     }
-}
-
-/// The horizontal quantity, which each of the others is paired with.
-struct Pairs<'a> {
-    study: &'a Study,
-    x: &'a Quantity,
-    in_units: bool,
-    /// First and last time in the unit of the axes, if not all.
-    times: Option<[f64; 2]>,
-}
-
-impl Pairs<'_> {
-    fn title(&self, quantity: &Quantity) -> String {
-        let problem = &*self.study.problem;
-        let dimension = problem.schema().channels[quantity.channel].dimension;
-        match self.study.units.as_ref().filter(|_| self.in_units) {
-            Some(units) => units.title(problem, &quantity.title, dimension),
-            None => quantity.title.to_string(),
-        }
-    }
-
-    /// Points of two lists of values, in the units of the axes.
-    fn points(&self, y: &Quantity, shown: &DrawnCase, values: [Vec<f64>; 2]) -> Vec<[f64; 2]> {
-        let size = |quantity| sizes(self.study, self.in_units, &shown.case(), quantity)[1];
-        let [across, up] = [self.x, y].map(size);
-        let [xs, ys] = values;
-        let pairs = xs.into_iter().zip(ys);
-        pairs.map(|(x, y)| [x * across, y * up]).collect()
-    }
-
-    fn computed(&self, y: &Quantity, shown: &DrawnCase) -> Vec<[f64; 2]> {
-        let Some(solution) = shown.solution() else {
-            return Vec::new();
-        };
-        let both = [self.x, y].map(|quantity| values(quantity, solution));
-        let points = self.points(y, shown, both);
-        self.within(shown, &solution.computed.time, points)
-    }
-
-    /// The points at the times shown.
-    fn within(&self, shown: &DrawnCase, time: &[f64], points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-        let Some([first, last]) = self.times else {
-            return points;
-        };
-        let size = sizes(self.study, self.in_units, &shown.case(), self.x)[0];
-        let pairs = time.iter().zip(points);
-        let inside = pairs.filter(|(t, _)| (first..=last).contains(&(**t * size)));
-        inside.map(|(_, point)| point).collect()
-    }
-
-    /// The measured curves of a group of cases, equal ones once, where both quantities were measured.
-    fn measured(&self, y: &Quantity, drawn: &[DrawnCase], group: &[usize]) -> Vec<Series> {
-        let mut found: Vec<Series> = Vec::new();
-        for shown in group.iter().map(|i| &drawn[*i]) {
-            let measured = Measured::of(self.study, &shown.case());
-            let [Some((time, xs)), Some((_, ys))] = [self.x, y].map(|own| measured.quantity(own))
-            else {
-                continue;
-            };
-            let computed = shown.solution().map(|solution| &solution.computed.time[..]);
-            let end = computed.and_then(<[f64]>::last).copied();
-            let points = self.points(y, shown, [xs.to_vec(), ys.to_vec()]);
-            let moving =
-                time.partition_point(|t| *t < 0.0)..time.partition_point(|t| Some(*t) <= end);
-            let points = self.within(shown, &time[moving.clone()], points[moving].to_vec());
-            if !points.is_empty() && found.iter().all(|other| other.points != points) {
-                found.push(Series::measured(points));
-            }
-        }
-        found
-    }
-
-    /// The exact curves of a group of cases, equal ones once; none for an error.
-    fn exact(&self, y: &Quantity, drawn: &[DrawnCase], group: &[usize]) -> Vec<Series> {
-        let mut found: Vec<Series> = Vec::new();
-        for shown in group.iter().map(|i| &drawn[*i]) {
-            let exact = match self.x.error || y.error {
-                true => None,
-                false => self.history(shown),
-            };
-            let Some(exact) = exact else { continue };
-            let both = [self.x, y].map(|quantity| exact.channel(quantity.channel).to_vec());
-            let points = self.points(y, shown, both);
-            let points = self.within(shown, &exact.time, points);
-            if !points.is_empty() && found.iter().all(|other| other.points != points) {
-                found.push(Series::exact(points));
-            }
-        }
-        found
-    }
-
-    /// The exact motion, at more times than the computed one.
-    fn history(&self, shown: &DrawnCase) -> Option<History> {
-        let time = &shown.solution()?.computed.time;
-        let end = *time.last()?;
-        let [fewest, most] = EXACT_POINTS;
-        let count = (FOR_EACH_STEP * time.len()).clamp(fewest, most);
-        let time = |i| end * i as f64 / count as f64;
-        let times: Vec<f64> = (0..=count).map(time).collect();
-        self.study.problem.exact(&shown.case(), &times)
-    }
-}
-
-/// The values of a quantity at the steps.
-fn values(quantity: &Quantity, solution: &Solution) -> Vec<f64> {
-    let computed = solution.computed.channel(quantity.channel);
-    if !quantity.error {
-        return computed.to_vec();
-    }
-    let exact = solution.exact.channel(quantity.channel);
-    computed.iter().zip(exact).map(|(c, e)| c - e).collect()
 }
 
 /// Marks the curves of cases at equal distances along the line, each curve at other places.

@@ -1,12 +1,16 @@
 //! A metric over two parameters with a colour bar: filled contours, or cells if there are too few places for contours.
 
+mod dots;
+mod places;
+
 use super::Draw;
 use crate::figures::{DrawnCase, FigureData};
+use dots::dots;
+use places::{edges, places, same};
 use slipgap_drawing::colour_map::bands;
 use slipgap_drawing::colour_map::bar;
 use slipgap_drawing::colour_map::ridge;
 use slipgap_drawing::layout;
-use slipgap_drawing::layout::cloud::{Cloud, Dot};
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::points::Point;
 use slipgap_drawing::layout::sheet::{Cell, FilledMap, Panel, Sheet};
@@ -235,37 +239,6 @@ fn hatched(
 /// What the dots are.
 const DOTS: &str = "Dots: the cases, between which the shades are interpolated.";
 
-/// Least distance of dots, in points: closer ones would hide the shades.
-const APART: f64 = 5.0;
-
-/// The places of the values; `None` if they are too close.
-fn dots(panel: &Panel, values: &bands::Values) -> Option<Cloud> {
-    let [xs, ys] = &values.places;
-    let axes = [
-        (&panel.x, xs, panel.frame.width),
-        (&panel.y, ys, panel.frame.height),
-    ];
-    let far = axes.into_iter().all(|(axis, places, length)| {
-        let at = |x: f64| length * axis.fraction(x);
-        places
-            .windows(2)
-            .all(|pair| at(pair[1]) - at(pair[0]) >= APART)
-    });
-    let pairs = xs.iter().flat_map(|x| ys.iter().map(move |y| [*x, *y]));
-    let known = pairs.zip(&values.z).filter(|(_, z)| !z.is_nan());
-    let dot = |(at, _)| Dot {
-        at,
-        value: None,
-        // The bands are lighter.
-        shade: 0.0,
-    };
-    far.then(|| Cloud {
-        dots: known.map(dot).collect(),
-        radius: style::MAP_DOT,
-        image: false,
-    })
-}
-
 /// How many values are outside of the range of the shades; `None` if none is.
 fn outside(values: &[f64], range: Option<[f64; 2]>) -> Option<String> {
     let [low, high] = range?;
@@ -283,53 +256,4 @@ fn outside(values: &[f64], range: Option<[f64; 2]>) -> Option<String> {
             parts.join(" and ")
         )
     })
-}
-
-fn same(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
-}
-
-/// The different values of a parameter that have a place on the scale, rising.
-fn places(
-    cases: &[DrawnCase],
-    scale: Scale,
-    value: impl Fn(&DrawnCase) -> Option<f64>,
-) -> Vec<f64> {
-    let has_place = |x: &f64| scale == Scale::Linear || *x > 0.0;
-    let all = cases.iter().filter_map(value).filter(has_place);
-    // There are far fewer places than cases.
-    let different: HashSet<u64> = all.map(f64::to_bits).collect();
-    let mut places: Vec<f64> = different.into_iter().map(f64::from_bits).collect();
-    places.sort_by(f64::total_cmp);
-    places.dedup_by(|a, b| same(*a, *b));
-    places
-}
-
-/// Edges of the cells round rising places: half-way between neighbours on the scale, and the same distance outside of the ends.
-fn edges(places: &[f64], scale: Scale) -> Vec<f64> {
-    let to = |x: f64| match scale {
-        Scale::Linear => x,
-        Scale::Log => libm::log(x),
-    };
-    let back = |x: f64| match scale {
-        Scale::Linear => x,
-        Scale::Log => libm::exp(x),
-    };
-    let at: Vec<f64> = places.iter().map(|x| to(*x)).collect();
-    match at.as_slice() {
-        [] => vec![back(0.0), back(1.0)],
-        [one] => vec![back(one - 0.5), back(one + 0.5)],
-        _ => {
-            let n = at.len();
-            let mut edges = vec![back(1.5 * at[0] - 0.5 * at[1])];
-            edges.extend(
-                at.windows(2)
-                    .map(|pair| back(pair[0] / 2.0 + pair[1] / 2.0)),
-            );
-            edges.push(back(1.5 * at[n - 1] - 0.5 * at[n - 2]));
-            // The axis ends at the range of double precision.
-            let finite = |x: f64| x.clamp(-f64::MAX, f64::MAX);
-            edges.into_iter().map(finite).collect()
-        }
-    }
 }
