@@ -7,6 +7,7 @@ mod bars;
 mod contact;
 mod film;
 mod label;
+mod motion;
 mod nodes;
 mod numbers;
 mod oscillator;
@@ -15,6 +16,7 @@ mod scene;
 mod structure;
 mod thin;
 mod trace;
+mod words;
 
 pub use page::MOST_BYTES;
 

@@ -2,9 +2,10 @@
 
 use super::contact::Contact;
 use super::film::Film;
+use super::motion::{Motion, node_of_bar};
 use super::nodes;
-use super::numbers::peak;
 use super::scene::{Bar, Link, Mover, Point, Scene};
+use super::words::{align, kind};
 use crate::figures::scheme::nodes::places::Placed;
 use crate::figures::scheme::paint;
 use crate::figures::scheme::paint::links::LinkPlace;
@@ -12,16 +13,11 @@ use crate::figures::scheme::paint::painter::Painter;
 use crate::figures::scheme::part::has_places;
 use crate::history::History;
 use crate::problem::{Case, Problem};
-use slipgap_drawing::layout::sheet::Anchor;
-use slipgap_solver::problem::structure::scheme::{End, LinkKind, Place, Scheme};
+use slipgap_solver::problem::structure::scheme::{End, Place, Scheme};
 use std::borrow::Cow;
-use std::collections::HashMap;
 
 /// Most nodes of a bar whose displacements are shown: between them a bar is straight.
 const NODES: u32 = 8;
-
-/// Most pieces of a bar with colours of their own.
-const PIECES: u32 = 20;
 
 /// The film of a case with this scheme and motion.
 pub fn film<'a>(
@@ -88,120 +84,6 @@ pub fn film<'a>(
         contacts,
         support,
         ..Film::default()
-    }
-}
-
-/// The displacements that a scene uses.
-pub struct Motion<'a> {
-    history: &'a History,
-    columns: HashMap<String, usize>,
-    /// Their channels of the history.
-    moves: Vec<usize>,
-    stresses: Vec<Vec<f64>>,
-}
-
-impl<'a> Motion<'a> {
-    fn column(&self, name: &str) -> Option<usize> {
-        self.columns.get(name).copied()
-    }
-
-    fn add(&mut self, column: usize) -> usize {
-        let known = self.moves.iter().position(|own| *own == column);
-        known.unwrap_or_else(|| {
-            self.moves.push(column);
-            self.moves.len() - 1
-        })
-    }
-
-    /// The displacement of a node or a support; `None` if the history has none.
-    pub fn of(&mut self, node: &str) -> Option<usize> {
-        let column = self.column(&format!("{node}.u"))?;
-        Some(self.add(column))
-    }
-
-    fn values(&self, name: &str) -> &'a [f64] {
-        let column = self.column(name);
-        column.map_or(&[], |column| self.history.channel(column))
-    }
-
-    fn contact(&self, kind: LinkKind, name: &str, limits: &[Option<Vec<f64>>]) -> Contact<'a> {
-        let force = Cow::Borrowed(self.values(&format!("{name}.S")));
-        // Limits are in the order of the contacts in the columns.
-        let place = self.column(&format!("{name}.S"));
-        let mut forces: Vec<usize> = self
-            .columns
-            .iter()
-            .filter(|(name, _)| name.ends_with(".S"))
-            .map(|(_, column)| *column)
-            .collect();
-        forces.sort_unstable();
-        let number = place.and_then(|own| forces.iter().position(|column| *column == own));
-        let limit = number.and_then(|number| limits.get(number)?.as_deref());
-        match kind {
-            LinkKind::Impact => Contact::impact(name, force),
-            LinkKind::Friction => {
-                let rate = self.values(&format!("{name}.rdot"));
-                Contact::friction(name, force, rate, limit)
-            }
-            LinkKind::Spring { .. } => Contact::link(name, force),
-        }
-    }
-
-    /// Axial forces of the pieces of a bar: differences of displacements over the largest one.
-    fn stresses(&mut self, bar: &str, elements: u32) -> Vec<usize> {
-        let pieces = elements.min(PIECES);
-        let nodes: Vec<&[f64]> = (0..=pieces)
-            .map(|piece| {
-                let node = node_of_bar(bar, elements, elements * piece / pieces);
-                self.values(&format!("{node}.u"))
-            })
-            .collect();
-        let mut differences: Vec<Vec<f64>> = Vec::new();
-        for (piece, pair) in nodes.windows(2).enumerate() {
-            let count = |piece: u32| elements * piece / pieces;
-            let length = count(piece as u32 + 1) - count(piece as u32);
-            let both = pair[0].iter().zip(pair[1]);
-            differences.push(both.map(|(a, b)| (b - a) / f64::from(length)).collect());
-        }
-        let largest = differences.iter().map(|own| peak(own)).fold(0.0, f64::max);
-        if largest == 0.0 {
-            return Vec::new();
-        }
-        let first = self.stresses.len();
-        for mut own in differences {
-            own.iter_mut().for_each(|x| *x /= largest);
-            self.stresses.push(own);
-        }
-        (first..self.stresses.len()).collect()
-    }
-}
-
-/// The name of node `i` of a bar.
-fn node_of_bar(bar: &str, elements: u32, i: u32) -> String {
-    match i {
-        0 => format!("{bar}.left"),
-        i if i == elements => format!("{bar}.right"),
-        i => format!("{bar}.{i}"),
-    }
-}
-
-/// How words are aligned.
-pub fn align(anchor: Anchor) -> &'static str {
-    match anchor {
-        Anchor::Start => "left",
-        Anchor::Middle => "center",
-        Anchor::End => "right",
-    }
-}
-
-/// The kind of a link in the page.
-pub fn kind(kind: LinkKind) -> &'static str {
-    match kind {
-        LinkKind::Impact => "impact",
-        LinkKind::Friction => "friction",
-        LinkKind::Spring { elastic: false, .. } => "damper",
-        LinkKind::Spring { viscous: false, .. } => "spring",
-        LinkKind::Spring { .. } => "both",
     }
 }
 
