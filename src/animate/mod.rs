@@ -4,19 +4,11 @@
 //! The page draws films; it computes nothing but the places of lines between two steps.
 
 mod bars;
-mod contact;
 mod film;
 mod label;
-mod motion;
-mod nodes;
-mod numbers;
 mod oscillator;
 mod page;
-mod scene;
 mod structure;
-mod thin;
-mod trace;
-mod words;
 
 pub use page::MOST_BYTES;
 

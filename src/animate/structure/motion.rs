@@ -1,7 +1,7 @@
 //! The displacements by which the scene of a structure moves, and its contacts.
 
-use super::contact::Contact;
-use super::numbers::peak;
+use crate::animate::film::contact::Contact;
+use crate::animate::film::numbers::peak;
 use crate::history::History;
 use slipgap_solver::problem::structure::scheme::LinkKind;
 use std::borrow::Cow;

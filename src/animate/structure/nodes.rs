@@ -1,8 +1,8 @@
 //! Nodes of matrices in a scene: each moves in the plane of the picture.
 
 use super::motion::Motion;
-use super::scene::{Link, Mover, Point, Scene};
 use super::words::kind;
+use crate::animate::film::scene::{Link, Mover, Point, Scene};
 use crate::figures::scheme::mesh;
 use crate::figures::scheme::nodes::places::Placed;
 use crate::figures::scheme::paint::painter::Painter;

@@ -1,9 +1,9 @@
 //! The page: its texts, its data and its program.
 
 use super::film::Film;
-use super::numbers::digits;
-use super::thin;
-use super::trace;
+use super::film::numbers::digits;
+use super::film::thin;
+use super::film::trace;
 use super::unit;
 use crate::report::text::escape;
 use crate::study::{Study, error::Error};
@@ -79,7 +79,7 @@ pub fn page(
             "symbols": symbols(study),
             "factor": digits(factor, 6),
             "reach": digits(factor * largest, 4),
-            "bounds": bounds.map(|own| super::scene::points(&own)),
+            "bounds": bounds.map(|own| crate::animate::film::scene::points(&own)),
             "ground": ground.map(|own| ground_data(own, duration)).or_else(|| support_data(films.first()?)),
             "films": films.iter().map(|film| film.data(largest, most)).collect::<Vec<_>>(),
         })
@@ -187,7 +187,7 @@ fn support_data(film: &Film) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::animate::contact::Contact;
+    use crate::animate::film::contact::Contact;
     use crate::study;
     use std::borrow::Cow;
 

@@ -1,11 +1,17 @@
 //! A motion to show: what moves, how, and its contacts.
 
-use super::contact::Contact;
-use super::numbers::{differences, peak};
-use super::scene::Scene;
-use super::thin::{self, Row};
+pub(super) mod contact;
+pub(super) mod numbers;
+pub(super) mod scene;
+pub(super) mod thin;
+pub(super) mod trace;
+
+use contact::Contact;
+use numbers::{differences, peak};
+use scene::Scene;
 use serde_json::{Value, json};
 use std::borrow::Cow;
+use thin::Row;
 
 /// A motion to show.
 #[derive(Debug, Default)]

@@ -1,11 +1,12 @@
 //! The film of a structure: its scheme, moved by the histories of its nodes.
 
-use super::contact::Contact;
+pub(super) mod motion;
+pub(super) mod nodes;
+pub(super) mod words;
+
 use super::film::Film;
-use super::motion::{Motion, node_of_bar};
-use super::nodes;
-use super::scene::{Bar, Link, Mover, Point, Scene};
-use super::words::{align, kind};
+use super::film::contact::Contact;
+use super::film::scene::{Bar, Link, Mover, Point, Scene};
 use crate::figures::scheme::nodes::places::Placed;
 use crate::figures::scheme::paint;
 use crate::figures::scheme::paint::links::LinkPlace;
@@ -13,8 +14,10 @@ use crate::figures::scheme::paint::painter::Painter;
 use crate::figures::scheme::part::has_places;
 use crate::history::History;
 use crate::problem::{Case, Problem};
+use motion::{Motion, node_of_bar};
 use slipgap_solver::problem::structure::scheme::{End, Place, Scheme};
 use std::borrow::Cow;
+use words::{align, kind};
 
 /// Most nodes of a bar whose displacements are shown: between them a bar is straight.
 const NODES: u32 = 8;
