@@ -1,6 +1,6 @@
 //! A compressed column of numbers: one value for all rows, indices into a list of the values, or numbers.
 
-use super::decimal;
+use crate::report::decimal;
 use std::collections::HashMap;
 
 /// Largest number of values in a list.

@@ -1,13 +1,15 @@
 //! A figure on the page: SVG if it is small, else PNG.
 
-use super::caption;
-use super::compact;
-use super::glyphs::Glyphs;
+pub(super) mod caption;
+pub(super) mod compact;
+pub(super) mod glyphs;
+
 use super::packed;
 use super::text::{escape, printable};
 use crate::figures::base64;
 use crate::figures::sheet::Sheet;
 use crate::figures::{self, FigureData};
+use glyphs::Glyphs;
 use slipgap_drawing::style;
 use slipgap_study::error::Error;
 use std::io::{self, Write};

@@ -1,9 +1,9 @@
 //! The table of results, as columns that the script of the page shows, sorts and filters.
 
 use super::column::Column;
-use super::text::{escape, printable};
-use super::{Detail, packed};
 use crate::batch::Outcome;
+use crate::report::text::{escape, printable};
+use crate::report::{Detail, packed};
 use serde_json::{Value as Json, json};
 use slipgap_solver::problem::parameter::{Kind, Value};
 use slipgap_study::Study;

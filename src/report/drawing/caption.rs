@@ -1,9 +1,9 @@
 //! What a figure shows, in words: which quantities over which, the curves, and the cases.
 
-use super::decimal;
 use crate::figures::FigureData;
 use crate::figures::markup::plain;
 use crate::figures::sheet::{Panel, Sheet};
+use crate::report::decimal;
 use slipgap_solver::problem::parameter::{Value, shortest};
 use slipgap_study::Study;
 

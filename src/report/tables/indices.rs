@@ -1,8 +1,8 @@
 //! Sobol' indices on the page: the table of sobol.csv, rounded.
 
-use super::Detail;
-use super::packed::write_part;
-use super::text::escape;
+use crate::report::Detail;
+use crate::report::packed::write_part;
+use crate::report::text::escape;
 use std::io::{self, Write};
 
 /// The indices of the saltelli designs of a study.

@@ -1,9 +1,9 @@
 //! Distributions over ensembles on the page: the table of quantiles.csv, rounded.
 
-use super::Detail;
-use super::packed::write_part;
-use super::text::escape;
 use crate::batch::output::ensemble::{Distribution, EnsembleMetrics};
+use crate::report::Detail;
+use crate::report::packed::write_part;
+use crate::report::text::escape;
 use std::io::{self, Write};
 
 /// Largest number of rows that a page about one study shows.
