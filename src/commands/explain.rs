@@ -1,9 +1,9 @@
 //! `slipgap explain`: one case of a study, its metrics and its cost.
 
 use super::UNSOLVED;
+use super::arguments::sources::{self, Source};
 use super::arguments::{SettingsArgs, whole};
 use super::list::cases;
-use super::sources::{self, Source};
 use super::terminal::{duration, print, table};
 use clap::Args;
 use slipgap::batch::solve::cost::{MEASURING, measure, sampling, total};

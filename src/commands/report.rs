@@ -1,8 +1,8 @@
 //! `slipgap report`: one page about studies that needs no other file.
 
+use super::arguments::sources::Source;
 use super::arguments::{JobsArgs, StudiesArgs};
 use super::claims;
-use super::sources::Source;
 use super::terminal::{Terminal, note, print};
 use clap::Args;
 use indicatif::ProgressBar;

@@ -1,9 +1,9 @@
 //! `slipgap merge`: tables, figures and manifest of studies whose cases shards have computed.
 
-use super::arguments::{JobsArgs, OutputArgs, StudiesArgs, whole};
-use super::sources::Source;
-use super::terminal::{Terminal, report_error};
-use super::{NOT_MET, UNSOLVED};
+use crate::commands::arguments::sources::Source;
+use crate::commands::arguments::{JobsArgs, OutputArgs, StudiesArgs, whole};
+use crate::commands::terminal::{Terminal, report_error};
+use crate::commands::{NOT_MET, UNSOLVED};
 use clap::Args;
 use slipgap::batch::output::Folder;
 use slipgap::batch::store::{STORE, Store};

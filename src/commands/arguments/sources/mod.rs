@@ -1,6 +1,6 @@
 //! Reads the studies of a command. Each has the name of its folder of results.
 
-use super::terminal::note;
+use crate::commands::terminal::note;
 use slipgap::batch::output;
 use slipgap::error::Error;
 pub use slipgap::run::Source;

@@ -4,9 +4,9 @@
 
 mod time;
 
-use super::arguments::{SettingsArgs, whole};
-use super::sources::{DASH, read};
-use super::terminal::print;
+use crate::commands::arguments::sources::{DASH, read};
+use crate::commands::arguments::{SettingsArgs, whole};
+use crate::commands::terminal::print;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 use slipgap::error::Error;

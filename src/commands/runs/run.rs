@@ -1,10 +1,10 @@
 //! `slipgap run`: results, figures and, if wanted, histories of every study.
 
-use super::arguments::{JobsArgs, OutputArgs, StudiesArgs};
 use super::shard;
-use super::sources::Source;
-use super::terminal::Terminal;
-use super::{NOT_MET, UNSOLVED};
+use crate::commands::arguments::sources::Source;
+use crate::commands::arguments::{JobsArgs, OutputArgs, StudiesArgs};
+use crate::commands::terminal::Terminal;
+use crate::commands::{NOT_MET, UNSOLVED};
 use clap::Args;
 use slipgap::batch::Shard;
 use slipgap::batch::output::Folder;

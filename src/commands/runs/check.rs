@@ -1,9 +1,9 @@
 //! `slipgap check`: every check of every study, with the value tested.
 
-use super::arguments::{JobsArgs, StudiesArgs};
-use super::sources::Source;
-use super::terminal::{note, print_all, progress, table_lines};
-use super::{NOT_MET, UNSOLVED};
+use crate::commands::arguments::sources::Source;
+use crate::commands::arguments::{JobsArgs, StudiesArgs};
+use crate::commands::terminal::{note, print_all, progress, table_lines};
+use crate::commands::{NOT_MET, UNSOLVED};
 use clap::Args;
 use slipgap::batch::{self, RunOptions};
 use slipgap::checks::{CheckCollector, TestedValues, Verdict};

@@ -1,12 +1,14 @@
 //! Arguments that several verbs share.
 
-use super::sources::{self, Source};
+pub(super) mod sources;
+
 use super::terminal::print;
 use clap::{Args, ValueEnum};
 use slipgap::error::Error;
 use slipgap::figures::style;
 use slipgap::run::{OutputOptions, Written};
 use slipgap::study::{MOST_CASES, Setting};
+use sources::Source;
 use std::borrow::Cow;
 use std::fmt;
 use std::path::{Path, PathBuf};

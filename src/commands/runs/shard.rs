@@ -1,7 +1,7 @@
 //! `slipgap run --shard I/N`: the parts of one shard of every study, kept in the stores and nowhere else.
 
-use super::sources::Source;
-use super::terminal::{note, progress};
+use crate::commands::arguments::sources::Source;
+use crate::commands::terminal::{note, progress};
 use slipgap::batch::store::Store;
 use slipgap::batch::{Shard, ShardResult, run_shard};
 use slipgap::error::Error;
