@@ -87,7 +87,7 @@ fn settings(py: Python<'_>, set: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Sett
     Ok(settings)
 }
 
-/// The text of a study with these parameters, which is slower than [`crate::case_of_dict`] and reports all faults.
+/// The text of a study with these parameters, which is slower than [`crate::case::of_dict`] and reports all faults.
 pub fn text_of_parameters(py: Python<'_>, given: &Bound<'_, PyDict>) -> PyResult<String> {
     let (study, parameters) = (PyDict::new(py), given.copy()?);
     if let Some(problem) = parameters.get_item("problem")? {

@@ -1,11 +1,11 @@
 //! `slipgap.run`: a study in memory, or into its folder with the files of the program.
 
-use crate::columns::Columns;
-use crate::figure::Shown;
 use crate::given;
 use crate::results::Results;
-use crate::table::Table;
-use crate::tables::Groups;
+use crate::results::columns::Columns;
+use crate::results::figure::Shown;
+use crate::results::table::Table;
+use crate::results::tables::Groups;
 use crate::worker;
 use arrow_array::RecordBatch;
 use indicatif::ProgressBar;

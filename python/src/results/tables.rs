@@ -1,8 +1,8 @@
 //! Tables of the program as Arrow columns: the files that a run writes over groups of cases, and its warnings.
 
+use super::figure::Shown;
+use super::table::Table;
 use crate::error::raise;
-use crate::figure::Shown;
-use crate::table::Table;
 use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field, Schema};
 use pyo3::prelude::*;

@@ -1,11 +1,14 @@
 //! The results of a run.
 
+pub(super) mod columns;
+pub(super) mod figure;
+pub(super) mod table;
+pub(super) mod tables;
+
+use crate::case::solution::Solution;
+use crate::case::solve;
 use crate::error::raise;
-use crate::figure::{Figure, Shown};
-use crate::solution::Solution;
-use crate::solve;
-use crate::table::Table;
-use crate::tables::Groups;
+use figure::{Figure, Shown};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyType};
@@ -16,6 +19,8 @@ use slipgap::error::Error;
 use slipgap::problem::parameter::Value;
 use std::path::PathBuf;
 use std::sync::Arc;
+use table::Table;
+use tables::Groups;
 
 /// The classes `slipgap.Check`, `slipgap.Failure` and `slipgap.WarnedCases`.
 static CHECK: PyOnceLock<Py<PyType>> = PyOnceLock::new();

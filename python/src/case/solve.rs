@@ -1,9 +1,9 @@
 //! `slipgap.solve`: one case with its motion.
 
-use crate::case_of_dict::case_of_dict;
+use super::of_dict::case_of_dict;
+use super::solution::Solution;
 use crate::error::{unsolved, usage};
 use crate::given;
-use crate::solution::Solution;
 use crate::worker;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

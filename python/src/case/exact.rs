@@ -1,7 +1,7 @@
 //! `slipgap.exact`: exact motions at given times.
 
+use super::of_dict::case_of_dict;
 use crate::arrays;
-use crate::case_of_dict::case_of_dict;
 use crate::error::{raise, usage};
 use crate::given;
 use pyo3::prelude::*;
