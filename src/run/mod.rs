@@ -9,6 +9,8 @@ mod observer;
 mod source;
 mod tables;
 mod tally;
+#[cfg(test)]
+mod tests_computed;
 mod unsolved;
 
 pub use ensembles::{indices, without_value};

@@ -11,6 +11,7 @@ mod lock;
 mod part_file;
 mod reading;
 mod rows;
+mod schema;
 #[cfg(test)]
 mod tests;
 mod writing;

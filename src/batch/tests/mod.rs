@@ -1,5 +1,4 @@
-//! Runs of whole studies: their columns, computed values, and what is made once.
+//! Runs of whole studies: their columns, and what is made once.
 
 mod columns;
-mod computed;
 mod samples;
