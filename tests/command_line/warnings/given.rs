@@ -1,7 +1,7 @@
 //! Warnings of numbers that are allowed and unlikely: each at its limit.
 
-use super::Bench;
-use super::warnings::{body, some};
+use crate::Bench;
+use crate::warnings::{body, some};
 
 const UNITS: &str = r#", "units": "kg, N, m, s""#;
 const TIMES: &str = r#""dt": 0.01, "duration": 1"#;
@@ -219,8 +219,8 @@ fn friction_holds_a_part_and_bodies_may_fly_until_they_collide() {
 fn the_first_studies_of_readme_and_guide_have_no_warning() {
     let bench = Bench::new();
     for (page, name) in [
-        (include_str!("../../README.md"), "towers"),
-        (include_str!("../../docs/guide.md"), "building"),
+        (include_str!("../../../README.md"), "towers"),
+        (include_str!("../../../docs/guide.md"), "building"),
     ] {
         let named = format!("studies/{name}.json");
         let after = &page[page.find(&named).unwrap()..];

@@ -1,6 +1,6 @@
 //! Bar impact studies with faults.
 
-use crate::bad_files::refused;
+use crate::bad::files::refused;
 use crate::{Bench, bars};
 
 /// A study of bars with these parameters; see [`refused`].

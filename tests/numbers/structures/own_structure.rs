@@ -35,7 +35,8 @@ fn number(json: &Json) -> f64 {
 
 #[test]
 fn imported_structures_move_as_an_independent_program_says() {
-    let all: Vec<Json> = serde_json::from_str(include_str!("../data/own_structure.json")).unwrap();
+    let all: Vec<Json> =
+        serde_json::from_str(include_str!("../../data/own_structure.json")).unwrap();
     // The steps of the absolute displacements of supports are not those of slipgap: their motion with a common one of all supports
     // is not that of the ground.
     let of_slipgap = all.iter().filter(|case| case["name"] != "supports");

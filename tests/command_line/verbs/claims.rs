@@ -343,7 +343,7 @@ fn a_profile_is_tested_away_from_every_front() {
     // free end of the left bar. Exact: 1 ahead of the front in the left bar, 0 behind it, -1 after the reflection. The
     // front is at |x| = 2 t before the reflection, at 2 - 2 t after it, and at the free end at T_I/2.
     let data: serde_json::Value =
-        serde_json::from_str(include_str!("../data/impact.json")).unwrap();
+        serde_json::from_str(include_str!("../../data/impact.json")).unwrap();
     let records = data["profiles"].as_array().unwrap();
     let study = IMPACT.replace(", \"k_I\": 0", "");
     for times in [&[0.25][..], &[0.5], &[0.75], &[0.25, 0.5, 0.75]] {

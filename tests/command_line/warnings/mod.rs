@@ -1,6 +1,8 @@
 //! Warnings: each kind is triggered by what it names and by nothing else, and none depends on threads, store or shards.
 
-use super::Bench;
+mod given;
+
+use crate::Bench;
 use serde_json::Value as Json;
 
 impl Bench {

@@ -3,7 +3,7 @@
 
 mod cluster;
 
-#[path = "../common/bench.rs"]
+#[path = "../../common/bench.rs"]
 mod bench;
 #[allow(dead_code)]
 #[path = "../torture/tree.rs"]
@@ -69,7 +69,7 @@ fn submit<'a>(
     shards: Option<&str>,
 ) -> Submission<'a> {
     let program = env!("CARGO_BIN_EXE_slipgap");
-    let wrapper = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/slurm/shard.sh");
+    let wrapper = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/stress/slurm/shard.sh");
     let made = work.run(&[
         "sbatch",
         "s.json",

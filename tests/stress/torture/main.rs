@@ -4,7 +4,7 @@
 //! Each test has a short form and a long one, which `make torture` runs. TORTURE=N makes the long ones N times as long.
 #![cfg(unix)]
 
-#[path = "../common/bench.rs"]
+#[path = "../../common/bench.rs"]
 mod bench;
 mod damaged;
 mod full;

@@ -1,7 +1,7 @@
 //! The restitution of an impact: what its law gives, and what its motion has.
 
-use super::Bench;
-use super::warnings::some;
+use crate::Bench;
+use crate::warnings::some;
 
 /// Two bodies of 1 that collide with these parameters, a contact and more parts of the structure.
 fn collision(parameters: &str, contact: &str, more: &str) -> String {

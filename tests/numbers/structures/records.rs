@@ -31,7 +31,7 @@ fn acceleration(record: &Record) -> Table {
 }
 
 fn reference() -> Json {
-    serde_json::from_str(include_str!("../data/records.json")).unwrap()
+    serde_json::from_str(include_str!("../../data/records.json")).unwrap()
 }
 
 fn number(json: &Json) -> f64 {

@@ -10,7 +10,7 @@ use slipgap::system::structure::{
 use std::sync::Arc;
 
 fn all() -> Vec<Json> {
-    serde_json::from_str(include_str!("../data/structures.json")).unwrap()
+    serde_json::from_str(include_str!("../../data/structures.json")).unwrap()
 }
 
 fn number(json: &Json) -> f64 {

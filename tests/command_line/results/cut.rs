@@ -1,7 +1,7 @@
 //! Motions of which a case computes a part only: their measures, and the warning.
 
-use super::Bench;
-use super::warnings::body;
+use crate::Bench;
+use crate::warnings::body;
 use std::f64::consts::PI;
 
 /// Whether study `s` has the warning, and what it is of.

@@ -1,6 +1,6 @@
 //! Cases without contact: counted on stderr and in the manifest, with empty contact metrics.
 
-use super::Bench;
+use crate::Bench;
 use serde_json::Value as Json;
 
 /// Gaps from 0 to 2. With a duration of 0.5, gaps of 1 and more do not close.

@@ -147,7 +147,7 @@ fn the_points_of_fragility_figures_are_a_table() {
 /// The measures of the records of the Loma Prieta earthquake by an independent program: pga, and the spectral displacement at 1 s.
 fn measures() -> Vec<[f64; 2]> {
     let all: serde_json::Value =
-        serde_json::from_str(include_str!("../data/records.json")).unwrap();
+        serde_json::from_str(include_str!("../../data/records.json")).unwrap();
     let records = all["records"].as_array().unwrap().iter();
     let own = records.filter(|own| own["file"].as_str().unwrap().starts_with("lomaprieta"));
     own.map(|own| [&own["pga"], &own["sd"][2]].map(|x| x.as_f64().unwrap()))

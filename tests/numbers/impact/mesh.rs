@@ -23,7 +23,7 @@ fn lumped(gamma: f64, n: u32) -> Mesh {
 fn agrees_with_all_degrees_of_freedom() {
     // tests/reference/mesh.py; its eigensolver and root finder have errors of 1e-13, and each event passes them on, at gamma = 10
     // over 27 events.
-    let cases: Json = serde_json::from_str(include_str!("../data/mesh.json")).unwrap();
+    let cases: Json = serde_json::from_str(include_str!("../../data/mesh.json")).unwrap();
     let mut events = 0;
     for case in cases.as_array().unwrap() {
         let number = |name: &str| case[name].as_f64().unwrap();

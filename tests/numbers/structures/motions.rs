@@ -71,7 +71,7 @@ fn near(a: f64, b: f64, tolerance: f64) {
 
 /// The row of the record in the data of the independent program.
 fn reference() -> Json {
-    let all: Json = serde_json::from_str(include_str!("../data/records.json")).unwrap();
+    let all: Json = serde_json::from_str(include_str!("../../data/records.json")).unwrap();
     let mut records = all["records"].as_array().unwrap().iter();
     records.find(|own| own["file"] == APEEL).unwrap().clone()
 }
@@ -397,7 +397,7 @@ fn measures_of_the_ground_are_those_of_an_independent_program() {
         .iter()
         .map(|name| format!("\"ground.{name}\""))
         .collect();
-    let all: Json = serde_json::from_str(include_str!("../data/records.json")).unwrap();
+    let all: Json = serde_json::from_str(include_str!("../../data/records.json")).unwrap();
     let records = all["records"].as_array().unwrap();
     let pattern = r#"{"files": "../records"}"#;
     let text = text(r#""T1": 1,"#, &format!(r#"{{"record": {pattern}}}"#));

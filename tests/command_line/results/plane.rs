@@ -1,6 +1,6 @@
 //! Contacts in a plane: what is refused, and the warning of two contacts in their place.
 
-use super::Bench;
+use crate::Bench;
 
 /// A body that slides, with these keys of its contact.
 fn body(contact: &str) -> String {
