@@ -21,7 +21,7 @@ fn lumped(gamma: f64, n: u32) -> Mesh {
 
 #[test]
 fn agrees_with_all_degrees_of_freedom() {
-    // tests/reference/mesh.py; its eigensolver and root finder have errors of 1e-13, and each event passes them on, at gamma = 10
+    // tests/reference/impact/mesh.py; its eigensolver and root finder have errors of 1e-13, and each event passes them on, at gamma = 10
     // over 27 events.
     let cases: Json = serde_json::from_str(include_str!("../../data/mesh.json")).unwrap();
     let mut events = 0;

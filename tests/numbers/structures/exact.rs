@@ -1,4 +1,4 @@
-//! Exact motions and time steps of structures compared with an independent program (tests/reference/structures.py), which
+//! Exact motions and time steps of structures compared with an independent program (tests/reference/structures/structures.py), which
 //! integrates by Dormand and Prince's method of order 8 from event to event.
 
 use serde_json::Value as Json;

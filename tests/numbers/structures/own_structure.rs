@@ -1,5 +1,5 @@
 //! Structures of other programs: matrices, general rows of contacts, nodes without mass, compared with an independent program
-//! (tests/reference/own_structure.py, which agrees with OpenSees) and with the same model as masses and springs.
+//! (tests/reference/structures/own_structure.py, which agrees with OpenSees) and with the same model as masses and springs.
 
 use serde_json::{Value as Json, json};
 use slipgap::study::{self, Study};

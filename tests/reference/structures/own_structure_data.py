@@ -1,4 +1,4 @@
-"""Writes ../data/own_structure/ (matrices, records) and ../data/own_structure.json: studies and their motion by own_structure.py.
+"""Writes ../../data/own_structure/ (matrices, records) and ../../data/own_structure.json: studies and their motion by own_structure.py.
 
 Run:  python3 own_structure_data.py [frames]      (needs numpy and scipy; `frames` writes the matrices again and needs openseespy)
 """
@@ -12,8 +12,8 @@ import numpy as np
 from own_structure import solve
 
 HERE = Path(__file__).resolve().parent
-FOLDER = HERE.parent / "data" / "own_structure"
-sys.path.insert(0, str(HERE.parents[1] / "examples" / "models"))
+FOLDER = HERE.parents[1] / "data" / "own_structure"
+sys.path.insert(0, str(HERE.parents[2] / "examples" / "models"))
 
 
 def write_models():
@@ -136,7 +136,7 @@ def main():
         print(name, len(m.free), "free,", len(t), "steps, steps with a force", closed, "largest u",
               max(x["largest"] for c, x in values.items() if c.endswith(".u")))
         written.append(json.dumps({"name": name + ", steps of w" * split, "study": data, "steps": steps, "channels": values}))
-    (HERE.parent / "data" / "own_structure.json").write_text("[\n" + ",\n".join(written) + "\n]\n", encoding="utf-8")
+    (HERE.parents[1] / "data" / "own_structure.json").write_text("[\n" + ",\n".join(written) + "\n]\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Writes tests/data/impact.json: cases, metrics, thinned histories and profiles of impact.py, with 50 digits.
 
-Run:  python3 impact_data.py ../data/impact.json     (needs mpmath; about a minute)
+Run:  python3 impact_data.py ../../data/impact.json     (needs mpmath; about a minute)
 """
 
 import json

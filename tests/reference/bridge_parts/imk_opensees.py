@@ -1,4 +1,4 @@
-"""The materials IMKPeakOriented and IMKPinching of OpenSees along random loops; writes ../data/imk_opensees.json.
+"""The materials IMKPeakOriented and IMKPinching of OpenSees along random loops; writes ../../data/imk_opensees.json.
 
 Each row is a material that is stretched to `x`, step by step, and its force `S`; `numbers` are those of the law of slipgap, in which
 lambda, left out, is no degradation (here 1e30). Most turns are between the peaks so far, some go to the same peak again, and every second
@@ -92,7 +92,7 @@ def history(chance):
 
 def main():
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 8
-    out = pathlib.Path(__file__).parent.parent / "data" / "imk_opensees.json"
+    out = pathlib.Path(__file__).parents[2] / "data" / "imk_opensees.json"
     out = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else out
     chance = random.Random(1)
     rows = []

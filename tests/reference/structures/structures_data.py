@@ -1,6 +1,6 @@
 """Writes tests/data/structures.json: structures as plain data, and their motion by structures.py.
 
-Run:  python3 structures_data.py ../data/structures.json     (needs numpy and scipy; some minutes)
+Run:  python3 structures_data.py ../../data/structures.json     (needs numpy and scipy; some minutes)
 """
 
 import json

@@ -1,6 +1,6 @@
 """Writes tests/data/friction.json: cases, metrics and thinned histories of friction.py, with 50 digits.
 
-Run:  python3 friction_data.py ../data/friction.json     (needs mpmath)
+Run:  python3 friction_data.py ../../data/friction.json     (needs mpmath)
 """
 
 import json

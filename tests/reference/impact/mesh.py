@@ -1,7 +1,7 @@
 """Two equal bars of finite elements on the impact spring in continuous time, all degrees of freedom, by numpy.
 
 Both bars are assembled, neither symmetry nor closed-form modes are used; events are found on a dense grid and then by
-Brent's method. Writes ../data/mesh.json: the times at which the ends part and touch, and r and rdot in between.
+Brent's method. Writes ../../data/mesh.json: the times at which the ends part and touch, and r and rdot in between.
 
 Run:  python3 mesh.py     (needs numpy and scipy)
 """
@@ -100,7 +100,7 @@ def main():
         events, rows = run(gamma, n, mass, gap, gap / 2 + 1.5, times)
         cases.append({"gamma": gamma, "n": n, "mass": mass, "gap": gap, "events": events, "rows": rows})
         print(gamma, n, mass, len(events))
-    path = pathlib.Path(__file__).parent.parent / "data" / "mesh.json"
+    path = pathlib.Path(__file__).parents[2] / "data" / "mesh.json"
     path.write_text(json.dumps(cases, indent=0) + "\n")
 
 

@@ -1,4 +1,4 @@
-"""Two rigid masses that collide with laws that yield, by Runge-Kutta steps; writes ../data/parts.json.
+"""Two rigid masses that collide with laws that yield, by Runge-Kutta steps; writes ../../data/parts.json.
 
 m dv/dt = -F, ddelta/dt = v, from delta = 0, v = v0, m = m1 m2/(m1 + m2). While the masses approach, F is that of the first loading; from
 the largest overlap d_m on, where F is F_m, it is that of unloading:
@@ -85,7 +85,7 @@ def main():
             rows.append({"law": law, "numbers": numbers, "m": m, "v0": v0, "restitution": fine[0], "duration": fine[1],
                          "overlap": fine[2], "difference": difference})
             print(law, *(f"{x:.12f}" for x in fine), f"{difference:.0e}")
-    out = pathlib.Path(__file__).parent.parent / "data" / "parts.json"
+    out = pathlib.Path(__file__).parents[2] / "data" / "parts.json"
     out.write_text("[\n" + ",\n".join(json.dumps(row) for row in rows) + "\n]\n")
 
 

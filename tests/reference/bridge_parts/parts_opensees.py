@@ -1,4 +1,4 @@
-"""The laws of parts of bridges by OpenSees; writes ../data/parts_opensees.json.
+"""The laws of parts of bridges by OpenSees; writes ../../data/parts_opensees.json.
 
 Each row of `materials` is a uniaxial material that is stretched to `x`, step by step, and its force `S`. The signs are those of slipgap:
 r = x + `gap`, S > 0 pulls. `numbers` are those of the law of slipgap.
@@ -97,7 +97,7 @@ def main():
         row = {"law": law, "numbers": numbers, "gap": gap, "material": material[0], "x": xs, "S": forces(material, xs)}
         rows.append(row)
     dampers = [damper(1.5, 20.0, 0.8, a, 1.3, 0.02, 60) for a in (0.5, 1.0, 1.4, 2.0)]
-    out = pathlib.Path(__file__).parent.parent / "data" / "parts_opensees.json"
+    out = pathlib.Path(__file__).parents[2] / "data" / "parts_opensees.json"
     lists = ",\n".join(json.dumps(row) for row in rows), ",\n".join(json.dumps(row) for row in dampers)
     out.write_text('{"materials": [\n%s\n],\n"dampers": [\n%s\n]}\n' % lists)
 

@@ -1,4 +1,4 @@
-"""Two rigid masses that collide with each law of impact, by Runge-Kutta steps; writes ../data/laws.json.
+"""Two rigid masses that collide with each law of impact, by Runge-Kutta steps; writes ../../data/laws.json.
 
 m dv/dt = -F(delta, v), ddelta/dt = v, from delta = 0, v = v0, m = m1 m2/(m1 + m2). The forces are those of the papers:
 
@@ -77,7 +77,7 @@ def main():
                              "duration": fine[1], "overlap": fine[2], "difference": difference})
                 if k == 1.0:
                     print(law, e, *(f"{x:.12f}" for x in fine), f"{difference:.0e}")
-    out = pathlib.Path(__file__).parent.parent / "data" / "laws.json"
+    out = pathlib.Path(__file__).parents[2] / "data" / "laws.json"
     out.write_text("[\n" + ",\n".join(json.dumps(row) for row in rows) + "\n]\n")
 
 

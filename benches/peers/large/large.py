@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 
-MODELS = pathlib.Path(__file__).parents[2] / "examples" / "models"
+MODELS = pathlib.Path(__file__).parents[3] / "examples" / "models"
 sys.path.insert(0, str(MODELS))
 
 from matrix_market import write_dofs, write_matrices  # noqa: E402
