@@ -5,7 +5,6 @@ use crate::figures::{png, style};
 use slipgap_drawing::DrawingError;
 use slipgap_drawing::layout::below;
 use slipgap_drawing::layout::sheet::{Rect, Sheet};
-use slipgap_drawing::layout::slope;
 use slipgap_drawing::text;
 use slipgap_solver::problem::parameter::Value;
 use slipgap_study::kinds::{History, Law, Map, Metric};
@@ -93,10 +92,7 @@ fn fits(sheet: &Sheet, width: f64) {
         assert!(frame.width >= 60.0, "{frame:?}");
         assert!(frame.left >= 0.0 && frame.right() <= width && frame.bottom() <= sheet.height);
         for other in 0..k {
-            assert!(
-                !slope::overlap(&with_axis(k), &with_axis(other)),
-                "{k} {other}"
-            );
+            assert!(!with_axis(k).overlaps(&with_axis(other)), "{k} {other}");
         }
     }
     for words in &sheet.heading {

@@ -88,6 +88,6 @@ pub fn before_tests(text: &str) -> &str {
         let line = text[*start..].lines().nth(1).unwrap_or_default();
         line.ends_with('{')
     };
-    let first = starts.map(|found| found.clone()).find(inline);
+    let first = { starts }.find(inline);
     first.map_or(text, |(start, _)| &text[..start])
 }

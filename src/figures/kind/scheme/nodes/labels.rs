@@ -119,7 +119,7 @@ impl Labels {
         };
         let cost = |point: Point| {
             let own = rect(point);
-            let hidden = self.symbols.iter().filter(|other| overlap(&own, other));
+            let hidden = self.symbols.iter().filter(|other| own.overlaps(other));
             let lines = self.lines.iter().filter(|point| own.contains(**point));
             1000 * hidden.count() + lines.count()
         };
@@ -135,8 +135,4 @@ impl Labels {
             size,
         });
     }
-}
-
-fn overlap(a: &Rect, b: &Rect) -> bool {
-    a.left < b.right() && b.left < a.right() && a.top < b.bottom() && b.top < a.bottom()
 }
