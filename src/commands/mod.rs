@@ -3,24 +3,19 @@
 mod animate;
 mod arguments;
 mod calibrate;
-mod check;
 mod claims;
 mod compare;
 mod explain;
 mod init;
 mod list;
-mod merge;
 mod recommend;
 mod report;
-mod run;
-mod sbatch;
+mod runs;
 mod schema;
-mod shard;
-mod sources;
 pub mod terminal;
 
 use clap::Subcommand;
-use slipgap::batch::output::atomic::stop_writing;
+use slipgap::batch::files::atomic::stop_writing;
 use slipgap::error::Error;
 use terminal::note;
 
@@ -50,13 +45,13 @@ pub enum Verb {
     /// Write a small study with remarks to studies/NAME.json, as a start
     Init(init::InitArgs),
     /// Run studies; write results.csv and figures to one folder for each study
-    Run(run::RunArgs),
+    Run(crate::commands::runs::run::RunArgs),
     /// Write the results of studies whose cases `run --shard` has computed; compute none
-    Merge(merge::MergeArgs),
+    Merge(crate::commands::runs::merge::MergeArgs),
     /// Print a script that submits the shards of a study to Slurm as an array, and then the merge
-    Sbatch(sbatch::SbatchArgs),
+    Sbatch(crate::commands::runs::sbatch::SbatchArgs),
     /// Run studies and test their checks; write no files
-    Check(check::CheckArgs),
+    Check(crate::commands::runs::check::CheckArgs),
     /// Show studies with their axes, cases and steps; compute nothing
     List(list::ListArgs),
     /// Show one case of a study: parameters, steps, cost and estimated time

@@ -43,7 +43,7 @@ fn the_page_needs_no_other_file() {
     );
     assert!(page.contains("Checks: 0 of 1 met") && page.contains("not met</td>"));
     assert!(page.contains(env!("CARGO_PKG_VERSION")));
-    let solver = format!("solver {}", slipgap::batch::key::SOLVER_VERSION);
+    let solver = format!("solver {}", slipgap::batch::store::key::SOLVER_VERSION);
     assert!(page.contains(&solver));
     // From `sha256sum`.
     let study = folder.path().join("s.json");

@@ -38,7 +38,7 @@ pub use decode::{parse, read};
 pub use describe::{problem_pages, problem_reference, reference, schema, start};
 pub use figure::kinds::{self, FigureKind, Marks, Ridge};
 pub use measure::{Measure, measures};
-pub use reduction::{Groups, Operator, Reduced, Reduction};
+pub use reduction::{CaseMetrics, Groups, Operator, Reduced, Reduction, reduced_cases};
 pub use slipgap_solver::expression::{printable, unprintable};
 pub use source::input::{Input, STDIN};
 pub use source::setting::{Setting, SettingFault};
