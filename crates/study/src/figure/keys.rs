@@ -202,7 +202,7 @@ pub(super) const COLOUR: Key = key(
     "colour",
     Takes::Switch,
     false,
-    "true: unbroken curves in colours that people with any colour vision tell apart (Okabe and Ito); false: black curves with dashes and markers; if left out, black in the files of a run without --colour, and in colour in reports and notebooks",
+    "true: unbroken curves in colours for any colour vision (Okabe and Ito); false: black curves with dashes and markers; if left out, black in files without --colour, in colour in reports and notebooks",
 );
 pub(super) const MARKERS: Key = key(
     "markers",

@@ -8,7 +8,7 @@ use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, key};
 pub(super) const KIND: Kind = Kind {
     name: "orbit",
     needs: Needs::Structure,
-    meaning: "the path of a contact in a plane, with equal scales along both axes: x and y are its r.1 and r.2, or S.1 and S.2 with the disc of its largest limit; at most 8 cases in a panel",
+    meaning: "the path of a contact in a plane with equal scales: r.1 and r.2, or S.1 and S.2 with the disc of its largest limit; at most 8 cases in a panel",
     keys: &[
         key(
             "x",

@@ -20,7 +20,7 @@ const MOST_CASES: usize = 1000;
 pub(super) const KIND: Kind = Kind {
     name: "spectrum",
     needs: Needs::Structure,
-    meaning: "elastic response spectra of the whole ground motions of the cases, also of what is after `duration`, over the period; one curve for each ground motion and damping ratio",
+    meaning: "elastic response spectra of the whole ground motions of the cases, also after `duration`; one curve for each motion and damping ratio",
     keys: &[
         key(
             "y",
