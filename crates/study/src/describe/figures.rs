@@ -25,12 +25,10 @@ pub(super) fn reference() -> String {
     )
 }
 
-/// The kinds that have a key, or those that do not if these are fewer.
+/// The kinds that have a key; of a key of most kinds the schema has the list.
 fn of_kinds(kinds: &[&str]) -> String {
-    let others = KINDS.iter().map(|kind| kind.name);
-    let others: Vec<&str> = others.filter(|kind| !kinds.contains(kind)).collect();
-    match others.len() + 1 < kinds.len() {
-        true => format!("all but {}", code(&others)),
+    match kinds.len() * 2 > KINDS.len() {
+        true => "most kinds".into(),
         false => code(kinds),
     }
 }
@@ -64,6 +62,12 @@ fn described(key: &Key) -> String {
     format!("- `{}`: {}", key.name, key.meaning)
 }
 
+/// The meaning of a key without the axis, which its name tells.
+fn without_axis(meaning: &str) -> String {
+    let meaning = meaning.replace(" along the horizontal axis", "");
+    meaning.replace(" along the vertical axis", "")
+}
+
 /// A kind as an item of a list: what it shows, and its own keys.
 fn section(kind: &Kind, shared: &[(&Key, Vec<&str>)]) -> String {
     let name = |key: &Key| match key.required {
@@ -71,14 +75,22 @@ fn section(kind: &Kind, shared: &[(&Key, Vec<&str>)]) -> String {
         false => format!("`{}`", key.name),
     };
     let is_above = |key: &Key| is_scale(key) || shared.iter().any(|(other, _)| same(other, key));
-    let shown = kind.keys.iter().filter(|key| key.required || !is_above(key));
+    let shown = kind
+        .keys
+        .iter()
+        .filter(|key| key.required || !is_above(key));
     let keys = shown.map(|key| match is_above(key) {
         true => name(key),
-        false => format!("{} ({})", name(key), key.meaning),
+        false => format!("{} ({})", name(key), without_axis(key.meaning)),
     });
     let keys: Vec<String> = keys.collect();
     match keys.is_empty() {
         true => format!("- `{}`: {}", kind.name, kind.meaning),
-        false => format!("- `{}`: {}. Keys: {}", kind.name, kind.meaning, keys.join(", ")),
+        false => format!(
+            "- `{}`: {}. Keys: {}",
+            kind.name,
+            kind.meaning,
+            keys.join(", ")
+        ),
     }
 }

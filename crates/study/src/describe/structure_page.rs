@@ -90,10 +90,7 @@ pub(super) fn reference() -> String {
         ),
         objects(
             "Its `displacement` is one of:",
-            &[
-                ("points", keys::IMPOSED),
-                ("a file", keys::IMPOSED_BY_FILE),
-            ],
+            &[("points", keys::IMPOSED), ("a file", keys::IMPOSED_BY_FILE)],
         ),
         "## Measurements".into(),
         keys(

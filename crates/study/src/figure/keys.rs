@@ -208,5 +208,5 @@ pub(super) const MARKERS: Key = key(
     "markers",
     Takes::Switch,
     false,
-    "true: curves in colour have markers, too, as black ones always have; if left out, they have none",
+    "true: curves in colour have markers, too",
 );

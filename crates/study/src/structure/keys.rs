@@ -38,7 +38,7 @@ pub(crate) const STRUCTURE: Keys = &[
     ("contacts", "contacts by name"),
     (
         "loads",
-        "forces on nodes, on each node of a bar, or of matrices in a direction, such as tower.x",
+        "forces on nodes, on each node of a bar, or of matrices in a direction, as tower.x",
     ),
     (
         "ground",
@@ -54,7 +54,7 @@ pub(crate) const STRUCTURE: Keys = &[
     ),
     (
         "start",
-        "displacement and velocity at t = 0 of nodes, bars, or matrices in a direction, such as tower.x",
+        "displacement and velocity at t = 0 of nodes, bars, or matrices in a direction",
     ),
     (
         "contacts_reference",
@@ -85,7 +85,7 @@ pub(crate) const MATRICES: Keys = &[
     ),
     (
         "ties",
-        "CSV file with lines node,direction and cells dof:factor, or its content: dofs that are no rows but sums of rows, as rigid links and floors make them; named as nodes are, but not in start",
+        "CSV file with lines node,direction and cells dof:factor, or its content: tied dofs as sums of rows, named as nodes are",
     ),
     (
         "reduce",
@@ -213,8 +213,7 @@ pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
         ),
         (
             "plane",
-            "instead of between: nodes I and J of the first direction and of the second one, of friction in a plane; a pair that does \
-             not move, as [\"ground\", \"ground\"], leaves the other direction",
+            "instead of between: nodes I and J of each of two directions, of friction in a plane; [\"ground\", \"ground\"] holds one",
         ),
         (
             "directions",
@@ -321,7 +320,7 @@ pub(crate) const FUNCTION: Keys = &[
     ("end", "time at which it ends; 0 after"),
     (
         "baseline",
-        "what is removed from start to end: \"none\"; \"mean\", that of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
+        "what is removed: \"none\"; \"mean\" of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
     ),
     (
         "scale_to",
@@ -414,7 +413,7 @@ pub(crate) const PULSE: Keys = &[
 ];
 
 /// Meaning of `sampled`. The last sample is at the end also where the end is no multiple.
-const SAMPLED: &str = "time between samples, straight between, the last one at the end of the pulse; then 0, by a jump if it is not 0";
+const SAMPLED: &str = "time between samples, straight between, the last one at the end; then 0";
 
 /// Keys of `ricker`.
 pub(crate) const RICKER: Keys = &[
@@ -474,7 +473,7 @@ pub(crate) const MEASURED: Keys = &[
     ),
     (
         "delay",
-        "time of the file that is t = 0 of the motion; 0 if left out. Metrics compare the points that are within the motion for every delay of the study",
+        "time of the file at t = 0 of the motion; 0 if left out",
     ),
 ];
 

@@ -38,7 +38,7 @@ pub(super) const KIND: Kind = Kind {
             "mean_over",
             Takes::Parameter,
             false,
-            "parameter over which cases are averaged: x by the mean, y by the root mean square",
+            "parameter over which x is averaged by the mean, y by the root mean square",
         ),
         key(
             "x_scale",

@@ -29,7 +29,7 @@ pub(super) const KIND: Kind = Kind {
             "time_range",
             Takes::Range,
             false,
-            "first and last time of the path; the whole motion if left out",
+            "first and last time; the whole motion if left out",
         ),
         COLOUR,
         MARKERS,

@@ -32,7 +32,7 @@ pub(super) const KIND: Kind = Kind {
             "damping",
             Takes::Ratios,
             false,
-            "damping ratio of the oscillators, or a list of ratios; if left out, 0.05",
+            "damping ratios; if left out, 0.05",
         ),
         key(
             "periods",
