@@ -80,8 +80,8 @@ pub(super) fn reference() -> String {
             ],
         ),
         keys(
-            "Files as an axis, under `record`, under `file` of `measured`, or as the value of a parameter that chooses one of these. The \
-             files of several parameters of a block without `zip` go together, those with the same text for `*`:",
+            "Files as an axis, under `record`, `file` of `measured`, or a parameter that chooses one of these; those with the same text for `*` \
+             go together:",
             keys::FILES,
         ),
         keys(

@@ -19,7 +19,7 @@ pub(crate) const STRUCTURE: Keys = &[
     ),
     (
         "bars",
-        "bars of n elements, with the nodes NAME.left, NAME.1 to NAME.(n-1), NAME.right; \"a|b|c\" is three alike",
+        "bars of n elements, with the nodes NAME.left, NAME.1, .., NAME.right; \"a|b|c\" is three alike",
     ),
     (
         "matrices",
@@ -33,7 +33,7 @@ pub(crate) const STRUCTURE: Keys = &[
     ("modal_damping", "damping ratio in every mode of M and K"),
     (
         "damping_stiffness",
-        "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with elastic contacts at rest",
+        "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with elastic contacts",
     ),
     ("contacts", "contacts by name"),
     (
@@ -46,7 +46,7 @@ pub(crate) const STRUCTURE: Keys = &[
     ),
     (
         "supports",
-        "supports with motions of their own, by name; each is a node NAME, NAME.x, NAME.y, NAME.z, and u is then absolute",
+        "supports with motions of their own: nodes NAME, NAME.x, NAME.y, NAME.z; u is then absolute",
     ),
     (
         "static",
@@ -58,7 +58,7 @@ pub(crate) const STRUCTURE: Keys = &[
     ),
     (
         "contacts_reference",
-        "the exact motion in histories, figures and errors: of the \"softened\" laws, or of \"rigid\" ones",
+        "the exact motion in histories, figures and errors: \"softened\" or \"rigid\" laws",
     ),
 ];
 
@@ -89,7 +89,7 @@ pub(crate) const MATRICES: Keys = &[
     ),
     (
         "reduce",
-        "keeps the dofs that the study names, and the lowest modes with these held (Craig and Bampton)",
+        "keeps the dofs that the study names, and lowest modes (Craig and Bampton)",
     ),
 ];
 
@@ -165,10 +165,7 @@ pub(crate) const BAR: Keys = &[
 
 /// Keys of a spring.
 pub(crate) const SPRING: Keys = &[
-    (
-        "name",
-        "name of the spring, with which its force is the channel NAME.S",
-    ),
+    ("name", "name, with which its force is the channel NAME.S"),
     ("between", "two nodes"),
     ALONG,
     ("k", "stiffness; below 0 where contacts hold the nodes"),
@@ -288,7 +285,7 @@ pub(crate) const FUNCTION: Keys = &[
     ("table", "straight lines between points, constant beyond"),
     (
         "record",
-        "file of a recorded acceleration, its path relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis",
+        "file of a recorded acceleration, relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis",
     ),
     ("pulse", "a pulse of acceleration"),
     (
@@ -305,7 +302,7 @@ pub(crate) const FUNCTION: Keys = &[
     ),
     (
         "column",
-        "column of a table with the accelerations, from 1; if left out, there are two, t and a",
+        "column of a table with the accelerations, from 1; t and a if left out",
     ),
     ("dt", "time step in s of a table without times"),
     ("component", "component of a file with several, from 1"),
@@ -322,10 +319,7 @@ pub(crate) const FUNCTION: Keys = &[
         "baseline",
         "what is removed: \"none\"; \"mean\" of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
     ),
-    (
-        "scale_to",
-        "strength of the motion from start to end without its baseline",
-    ),
+    ("scale_to", "strength of the motion from start to end"),
     ("delay", "time by which all is later; 0 before"),
 ];
 
