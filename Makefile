@@ -52,7 +52,7 @@ peers: ## the same sweeps, girders with contacts and large models by slipgap and
 	benches/peers/run
 
 # With PROGRAM=path, the times of another build beside it.
-speed: ## whole runs beside loops by numba, written to docs/speed.md and README.md with the name of the machine
+speed: ## whole runs beside loops by numba, written to docs/performance.md with the name of the machine
 	benches/peers/run speed $(PROGRAM)
 
 maps: ## the sensitivity maps with a thousand cases along each axis, in docs/maps/

@@ -15,7 +15,7 @@ pub(crate) const KEYS: [(&str, &str); 3] = [
     ("kind", "how the points are chosen"),
     (
         "n",
-        "number of points; a saltelli design of k parameters has n base points and n (k + 2) cases; a power of 2 is best for Sobol' sequences",
+        "number of points; saltelli: base points; a power of 2 is best for Sobol' sequences",
     ),
     (
         "seed",

@@ -10,13 +10,10 @@ use slipgap_solver::problem::parameter::{Kind, Parameter, Range, shortest};
 
 /// The distributions, each with the meaning of its two numbers.
 pub(crate) const INTERVALS: [(&str, &str); 2] = [
-    (
-        "uniform",
-        "[a, b]: uniform distribution from a to b; the design of the block chooses the points",
-    ),
+    ("uniform", "[a, b]: uniform distribution from a to b"),
     (
         "loguniform",
-        "[a, b]: uniform distribution of the logarithm from a to b; the design of the block chooses the points",
+        "[a, b]: uniform distribution of the logarithm from a to b",
     ),
 ];
 

@@ -24,7 +24,7 @@ pub(crate) const KEYS: [(&str, &str); 16] = [
     ),
     (
         "metrics",
-        "metrics to compute in addition to the default ones; each is a column of results.csv; a name, arithmetic such as \"max(a3 - a2)/h\", a ratio to a reference case such as \"peak(gap.S) relative to gamma = 1, n = 10\", or an object that gives one a name: {\"drift\": \"max(a3 - a2)/h\"} or {\"drift\": {\"value\": \"max(a3 - a2)/h\", \"unit\": \"rad\", \"title\": \"drift\"}}",
+        "metrics in addition to the default ones, each a column of results.csv: a name, arithmetic such as \"max(a3 - a2)/h\", a ratio such as \"peak(gap.S) relative to gamma = 1\", or an object that names one, such as {\"drift\": \"max(a3 - a2)/h\"}",
     ),
     reduction::decode::KEY,
     (
@@ -38,7 +38,7 @@ pub(crate) const KEYS: [(&str, &str); 16] = [
     SHOWN,
     (
         "iteration",
-        "converged (if left out), or once: each step is solved once with the matrices of the papers, without iteration",
+        "converged (if left out), or once: each step is solved once with the matrices of the papers",
     ),
     (
         "calibrate",

@@ -14,12 +14,24 @@ pub(super) fn code(names: &[&str]) -> String {
     quoted.join(", ")
 }
 
-/// Keys with their meanings as a list.
+/// Keys with their meanings as a list. Neighbours with the same meaning share an item.
 pub(super) fn list(keys: &[(&str, &str)]) -> String {
-    let items = keys
-        .iter()
-        .map(|(key, meaning)| format!("- `{key}`: {meaning}"));
+    let item = |same: &[(&str, &str)]| {
+        let names: Vec<&str> = same.iter().map(|key| key.0).collect();
+        format!("- {}: {}", code(&names), same[0].1)
+    };
+    let items = keys.chunk_by(|a, b| a.1 == b.1).map(item);
     items.collect::<Vec<_>>().join("\n")
+}
+
+/// The keys of a small object as one item of a list.
+pub(super) fn object(name: &str, keys: &[(&str, &str)]) -> String {
+    let key = |(key, meaning): &(&str, &str)| match key == meaning {
+        true => format!("`{key}`"),
+        false => format!("`{key}` ({meaning})"),
+    };
+    let keys: Vec<String> = keys.iter().map(key).collect();
+    format!("- {name}: {}", keys.join(", "))
 }
 
 /// The kinds of warnings.
@@ -39,16 +51,15 @@ pub(super) fn problem_page(problem: &dyn Problem) -> String {
     let name = problem.name();
     let schema = problem.schema();
     let mut text = format!(
-        "# Study files: {name}\n\nFor those who write a study with `\"problem\": \"{name}\"`: {}. \
-         [study-files.md](study-files.md) has the keys of all problems, [scope.md](scope.md) equations and symbols, \
-         [laws-and-methods.md](laws-and-methods.md) the laws.\n\n## Parameters\n\n\
-         With their units, allowed values and values if left out; besides those of the [method](study-files.md#methods).\n\n",
+        "# Study files: {name}\n\n`\"problem\": \"{name}\"`: {}. \
+         [study-files.md](study-files.md) has the keys of all problems and the parameters of the method, [scope.md](scope.md) symbols, \
+         [laws-and-methods.md](laws-and-methods.md) the laws.\n\n## Parameters\n\n",
         schema.meaning
     );
     let of_method = |parameter: &Parameter| METHOD.iter().any(|own| own.name == parameter.name);
     let own = problem.parameters().iter().filter(|p| !of_method(p));
     text += &parameters(&own.collect::<Vec<_>>());
-    text += "\n## Metrics\n\nIn the formulas c is computed, e exact. Of several metrics in a line, the formula is that of the first.\n\n";
+    text += "\n## Metrics\n\nc is computed, e exact. Of several metrics in a line, the formula is that of the first.\n\n";
     text += &metrics(problem, true);
     text += "\nOnly if `metrics` of the study lists them:\n\n";
     text += &metrics(problem, false);

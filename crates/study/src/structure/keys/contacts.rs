@@ -20,8 +20,7 @@ pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
         ),
         (
             "plane",
-            "instead of between: nodes I and J of the first direction and of the second one, of friction in a plane; a pair that does \
-             not move, as [\"ground\", \"ground\"], leaves the other direction",
+            "instead of between: nodes I and J of each of two directions, of friction in a plane; [\"ground\", \"ground\"] holds one",
         ),
         (
             "directions",

@@ -18,7 +18,7 @@ pub(crate) const MEASURED: Keys = &[
     ),
     (
         "delay",
-        "time of the file that is t = 0 of the motion; 0 if left out. Metrics compare the points that are within the motion for every delay of the study",
+        "time of the file at t = 0 of the motion; 0 if left out",
     ),
 ];
 

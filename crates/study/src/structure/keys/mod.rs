@@ -30,7 +30,7 @@ pub(crate) const STRUCTURE: Keys = &[
     ),
     (
         "bars",
-        "bars of n elements, with the nodes NAME.left, NAME.1 to NAME.(n-1), NAME.right; \"a|b|c\" is three alike",
+        "bars of n elements, with the nodes NAME.left, NAME.1, .., NAME.right; \"a|b|c\" is three alike",
     ),
     (
         "matrices",
@@ -44,12 +44,12 @@ pub(crate) const STRUCTURE: Keys = &[
     ("modal_damping", "damping ratio in every mode of M and K"),
     (
         "damping_stiffness",
-        "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with elastic contacts at rest",
+        "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with elastic contacts",
     ),
     ("contacts", "contacts by name"),
     (
         "loads",
-        "forces on nodes, on each node of a bar, or of matrices in a direction, such as tower.x",
+        "forces on nodes, on each node of a bar, or of matrices in a direction, as tower.x",
     ),
     (
         "ground",
@@ -57,7 +57,7 @@ pub(crate) const STRUCTURE: Keys = &[
     ),
     (
         "supports",
-        "supports with motions of their own, by name; each is a node NAME, NAME.x, NAME.y, NAME.z, and u is then absolute",
+        "supports with motions of their own: nodes NAME, NAME.x, NAME.y, NAME.z; u is then absolute",
     ),
     (
         "static",
@@ -65,11 +65,11 @@ pub(crate) const STRUCTURE: Keys = &[
     ),
     (
         "start",
-        "displacement and velocity at t = 0 of nodes, bars, or matrices in a direction, such as tower.x",
+        "displacement and velocity at t = 0 of nodes, bars, or matrices in a direction",
     ),
     (
         "contacts_reference",
-        "the exact motion in histories, figures and errors: of the \"softened\" laws, or of \"rigid\" ones",
+        "the exact motion in histories, figures and errors: \"softened\" or \"rigid\" laws",
     ),
 ];
 

@@ -53,7 +53,7 @@ pub(crate) const FUNCTION: Keys = &[
     ("table", "straight lines between points, constant beyond"),
     (
         "record",
-        "file of a recorded acceleration, its path relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis",
+        "file of a recorded acceleration, relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis",
     ),
     ("pulse", "a pulse of acceleration"),
     (
@@ -70,7 +70,7 @@ pub(crate) const FUNCTION: Keys = &[
     ),
     (
         "column",
-        "column of a table with the accelerations, from 1; if left out, there are two, t and a",
+        "column of a table with the accelerations, from 1; t and a if left out",
     ),
     ("dt", "time step in s of a table without times"),
     ("component", "component of a file with several, from 1"),
@@ -85,11 +85,7 @@ pub(crate) const FUNCTION: Keys = &[
     ("end", "time at which it ends; 0 after"),
     (
         "baseline",
-        "what is removed from start to end: \"none\"; \"mean\", that of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
-    ),
-    (
-        "scale_to",
-        "strength of the motion from start to end without its baseline",
+        "what is removed: \"none\"; \"mean\" of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
     ),
     ("delay", "time by which all is later; 0 before"),
 ];
@@ -126,7 +122,7 @@ pub(crate) const PULSE: Keys = &[
 ];
 
 /// Meaning of `sampled`. The last sample is at the end also where the end is no multiple.
-const SAMPLED: &str = "time between samples, straight between, the last one at the end of the pulse; then 0, by a jump if it is not 0";
+const SAMPLED: &str = "time between samples, straight between, the last one at the end; then 0";
 
 /// Keys of `ricker`.
 pub(crate) const RICKER: Keys = &[

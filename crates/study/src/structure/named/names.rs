@@ -150,7 +150,7 @@ pub(in crate::structure) fn parameters(
 /// The key of names for figures, with its meaning.
 pub(crate) const SHOWN: (&str, &str) = (
     "names",
-    "the name and the unit of parameters in figures, as in {\"gap\": [\"width of the gap\", \"m\"]}; the unit may be left out; a study of structures only",
+    "name and, if wanted, unit of parameters of a structure in figures, as in {\"gap\": [\"width of the gap\", \"m\"]}",
 );
 
 /// Gives parameters the names and units that figures write.

@@ -11,7 +11,7 @@ use slipgap_solver::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "fragility",
     needs: Needs::Ensemble,
-    meaning: "part of the ensemble in which a metric exceeds a limit, over a parameter such as the scale of records, with 95 % intervals (Clopper and Pearson) and the lognormal function of the largest likelihood; or, over a measure such as ground.Sa(T1), the function by incremental scaling or of a cloud, with 95 % intervals of median and dispersion",
+    meaning: "part of the ensemble in which a metric exceeds a limit, over a parameter such as the scale of records, with 95 % intervals and a lognormal function; or, over a measure such as ground.Sa(T1), the function by incremental scaling or of a cloud",
     keys: &[
         key(
             "x",
@@ -30,7 +30,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "fit",
             Takes::Fit,
             false,
-            "likelihood: of the parts that exceed at each x (if left out); incremental: of the x at which each member of the ensemble reaches the limit, straight between its cases; cloud: from a line through ln y over ln x of all cases",
+            "likelihood: of the parts that exceed at each x (if left out); incremental: of the x at which each member reaches the limit, straight between its cases; cloud: from a line through ln y over ln x",
         ),
         BY_OUTSIDE,
         X_SCALE,

@@ -25,7 +25,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "band",
             Takes::Probabilities,
             false,
-            "probabilities of the quantiles at the edges of the band, as in [0.05, 0.95]; if left out, [0.16, 0.84]",
+            "probabilities at its edges; if left out, [0.16, 0.84]",
         ),
         X_SCALE,
         Y_SCALE,

@@ -13,12 +13,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     meaning: "the error and its parts over a parameter on logarithmic scales, with the slope where a curve is straight",
     keys: &[
         X,
-        key(
-            "y",
-            Takes::Budgets,
-            false,
-            "quantities, one row of panels for the error of each; if left out, all of the problem",
-        ),
+        key("y", Takes::Budgets, false, "quantities; if left out, all"),
         PANELS,
         X_RANGE,
         Y_RANGE,

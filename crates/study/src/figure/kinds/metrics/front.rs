@@ -14,7 +14,7 @@ const MOST_LINES: usize = 12;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "front",
     needs: Needs::Nothing,
-    meaning: "two metrics of which less is better, such as error over cost: for each value of a parameter a line through its best cases, which no other surpasses in one metric without being worse in the other; the best of all are on a light band",
+    meaning: "two metrics of which less is better: for each value of a parameter a line through the cases that no other surpasses in one metric without being worse in the other; those of all are on a light band",
     keys: &[
         key(
             "x",
@@ -38,7 +38,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "mean_over",
             Takes::Parameter,
             false,
-            "parameter over which cases are averaged: x by the mean, y by the root mean square",
+            "parameter over which x is averaged by the mean, y by the root mean square",
         ),
         key(
             "x_scale",

@@ -11,7 +11,7 @@ use slipgap_solver::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "map",
     needs: Needs::Nothing,
-    meaning: "one metric over two parameters, as filled contours with a colour bar; hatched where its value is empty",
+    meaning: "one metric over two parameters as filled contours; hatched where empty",
     keys: &[
         X,
         key(
@@ -33,7 +33,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "z_range",
             Takes::Range,
             false,
-            "values at both ends of the colour bar, as in [0.001, 1], such as for maps to compare",
+            "values at both ends of the colour bar, as in [0.001, 1]",
         ),
         key(
             "marks",
@@ -45,7 +45,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "ridge",
             Takes::Ridge,
             false,
-            "line through the y with the least or greatest metric, or the one nearest to 1, at each x",
+            "line through the y with the metric least, greatest or nearest to 1 at each x",
         ),
     ],
     decode: |values, _| {

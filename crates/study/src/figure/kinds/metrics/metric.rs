@@ -22,7 +22,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "checks",
             Takes::Switch,
             false,
-            "true: the limits of the study's checks of these metrics are drawn at the cases that they apply to; not drawn if left out",
+            "true: with the limits of the study's checks",
         ),
         X_SCALE,
         Y_SCALE,

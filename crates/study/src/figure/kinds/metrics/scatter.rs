@@ -27,7 +27,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "colour",
             Takes::Column,
             false,
-            "parameter or metric shown by the colour of the dots, with a colour bar; if left out, one colour",
+            "parameter or metric shown by colour",
         ),
         X_SCALE,
         Y_SCALE,

@@ -10,7 +10,7 @@ const MOST: [usize; 2] = [40, 120];
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "scheme",
     needs: Needs::Structure,
-    meaning: "a picture of the structure of the first case: masses, bars with their elements, springs and dashpots, contacts, loads and ground",
+    meaning: "a picture of the structure of the first case",
     keys: &[],
     decode: |_, _| Some(FigureKind::Scheme(Scheme)),
 };

@@ -9,7 +9,7 @@ use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "curve",
     needs: Needs::Nothing,
-    meaning: "one quantity over another, such as loops of force over displacement, with the exact solution as a thin line; at most 8 cases in a panel",
+    meaning: "one quantity over another, such as loops of force over displacement; at most 8 cases in a panel",
     keys: &[
         key(
             "x",
@@ -25,7 +25,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "time_range",
             Takes::Range,
             false,
-            "first and last time of the curves; the whole motion if left out",
+            "first and last time; the whole motion if left out",
         ),
         X_RANGE,
         Y_RANGE,

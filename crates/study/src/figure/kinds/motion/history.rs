@@ -19,7 +19,7 @@ const MOST_DRAWN: u64 = 10_000_000;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "history",
     needs: Needs::Nothing,
-    meaning: "curves over time, with the exact solution as a thin line; at most 8 cases in a panel",
+    meaning: "curves over time, the exact solution as a thin line; at most 8 cases in a panel",
     keys: &[
         key(
             "y",
@@ -34,13 +34,13 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "stacked",
             Takes::Switch,
             false,
-            "true: the quantities, all of one dimension, as areas on one another, such as energies by kind; one panel for each case",
+            "true: quantities of one dimension as areas on one another, such as energies; one panel for each case",
         ),
         key(
             "inset",
             Takes::Range,
             false,
-            "first and last time of an enlarged part, such as a burst of contact forces, in a smaller frame inside of each panel; if left out, none",
+            "first and last time of an enlarged part in a smaller frame inside of each panel",
         ),
         X_RANGE,
         Y_RANGE,

@@ -11,14 +11,9 @@ const MOST_CASES: usize = 6;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "profile",
     needs: Needs::Profiles,
-    meaning: "quantities along the structure at given times, with the exact solution as a thin line; at most 6 cases",
+    meaning: "quantities along the structure at given times; at most 6 cases",
     keys: &[
-        key(
-            "y",
-            Takes::Profiles,
-            false,
-            "quantities, one column of panels each; if left out, all",
-        ),
+        key("y", Takes::Profiles, false, "quantities; if left out, all"),
         key(
             "times",
             Takes::Times,

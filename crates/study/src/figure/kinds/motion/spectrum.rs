@@ -20,7 +20,7 @@ const MOST_CASES: usize = 1000;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "spectrum",
     needs: Needs::Structure,
-    meaning: "elastic response spectra of the whole ground motions of the cases, also of what is after `duration`, over the period; one curve for each ground motion and damping ratio",
+    meaning: "elastic response spectra of the whole ground motions of the cases, also after `duration`; one curve for each motion and damping ratio",
     keys: &[
         key(
             "y",
@@ -32,7 +32,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "damping",
             Takes::Ratios,
             false,
-            "damping ratio of the oscillators, or a list of ratios; if left out, 0.05",
+            "damping ratios; if left out, 0.05",
         ),
         key(
             "periods",
