@@ -52,7 +52,7 @@ peers: ## the same sweeps, girders with contacts and large models by slipgap and
 	benches/peers/run
 
 # With PROGRAM=path, the times of another build beside it.
-speed: ## whole runs beside loops by numba, written to docs/speed.md and README.md with the name of the machine
+speed: ## whole runs beside loops by numba, written to docs/performance.md with the name of the machine
 	benches/peers/run speed $(PROGRAM)
 
 maps: ## the sensitivity maps with a thousand cases along each axis, in docs/maps/
@@ -96,7 +96,7 @@ changed_study = -f 'crates/study/src/**' -e 'crates/study/src/describe/**'
 noticed_study = --test studies --test command_line
 changed_figures = -f 'src/figures/**' -f 'crates/drawing/src/**'
 noticed_figures = --test report
-changed_claims = -f 'src/claims/**' -f src/checks.rs
+changed_claims = -f 'validation/src/**' -f src/checks.rs
 noticed_claims = --test command_line --test studies
 changed_recommend = -f 'crates/recommend/src/**'
 noticed_recommend = --test recommend

@@ -1,7 +1,7 @@
 //! The time that `explain` estimates for each shipped study over the time that its cases take, both of the processors.
 
 use indicatif::ProgressBar;
-use slipgap::batch::cost::{measure, processor_time, sampling, total};
+use slipgap::batch::solve::cost::{measure, processor_time, sampling, total};
 use slipgap::batch::{self, RunOptions};
 use slipgap::run::Source;
 use slipgap::study_figures;
@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// As `explain` measures.
-const MEASURING: Duration = slipgap::batch::cost::MEASURING;
+const MEASURING: Duration = slipgap::batch::solve::cost::MEASURING;
 
 /// Studies below this time are not judged: their start takes as long.
 const SHORT: f64 = 0.02;

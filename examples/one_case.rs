@@ -2,7 +2,7 @@
 //!
 //! Run with `cargo run --example one_case`.
 
-use slipgap::problem::parameter::Value;
+use slipgap::problem::numbers::parameter::Value;
 use slipgap::problem::{Case, find};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -28,7 +28,7 @@ fn main() -> ExitCode {
     });
     ExitCode::from(result.unwrap_or_else(|error| {
         commands::terminal::report_error(&error);
-        error.exit_code()
+        commands::exit_code(&error)
     }))
 }
 

@@ -1,6 +1,6 @@
 //! The cases of a study that its figures show.
 
-use crate::batch::output::sobol::DesignMetrics;
+use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::{self, DrawnCase, GroupResults, Needed, PartResult, ShownCases};
 use crate::figures::FigureData;
 use slipgap_solver::problem::Case;
@@ -114,7 +114,7 @@ pub fn with_data<T>(
         }
     };
     let measures = figure.kind.measures(&*study.problem);
-    let reduced = batch::reduced(study, &measures, |take| {
+    let reduced = slipgap_study::reduced_cases(study, &measures, |take| {
         let mut cases = shown.cases().shown();
         for row in &rows {
             let row = *row as usize;

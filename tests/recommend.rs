@@ -6,7 +6,7 @@ mod common;
 use serde_json::json;
 use slipgap::problem::friction::FrictionOscillator;
 use slipgap::problem::impact::BarImpact;
-use slipgap::problem::parameter::Value;
+use slipgap::problem::numbers::parameter::Value;
 use slipgap::problem::{Case, Problem, Solution};
 use slipgap::recommend::friction::{Friction, Releases};
 use slipgap::recommend::impact::{FixedParameters, Impact, energy_change};

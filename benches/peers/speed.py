@@ -1,4 +1,4 @@
-"""Measures whole runs beside numba loops and writes docs/speed.md, and the sentence on it in the README.
+"""Measures whole runs beside numba loops and writes the table in docs/performance.md.
 
     speed.py ROOT [PROGRAM]
 
@@ -83,7 +83,7 @@ def main():
     root = pathlib.Path(sys.argv[1])
     own = root / "target" / "release" / "slipgap"
     programs = [own, *map(pathlib.Path, sys.argv[2:])]
-    rows, sentence = [], {}
+    rows = []
     for name, problem, n, count, few in SWEEPS:
         shortest, numba = measure(programs, name, problem, n, count, few)
         for program, (one, alone, two, size) in shortest.items():
@@ -94,7 +94,6 @@ def main():
             )
             if program == own:
                 rows.append(row)
-                sentence[problem, n] = one / count, rate
             else:
                 print(f"{program}: {row}")
     table = "\n".join([
@@ -104,14 +103,7 @@ def main():
         *rows,
     ])
     print(f"{machine()}\n\n{table}")
-    page = root / "docs" / "speed.md"
-    replace(page, f"{machine()}, the shortest of {TURNS} turns:\n\n{table}")
-    oscillator, bars = sentence["oscillator", None], sentence["bars", N]
-    replace(root / "README.md", (
-        f"On one core ({machine()}) a million oscillators take {oscillator[0] * 1e6:.2g} s, and a million pairs of bars of ten elements "
-        f"{bars[0] * 1e6:.2g} s:\n{oscillator[1]:.1f} and {bars[1]:.1f} times the rate of loops compiled by numba, which write nothing "
-        f"([docs/speed.md](docs/speed.md))."
-    ))
+    replace(root / "docs" / "performance.md", f"{machine()}, the shortest of {TURNS} turns:\n\n{table}")
 
 
 def replace(path, text):

@@ -6,7 +6,11 @@ use std::path::PathBuf;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
-    let hash = slipgap_code_hash::hash(&root, &["src"], &["feral-amd", "libm", "multiversion", "nalgebra"])?;
+    let hash = slipgap_code_hash::hash(
+        &root,
+        &["src"],
+        &["feral-amd", "libm", "multiversion", "nalgebra"],
+    )?;
     println!("cargo::rustc-env=SLIPGAP_CODE={hash}");
     Ok(())
 }

@@ -5,7 +5,7 @@ use crate::given;
 use crate::worker;
 use pyo3::prelude::*;
 use slipgap::animate::{Shown, animate as page_of};
-use slipgap::batch::output::atomic::write_file;
+use slipgap::batch::files::atomic::write_file;
 use std::path::PathBuf;
 
 /// A page that shows one case of a study in motion, or two beside each other. A notebook shows it.

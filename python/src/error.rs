@@ -1,11 +1,13 @@
 //! Errors as exceptions of Python.
 
-use crate::given::DICT;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyType};
 use slipgap::error::{Error, Fault};
 use slipgap::solve::Unsolvable;
+
+/// Name of a dictionary in place of a file.
+pub const DICT: &str = "<dict>";
 
 /// The class `slipgap.SlipgapError`.
 static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();

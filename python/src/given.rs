@@ -1,6 +1,6 @@
 //! Studies as callers give them: a path, or a dictionary like the JSON of a study file.
 
-use crate::error::{raise, usage};
+use crate::error::{DICT, raise, usage};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -8,9 +8,6 @@ use pyo3::types::{PyDict, PyMapping, PyString};
 use slipgap::run::Source;
 use slipgap::study::{Input, MOST_CASES, Setting};
 use std::path::PathBuf;
-
-/// Name of a dictionary in place of a file.
-pub const DICT: &str = "<dict>";
 
 /// Name of the folder of results of a dictionary.
 const FOLDER: &str = "study";
@@ -90,7 +87,7 @@ fn settings(py: Python<'_>, set: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Sett
     Ok(settings)
 }
 
-/// The text of a study with these parameters, which is slower than [`crate::case_of_dict`] and reports all faults.
+/// The text of a study with these parameters, which is slower than [`crate::case::of_dict`] and reports all faults.
 pub fn text_of_parameters(py: Python<'_>, given: &Bound<'_, PyDict>) -> PyResult<String> {
     let (study, parameters) = (PyDict::new(py), given.copy()?);
     if let Some(problem) = parameters.get_item("problem")? {

@@ -4,21 +4,14 @@
 mod animation;
 mod arrays;
 mod calibrate;
-mod case_of_dict;
+mod case;
 mod claims;
-mod columns;
 mod compare;
 mod error;
-mod exact;
-mod figure;
 mod given;
 mod recommend;
 mod results;
 mod run;
-mod solution;
-mod solve;
-mod table;
-mod tables;
 mod worker;
 
 use pyo3::prelude::*;
@@ -33,27 +26,27 @@ mod _slipgap {
     #[pymodule_export]
     use super::calibrate::calibrate;
     #[pymodule_export]
+    use super::case::exact::exact;
+    #[pymodule_export]
+    use super::case::solution::Solution;
+    #[pymodule_export]
+    use super::case::solve::solve;
+    #[pymodule_export]
     use super::claims::claims;
     #[pymodule_export]
     use super::compare::compare;
-    #[pymodule_export]
-    use super::exact::exact;
-    #[pymodule_export]
-    use super::figure::Figure;
     #[pymodule_export]
     use super::recommend::recommend;
     #[pymodule_export]
     use super::results::Results;
     #[pymodule_export]
+    use super::results::figure::Figure;
+    #[pymodule_export]
+    use super::results::table::Table;
+    #[pymodule_export]
     use super::run::run;
     #[pymodule_export]
     use super::schema;
-    #[pymodule_export]
-    use super::solution::Solution;
-    #[pymodule_export]
-    use super::solve::solve;
-    #[pymodule_export]
-    use super::table::Table;
 
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name that Python has for it")]

@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyType};
 use slipgap::problem::Case;
-use slipgap::problem::parameter::Value;
+use slipgap::problem::numbers::parameter::Value;
 use slipgap::recommend::friction::{FrictionTask, Releases};
 use slipgap::recommend::impact::{ImpactTask, bar};
 use slipgap::recommend::task::Search;

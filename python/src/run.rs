@@ -1,22 +1,22 @@
 //! `slipgap.run`: a study in memory, or into its folder with the files of the program.
 
-use crate::columns::Columns;
-use crate::figure::Shown;
 use crate::given;
 use crate::results::Results;
-use crate::table::Table;
-use crate::tables::Groups;
+use crate::results::columns::Columns;
+use crate::results::figure::Shown;
+use crate::results::table::Table;
+use crate::results::tables::Groups;
 use crate::worker;
 use arrow_array::RecordBatch;
 use indicatif::ProgressBar;
 use pyo3::prelude::*;
 use slipgap::batch::WarnedCases;
+use slipgap::batch::groups::sobol::DesignMetrics;
 use slipgap::batch::output::Folder;
 use slipgap::batch::output::ensemble::EnsembleMetrics;
 use slipgap::batch::output::reductions::ReducedMetrics;
-use slipgap::batch::output::sobol::DesignMetrics;
+use slipgap::batch::solve::work_progress::WorkProgress;
 use slipgap::batch::store::Store;
-use slipgap::batch::work_progress::WorkProgress;
 use slipgap::batch::{self, PartResult, RunOptions, ShownCases};
 use slipgap::checks::{CheckCollector, TestedValues};
 use slipgap::error::Error;

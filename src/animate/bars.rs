@@ -1,9 +1,10 @@
 //! The film of two bars that meet, or of a bar that meets a wall: displacements and stresses along them.
 
-use super::contact::Contact;
-use super::film::{Film, peak};
-use super::scene::{Bar, Link, Mover, Scene};
-use super::thin;
+use super::film::Film;
+use super::film::contact::Contact;
+use super::film::numbers::peak;
+use super::film::scene::{Bar, Link, Mover, Scene};
+use super::film::thin;
 use crate::history::History;
 use crate::problem::{Case, Lines, Problem};
 use std::borrow::Cow;

@@ -53,7 +53,7 @@ pub fn labels(study: &Study, cases: &[&Case]) -> Vec<String> {
 fn words(value: Value) -> String {
     match value {
         Value::Number(x) => {
-            let x = super::trace::digits(x, 5);
+            let x = crate::animate::film::numbers::digits(x, 5);
             match x == 0.0 || (1e-4..1e6).contains(&x.abs()) {
                 true => x.to_string(),
                 false => format!("{x:e}"),

@@ -4,16 +4,11 @@
 //! The page draws films; it computes nothing but the places of lines between two steps.
 
 mod bars;
-mod contact;
 mod film;
 mod label;
-mod nodes;
 mod oscillator;
 mod page;
-mod scene;
 mod structure;
-mod thin;
-mod trace;
 
 pub use page::MOST_BYTES;
 

@@ -1,8 +1,8 @@
 //! The film of the oscillator: a mass on a spring that slides on a surface.
 
-use super::contact::Contact;
 use super::film::Film;
-use super::scene::{Link, Mover, Point, Scene};
+use super::film::contact::Contact;
+use super::film::scene::{Link, Mover, Point, Scene};
 use crate::history::History;
 use std::borrow::Cow;
 

@@ -1,50 +1,31 @@
 //! Runs the cases of a study in parallel. No result depends on the order or on the number of threads.
 
-pub mod chunk;
-mod compute;
-mod computed;
-pub mod cost;
-pub mod divergence;
+pub mod files;
 pub mod groups;
-pub mod key;
-mod locks;
-mod missing;
-mod options;
 pub mod output;
-mod part_result;
-mod queue;
-mod reduced;
-mod run_part;
-mod shard;
-mod shown;
-mod signal_order;
+pub mod parts;
+pub mod solve;
 pub mod store;
 #[cfg(test)]
-mod tests_columns;
-#[cfg(test)]
-mod tests_computed;
-#[cfg(test)]
-mod tests_samples;
-mod warned;
-pub mod work_progress;
+mod tests;
 
-pub use compute::{keep_memory, solution};
-pub use computed::with_computed_columns;
 pub use groups::GroupResults;
-pub use missing::{MissingParts, missing_parts};
-pub use options::{OnSolution, RunOptions};
-pub use part_result::{Outcome, PartResult};
-pub use reduced::reduced;
-pub use shard::{Shard, ShardFault, ShardResult, run_shard, shard_of};
-pub use shown::{DrawnCase, Needed, ShownCases};
-pub use warned::{WarnedCases, WarningCounts};
+pub use groups::shown::{DrawnCase, Needed, ShownCases};
+pub use parts::shard::{Shard, ShardFault, shard_of};
+pub use solve::compute::{keep_memory, solution};
+pub use solve::computed::with_computed_columns;
+pub use solve::missing::{MissingParts, missing_parts};
+pub use solve::options::{OnSolution, RunOptions};
+pub use solve::part_result::{Outcome, PartResult};
+pub use solve::run_shard::{ShardResult, run_shard};
+pub use solve::warned::{WarnedCases, WarningCounts};
 
 use indicatif::ProgressBar;
-use queue::PartQueue;
+use parts::queue::PartQueue;
 use rayon::prelude::*;
-use run_part::run_part;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
+use solve::run_part::run_part;
 use store::Store;
 
 /// Runs every case, part by part. `take` receives the parts in order, each as soon as it and all parts before it are
@@ -68,7 +49,7 @@ pub fn run(
         parts.push(part);
         Ok(())
     })?;
-    computed::add_ratios(study, &mut parts);
+    solve::computed::add_ratios(study, &mut parts);
     parts.into_iter().try_for_each(&mut take)
 }
 
@@ -90,7 +71,7 @@ fn run_parts(
     // The number of parts at a time grows: the first results come soon, and later no thread waits often for the others.
     // Memory does not grow with the number of cases.
     let threads = rayon::current_num_threads();
-    let largest = chunk::parts_at_a_time(study, (4 * threads).max(16));
+    let largest = parts::chunk::parts_at_a_time(study, (4 * threads).max(16));
     let mut window = threads;
     let mut finished = Vec::new();
     loop {

@@ -1,7 +1,6 @@
 //! The data of the figures of a calibration.
 
 use super::series;
-use super::words::label;
 use super::{Calibration, Fit};
 use crate::figures::{MeasuredMotion, MeasuredPanel, MisfitCurve, MisfitPanel, Misfits};
 use slipgap_recommend::calibrate::End;
@@ -49,7 +48,7 @@ fn panel(found: &Calibration, free: &Free) -> MisfitPanel {
         let end = |i: usize, end: End| fit.value(place, end).unwrap_or(free.range.ends[i]);
         Some(MisfitCurve {
             index,
-            label: escape(label(fit)),
+            label: escape(fit.label()),
             points: points.collect(),
             best: [fit.values[place], fit.misfit()],
             interval: profile
@@ -99,7 +98,7 @@ fn motion(found: &Calibration, best: usize, test: usize, channel: usize) -> Opti
         title: title(found, measured),
         caption: caption(fit, test),
         measured: points(measured),
-        curves: vec![(best, escape(label(fit)), curve.collect())],
+        curves: vec![(best, escape(fit.label()), curve.collect())],
     })
 }
 
@@ -112,7 +111,7 @@ fn residual(found: &Calibration, best: usize, test: usize) -> Option<MeasuredPan
         let residuals = series::residuals(test, channel)?;
         let pairs = times.iter().zip(residuals);
         let points = pairs.map(|(point, residual)| [point[0], residual]);
-        Some((index, escape(label(fit)), points.collect()))
+        Some((index, escape(fit.label()), points.collect()))
     };
     let own = series::measured(&found.fits[best].tests[test], channel)?;
     Some(MeasuredPanel {

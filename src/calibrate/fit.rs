@@ -57,7 +57,18 @@ pub enum State {
     Not,
 }
 
+/// The name of the one alternative of a study without others.
+const ALONE: &str = "study";
+
 impl Fit {
+    /// The name of the alternative.
+    pub(super) fn label(&self) -> &str {
+        match self.alternative.name.as_str() {
+            "" => ALONE,
+            name => name,
+        }
+    }
+
     /// The smallest misfit; infinite without a solution.
     pub fn misfit(&self) -> f64 {
         self.found.best.misfit

@@ -1,7 +1,6 @@
 //! What the numbers of a calibration do not say: what is not determined, and which alternatives are told apart.
 
 use super::compare::DECISIVE;
-use super::words::label;
 use super::{Calibration, Fit, Numerical, State, Verdict};
 use slipgap_recommend::format::digits;
 use slipgap_solver::problem::numbers::parameter::shortest;
@@ -12,7 +11,7 @@ fn without_solution(fit: &Fit) -> String {
     let why = why.unwrap_or("the misfit has no value");
     format!(
         "{}: no case has a solution with a misfit; one of them: {why}",
-        label(fit)
+        fit.label()
     )
 }
 
@@ -29,7 +28,7 @@ pub fn sentences(found: &Calibration) -> Vec<String> {
     for own in &found.comparisons {
         let [better, worse] = own.fits.map(|at| &found.fits[at]);
         let part = |fit: &Fit| fit.numerical.as_ref().map_or(0.0, Numerical::total);
-        let names = [better, worse].map(label);
+        let names = [better, worse].map(Fit::label);
         let misfits = [better, worse].map(|fit| digits(fit.misfit()));
         let parts = [better, worse].map(|fit| digits(part(fit)));
         let criterion = own.information.map(digits);
@@ -74,7 +73,7 @@ fn of_fit(found: &Calibration, fit: &Fit) -> Vec<String> {
     let table = found.study.problem.parameters();
     let own = match found.fits.len() {
         1 => String::new(),
-        _ => format!("{}: ", label(fit)),
+        _ => format!("{}: ", fit.label()),
     };
     let mut all = Vec::new();
     let name = |place: usize| &*table[fit.free[place].parameter].name;

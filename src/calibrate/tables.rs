@@ -1,6 +1,6 @@
 //! The tables of a calibration as CSV.
 
-use super::words::{self, label};
+use super::words;
 use super::{Calibration, Fit};
 use slipgap_recommend::calibrate::End;
 use slipgap_solver::problem::numbers::parameter::{Parameter, shortest};
@@ -184,7 +184,7 @@ fn column(found: &Calibration, free: &Free) -> String {
 }
 
 fn name_of(fit: &Fit) -> String {
-    label(fit).to_owned()
+    fit.label().to_owned()
 }
 
 fn cell(x: Option<f64>) -> String {

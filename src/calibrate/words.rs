@@ -7,17 +7,6 @@ use slipgap_recommend::format::digits;
 use slipgap_solver::problem::numbers::parameter::shortest;
 use slipgap_study::Free;
 
-/// The name of the one alternative of a study without others.
-const ALONE: &str = "study";
-
-/// The name of an alternative.
-pub(super) fn label(fit: &Fit) -> &str {
-    match fit.alternative.name.as_str() {
-        "" => ALONE,
-        name => name,
-    }
-}
-
 /// How sharply a parameter is determined.
 pub fn state_name(state: State) -> &'static str {
     match state {
@@ -107,7 +96,7 @@ fn summary(found: &Calibration) -> Vec<Vec<String>> {
         let residuals = fit.residuals.as_ref();
         let [best, starts] = fit.found.best.starts;
         vec![
-            label(fit).to_owned(),
+            fit.label().to_owned(),
             if solved {
                 digits(fit.misfit())
             } else {
@@ -141,8 +130,8 @@ fn heading(found: &Calibration, fit: &Fit) -> String {
         .map(|own| &*table[own.parameter].name)
         .collect();
     match unused.is_empty() {
-        true => format!("{}:", label(fit)),
-        false => format!("{}, which does not use {}:", label(fit), unused.join(", ")),
+        true => format!("{}:", fit.label()),
+        false => format!("{}, which does not use {}:", fit.label(), unused.join(", ")),
     }
 }
 

@@ -1,7 +1,7 @@
 //! `slipgap animate`: one page that shows cases of a study in motion.
 
+use super::arguments::sources::{self, Source};
 use super::arguments::{SettingsArgs, whole};
-use super::sources::{self, Source};
 use super::terminal::{note, print};
 use clap::Args;
 use slipgap::animate::{Shown, animate};

@@ -1,8 +1,8 @@
 //! `slipgap calibrate`: the values of free parameters with which a study comes nearest to what was measured.
 
 use super::UNSOLVED;
+use super::arguments::sources;
 use super::arguments::{JobsArgs, SettingsArgs, whole};
-use super::sources;
 use super::terminal::{note, print, progress, table};
 use clap::Args;
 use slipgap::batch::output::Folder;

@@ -6,7 +6,7 @@ use super::terminal::{note, print, table};
 use clap::Args;
 use slipgap::compare::{Comparison, Finding, compare_folders};
 use slipgap::error::Error;
-use slipgap::problem::parameter::shortest;
+use slipgap::problem::numbers::parameter::shortest;
 use std::path::{Path, PathBuf};
 
 const HEADER: [&str; 7] = [

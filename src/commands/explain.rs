@@ -1,16 +1,16 @@
 //! `slipgap explain`: one case of a study, its metrics and its cost.
 
 use super::UNSOLVED;
+use super::arguments::sources::{self, Source};
 use super::arguments::{SettingsArgs, whole};
 use super::list::cases;
-use super::sources::{self, Source};
-use super::terminal::{print, progress, table};
+use super::terminal::{duration, print, table};
 use clap::Args;
-use slipgap::batch::cost::{MEASURING, measure, sampling, total};
-use slipgap::batch::{RunOptions, chunk, divergence, solution};
+use slipgap::batch::solve::cost::{MEASURING, measure, sampling, total};
+use slipgap::batch::{RunOptions, parts::chunk, solution, solve::divergence};
 use slipgap::calibrate::explained;
 use slipgap::error::Error;
-use slipgap::problem::parameter::{Default, Parameter};
+use slipgap::problem::numbers::parameter::{Default, Parameter};
 use slipgap::problem::{Case, Violation};
 use slipgap::solve::Warning;
 use slipgap::study::Study;
@@ -198,7 +198,7 @@ fn cost(study: &Study, case: &Case) -> Result<String, Error> {
         threads => format!("{threads} threads"),
     };
     let time = match measured.seconds_for(total + sampling(study)) {
-        Some(seconds) => format!("{} on {threads}", progress::duration(seconds)),
+        Some(seconds) => format!("{} on {threads}", duration(seconds)),
         None => "not measured".into(),
     };
     let shares = !study.problem.samples(case).key.is_empty()
@@ -209,7 +209,7 @@ fn cost(study: &Study, case: &Case) -> Result<String, Error> {
          time to compute all cases: {time}, estimated from {} cases{alike} in {}\n",
         parts(study, total),
         measured.cases,
-        progress::duration(measured.seconds)
+        duration(measured.seconds)
     ))
 }
 

@@ -3,7 +3,7 @@
 use super::arguments::Expected;
 use super::terminal::print;
 use clap::Args;
-use slipgap::batch::output::atomic::write_file;
+use slipgap::batch::files::atomic::write_file;
 use slipgap::error::Error;
 use slipgap::problem;
 use slipgap::study;

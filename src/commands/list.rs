@@ -1,7 +1,7 @@
 //! `slipgap list`: the studies with their axes, cases and steps.
 
 use super::arguments::StudiesArgs;
-use super::sources::Source;
+use super::arguments::sources::Source;
 use super::terminal::{GAP, print, table};
 use clap::Args;
 use console::Term;

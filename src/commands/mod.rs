@@ -3,24 +3,19 @@
 mod animate;
 mod arguments;
 mod calibrate;
-mod check;
 mod claims;
 mod compare;
 mod explain;
 mod init;
 mod list;
-mod merge;
 mod recommend;
 mod report;
-mod run;
-mod sbatch;
+mod runs;
 mod schema;
-mod shard;
-mod sources;
 pub mod terminal;
 
 use clap::Subcommand;
-use slipgap::batch::output::atomic::stop_writing;
+use slipgap::batch::files::atomic::stop_writing;
 use slipgap::error::Error;
 use terminal::note;
 
@@ -28,8 +23,21 @@ use terminal::note;
 pub const UNSOLVED: u8 = 3;
 /// Exit code if a check is not met.
 pub const NOT_MET: u8 = 5;
+/// Exit code if parts of a merge are missing.
+pub const PARTS_MISSING: u8 = 4;
 /// Exit code after Ctrl-C.
-const INTERRUPTED: i32 = 130;
+const INTERRUPTED: u8 = 130;
+
+/// The exit code of a command that failed: 2 for usage and studies, 1 for what has no code of its own.
+pub fn exit_code(error: &Error) -> u8 {
+    match error {
+        Error::Faults(_) | Error::Usage(_) => 2,
+        Error::Unsolved(_) => UNSOLVED,
+        Error::PartsMissing(_) => PARTS_MISSING,
+        Error::Interrupted => INTERRUPTED,
+        Error::Io { .. } | Error::Busy(_) | Error::Internal(_) => 1,
+    }
+}
 
 /// What the program does.
 #[derive(Subcommand)]
@@ -37,13 +45,13 @@ pub enum Verb {
     /// Write a small study with remarks to studies/NAME.json, as a start
     Init(init::InitArgs),
     /// Run studies; write results.csv and figures to one folder for each study
-    Run(run::RunArgs),
+    Run(crate::commands::runs::run::RunArgs),
     /// Write the results of studies whose cases `run --shard` has computed; compute none
-    Merge(merge::MergeArgs),
+    Merge(crate::commands::runs::merge::MergeArgs),
     /// Print a script that submits the shards of a study to Slurm as an array, and then the merge
-    Sbatch(sbatch::SbatchArgs),
+    Sbatch(crate::commands::runs::sbatch::SbatchArgs),
     /// Run studies and test their checks; write no files
-    Check(check::CheckArgs),
+    Check(crate::commands::runs::check::CheckArgs),
     /// Show studies with their axes, cases and steps; compute nothing
     List(list::ListArgs),
     /// Show one case of a study: parameters, steps, cost and estimated time
@@ -92,7 +100,7 @@ pub fn exit_on_interrupt() -> Result<(), Error> {
     ctrlc::set_handler(|| {
         let _guard = stop_writing();
         note("slipgap: interrupted; all files are complete; a run keeps its finished parts, and the same command continues it");
-        std::process::exit(INTERRUPTED);
+        std::process::exit(INTERRUPTED.into());
     })
     .map_err(|e| Error::Internal(format!("cannot listen for Ctrl-C: {e}")))
 }

@@ -1,14 +1,14 @@
 //! `slipgap report`: one page about studies that needs no other file.
 
+use super::arguments::sources::Source;
 use super::arguments::{JobsArgs, StudiesArgs};
 use super::claims;
-use super::sources::Source;
 use super::terminal::{Terminal, note, print};
 use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
+use slipgap::batch::groups::sobol::DesignMetrics;
 use slipgap::batch::output::ensemble::EnsembleMetrics;
-use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::output::{Folder, is_outdated};
 use slipgap::batch::store::Store;
 use slipgap::batch::{self, RunOptions, ShownCases};

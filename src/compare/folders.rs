@@ -1,8 +1,8 @@
 //! Comparison of two folders of results, study by study.
 
-use super::{Comparison, Rows, compare, parameters, problem_of_columns};
+use super::{Comparison, compare, parameters, problem_of_columns};
 use crate::batch::output::{RESULTS, problem_of};
-use crate::batch::store::{self, STORE};
+use crate::batch::store::{self, Rows, STORE};
 use crate::run::files;
 use slipgap_study::error::Error;
 use std::collections::BTreeMap;

@@ -4,31 +4,16 @@ mod folders;
 
 pub use folders::{Finding, compare_folders};
 
+use crate::batch::store::Rows;
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::Arc;
+
 use slipgap_solver::problem::numbers::parameter::{self, ColumnRule, Parameter};
 use slipgap_solver::problem::structure::metrics::metric::looks_like_metric;
 use slipgap_solver::problem::structure::tables::schema::{NAME, named};
 use slipgap_solver::problem::{PROBLEMS, Problem, find};
 use slipgap_study::units::scaled;
-use std::borrow::Cow;
-use std::collections::HashMap;
-use std::sync::Arc;
-
-/// A table of results as text: results.csv, or the same from a store.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Rows {
-    /// Names of the columns.
-    pub columns: Vec<String>,
-    /// Cells, in the order of the columns; empty if there is no value.
-    pub rows: Vec<Vec<String>>,
-}
-
-impl Rows {
-    /// Adds rows of the same columns.
-    pub fn extend(&mut self, more: Rows) {
-        self.columns = more.columns;
-        self.rows.extend(more.rows);
-    }
-}
 
 /// The differences of one metric.
 #[derive(Debug, Clone, PartialEq)]

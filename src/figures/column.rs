@@ -1,6 +1,6 @@
 //! Columns of the results, as scatters and samples draw them.
 
-use crate::figures::DrawnCase;
+use super::DrawnCase;
 use slipgap_study::{ColumnRef, Scale, Study};
 
 /// The value of a case in a column.

@@ -1,6 +1,6 @@
 //! The points of a figure that show their values in a report.
 
-use crate::figures::{FigureData, kind};
+use super::{FigureData, kind};
 use slipgap_drawing::draw::vector::escape;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style::{self, UNITS};

@@ -1,6 +1,6 @@
 //! The parameters that distinguish the cases of a figure, and the labels of the legend.
 
-use crate::figures::DrawnCase;
+use super::DrawnCase;
 use slipgap_drawing::text::{markup, number};
 use slipgap_solver::problem::Case;
 use slipgap_solver::problem::numbers::parameter::{Default, Parameter, Value};

@@ -23,12 +23,13 @@ pub use slipgap_drawing::draw::base64;
 pub use slipgap_drawing::layout::sheet;
 pub use slipgap_drawing::style;
 pub use slipgap_drawing::text::markup;
-pub use slipgap_drawing::{pdf, png, svg};
 
 use crate::batch::GroupResults;
 use sheet::Sheet;
+use slipgap_drawing::DrawingError;
 use slipgap_drawing::layout::{self, envelope};
 use slipgap_drawing::style::Look;
+use slipgap_study::error::Error;
 use slipgap_study::{Figure, Study};
 
 /// What a figure draws.
@@ -53,6 +54,28 @@ impl FigureData<'_> {
             colour: self.figure.colour.unwrap_or(self.colour),
             markers: self.figure.markers,
         }
+    }
+}
+
+/// See [`slipgap_drawing::png`].
+pub fn png(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, Error> {
+    slipgap_drawing::png(sheet, dpi).map_err(error)
+}
+
+/// See [`slipgap_drawing::svg`].
+pub fn svg(sheet: &Sheet, dpi: u32) -> Result<String, Error> {
+    slipgap_drawing::svg(sheet, dpi).map_err(error)
+}
+
+/// See [`slipgap_drawing::pdf`].
+pub fn pdf(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, Error> {
+    slipgap_drawing::pdf(sheet, dpi).map_err(error)
+}
+
+fn error(error: DrawingError) -> Error {
+    match error {
+        DrawingError::TooLarge(message) => Error::Usage(message),
+        DrawingError::Internal(message) => Error::Internal(message),
     }
 }
 

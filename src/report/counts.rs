@@ -1,7 +1,7 @@
 //! Numbers of cases without a solution, and the warnings.
 
 use super::text::{code, escape};
-use crate::batch::divergence::{self, Divergence};
+use crate::batch::solve::divergence::{self, Divergence};
 use crate::batch::{Outcome, WarnedCases};
 use slipgap_solver::solve::Unsolvable;
 use slipgap_study::Study;

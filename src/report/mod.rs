@@ -4,47 +4,40 @@
 //! Figures and tables are compressed in the page and unpacked when they are shown. A page about several studies is an
 //! overview: its tables of results have the metrics that each study uses, to six digits.
 
-mod caption;
 mod checks;
-mod column;
-mod compact;
 mod counts;
 mod decimal;
 mod drawing;
-mod glyphs;
 mod index;
-mod indices;
 mod packed;
-mod quantiles;
-mod results;
 mod section;
 mod summary;
+mod tables;
 pub(crate) mod text;
-mod used;
 
 pub use checks::Checks;
 pub use counts::Counts;
 pub use drawing::Drawing;
-pub use indices::Indices;
-pub use quantiles::Quantiles;
-pub use results::{MOST_BYTES, Results};
 pub use section::{Section, TestedReading};
+pub use tables::indices::Indices;
+pub use tables::quantiles::Quantiles;
+pub use tables::results::{MOST_BYTES, Results};
 
-use crate::batch::key::SOLVER_VERSION;
-use glyphs::Glyphs;
+use crate::batch::store::key::SOLVER_VERSION;
+use drawing::glyphs::Glyphs;
 use index::Index;
 use std::io::{self, Write};
 
-const STYLE: &str = include_str!("report.css");
+const STYLE: &str = include_str!("page/report.css");
 
 /// In the order of their dependencies.
 const SCRIPTS: [&str; 6] = [
-    include_str!("packed.js"),
-    include_str!("columns.js"),
-    include_str!("filter.js"),
-    include_str!("table.js"),
-    include_str!("index.js"),
-    include_str!("report.js"),
+    include_str!("page/packed.js"),
+    include_str!("page/columns.js"),
+    include_str!("page/filter.js"),
+    include_str!("page/table.js"),
+    include_str!("page/index.js"),
+    include_str!("page/report.js"),
 ];
 
 /// How much of its studies a page has.

@@ -1,9 +1,9 @@
 //! The tables over groups of cases: Sobol' indices, quantiles, two-sample tests; and what they leave out.
 
 use super::{Observer, Source};
+use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::output::ensemble::EnsembleMetrics;
-use crate::batch::output::sobol::DesignMetrics;
-use crate::batch::output::{Folder, QUANTILES, TWO_SAMPLES};
+use crate::batch::output::{Folder, QUANTILES, TWO_SAMPLES, sobol};
 use slipgap_study::error::Error;
 use std::path::PathBuf;
 
@@ -28,7 +28,7 @@ pub fn indices(
         return Ok(None);
     }
     let bar = observer.begin_indices(source, estimates);
-    let table = designs.table(&source.study, || bar.inc(1));
+    let table = sobol::table(designs, &source.study, || bar.inc(1));
     bar.finish_and_clear();
     let Some(table) = table? else {
         return Ok(None);

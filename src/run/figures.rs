@@ -1,8 +1,8 @@
 //! The figures of a study, drawn and written.
 
 use super::{Observer, OutputOptions, Source};
+use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::output::fragility::FragilityTable;
-use crate::batch::output::sobol::DesignMetrics;
 use crate::batch::output::{FRAGILITY, Folder};
 use crate::batch::{GroupResults, ShownCases};
 use crate::figures::{self, FigureData};

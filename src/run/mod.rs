@@ -9,6 +9,8 @@ mod observer;
 mod source;
 mod tables;
 mod tally;
+#[cfg(test)]
+mod tests_computed;
 mod unsolved;
 
 pub use ensembles::{indices, without_value};
@@ -19,9 +21,9 @@ pub use tally::{Tally, cases_run};
 pub use unsolved::UnsolvedCases;
 
 use crate::batch::WarnedCases;
+use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::output::ensemble::EnsembleMetrics;
 use crate::batch::output::reductions::ReducedMetrics;
-use crate::batch::output::sobol::DesignMetrics;
 use crate::batch::output::tables::write_history;
 use crate::batch::output::{Folder, INDICES, REDUCTIONS, history_name};
 use crate::batch::store::Store;

@@ -2,7 +2,7 @@
 
 use super::Source;
 use crate::batch::PartResult;
-use crate::batch::work_progress::WorkProgress;
+use crate::batch::solve::work_progress::WorkProgress;
 use indicatif::ProgressBar;
 use std::sync::Arc;
 

@@ -3,7 +3,7 @@
 use super::unsolved::UnsolvedCases;
 use super::{Observer, Source};
 use crate::batch::PartResult;
-use crate::batch::output::atomic::AtomicFile;
+use crate::batch::files::atomic::AtomicFile;
 use crate::batch::output::results::ResultTable;
 use crate::batch::output::tables::FailureTable;
 use crate::batch::output::{FAILURES, Folder, RESULTS};

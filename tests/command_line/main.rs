@@ -1,38 +1,12 @@
 //! The program: its output, its files and its exit codes, for valid and invalid studies.
 
-mod bad_calibrate;
-mod bad_files;
-mod bad_impact;
-mod bad_measured;
-mod begin;
-mod calibrate;
-mod checks;
-mod claims;
-mod claims_near;
-mod compare;
-mod cut;
-mod designs;
-#[cfg(unix)]
-mod ended;
-mod ensembles;
+mod bad;
 mod files;
-#[cfg(unix)]
-mod interrupted;
-mod kept;
-mod large;
-mod pictures;
-mod plane;
-mod reductions;
-mod restitution;
-mod same_bytes;
+mod results;
 mod settings;
-mod shards;
-mod store;
-mod units;
-mod untouched;
+mod stores;
 mod verbs;
 mod warnings;
-mod warnings_given;
 
 // What reads a report, of which only a part is used here.
 #[allow(dead_code)]

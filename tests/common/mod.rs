@@ -1,7 +1,7 @@
 //! What several tests need: a case from plain values.
 
 use serde_json::Value as Json;
-use slipgap::problem::parameter::{Kind, Value};
+use slipgap::problem::numbers::parameter::{Kind, Value};
 use slipgap::problem::{Case, Problem};
 
 /// The completed case with these values; the other parameters have their defaults.

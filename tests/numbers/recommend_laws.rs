@@ -3,7 +3,7 @@
 
 use slipgap::problem::friction::FrictionOscillator;
 use slipgap::problem::impact::BarImpact;
-use slipgap::problem::parameter::Value;
+use slipgap::problem::numbers::parameter::Value;
 use slipgap::problem::{Case, Problem};
 use slipgap::recommend::friction::Friction;
 use slipgap::recommend::impact::{FixedParameters, Impact, energy_change};

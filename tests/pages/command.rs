@@ -62,7 +62,7 @@ const OTHERS: [(&str, &str); 7] = [
     ),
     (
         "bash",
-        "starts the script of Slurm; tests/slurm does so where Slurm is installed",
+        "starts the script of Slurm; tests/stress/slurm does so where Slurm is installed",
     ),
     ("SHARDS=2,5", "the same with an environment variable"),
     ("srun", "a program of Slurm"),

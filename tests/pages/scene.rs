@@ -105,7 +105,7 @@ impl Scene {
                 own.2 |= ["run", "check"].contains(&args[0].as_str());
             }
         }
-        // Other tests run the studies of the repository (tests/fresh.rs, tests/shipped.rs), some of which take minutes here.
+        // Other tests run the studies of the repository (tests/repository), some of which take minutes here.
         let shipped = args.iter().find(|arg| self.shipped.contains(arg));
         if let (Some(study), "run" | "check") = (shipped, args[0].as_str()) {
             args = vec!["list".into(), study.clone()];

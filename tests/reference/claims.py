@@ -4,13 +4,18 @@ Run:  python3 claims.py     (needs numpy)
 """
 
 import math
+import pathlib
+import sys
 
 import numpy as np
 
-import friction
-from friction_data import displacement, velocity
-from impact import Double, Model, Setup, solve
-from impact_metrics import run
+for folder in ("friction", "impact"):
+    sys.path.insert(0, str(pathlib.Path(__file__).parent / folder))
+
+import friction  # noqa: E402
+from friction_data import displacement, velocity  # noqa: E402
+from impact import Double, Model, Setup, solve  # noqa: E402
+from impact_metrics import run  # noqa: E402
 
 AR = Double()
 

@@ -43,7 +43,7 @@ fn the_page_needs_no_other_file() {
     );
     assert!(page.contains("Checks: 0 of 1 met") && page.contains("not met</td>"));
     assert!(page.contains(env!("CARGO_PKG_VERSION")));
-    let solver = format!("solver {}", slipgap::batch::key::SOLVER_VERSION);
+    let solver = format!("solver {}", slipgap::batch::store::key::SOLVER_VERSION);
     assert!(page.contains(&solver));
     // From `sha256sum`.
     let study = folder.path().join("s.json");
@@ -189,7 +189,7 @@ fn distributions_on_the_page_are_those_of_the_table() {
     let rounded = |cell: &str| -> String {
         let x: f64 = cell.parse().unwrap();
         let x: f64 = format!("{x:.3e}").parse().unwrap();
-        slipgap::problem::parameter::shortest(x)
+        slipgap::problem::numbers::parameter::shortest(x)
     };
     let mut with_numbers = 0;
     for row in table.lines().skip(1) {

@@ -1,8 +1,8 @@
 //! Axes, groups, expressions, conditions and designs of studies, compared with lists of their cases.
 
 use slipgap::problem::Case;
-use slipgap::problem::cases::Column;
-use slipgap::problem::parameter::Value;
+use slipgap::problem::numbers::parameter::Value;
+use slipgap::problem::table::cases::Column;
 use slipgap::study::{Filter, Study, parse};
 
 /// A study of bars with these parameters and other keys.

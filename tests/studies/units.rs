@@ -7,7 +7,7 @@ use slipgap::batch::{self, GroupResults, Outcome};
 use slipgap::figures::sheet::Sheet;
 use slipgap::figures::{FigureData, ShownCases, sheet};
 use slipgap::problem::PROBLEMS;
-use slipgap::problem::unit::Dimension;
+use slipgap::problem::numbers::unit::Dimension;
 use slipgap::study::{Study, parse};
 
 /// Few roundings in a row: scales have at most nine operations, each off by half a unit in the last place.

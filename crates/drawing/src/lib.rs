@@ -1,6 +1,11 @@
 //! Sheets of panels as plain data, and their PNG, SVG and PDF. They know no studies.
 //!
 //! [`layout`] has panels, axes and legends, [`colour_map`] the parts of maps, [`text`] sets text, [`draw`] draws a sheet.
+//!
+//! plotters gives the drawing area, its elements (rectangle, polygon, path, circle) and the trait of a backend, so that one drawing
+//! goes to the three backends here: pixels by tiny-skia, SVG and PDF. Its charts, axes, series and backends are not used, because they
+//! have no ticks inwards on all four sides, no sub- and superscripts, no powers of ten and multiples of pi at the ticks, and no legend
+//! in a corner that is free. A plotters coordinate is a whole number, so a unit here is 1/64 of a point.
 
 pub mod colour_map;
 pub mod draw;

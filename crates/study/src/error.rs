@@ -1,6 +1,5 @@
-//! Errors: faults of study files with their places, and errors of commands with their exit codes.
+//! Errors: faults of study files with their places, and errors of commands.
 
-use slipgap_drawing::DrawingError;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -64,18 +63,6 @@ pub enum Error {
 }
 
 impl Error {
-    /// The process exit code: 2 for usage and studies, 3 for a case without a solution, 4 for missing parts, 130 for an
-    /// interruption, 1 for the rest.
-    pub fn exit_code(&self) -> u8 {
-        match self {
-            Error::Faults(_) | Error::Usage(_) => 2,
-            Error::Unsolved(_) => 3,
-            Error::PartsMissing(_) => 4,
-            Error::Interrupted => 130,
-            Error::Io { .. } | Error::Busy(_) | Error::Internal(_) => 1,
-        }
-    }
-
     /// Makes an error of the operating system for `path`.
     pub fn io(
         doing: &'static str,
@@ -132,15 +119,6 @@ impl std::error::Error for Error {
             | Error::Busy(_)
             | Error::Interrupted
             | Error::Internal(_) => None,
-        }
-    }
-}
-
-impl From<DrawingError> for Error {
-    fn from(error: DrawingError) -> Error {
-        match error {
-            DrawingError::TooLarge(message) => Error::Usage(message),
-            DrawingError::Internal(message) => Error::Internal(message),
         }
     }
 }

@@ -16,8 +16,6 @@ mod measure;
 mod reduction;
 mod source;
 mod structure;
-#[cfg(test)]
-mod tests;
 pub mod units;
 pub mod value;
 
@@ -29,26 +27,24 @@ pub use source::{faults, input, object, place, tree};
 
 pub use calibrate::decode::FIGURES as CALIBRATION_FIGURES;
 pub use calibrate::{Alternative, Calibrate, Free, FreeRange, PointCases};
+pub use cases::axis::design::{Design, Sampling};
+pub use cases::axis::group::{Axis, AxisGroup};
+pub use cases::axis::values::Values;
 pub use cases::block::Block;
-pub use cases::design::{Design, Sampling};
 pub use cases::filter::Filter;
-pub use cases::group::{Axis, AxisGroup};
-pub use cases::values::Values;
 pub use computed::{Computed, Found, Partners, Reference, Rule};
 pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
 pub use describe::{problem_pages, problem_reference, reference, schema, start};
-pub use figure::kinds::{self, FigureKind};
-pub use measure::Measure;
-pub use measure::measures;
-pub use reduction::{Groups, Operator, Reduced, Reduction};
+pub use figure::kinds::{self, FigureKind, Marks, Ridge};
+pub use measure::{Measure, measures};
+pub use reduction::{CaseMetrics, Groups, Operator, Reduced, Reduction, reduced_cases};
 pub use slipgap_solver::problem::expression::{printable, unprintable};
 pub use source::input::{Input, STDIN};
 pub use source::setting::{Setting, SettingFault};
 pub use units::Units;
 
-pub use slipgap_drawing::colour_map::{Marks, Ridge};
-pub use slipgap_drawing::layout::axis::Scale;
+pub use slipgap_solver::problem::numbers::parameter::Scale;
 
 /// Hash of the code that makes numbers of a structure: the keys of stores have no numbers of structures. Comments, documentation and
 /// tests do not change it.

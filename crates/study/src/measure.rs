@@ -1,8 +1,8 @@
 //! The metrics of a study: those of its problem, the same in the units of the study, and their reductions.
 
-use super::computed::Computed;
-use super::reduction::Reduction;
 use super::units::Units;
+use crate::computed::Computed;
+use crate::reduction::Reduction;
 use slipgap_solver::problem::numbers::unit::Dimension;
 use slipgap_solver::problem::{Problem, escape};
 
@@ -78,7 +78,7 @@ pub fn measures(problem: &dyn Problem, units: Option<&Units>) -> Vec<Measure> {
 }
 
 /// The rows of these metrics, each followed by the same in units, if there is one.
-pub(super) fn columns(measures: &[Measure], metrics: &[usize]) -> Vec<usize> {
+pub(crate) fn columns(measures: &[Measure], metrics: &[usize]) -> Vec<usize> {
     let of = |metric: &usize| {
         let metric = *metric;
         let rows = measures.iter().enumerate();

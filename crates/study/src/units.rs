@@ -4,14 +4,14 @@ use slipgap_solver::problem::Problem;
 use slipgap_solver::problem::numbers::unit::Dimension;
 
 /// The message for results in units in a study without the key.
-pub(super) const NEEDS_UNITS: &str = "results in units need the key \"units\" of the study";
+pub(crate) const NEEDS_UNITS: &str = "results in units need the key \"units\" of the study";
 
 /// Names of the units of the parameters of a study. The program converts nothing; the units must be consistent.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Units {
-    pub(super) length: String,
-    pub(super) force: String,
-    pub(super) time: String,
+    pub(crate) length: String,
+    pub(crate) force: String,
+    pub(crate) time: String,
 }
 
 impl Units {
@@ -49,7 +49,7 @@ impl Units {
 }
 
 /// The text between metric and unit in the name of a column. No name of a table contains it.
-pub(super) const IN: &str = "_in_";
+pub(crate) const IN: &str = "_in_";
 
 /// The metric in the name of a column in units.
 pub fn scaled(column: &str) -> Option<&str> {

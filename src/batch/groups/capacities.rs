@@ -1,6 +1,6 @@
 //! Fragility curves by incremental scaling and of a cloud of cases.
 
-use super::fragility::{FragilityPoint, Probability};
+use super::point::{FragilityPoint, Probability};
 use crate::batch::DrawnCase;
 use slipgap_statistics::binomial;
 use slipgap_statistics::capacity::{Estimate, of_capacities, of_cloud};

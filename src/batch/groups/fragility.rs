@@ -2,9 +2,9 @@
 //! likelihood, of capacities or of a cloud.
 
 use super::capacities;
+use super::point::FragilityPoint;
 use crate::batch::DrawnCase;
 use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_statistics::binomial;
 use slipgap_statistics::lognormal::{Fragility as Function, NoFit, Trials};
 use slipgap_study::kinds::{Fit, Fragility};
 use slipgap_study::{Study, alike};
@@ -20,32 +20,6 @@ pub struct FragilityCurve {
     pub fit: Result<Function, NoFit>,
     /// 95 % intervals of its median and its dispersion, by incremental scaling and of a cloud.
     pub intervals: Option<[[f64; 2]; 2]>,
-}
-
-/// The cases of a curve at one value of the parameter along the axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FragilityPoint {
-    /// The value; NaN of a curve without a place.
-    pub at: f64,
-    /// Number of cases.
-    pub cases: u64,
-    /// How many of them have no value of the metric; these are left out of all that follows.
-    pub empty: u64,
-    /// How many exceed the limit.
-    pub exceeded: u64,
-    /// The part that exceeds; `None` if no case has a value.
-    pub probability: Option<Probability>,
-}
-
-/// An estimated probability.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Probability {
-    /// The part of the cases.
-    pub value: f64,
-    /// Lower end of the 95 % interval (Clopper and Pearson).
-    pub low: f64,
-    /// Upper end.
-    pub high: f64,
 }
 
 /// The curves of a figure: the cases of each value of its `by`, or else of each set of values of the parameters that vary and
@@ -112,42 +86,4 @@ fn shared(parameters: usize, cases: &[&DrawnCase]) -> Vec<Option<Value>> {
         first.filter(|_| others.all(|other| Value::identical(other, first)))
     };
     (0..parameters).map(value).collect()
-}
-
-impl FragilityPoint {
-    fn new(figure: &Fragility, at: f64, cases: &[&&DrawnCase]) -> FragilityPoint {
-        let value = |shown: &&&DrawnCase| shown.metric(figure.y);
-        let values: Vec<f64> = cases.iter().filter_map(value).collect();
-        let exceeded = values.iter().filter(|value| **value > figure.limit);
-        let (exceeded, count) = (exceeded.count() as u64, values.len() as u64);
-        let probability = || {
-            let [low, high] = binomial::interval(exceeded, count);
-            Probability {
-                value: exceeded as f64 / count as f64,
-                low,
-                high,
-            }
-        };
-        FragilityPoint {
-            at,
-            cases: cases.len() as u64,
-            empty: (cases.len() - values.len()) as u64,
-            exceeded,
-            probability: (count > 0).then(probability),
-        }
-    }
-
-    /// The cases with a value, as trials.
-    fn trials(&self) -> Trials {
-        Trials {
-            at: self.at,
-            exceeded: self.exceeded,
-            count: self.count(),
-        }
-    }
-
-    /// Number of cases with a value.
-    pub fn count(&self) -> u64 {
-        self.cases - self.empty
-    }
 }

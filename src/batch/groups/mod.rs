@@ -2,12 +2,15 @@
 
 mod capacities;
 pub mod fragility;
+pub mod point;
+pub(super) mod shown;
+pub mod sobol;
 
 use super::DrawnCase;
-use super::output::sobol::{DesignMetrics, Estimates};
 use fragility::FragilityCurve;
 use slipgap_study::kinds::FigureKind;
 use slipgap_study::{Figure, Study};
+use sobol::{DesignMetrics, Estimates};
 
 /// What a figure shows besides its cases.
 #[derive(Debug, Default)]

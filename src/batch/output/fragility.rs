@@ -1,7 +1,8 @@
 //! fragility.csv: the points of every fragility figure, with the function of their curve.
 
 use super::tables::cell;
-use crate::batch::groups::fragility::{FragilityCurve, FragilityPoint};
+use crate::batch::groups::fragility::FragilityCurve;
+use crate::batch::groups::point::FragilityPoint;
 use slipgap_study::error::Error;
 use slipgap_study::kinds::{FigureKind, Fit, Fragility};
 use slipgap_study::{ColumnRef, Figure, Study};

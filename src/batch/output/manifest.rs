@@ -2,10 +2,10 @@
 //!
 //! During a run the manifest also lists the files that the run may write. The next run removes those of a killed run.
 
-use super::atomic::{read_file, write_atomically};
 use super::names::{HISTORIES, RESULTS, history_name};
 use crate::batch::WarnedCases;
-use crate::batch::key::SOLVER_VERSION;
+use crate::batch::files::atomic::{read_file, write_atomically};
+use crate::batch::store::key::SOLVER_VERSION;
 use serde_json::{Map, Value, json};
 use slipgap_study::error::Error;
 use slipgap_study::{Setting, Study};

@@ -1,6 +1,5 @@
 //! The folder of a study's results. It has only complete files, and no outdated files of former runs.
 
-pub mod atomic;
 pub mod ensemble;
 pub mod fragility;
 mod manifest;
@@ -16,7 +15,7 @@ pub use names::{
 };
 
 use super::WarnedCases;
-use atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
+use super::files::atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
 use manifest::Manifest;
 use names::HISTORIES;
 use slipgap_study::Study;

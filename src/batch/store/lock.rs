@@ -1,6 +1,6 @@
 //! The lock of a store: one run uses it at a time.
 
-use crate::batch::locks::{self, Locked};
+use crate::batch::files::locks::{self, Locked};
 use slipgap_study::error::Error;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;

@@ -6,27 +6,34 @@
 
 mod catch_panic;
 mod constant_columns;
+mod earlier_cases;
+pub mod key;
 mod lock;
+mod miss;
 mod part_file;
 mod reading;
+mod rows;
+mod schema;
 #[cfg(test)]
 mod tests;
 mod writing;
 
+pub use earlier_cases::EarlierCases;
+pub use miss::Miss;
 pub use part_file::{STORE, rows};
+pub use rows::Rows;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
-use std::fmt;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::chunk::{self, starts_in_same_chunk};
-use super::key::{Difference, Key, checksum};
-use super::output::atomic::{can_write, remove_leftovers, write_atomically};
+use super::files::atomic::{can_write, remove_leftovers, write_atomically};
+use super::parts::chunk::{self, starts_in_same_chunk};
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
+use key::{Difference, Key, checksum};
 use slipgap_solver::problem::table::cases::Cases;
 use slipgap_solver::solve::MetricTable;
 use slipgap_study::Study;
@@ -47,27 +54,6 @@ pub struct Store {
     /// Whether other processes write to the store.
     shared: bool,
     _lock: Option<File>,
-}
-
-/// Why the store does not have a part.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Miss {
-    /// No part has its start.
-    Absent,
-    /// A part has other results.
-    Outdated(Difference),
-    /// A part is damaged.
-    Damaged(PathBuf),
-}
-
-impl fmt::Display for Miss {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Miss::Absent => f.write_str("not in the store yet"),
-            Miss::Outdated(difference) => write!(f, "{difference}"),
-            Miss::Damaged(path) => write!(f, "{} is damaged", path.display()),
-        }
-    }
 }
 
 impl Store {
@@ -201,11 +187,7 @@ impl Store {
             let read =
                 |bytes| catch_panic(|| reading::read_hashed(study, bytes, key).ok()).flatten();
             if let Some((hashes, metrics)) = bytes.and_then(read).flatten() {
-                let table = earlier.tables.len();
-                let rows = hashes.into_iter().enumerate();
-                let rows = rows.map(|(row, hash)| (hash, (table, row)));
-                earlier.rows.extend(rows);
-                earlier.tables.push(metrics);
+                earlier.add(hashes, metrics);
             }
         }
         earlier
@@ -299,26 +281,5 @@ impl Store {
 
     fn current(&self) -> MutexGuard<'_, BTreeSet<PathBuf>> {
         self.current.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
-
-/// The cases of earlier parts.
-#[derive(Debug, Default)]
-pub struct EarlierCases {
-    /// Table and row by the hash of the parameters.
-    rows: HashMap<u128, (usize, usize)>,
-    tables: Vec<MetricTable>,
-}
-
-impl EarlierCases {
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.rows.is_empty()
-    }
-
-    /// The table and the row with the metrics of the case with this hash.
-    pub fn get(&self, hash: u128) -> Option<(&MetricTable, usize)> {
-        let (table, row) = self.rows.get(&hash)?;
-        Some((&self.tables[*table], *row))
     }
 }

@@ -1,10 +1,10 @@
 //! The files of a store: their names, and their content if it has the checksum in the name.
 
 use super::catch_panic::catch_panic;
+use super::key::checksum;
 use super::reading;
-use crate::batch::key::checksum;
-use crate::batch::output::atomic::read_file;
-use crate::compare::Rows;
+use super::rows::Rows;
+use crate::batch::files::atomic::read_file;
 use slipgap_study::error::Error;
 use std::fs;
 use std::io::{self, ErrorKind};

@@ -6,9 +6,9 @@ use parquet::data_type::{ByteArray, DataType};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 
-use crate::batch::chunk::MOST_ROWS;
-use crate::batch::key::{CaseHash, Difference, Key};
-use crate::compare::Rows;
+use super::key::{CaseHash, Difference, Key};
+use super::rows::Rows;
+use crate::batch::parts::chunk::MOST_ROWS;
 use slipgap_solver::problem::Case;
 use slipgap_solver::problem::numbers::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
 use slipgap_solver::solve::{MetricTable, Unsolvable, Warnings};

@@ -1,6 +1,6 @@
 use super::part_file::{all_in, parse_name};
 use super::*;
-use crate::batch::chunk::parts;
+use crate::batch::parts::chunk::parts;
 use slipgap_solver::solve::Unsolvable;
 use slipgap_study::parse;
 

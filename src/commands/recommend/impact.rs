@@ -6,8 +6,8 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use slipgap::error::Error;
 use slipgap::problem::impact::BarImpact;
-use slipgap::problem::parameter::Value;
-use slipgap::problem::schema::Text;
+use slipgap::problem::numbers::parameter::Value;
+use slipgap::problem::table::schema::Text;
 use slipgap::recommend::impact::{ENERGY_GAIN, ENERGY_LOSS, ImpactTask, bar};
 use slipgap::recommend::setting::choices;
 

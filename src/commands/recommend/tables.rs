@@ -3,7 +3,7 @@
 use crate::commands::terminal::table;
 use slipgap::error::Error;
 use slipgap::problem::Case;
-use slipgap::problem::parameter::{Value, shortest};
+use slipgap::problem::numbers::parameter::{Value, shortest};
 use slipgap::recommend::format::digits;
 use slipgap::recommend::{
     Answer, Candidate, LEAST_HALVINGS, Outcome, Refined, Request, Robustness, SearchSpace, Target,
@@ -271,9 +271,9 @@ pub fn front(space: &dyn SearchSpace, request: &Request, answer: &Answer) -> Str
 mod tests {
     use super::*;
     use slipgap::history::History;
-    use slipgap::problem::cases::Cases;
     use slipgap::problem::friction::FrictionOscillator;
-    use slipgap::problem::schema::Schema;
+    use slipgap::problem::table::cases::Cases;
+    use slipgap::problem::table::schema::Schema;
     use slipgap::problem::{Problem, Solution, Violation};
     use slipgap::recommend::friction::Friction;
     use slipgap::recommend::{CostLevel, EnergyChange, Fixed, Stop, metric};

@@ -1,9 +1,11 @@
 //! Output on the terminal: results to stdout, notes and errors to stderr.
 
+mod duration;
 mod observer;
 pub mod progress;
 mod studies;
 
+pub use duration::duration;
 pub use observer::Terminal;
 
 use slipgap::error::Error;

@@ -3,7 +3,7 @@
 use super::studies::Studies;
 use super::{note, progress};
 use indicatif::ProgressBar;
-use slipgap::batch::work_progress::WorkProgress;
+use slipgap::batch::solve::work_progress::WorkProgress;
 use slipgap::run::{Observer, Source};
 use std::sync::Arc;
 

@@ -1,10 +1,11 @@
 //! Progress bars, and lines about finished work.
 
+use super::duration::duration;
 use super::note;
 use super::studies::Estimate;
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
-use slipgap::batch::cost;
-use slipgap::batch::work_progress::WorkProgress;
+use slipgap::batch::solve::cost;
+use slipgap::batch::solve::work_progress::WorkProgress;
 use slipgap::study::Study;
 use std::fmt::Write;
 use std::io::{IsTerminal, stderr};
@@ -94,18 +95,6 @@ pub fn figures(name: &str, figures: usize, all: Option<Estimate>) -> ProgressBar
     ProgressBar::new(figures as u64)
         .with_style(style)
         .with_prefix(name.to_owned())
-}
-
-/// A rounded duration with its unit.
-pub fn duration(seconds: f64) -> String {
-    match seconds {
-        _ if seconds < 0.1 => "less than 0.1 s".into(),
-        _ if seconds < 10.0 => format!("{seconds:.1} s"),
-        _ if seconds < 120.0 => format!("{seconds:.0} s"),
-        _ if seconds < 2.0 * 3600.0 => format!("{:.0} min", seconds / 60.0),
-        _ if seconds < 48.0 * 3600.0 => format!("{:.0} h", seconds / 3600.0),
-        _ => format!("{:.0} days", seconds / 86_400.0),
-    }
 }
 
 /// A progress bar for work after the last case. Without a terminal it is hidden, and a line names the work if it is long.

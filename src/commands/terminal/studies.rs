@@ -1,8 +1,8 @@
 //! How far a command with several studies is, and what remains.
 
-use super::progress::duration;
-use slipgap::batch::cost;
-use slipgap::batch::work_progress::WorkProgress;
+use super::duration::duration;
+use slipgap::batch::solve::cost;
+use slipgap::batch::solve::work_progress::WorkProgress;
 use slipgap::run::Source;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};

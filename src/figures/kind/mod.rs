@@ -1,28 +1,17 @@
 //! The kinds of figure, one file each: its sheet. Its keys and checks are in `study/figure/kinds`, where studies are read.
 
 mod budget;
-mod convergence;
-mod curve;
-mod distribution;
-mod ensembles;
-mod fragility;
+mod ensemble;
 mod front;
-mod history;
-mod law;
 mod map;
-mod metric;
-mod orbit;
+mod motion;
 mod over_parameter;
-mod profile;
-mod quantiles;
 mod samples;
 mod scatter;
 pub(crate) mod scheme;
 mod sobol;
-mod spectrum;
-mod wave;
 
-use crate::figures::FigureData;
+use super::FigureData;
 use slipgap_drawing::layout::points::{self, Point};
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_study::kinds::FigureKind;

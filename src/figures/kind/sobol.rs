@@ -2,7 +2,7 @@
 
 use super::Draw;
 use crate::batch::GroupResults;
-use crate::batch::output::sobol::Estimates;
+use crate::batch::groups::sobol::Estimates;
 use crate::figures::FigureData;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::{Axis, Tick};

@@ -3,7 +3,6 @@
 use super::colour_at;
 use crate::figures::with_hover;
 use slipgap_drawing::layout::sheet::{Rect, Sheet};
-use slipgap_drawing::layout::slope::overlap;
 use slipgap_drawing::style::{self, Stroke};
 use slipgap_drawing::text;
 use slipgap_solver::problem::Case;
@@ -208,11 +207,11 @@ fn twelve_entries_are_readable_beside_or_over_their_panel() {
                 );
                 assert!(area.top > heading, "{width}: {area:?}");
                 for other in &areas[..i] {
-                    assert!(!overlap(area, other), "{width}: {area:?} {other:?}");
+                    assert!(!area.overlaps(other), "{width}: {area:?} {other:?}");
                 }
                 for panel in &sheet.panels {
                     assert!(
-                        !overlap(area, &panel.frame),
+                        !area.overlaps(&panel.frame),
                         "{width}: {area:?} {:?}",
                         panel.frame
                     );

@@ -2,12 +2,11 @@
 
 use super::{colour_at, decode, fig5, run};
 use crate::figures::{png, style};
-use slipgap_drawing::DrawingError;
 use slipgap_drawing::layout::below;
 use slipgap_drawing::layout::sheet::{Rect, Sheet};
-use slipgap_drawing::layout::slope;
 use slipgap_drawing::text;
 use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_study::error::Error;
 use slipgap_study::kinds::{History, Law, Map, Metric};
 use slipgap_study::{FigureKind, Scale};
 use std::f64::consts::PI;
@@ -93,10 +92,7 @@ fn fits(sheet: &Sheet, width: f64) {
         assert!(frame.width >= 60.0, "{frame:?}");
         assert!(frame.left >= 0.0 && frame.right() <= width && frame.bottom() <= sheet.height);
         for other in 0..k {
-            assert!(
-                !slope::overlap(&with_axis(k), &with_axis(other)),
-                "{k} {other}"
-            );
+            assert!(!with_axis(k).overlaps(&with_axis(other)), "{k} {other}");
         }
     }
     for words in &sheet.heading {
@@ -289,7 +285,7 @@ fn a_picture_too_large_for_memory_is_refused() {
         height: 5670.0,
         ..Sheet::default()
     };
-    let Err(DrawingError::TooLarge(message)) = png(&sheet, 1200) else {
+    let Err(Error::Usage(message)) = png(&sheet, 1200) else {
         panic!("a picture of 1.8 gigapixels");
     };
     assert!(

@@ -4,7 +4,6 @@ use super::{drawn, sheet_of, shown};
 use crate::figures::{FigureData, sheet, svg};
 use slipgap_drawing::layout::inset;
 use slipgap_drawing::layout::sheet::{Series, Sheet};
-use slipgap_drawing::layout::slope::overlap;
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_study::{self, Study};
 
@@ -174,7 +173,7 @@ fn an_inset_enlarges_a_window_where_no_curve_is() {
                 width: style::SAMPLE,
                 height: 8.0,
             };
-            assert!(!overlap(&own, &area));
+            assert!(!own.overlaps(&area));
         }
     }
     assert!(svg(&sheet, style::DPI).is_ok());

@@ -11,9 +11,9 @@ mod measured;
 mod samples;
 mod structures;
 
-use crate::batch::output::sobol::DesignMetrics;
+use super::{FigureData, ShownCases, png, sheet, svg};
+use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::{DrawnCase, GroupResults};
-use crate::figures::{FigureData, ShownCases, png, sheet, svg};
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_solver::exact::coulomb::Coulomb;

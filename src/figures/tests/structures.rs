@@ -183,15 +183,11 @@ fn contents(sheet: &Sheet) -> (Vec<Rect>, Vec<(String, Rect)>) {
     (boxes.collect(), words.collect())
 }
 
-fn overlap(a: &Rect, b: &Rect) -> bool {
-    a.left < b.right() && b.left < a.right() && a.top < b.bottom() && b.top < a.bottom()
-}
-
 /// Nothing overlaps and nothing is off the sheet.
 fn assert_clear(sheet: &Sheet) {
     let (boxes, words) = contents(sheet);
     for (i, a) in boxes.iter().enumerate() {
-        assert!(boxes[..i].iter().all(|b| !overlap(a, b)), "{a:?}");
+        assert!(boxes[..i].iter().all(|b| !a.overlaps(b)), "{a:?}");
     }
     let page = Rect {
         width: sheet.width,
@@ -207,10 +203,10 @@ fn assert_clear(sheet: &Sheet) {
             rect.contains([area.left, area.top]) && rect.contains([area.right(), area.bottom()])
         };
         let own = boxes.iter().filter(inside).count();
-        let met = boxes.iter().filter(|rect| overlap(area, rect)).count();
+        let met = boxes.iter().filter(|rect| area.overlaps(rect)).count();
         assert_eq!(met, own, "{text}");
         assert!(
-            words[..i].iter().all(|(_, other)| !overlap(area, other)),
+            words[..i].iter().all(|(_, other)| !area.overlaps(other)),
             "{text}"
         );
         for shape in &sheet.picture.shapes {
@@ -396,7 +392,7 @@ fn any_links_are_drawn_in_a_narrow_sheet_too() {
     let (boxes, words) = contents(&sheet);
     assert_eq!(boxes.len(), 4);
     for (i, a) in boxes.iter().enumerate() {
-        assert!(boxes[..i].iter().all(|b| !overlap(a, b)), "{a:?}");
+        assert!(boxes[..i].iter().all(|b| !a.overlaps(b)), "{a:?}");
     }
     assert_eq!(words.len(), 4 + 5);
     assert!(png(&sheet, style::DPI).is_ok());

@@ -101,7 +101,7 @@ fn driven(law: impl Law, [p, w, x0, dt]: [f64; 4], steps: u32) -> Vec<[f64; 3]> 
     states
 }
 
-/// Largest differences of X, X' at T = 10 from tests/reference/laws_friction.py with 2000 and 8000 steps.
+/// Largest differences of X, X' at T = 10 from tests/reference/friction/laws_friction.py with 2000 and 8000 steps.
 fn errors(law: impl Law, [x, v, s]: [f64; 3]) -> [f64; 2] {
     [2000, 8000].map(|steps: u32| {
         let states = driven(law, [2.0, 0.8, 0.5, 10.0 / f64::from(steps)], steps);
@@ -115,7 +115,7 @@ fn errors(law: impl Law, [x, v, s]: [f64; 3]) -> [f64; 2] {
 
 #[test]
 fn every_law_converges_with_the_second_order() {
-    // X, X', S by DOP853, accurate to 2e-10: tests/reference/laws_friction.py.
+    // X, X', S by DOP853, accurate to 2e-10: tests/reference/friction/laws_friction.py.
     let cases = [
         (
             "tanh",

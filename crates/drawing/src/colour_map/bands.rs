@@ -1,6 +1,5 @@
 //! A map as filled contours: the field over its axes, and the levels between bands.
 
-use crate::colour_map::Marks;
 use crate::colour_map::contours::{Field, Ring};
 use crate::colour_map::labels;
 use crate::layout::axis::Scale;
@@ -178,15 +177,15 @@ fn line(ring: &Ring) -> Vec<[f64; 2]> {
     line
 }
 
-/// Markers without a line.
-pub fn marks(marks: &Marks) -> Series {
-    let apart = marks.at.iter().flat_map(|place| [*place, [f64::NAN; 2]]);
+/// Markers without a line, with the label of the legend in markup.
+pub fn marks(label: &str, at: &[[f64; 2]]) -> Series {
+    let apart = at.iter().flat_map(|place| [*place, [f64::NAN; 2]]);
     Series {
-        label: marks.label.clone(),
+        label: label.to_owned(),
         points: apart.collect(),
         stroke: Stroke::Solid,
         width: 0.0,
         marker: Some(Marker::Circle),
-        marked: (0..marks.at.len()).map(|i| 2 * i).collect(),
+        marked: (0..at.len()).map(|i| 2 * i).collect(),
     }
 }

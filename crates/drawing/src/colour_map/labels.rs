@@ -2,7 +2,6 @@
 
 use crate::layout::clip;
 use crate::layout::sheet::{Anchor, Panel, PlacedText, Rect};
-use crate::layout::slope::overlap;
 use crate::style;
 use crate::text;
 
@@ -59,7 +58,7 @@ pub fn place(
                 && inner.contains([area.right(), area.bottom()])
                 && !placed
                     .iter()
-                    .any(|(other, _)| overlap(&other.inflated(2.0), area))
+                    .any(|(other, _)| other.inflated(2.0).overlaps(area))
                 && !occupied
                     .iter()
                     .any(|p| area.inflated(style::MARKER + 1.0).contains(panel.place(*p)))

@@ -8,15 +8,6 @@ pub mod ridge;
 
 pub use labels::RIM;
 
-/// Places that a map marks.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Marks {
-    /// What the legend calls them, in markup.
-    pub label: String,
-    /// Their values of the two axes' parameters.
-    pub at: Vec<[f64; 2]>,
-}
-
 /// The value that a line along a map follows from column to column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ridge {

@@ -1,13 +1,6 @@
 //! An axis: its range, scale and ticks, and the place of a value along it.
 
-/// How numbers are laid along an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
-    /// Evenly.
-    Linear,
-    /// By their logarithm; only positive numbers.
-    Log,
-}
+pub use slipgap_solver::problem::numbers::parameter::Scale;
 
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]

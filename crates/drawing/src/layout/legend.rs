@@ -1,7 +1,7 @@
 //! The legend: in free corners of the panels, or in lines over them.
 
 use crate::layout::sheet::{Entry, Panel, Rect, Series, Sheet};
-use crate::layout::{clip, inset, slope};
+use crate::layout::{clip, inset};
 use crate::style::{self, Marker, Stroke};
 use crate::text;
 
@@ -151,7 +151,7 @@ pub fn is_free(panel: &Panel, area: &Rect) -> bool {
     let inset = panel.inset.as_ref().is_none_or(|inset| {
         let joins = inset::joins(panel, inset);
         let lines = joins.iter().flat_map(|line| line.windows(2));
-        !slope::overlap(&inset::area(inset), area) && { lines }.all(|pair| clear(pair[0], pair[1]))
+        !inset::area(inset).overlaps(area) && { lines }.all(|pair| clear(pair[0], pair[1]))
     });
     notes
         && arrows

@@ -9,6 +9,8 @@ pub mod inset;
 pub mod legend;
 pub mod limits;
 pub mod points;
+mod rect;
+mod series;
 pub mod sheet;
 pub mod slope;
 pub mod ticks;

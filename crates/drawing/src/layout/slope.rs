@@ -99,7 +99,7 @@ pub fn write(panel: &mut Panel) {
                 let inner = panel.frame.inflated(-style::MAJOR_TICK);
                 let inside = inner.contains([area.left, area.top])
                     && inner.contains([area.right(), area.bottom()]);
-                inside && !taken.iter().any(|t| overlap(t, area)) && legend::is_free(panel, area)
+                inside && !taken.iter().any(|t| t.overlaps(area)) && legend::is_free(panel, area)
             });
         if let Some(area) = free {
             taken.push(area);
@@ -112,11 +112,6 @@ pub fn write(panel: &mut Panel) {
         }
     }
     panel.notes.extend(notes);
-}
-
-/// Whether two areas overlap.
-pub fn overlap(a: &Rect, b: &Rect) -> bool {
-    a.left < b.right() && b.left < a.right() && a.top < b.bottom() && b.top < a.bottom()
 }
 
 #[cfg(test)]

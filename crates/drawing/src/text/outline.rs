@@ -1,8 +1,9 @@
 //! Glyph outlines as a path of pixels, and as the path data of SVG.
 
+use read_fonts::ps::cs::CommandSink;
+use read_fonts::types::Fixed;
 use std::fmt::Write;
 use tiny_skia::PathBuilder;
-use ttf_parser::OutlineBuilder;
 
 /// Adds outlines to a path at their place on the sheet.
 pub struct ToPixels {
@@ -19,9 +20,9 @@ pub struct ToPixels {
 }
 
 impl ToPixels {
-    fn place(&self, x: f32, y: f32) -> (f32, f32) {
-        let along = self.along + f64::from(x) * self.scale;
-        let above = f64::from(y) * self.scale;
+    fn place(&self, x: Fixed, y: Fixed) -> (f32, f32) {
+        let along = self.along + x.to_f64() * self.scale;
+        let above = y.to_f64() * self.scale;
         let [x, y] = self.origin;
         let (x, y) = if self.upwards {
             (x - above, y - along)
@@ -32,23 +33,18 @@ impl ToPixels {
     }
 }
 
-impl OutlineBuilder for ToPixels {
-    fn move_to(&mut self, x: f32, y: f32) {
+impl CommandSink for ToPixels {
+    fn move_to(&mut self, x: Fixed, y: Fixed) {
         let (x, y) = self.place(x, y);
         self.path.move_to(x, y);
     }
 
-    fn line_to(&mut self, x: f32, y: f32) {
+    fn line_to(&mut self, x: Fixed, y: Fixed) {
         let (x, y) = self.place(x, y);
         self.path.line_to(x, y);
     }
 
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        let ((x1, y1), (x, y)) = (self.place(x1, y1), self.place(x, y));
-        self.path.quad_to(x1, y1, x, y);
-    }
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+    fn curve_to(&mut self, x1: Fixed, y1: Fixed, x2: Fixed, y2: Fixed, x: Fixed, y: Fixed) {
         let ((x1, y1), (x2, y2)) = (self.place(x1, y1), self.place(x2, y2));
         let (x, y) = self.place(x, y);
         self.path.cubic_to(x1, y1, x2, y2, x, y);
@@ -62,20 +58,16 @@ impl OutlineBuilder for ToPixels {
 /// Writes outlines as path data in units of the font.
 pub struct ToData(pub String);
 
-impl OutlineBuilder for ToData {
-    fn move_to(&mut self, x: f32, y: f32) {
+impl CommandSink for ToData {
+    fn move_to(&mut self, x: Fixed, y: Fixed) {
         let _ = write!(self.0, "M{x} {y}");
     }
 
-    fn line_to(&mut self, x: f32, y: f32) {
+    fn line_to(&mut self, x: Fixed, y: Fixed) {
         let _ = write!(self.0, "L{x} {y}");
     }
 
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        let _ = write!(self.0, "Q{x1} {y1} {x} {y}");
-    }
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+    fn curve_to(&mut self, x1: Fixed, y1: Fixed, x2: Fixed, y2: Fixed, x: Fixed, y: Fixed) {
         let _ = write!(self.0, "C{x1} {y1} {x2} {y2} {x} {y}");
     }
 

@@ -2,8 +2,8 @@
 
 use super::draft::{BlockDraft, ParameterDraft};
 use super::interval::Interval;
-use crate::cases::design::{Design, Sampling};
-use crate::cases::values::Sampled;
+use crate::cases::axis::design::{Design, Sampling};
+use crate::cases::axis::values::Sampled;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::Node;
@@ -15,7 +15,7 @@ pub(crate) const KEYS: [(&str, &str); 3] = [
     ("kind", "how the points are chosen"),
     (
         "n",
-        "number of points; a saltelli design of k parameters has n base points and n (k + 2) cases; a power of 2 is best for Sobol' sequences",
+        "number of points; saltelli: base points; a power of 2 is best for Sobol' sequences",
     ),
     (
         "seed",

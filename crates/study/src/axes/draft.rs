@@ -1,9 +1,9 @@
 //! The parameters of a block as the study gives them, each with its place.
 
 use super::interval::Interval;
-use crate::cases::design::Design;
-use crate::cases::group::{Axis, AxisGroup};
-use crate::cases::values::{Sampled, Values};
+use crate::cases::axis::design::Design;
+use crate::cases::axis::group::{Axis, AxisGroup};
+use crate::cases::axis::values::{Sampled, Values};
 use slipgap_solver::problem::expression::Formula;
 use slipgap_solver::problem::numbers::parameter::Value;
 

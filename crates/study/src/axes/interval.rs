@@ -1,7 +1,7 @@
 //! The range of a parameter that a design samples.
 
 use crate::Scale;
-use crate::cases::values::Distribution;
+use crate::cases::axis::values::Distribution;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
@@ -10,13 +10,10 @@ use slipgap_solver::problem::numbers::parameter::{Kind, Parameter, Range, shorte
 
 /// The distributions, each with the meaning of its two numbers.
 pub(crate) const INTERVALS: [(&str, &str); 2] = [
-    (
-        "uniform",
-        "[a, b]: uniform distribution from a to b; the design of the block chooses the points",
-    ),
+    ("uniform", "[a, b]: uniform distribution from a to b"),
     (
         "loguniform",
-        "[a, b]: uniform distribution of the logarithm from a to b; the design of the block chooses the points",
+        "[a, b]: uniform distribution of the logarithm from a to b",
     ),
 ];
 

@@ -1,11 +1,12 @@
 //! The study of an alternative with its best values, ready to run.
 
-use super::edit::{SHOWN, needed, put_metrics, remove};
+use super::edit::{SHOWN, needed, put_metrics};
 use super::files::move_files;
+use super::nodes::{blocks, items, list, put, put_remark, remove, take};
 use super::{Alternative, print};
 use crate::error::Error;
 use crate::source::input::Input;
-use crate::source::tree::{Member, Node, Tree};
+use crate::source::tree::{Node, Tree};
 use crate::{MOST_CASES, Study};
 use slipgap_solver::problem::numbers::parameter::{Value, shortest};
 use std::path::Path;
@@ -85,75 +86,10 @@ fn add_metric(root: &mut Node, metric: Option<&Node>) {
     put(root, "metrics", list(all));
 }
 
-fn list(items: Vec<Node>) -> Node {
-    Node {
-        at: 0,
-        tree: Tree::List(items),
-    }
-}
-
-fn items(node: Option<Node>) -> Vec<Node> {
-    match node.map(|node| node.tree) {
-        Some(Tree::List(items)) => items,
-        _ => Vec::new(),
-    }
-}
-
-fn members(node: &mut Node) -> Option<&mut Vec<Member>> {
-    match &mut node.tree {
-        Tree::Object(members) => Some(members),
-        _ => None,
-    }
-}
-
-/// Puts a value under a key, at the end of the object if it is new.
-fn put(node: &mut Node, key: &str, value: Node) {
-    if let Some(own) = node.member(key) {
-        *own = value;
-    } else if let Some(members) = members(node) {
-        members.push(Member {
-            key: key.to_owned(),
-            at: 0,
-            node: value,
-        });
-    }
-}
-
-/// Takes the value of a key.
-fn take(node: &mut Node, key: &str) -> Option<Node> {
-    let members = members(node)?;
-    let place = members.iter().position(|member| member.key == key)?;
-    Some(members.remove(place).node)
-}
-
-/// Puts a remark before all other keys.
-fn put_remark(root: &mut Node, remark: &str) {
-    if let Some(members) = members(root) {
-        let node = Node {
-            at: 0,
-            tree: Tree::Text(remark.to_owned()),
-        };
-        let key = "//".to_owned();
-        members.insert(0, Member { key, at: 0, node });
-    }
-}
-
 /// Keeps one block of several.
 fn keep_block(root: &mut Node, block: usize) {
     if let Some(Tree::List(blocks)) = root.member("blocks").map(|node| &mut node.tree) {
         *blocks = blocks.get(block).cloned().into_iter().collect();
-    }
-}
-
-/// The study, or its blocks.
-pub(super) fn blocks(root: &mut Node) -> Vec<&mut Node> {
-    let has = members(root).is_some_and(|all| all.iter().any(|own| own.key == "blocks"));
-    if !has {
-        return vec![root];
-    }
-    match root.member("blocks").map(|node| &mut node.tree) {
-        Some(Tree::List(items)) => items.iter_mut().collect(),
-        _ => Vec::new(),
     }
 }
 

@@ -20,7 +20,7 @@ pub(crate) const KEYS: [(&str, &str); 3] = [
     ("seed", "seed of the search; 1 if left out"),
     (
         "cases",
-        "cases for each alternative; its search ends at three quarters of them, the profiles take some hundred to some thousand; 20000 if left out",
+        "cases for each alternative, of which the search takes three quarters and profiles the rest; 20000 if left out",
     ),
 ];
 

@@ -1,5 +1,6 @@
 //! Studies made from the text of another one: what a search solves, and the errors at a point.
 
+use super::nodes::{list, put, remove};
 use crate::Study;
 use crate::computed::sources::{self, Source};
 use crate::error::Error;
@@ -46,13 +47,7 @@ impl Input {
             );
             if let Some(structure) = root.member("structure") {
                 remove(structure, &[REFERENCE]);
-                if let Tree::Object(members) = &mut structure.tree {
-                    members.push(Member {
-                        key: REFERENCE.to_owned(),
-                        at,
-                        node: text(&REFERENCES[0].to_owned()),
-                    });
-                }
+                put(structure, REFERENCE, text(&REFERENCES[0].to_owned()));
             }
         })
     }
@@ -67,29 +62,11 @@ impl Input {
     }
 }
 
-/// Removes keys of a study.
-pub(super) fn remove(root: &mut Node, keys: &[&str]) {
-    if let Tree::Object(members) = &mut root.tree {
-        members.retain(|member| !keys.contains(&member.key.as_str()));
-    }
-}
-
 /// Puts these metrics in the place of all, and removes what shows others.
 pub(super) fn put_metrics(root: &mut Node, metrics: Vec<Node>) {
     remove(root, &SHOWN);
     remove(root, &["metrics"]);
-    let at = root.at;
-    if let Tree::Object(members) = &mut root.tree {
-        let list = Node {
-            at,
-            tree: Tree::List(metrics),
-        };
-        members.push(Member {
-            key: "metrics".to_owned(),
-            at,
-            node: list,
-        });
-    }
+    put(root, "metrics", list(metrics));
 }
 
 /// The metric under `minimise`, after the metrics with names of the study that it contains.

@@ -1,6 +1,6 @@
 //! The paths of files in a study that is written to another folder.
 
-use super::best::blocks;
+use super::nodes::blocks;
 use crate::source::tree::{Node, Tree};
 use std::path::{Component, Path, PathBuf};
 

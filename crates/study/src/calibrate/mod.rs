@@ -5,6 +5,7 @@ mod best;
 pub(super) mod decode;
 mod edit;
 mod files;
+mod nodes;
 mod points;
 mod print;
 pub(super) mod range;

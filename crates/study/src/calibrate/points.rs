@@ -1,11 +1,11 @@
 //! The cases of an alternative at points of its free parameters.
 
 use super::{Alternative, Free};
+use crate::cases::axis::group::{Axis, AxisGroup};
+use crate::cases::axis::values::Values;
 use crate::cases::block::Block;
-use crate::cases::derived::{Condition, Derived};
-use crate::cases::formula_table::FormulaTable;
-use crate::cases::group::{Axis, AxisGroup};
-use crate::cases::values::Values;
+use crate::cases::formulas::derived::{Condition, Derived};
+use crate::cases::formulas::formula_table::FormulaTable;
 use crate::{Calibrate, Study};
 use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_solver::problem::table::cases::Cases;

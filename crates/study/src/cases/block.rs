@@ -1,8 +1,8 @@
 //! A block of cases. Each case is made from its number, so that 10^9 cases need no more memory than ten.
 
-use super::derived::{Condition, Derived};
-use super::design::Design;
-use super::group::{Axis, AxisGroup};
+use crate::cases::axis::design::Design;
+use crate::cases::axis::group::{Axis, AxisGroup};
+use crate::cases::formulas::derived::{Condition, Derived};
 use slipgap_solver::problem::numbers::parameter::{Default, Value};
 use slipgap_solver::problem::{Case, Problem};
 use std::sync::OnceLock;

@@ -1,7 +1,7 @@
 //! The values that follow from the parameters of a case, and the rules that a case breaks.
 
 use super::block::Block;
-use super::derived::Derived;
+use crate::cases::formulas::derived::Derived;
 use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_solver::problem::{Case, Problem, Violation};
 

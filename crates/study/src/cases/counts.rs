@@ -5,7 +5,7 @@
 //! a case is that of its combination, and each part tests its own.
 
 use super::block::{Block, CaseCounts};
-use super::derived::Condition;
+use crate::cases::formulas::derived::Condition;
 use slipgap_solver::problem::{Case, NotComputed, Problem, Violation};
 use std::ops::Range;
 

@@ -1,22 +1,20 @@
 //! The cases of a study: blocks of axes, derived parameters and conditions; each case is made from its number.
 
 pub mod alike;
+pub(super) mod axis;
 pub(super) mod block;
 mod complete;
 mod counts;
-pub(super) mod derived;
-pub(super) mod design;
 pub(crate) mod ensemble;
 pub(super) mod filter;
-pub(super) mod formula_table;
-pub(super) mod group;
+pub(super) mod formulas;
 pub(super) mod representative;
 pub mod scope;
 mod select;
 
+mod tabulate;
 #[cfg(test)]
 mod tests_sobol;
-pub(super) mod values;
 
 pub(super) use select::{case, distinct, select};
 

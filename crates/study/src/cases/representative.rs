@@ -1,10 +1,10 @@
 //! A few cases in place of all: the ends of the axes, where only a range matters.
 
 use super::block::Block;
-use super::group::{Axis, AxisGroup};
 use super::select::distinct;
-use super::values::Values;
 use crate::Study;
+use crate::cases::axis::group::{Axis, AxisGroup};
+use crate::cases::axis::values::Values;
 use slipgap_solver::problem::Case;
 use slipgap_solver::problem::numbers::parameter::Value;
 

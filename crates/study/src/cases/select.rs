@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::filter::Filter;
-use super::group::AxisGroup;
+use crate::cases::axis::group::AxisGroup;
 use slipgap_solver::problem::numbers::parameter::Value;
 use slipgap_solver::problem::{Case, Problem};
 use std::collections::HashSet;

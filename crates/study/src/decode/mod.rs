@@ -2,16 +2,20 @@
 
 pub(super) mod blocks;
 pub(super) mod checks;
+mod columns;
 mod ensemble;
+mod keys;
 mod references;
 pub(super) mod resolve;
+#[cfg(test)]
+mod tests;
 pub(super) mod units;
 pub(super) mod validate;
 
+pub(crate) use keys::{ITERATIONS, KEYS};
 use std::path::Path;
 
 use crate::cases::scope::Scope;
-use crate::computed::decode::Listed;
 use crate::error::Error;
 use crate::figure::figures;
 use crate::measure;
@@ -22,66 +26,23 @@ use crate::source::object::Object;
 use crate::source::place::Texts;
 use crate::source::setting;
 use crate::source::tree::{Node, Tree};
-use crate::structure::measured::KEY as MEASURED;
-use crate::structure::names::SHOWN;
-use crate::structure::{self, own_records, record_axis};
+use crate::structure::keys::KEY as MEASURED;
+use crate::structure::named::names::SHOWN;
+use crate::structure::{
+    self,
+    recorded::{own_records, record_axis},
+};
 use crate::units::Units;
 use crate::value::{self, name};
-use crate::{Check, Figure, Study, calibrate, computed, reduction};
+use crate::{Study, calibrate, computed, reduction};
 use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
+use columns::columns;
 use ensemble::ensemble;
 use slipgap_solver::problem::structure::tables::schema::NAME;
 use slipgap_solver::problem::{self, PROBLEMS, Problem};
 use std::sync::Arc;
 use validate::MOST_CASES;
-
-/// The keys of a study, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 16] = [
-    (
-        "$schema",
-        "location of the schema, for editors; slipgap ignores it",
-    ),
-    ("title", "what the study shows, in one line"),
-    ("problem", "the problem to solve"),
-    ("parameters", "parameters of the cases; a list is an axis"),
-    (
-        "structure",
-        "masses, bars, springs, contacts and loads of a study of structures",
-    ),
-    structure::measured::KEY,
-    (
-        "blocks",
-        "several sets of parameters instead of one; their cases follow one another",
-    ),
-    (
-        "metrics",
-        "metrics to compute in addition to the default ones; each is a column of results.csv; a name, arithmetic such as \"max(a3 - a2)/h\", a ratio to a reference case such as \"peak(gap.S) relative to gamma = 1, n = 10\", or an object that gives one a name: {\"drift\": \"max(a3 - a2)/h\"} or {\"drift\": {\"value\": \"max(a3 - a2)/h\", \"unit\": \"rad\", \"title\": \"drift\"}}",
-    ),
-    reduction::decode::KEY,
-    (
-        "ensemble",
-        "a parameter or a list of parameters over which the cases are an ensemble",
-    ),
-    (
-        "units",
-        "units of the parameters, for results in them; nothing is converted",
-    ),
-    structure::names::SHOWN,
-    (
-        "iteration",
-        "converged (if left out), or once: each step is solved once with the matrices of the papers, without iteration",
-    ),
-    (
-        "calibrate",
-        "free parameters with their ranges and the metric to minimise, for `slipgap calibrate`",
-    ),
-    ("figures", "figures to draw"),
-    ("checks", "limits that `slipgap check` tests"),
-];
-
-/// Names of the ways to solve a step.
-pub(crate) const ITERATIONS: [&str; 2] = ["converged", "once"];
 
 /// Reads a study file of at most [`MOST_CASES`] raw combinations. Faults name the file as `file` does.
 pub fn read(file: &Path) -> Result<Study, Error> {
@@ -275,18 +236,17 @@ fn problem(
     let node = object.need("problem", &format!("one of {}", known.join(", ")), faults)?;
     let row = name(node, "problem", "problem", &known, faults);
     let of_structure = row.is_some_and(|row| problem::is_described(known[row]));
-    if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get("structure")) {
-        let message = format!("only a study with \"problem\": \"{NAME}\" has this key");
-        faults.add(node.at, "structure", message);
-    }
-    if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get(MEASURED.0)) {
-        let message =
-            format!("only a study with \"problem\": \"{NAME}\" compares with measurements");
-        faults.add(node.at, MEASURED.0, message);
-    }
-    if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get(SHOWN.0)) {
-        let message = format!("only a study with \"problem\": \"{NAME}\" names its parameters");
-        faults.add(node.at, SHOWN.0, message);
+    if row.is_some() && !of_structure {
+        for (key, what) in [
+            ("structure", "has this key"),
+            (MEASURED.0, "compares with measurements"),
+            (SHOWN.0, "names its parameters"),
+        ] {
+            if let Some(node) = object.get(key) {
+                let message = format!("only a study with \"problem\": \"{NAME}\" {what}");
+                faults.add(node.at, key, message);
+            }
+        }
     }
     match (row, &node.tree) {
         (Some(_), _) if of_structure => structure::problem(object, root, folder, faults),
@@ -294,51 +254,4 @@ fn problem(
         (None, Tree::Text(misspelt)) => problem::find(nearest(misspelt, &known)?),
         (None, _) => None,
     }
-}
-
-/// The metrics that are computed, in the order of the table: those that are default, that the study lists or reduces, that a
-/// figure or check needs, and what other metrics are computed from. Then the columns of results.csv: not what the study names only in
-/// arithmetic.
-fn columns(
-    scope: &Scope,
-    listed: &Listed,
-    figures: &[Figure],
-    checks: &[Check],
-) -> (Vec<usize>, Vec<usize>) {
-    let (problem, measures) = (&*scope.problem, &scope.measures);
-    let shown = |figure: &Figure| figure.kind.decoded().measures(problem);
-    let drawn = figures.iter().flat_map(shown);
-    let checked = checks.iter().map(|check| check.metric);
-    let reduced = measures.iter().enumerate();
-    let reduced = reduced.filter_map(|(row, measure)| Some([row, measure.reduction.as_ref()?.of]));
-    let named = listed.named.iter().copied().chain(checked);
-    let named: Vec<usize> = named.chain(reduced.flatten()).chain(drawn).collect();
-    let count = problem.parameters().len();
-    let all_of = |row: &usize| computed::metrics_of(measures, *row, count);
-    let needed: Vec<usize> = named
-        .iter()
-        .chain(&listed.columns)
-        .flat_map(all_of)
-        .collect();
-    let own = named.iter().filter_map(|row| measures[*row].metric);
-    let own: Vec<usize> = own.collect();
-    let parts: Vec<usize> = listed.columns.iter().flat_map(all_of).collect();
-    let described = problem.schema().described;
-    let metrics = problem.metrics().iter().enumerate();
-    let metrics: Vec<usize> = metrics
-        .filter(|(row, metric)| metric.default || needed.contains(row))
-        .map(|(row, _)| row)
-        .collect();
-    let is_part = |row: &usize| {
-        let usual = problem.metrics()[*row].default && !described;
-        parts.contains(row) && !own.contains(row) && !usual
-    };
-    let columns: Vec<usize> = metrics
-        .iter()
-        .copied()
-        .filter(|row| !is_part(row))
-        .collect();
-    let mut columns = measure::columns(measures, &columns);
-    columns.extend(&listed.columns);
-    (metrics, columns)
 }

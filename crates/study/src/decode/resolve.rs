@@ -3,8 +3,8 @@
 use super::references::{check_given, report_circle, restates};
 use crate::Block;
 use crate::axes::draft::{BlockDraft, ParameterDraft};
-use crate::cases::derived::{Condition, Derived, refused};
-use crate::cases::formula_table::FormulaTable;
+use crate::cases::formulas::derived::{Condition, Derived, refused};
+use crate::cases::formulas::formula_table::FormulaTable;
 use crate::source::faults::{Faults, quoted};
 use crate::value::value_of;
 use slipgap_solver::problem::expression::{ExpressionFault, Formula};

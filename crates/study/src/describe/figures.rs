@@ -9,21 +9,28 @@ pub(super) fn reference() -> String {
     let shared = shared();
     let common: Vec<String> = COMMON.iter().map(described).collect();
     let several = shared.iter().map(|(key, kinds)| {
-        let same_name = shared.iter().filter(|other| other.0.name == key.name);
-        match same_name.count() > 1 {
-            true => format!("- `{}` of {}: {}", key.name, code(kinds), key.meaning),
-            false => described(key),
-        }
+        let of = of_kinds(kinds);
+        format!("- `{}` of {of}: {}", key.name, key.meaning)
     });
     let several: Vec<String> = several.collect();
     let kinds: Vec<String> = KINDS.iter().map(|kind| section(kind, &shared)).collect();
+    let scales = KINDS.iter().filter(|kind| kind.keys.iter().any(is_scale));
+    let scales = of_kinds(&scales.map(|kind| kind.name).collect::<Vec<_>>());
     format!(
-        "{}\n\nKeys of several kinds. Those that a kind needs are bold:\n\n{}\n- `x_scale`, `y_scale`, `z_scale`, `colour_scale`: linear or log; \
-         if left out linear, in `front` log\n\n{}",
+        "{}\n\nKeys of several kinds:\n\n{}\n- `x_scale`, `y_scale`, `z_scale`, `colour_scale` of {scales}: linear or log; \
+         if left out linear, in `front` log\n\nThe kinds, with their own keys; bold ones are required:\n\n{}",
         common.join("\n"),
         several.join("\n"),
-        kinds.join("\n\n")
+        kinds.join("\n")
     )
+}
+
+/// The kinds that have a key; of a key of most kinds the schema has the list.
+fn of_kinds(kinds: &[&str]) -> String {
+    match kinds.len() * 2 > KINDS.len() {
+        true => "most kinds".into(),
+        false => code(kinds),
+    }
 }
 
 /// Keys that several kinds have with the same meaning, each with these kinds.
@@ -55,35 +62,35 @@ fn described(key: &Key) -> String {
     format!("- `{}`: {}", key.name, key.meaning)
 }
 
+/// The meaning of a key without the axis, which its name tells.
+fn without_axis(meaning: &str) -> String {
+    let meaning = meaning.replace(" along the horizontal axis", "");
+    meaning.replace(" along the vertical axis", "")
+}
+
+/// A kind as an item of a list: what it shows, and its own keys.
 fn section(kind: &Kind, shared: &[(&Key, Vec<&str>)]) -> String {
-    let mut letters = kind.meaning.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string());
-    let mut text = format!(
-        "### {}\n\n{}{}.",
-        kind.name,
-        first.unwrap_or_default(),
-        letters.as_str()
-    );
     let name = |key: &Key| match key.required {
         true => format!("**`{}`**", key.name),
         false => format!("`{}`", key.name),
     };
     let is_above = |key: &Key| is_scale(key) || shared.iter().any(|(other, _)| same(other, key));
-    let above: Vec<String> = kind
+    let shown = kind
         .keys
         .iter()
-        .filter(|key| is_above(key))
-        .map(name)
-        .collect();
-    if !above.is_empty() {
-        text += &format!(" Keys above: {}.", above.join(", "));
+        .filter(|key| key.required || !is_above(key));
+    let keys = shown.map(|key| match is_above(key) {
+        true => name(key),
+        false => format!("{} ({})", name(key), without_axis(key.meaning)),
+    });
+    let keys: Vec<String> = keys.collect();
+    match keys.is_empty() {
+        true => format!("- `{}`: {}", kind.name, kind.meaning),
+        false => format!(
+            "- `{}`: {}. Keys: {}",
+            kind.name,
+            kind.meaning,
+            keys.join(", ")
+        ),
     }
-    let own = kind.keys.iter().filter(|key| !is_above(key));
-    let own: Vec<String> = own
-        .map(|key| format!("- {}: {}", name(key), key.meaning))
-        .collect();
-    if !own.is_empty() {
-        text += &format!("\n\n{}", own.join("\n"));
-    }
-    text
 }

@@ -1,61 +1,12 @@
-//! The reference pages of study files: prose with lists from the tables that decode them.
+//! The lists of reference pages: warnings, methods, and the parameters and metrics of a problem.
 
 use std::fmt::Write;
 
-use super::values::allowed;
-use super::{figures, structure_page};
-use crate::axes::axis_rule::RULES;
-use crate::axes::design;
-use crate::axes::interval::INTERVALS;
-use crate::calibrate;
-use crate::computed::sources::NAMED;
-use crate::decode::blocks::BLOCK_KEYS;
-use crate::decode::{self, checks, units};
-use crate::figure::reduced;
-use crate::reduction::OPERATORS;
-use slipgap_solver::problem::expression::{CONSTANTS, FUNCTIONS};
+use super::schema::values::allowed;
+use slipgap_solver::problem::Problem;
 use slipgap_solver::problem::method::PARAMETERS as METHOD;
 use slipgap_solver::problem::numbers::parameter::{Default, Kind, Parameter};
-use slipgap_solver::problem::{PROBLEMS, Problem};
 use slipgap_solver::solve::{WARNINGS, Warning};
-
-/// The pages beside the general one, docs/study-files.md: one for each problem.
-pub fn problem_pages() -> Vec<&'static str> {
-    let problems = PROBLEMS.iter().map(|problem| problem.name());
-    problems.chain([structure_page::PAGE]).collect()
-}
-
-/// docs/study-files-PROBLEM.md; `None` for a name that no problem has.
-pub fn problem_reference(name: &str) -> Option<String> {
-    if name == structure_page::PAGE {
-        return Some(structure_page::reference());
-    }
-    let problem = PROBLEMS.iter().find(|problem| problem.name() == name)?;
-    Some(problem_page(&**problem))
-}
-
-/// docs/study-files.md.
-pub fn reference() -> String {
-    let functions = FUNCTIONS.map(|function| function.0);
-    include_str!("reference.md")
-        .replace("{{study}}", &list(&decode::KEYS))
-        .replace("{{units}}", &list(&units::KEYS))
-        .replace("{{rules}}", &list(&RULES))
-        .replace("{{constants}}", &code(&CONSTANTS))
-        .replace("{{functions}}", &code(&functions))
-        .replace("{{beside}}", &list(&BLOCK_KEYS))
-        .replace("{{intervals}}", &list(&INTERVALS))
-        .replace("{{designs}}", &list(&design::KINDS))
-        .replace("{{design}}", &list(&design::KEYS))
-        .replace("{{methods}}", &methods())
-        .replace("{{named}}", &list(&NAMED))
-        .replace("{{figures}}", &figures::reference())
-        .replace("{{words}}", &list(&OPERATORS))
-        .replace("{{reduced}}", &code(&reduced::KINDS))
-        .replace("{{calibrate}}", &list(&calibrate::decode::KEYS))
-        .replace("{{checks}}", &list(&checks::KEYS))
-        .replace("{{warnings}}", &warnings())
-}
 
 /// Names as code, with commas.
 pub(super) fn code(names: &[&str]) -> String {
@@ -63,41 +14,52 @@ pub(super) fn code(names: &[&str]) -> String {
     quoted.join(", ")
 }
 
-/// Keys with their meanings as a list.
+/// Keys with their meanings as a list. Neighbours with the same meaning share an item.
 pub(super) fn list(keys: &[(&str, &str)]) -> String {
-    let items = keys
-        .iter()
-        .map(|(key, meaning)| format!("- `{key}`: {meaning}"));
+    let item = |same: &[(&str, &str)]| {
+        let names: Vec<&str> = same.iter().map(|key| key.0).collect();
+        format!("- {}: {}", code(&names), same[0].1)
+    };
+    let items = keys.chunk_by(|a, b| a.1 == b.1).map(item);
     items.collect::<Vec<_>>().join("\n")
 }
 
+/// The keys of a small object as one item of a list.
+pub(super) fn object(name: &str, keys: &[(&str, &str)]) -> String {
+    let key = |(key, meaning): &(&str, &str)| match key == meaning {
+        true => format!("`{key}`"),
+        false => format!("`{key}` ({meaning})"),
+    };
+    let keys: Vec<String> = keys.iter().map(key).collect();
+    format!("- {name}: {}", keys.join(", "))
+}
+
 /// The kinds of warnings.
-fn warnings() -> String {
+pub(super) fn warnings() -> String {
     let item = |kind: &Warning| format!("- `{}`: {}", kind.name(), kind.meaning());
     let items: Vec<String> = WARNINGS.iter().map(item).collect();
     items.join("\n")
 }
 
 /// The method and its parameters, which all problems have.
-fn methods() -> String {
+pub(super) fn methods() -> String {
     let items: Vec<String> = METHOD.iter().map(item).collect();
     items.join("\n")
 }
 
-fn problem_page(problem: &dyn Problem) -> String {
+pub(super) fn problem_page(problem: &dyn Problem) -> String {
     let name = problem.name();
     let schema = problem.schema();
     let mut text = format!(
-        "# Study files: {name}\n\nFor those who write a study with `\"problem\": \"{name}\"`: {}. \
-         [study-files.md](study-files.md) has the keys of all problems, [scope.md](scope.md) equations and symbols, \
-         [laws-and-methods.md](laws-and-methods.md) the laws.\n\n## Parameters\n\n\
-         With their units, allowed values and values if left out; besides those of the [method](study-files.md#methods).\n\n",
+        "# Study files: {name}\n\n`\"problem\": \"{name}\"`: {}. \
+         [study-files.md](study-files.md) has the keys of all problems and the parameters of the method, [scope.md](scope.md) symbols, \
+         [laws-and-methods.md](laws-and-methods.md) the laws.\n\n## Parameters\n\n",
         schema.meaning
     );
     let of_method = |parameter: &Parameter| METHOD.iter().any(|own| own.name == parameter.name);
     let own = problem.parameters().iter().filter(|p| !of_method(p));
     text += &parameters(&own.collect::<Vec<_>>());
-    text += "\n## Metrics\n\nIn the formulas c is computed, e exact. Of several metrics in a line, the formula is that of the first.\n\n";
+    text += "\n## Metrics\n\nc is computed, e exact. Of several metrics in a line, the formula is that of the first.\n\n";
     text += &metrics(problem, true);
     text += "\nOnly if `metrics` of the study lists them:\n\n";
     text += &metrics(problem, false);

@@ -1,6 +1,6 @@
 //! The reference page of studies of structures, whose parameters, channels and metrics have free names.
 
-use super::reference::{code, list};
+use super::reference::{code, list, object};
 use crate::structure::keys;
 use slipgap_solver::problem::structure::channels::channel::{
     OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
@@ -16,69 +16,90 @@ pub(super) const PAGE: &str = NAME;
 pub(super) fn reference() -> String {
     let laws: Vec<&str> = NAMES.iter().map(|law| law.0).collect();
     let keys = |title: &str, keys: &[(&str, &str)]| format!("{title}\n\n{}", list(keys));
+    let objects = |title: &str, all: &[(&str, &[(&str, &str)])]| {
+        let items: Vec<String> = all.iter().map(|(name, keys)| object(name, keys)).collect();
+        format!("{title}\n\n{}", items.join("\n"))
+    };
     let sections = [
         format!(
-            "# Study files: {NAME}\n\nFor those who write a study with `\"problem\": \"{NAME}\"`: {MEANING}. \
+            "# Study files: {NAME}\n\nKeys, channels and metrics of a study with `\"problem\": \"{NAME}\"`: {MEANING}. \
              [study-files.md](study-files.md) has the keys of all problems, [structures.md](structures.md) the equations, \
-             [laws-and-methods.md](laws-and-methods.md) the laws, [parts.md](parts.md) parts to copy."
+             [laws-and-methods.md](laws-and-methods.md) the laws, [parts.md](parts.md) examples."
         ),
         keys(
-            "Parameters have free names, but for these two and those of the method. Every number inside `structure` may be an \
-             expression of them; `law`, `record` and the files of `matrices` may be the name of a parameter, whose values are names.",
+            "Parameters have free names, except these two and those of the method. Every number in `structure` may be an \
+             expression of parameters; `law`, `record` and the files of `matrices` may be the name of one with names as values.",
             &FIXED,
         ),
         keys("## The keys of `structure`", keys::STRUCTURE),
         keys("A bar:", keys::BAR),
         keys("A spring:", keys::SPRING),
-        keys("`rayleigh`:", keys::RAYLEIGH),
         keys("A model of `matrices`:", keys::MATRICES),
-        keys("`reduce`, one of:", keys::REDUCE),
-        keys(
-            "`static` has forces by the names of nodes, bars or matrices in a direction, and:",
-            keys::STATIC,
+        objects(
+            "Smaller objects:",
+            &[
+                ("`rayleigh`", keys::RAYLEIGH),
+                ("`reduce`, one of", keys::REDUCE),
+                (
+                    "`static`: forces by nodes, bars, or matrices in a direction, and",
+                    keys::STATIC,
+                ),
+                ("`start`, of a node or bar", keys::START),
+            ],
         ),
-        keys("`start`, for each node or bar:", keys::START),
         "## Contacts".into(),
         format!("The laws are {}.", code(&laws)),
         keys("A contact has:", &keys::CONTACT),
-        keys("`N` as a table:", keys::NORMAL_TABLE),
-        keys("`N` of a weight:", keys::WEIGHT),
-        keys("`N` by contacts and springs:", keys::PRESSING),
+        objects(
+            "`N` may be one of:",
+            &[
+                ("a table", keys::NORMAL_TABLE),
+                ("a weight", keys::WEIGHT),
+                ("the force of contacts and springs", keys::PRESSING),
+            ],
+        ),
         "## Motions and loads".into(),
         keys(
             "A function of time has one of the first five keys. A load also has `at`, the node.",
             keys::FUNCTION,
         ),
-        keys("`sine`:", keys::SINE),
-        keys("`table`:", keys::TABLE),
+        objects(
+            "The objects in it:",
+            &[
+                ("`sine`", keys::SINE),
+                ("`table`", keys::TABLE),
+                ("`synthetic`", keys::SYNTHETIC),
+                ("`pulse`, one of", keys::PULSE),
+                ("`ricker`", keys::RICKER),
+                ("`cosine`", keys::COSINE),
+                ("`scale_to`, one of the first three, and", keys::SCALE_TO),
+                ("its `spectrum`, one of", keys::SPECTRUM),
+                ("`EN 1998-1`", keys::EN_1998),
+                ("`ASCE 7`", keys::ASCE_7),
+                ("or a `spectrum` as a table", keys::TARGET_TABLE),
+            ],
+        ),
         keys(
-            "Files as an axis, under `record`, under `file` of `measured`, or as the value of a parameter that chooses one of these. The \
-             files of several parameters of a block that are in no `zip` go together, those with the same text for `*`:",
+            "Files as an axis, under `record`, `file` of `measured`, or a parameter that chooses one of these; those with the same text for `*` \
+             go together:",
             keys::FILES,
         ),
-        keys("`synthetic`:", keys::SYNTHETIC),
-        keys("`pulse`, one of:", keys::PULSE),
-        keys("`ricker`:", keys::RICKER),
-        keys("`cosine`:", keys::COSINE),
-        keys("`scale_to`, one of the first three:", keys::SCALE_TO),
-        keys("Its `spectrum`, one of these, or a table:", keys::SPECTRUM),
-        keys("`EN 1998-1`:", keys::EN_1998),
-        keys("`ASCE 7`:", keys::ASCE_7),
-        keys("A table:", keys::TARGET_TABLE),
         keys(
             "A support has the keys of a function of time, its acceleration in x, or `x`, `y` and `z`, each with them, and:",
             keys::SUPPORT,
         ),
-        keys("`displacement`:", keys::IMPOSED),
-        keys("`displacement` of a file:", keys::IMPOSED_BY_FILE),
+        objects(
+            "Its `displacement` is one of:",
+            &[("points", keys::IMPOSED), ("a file", keys::IMPOSED_BY_FILE)],
+        ),
         "## Measurements".into(),
         keys(
-            "The key `measured` of the study, beside `structure`:",
+            "The key `measured` of the study, beside `structure` ([calibrate.md](calibrate.md)):",
             keys::MEASURED,
         ),
-        keys(
-            "A column with its unit, for `time` and in `columns`:",
-            keys::COLUMN,
+        objects(
+            "With a unit:",
+            &[("a column, for `time` and in `columns`", keys::COLUMN)],
         ),
         "## Channels".into(),
         keys(
@@ -93,21 +114,21 @@ pub(super) fn reference() -> String {
             &[OF_GROUND, OF_BASE].concat(),
         ),
         keys(
-            "Energies of the whole structure, of the motion relative to the ground or beside what supports carry; no exact motion has \
-             them:",
+            "Energies of the whole structure, of the motion relative to the ground or to the motion of supports; the exact motion has \
+             none:",
             &OF_ENERGY,
         ),
         "## Metrics".into(),
         keys(
-            "A study lists its metrics under `metrics`: reductions of a channel or of a contact, such as `peak(g1.right - p2)` or \
-             `impacts(gap12)`, and measures of the ground, of several directions with the direction, such as `ground.y.pga`. In the \
-             formulas c is computed.",
+            "`metrics` lists reductions of a channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`, and measures of \
+             the ground, with several directions as `ground.y.pga`. c is computed, e exact (`contacts_reference`), g the exact motion of \
+             the softened laws.",
             &REDUCTIONS,
         ),
         keys(
-            "`NAME(CHANNEL, measured)` compares with a column of `measured`, `loop_distance(CHANNEL, CHANNEL, measured)` with two. The \
-             computed motion is taken at the measured times, straight between the steps. Some of the reductions above may have \
-             `measured`; m is measured, W the energy of a cycle:",
+            "`NAME(CHANNEL, measured)` compares with a column of `measured`, `loop_distance(CHANNEL, CHANNEL, measured)` with two, at the \
+             measured times, straight between the steps. These of the reductions above may have `measured`; m is measured, W the energy \
+             of a cycle:",
             &of_measured(),
         ),
     ];

@@ -1,7 +1,7 @@
 //! The checks of a figure that several kinds need.
 
-use super::decoded_value::Values;
 use super::reduced;
+use super::values::Values;
 use crate::faults::{Faults, join};
 use crate::scope::Scope;
 use crate::{Figure, Reduction, Scale};

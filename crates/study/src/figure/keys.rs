@@ -126,7 +126,7 @@ pub(crate) static COMMON: [Key; 6] = [
         "width",
         Takes::Width,
         false,
-        "width of the picture in mm, 70 to 400, such as 90 for a column and 190 for a page; letters keep their size",
+        "width in mm, 70 to 400, such as 90 for a column and 190 for a page; letters keep their size",
     ),
     key(
         "where",
@@ -202,11 +202,11 @@ pub(super) const COLOUR: Key = key(
     "colour",
     Takes::Switch,
     false,
-    "true: unbroken curves in colours that people with any colour vision tell apart (Okabe and Ito); false: black curves with dashes and markers; if left out, black in the files of a run without --colour, and in colour in reports and notebooks",
+    "true: unbroken curves in colours for any colour vision; false: black with dashes and markers; if left out, colour with --colour, in reports and notebooks",
 );
 pub(super) const MARKERS: Key = key(
     "markers",
     Takes::Switch,
     false,
-    "true: curves in colour have markers, too, as black ones always have; if left out, they have none",
+    "true: curves in colour have markers, too",
 );

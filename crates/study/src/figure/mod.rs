@@ -1,6 +1,7 @@
 //! The `figures` of a study.
 
 mod checker;
+mod choice;
 pub(super) mod decoded_value;
 mod ensembles;
 pub(super) mod extent;
@@ -8,7 +9,9 @@ pub(super) mod keys;
 pub mod kinds;
 mod limits;
 pub mod reduced;
+mod reductions;
 mod sampled;
+mod values;
 mod vary;
 
 use std::collections::HashSet;
@@ -20,9 +23,10 @@ use crate::scope::Scope;
 use crate::tree::Node;
 use crate::value::name;
 use checker::Checker;
-use decoded_value::{DecodedValue, Values, take};
+use decoded_value::take;
 use keys::{COMMON, Key, Takes};
 use kinds::{KINDS, Kind, Needs};
+use values::{DecodedValue, Values};
 
 /// Decodes all figures, leaving out those with a fault; names must differ by more than case, which some file systems
 /// ignore.
@@ -94,7 +98,7 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         before,
     };
     let table = kind?;
-    checker.reduced = reduced::check(table.name, table.keys, &mut checker);
+    checker.reduced = reductions::check(table.name, table.keys, &mut checker);
     let kind = figure.kind.decoded();
     limits::check(&mut checker);
     kind.check_keys(&mut checker);

@@ -1,11 +1,13 @@
 //! Reductions: one value of a metric for all cases that differ only in some parameters, as in `least rms_error over alpha`.
 
+mod cases;
 pub(super) mod decode;
 mod groups;
 mod operator;
 #[cfg(test)]
 mod tests;
 
+pub use cases::{CaseMetrics, reduced_cases};
 pub use groups::{Groups, Reduced};
 pub(super) use operator::OPERATORS;
 pub use operator::Operator;

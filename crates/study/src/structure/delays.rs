@@ -1,10 +1,10 @@
 //! The range of the delays of a study, from which the points that are compared follow: they are the same for all of its delays.
 
-use super::names::{member, members};
 use crate::axes::draft::BlockDraft;
 use crate::axes::parameters::parameters;
 use crate::source::faults::Faults;
 use crate::source::tree::{Node, Tree};
+use crate::structure::reading::given::{member, members};
 use slipgap_solver::problem::expression::Formula;
 use slipgap_solver::problem::numbers::parameter::{Parameter, Value};
 use slipgap_solver::problem::structure::channels::measured::Measured;

@@ -1,26 +1,18 @@
 //! Structures in studies: the key `structure`, the names of parameters, and the metrics and channels that a study uses.
 
-mod along;
 mod contacts;
 mod delays;
 mod doubts;
-mod files;
+mod identity;
 pub(super) mod keys;
-mod labels;
-mod loads;
 mod matrices;
-mod matrix_rows;
 pub(super) mod measured;
-mod named_metrics;
-pub(super) mod names;
-pub(super) mod own_records;
+mod motions;
+pub(super) mod named;
 mod parts;
-mod reader;
-pub(super) mod record_axis;
-mod records;
-mod shape;
+mod reading;
+pub(super) mod recorded;
 mod springs;
-mod supports;
 #[cfg(test)]
 mod tests;
 
@@ -28,8 +20,8 @@ use super::source::faults::{Faults, quoted};
 use super::source::object::Object;
 use super::source::tree::Node;
 use super::value;
+use crate::structure::reading::reader::{Reader, named, open};
 use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE};
-use reader::{Reader, named, open};
 use slipgap_solver::problem::Problem;
 use slipgap_solver::problem::structure::StructureProblem;
 use slipgap_solver::problem::structure::channels::names::Names;
@@ -50,9 +42,9 @@ pub(super) fn problem(
 ) -> Option<Arc<dyn Problem>> {
     let before = faults.count();
     let node = root.need("structure", "masses, bars, springs and contacts", faults)?;
-    let choices = names::choices(node, root_node);
-    let mut parameters = names::parameters(root_node, &choices, faults);
-    names::show(root, &mut parameters, faults);
+    let choices = crate::structure::named::names::choices(node, root_node);
+    let mut parameters = crate::structure::named::names::parameters(root_node, &choices, faults);
+    crate::structure::named::names::show(root, &mut parameters, faults);
     let first = schema::schema(&parameters, &[], &[], "");
     let object = open(node, "structure", STRUCTURE, faults)?;
     let mut taken = HashSet::new();
@@ -66,15 +58,20 @@ pub(super) fn problem(
     let of_contacts = all_of("contacts", "contact", faults);
     let of_supports = all_of("supports", "support", faults);
     parts::check_spring_names(&object, &mut taken, faults);
-    supports::refuse_ground(&object, faults);
+    crate::structure::motions::supports::refuse_ground(&object, faults);
     let directions = of_supports.iter();
-    let directions = directions.map(|(name, node, _)| (name.clone(), supports::directions(node)));
+    let directions = directions.map(|(name, node, _)| {
+        (
+            name.clone(),
+            crate::structure::motions::supports::directions(node),
+        )
+    });
     let directions: Vec<_> = directions.collect();
     if masses.is_empty() && bars.is_empty() && of_matrices.is_empty() && faults.count() == before {
         object.fault("has no node; give masses, bars or matrices", faults);
     }
     let (units, metre) = units(&object, node, faults);
-    let name = |part: &parts::Part| part.0.clone();
+    let name = |part: &crate::structure::reading::reader::Part| part.0.clone();
     let inner = contacts::inner_nodes(&of_contacts);
     let inner_names = inner.iter().map(|own| own.name.clone());
     let mut reader = Reader {
@@ -129,10 +126,10 @@ pub(super) fn problem(
         contacts: contacts::contacts(&of_contacts, &springs, &reader, faults),
         springs,
         loads: object.items("loads", faults, |node, path, faults| {
-            loads::load(node, path, &reader, faults)
+            crate::structure::motions::loads::load(node, path, &reader, faults)
         }),
-        ground: loads::ground(&object, &reader, faults),
-        supports: supports::supports(&of_supports, &reader, faults),
+        ground: crate::structure::motions::loads::ground(&object, &reader, faults),
+        supports: crate::structure::motions::supports::supports(&of_supports, &reader, faults),
         at_rest: parts::static_loads(&object, &reader, faults),
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
@@ -152,15 +149,15 @@ pub(super) fn problem(
     contacts.extend(faulty);
     let known = reader.names.clone().with_contacts(contacts);
     let known = known.with_structure(template.names());
-    let mut metrics = named_metrics::metrics(root, &known, faults);
-    named_metrics::measures(&mut metrics, &template, &reader, faults);
-    let mut drawn = named_metrics::drawn(root, &known, faults);
+    let mut metrics = crate::structure::named::named_metrics::metrics(root, &known, faults);
+    crate::structure::named::named_metrics::measures(&mut metrics, &template, &reader, faults);
+    let mut drawn = crate::structure::named::named_metrics::drawn(root, &known, faults);
     let measured = measured::decode(root, (&known, &template.units), &reader, &mut drawn, faults);
     template.measured = measured.map(|own| delays::known(own, root_node, reader.table));
     measured::report_not_measured(root, &metrics, template.measured.as_ref(), faults);
     let reduced = (&of_matrices[..], modes);
     matrices::reduce(&mut template, reduced, (&metrics, &drawn), &reader, faults);
-    named_metrics::report_errors_without_reference(
+    crate::structure::named::named_metrics::report_errors_without_reference(
         root,
         &drawn,
         template.reference.is_some(),
@@ -177,8 +174,9 @@ pub(super) fn problem(
         .collect();
     // A faulty value may be the one that contains the name.
     if whole && faults.count() == before {
-        let in_metrics = |name: &str| named_metrics::names_parameter(root, name);
-        names::report_unused(
+        let in_metrics =
+            |name: &str| crate::structure::named::named_metrics::names_parameter(root, name);
+        crate::structure::named::names::report_unused(
             root_node,
             &parameters,
             &first.parameters,
@@ -186,11 +184,11 @@ pub(super) fn problem(
             faults,
         );
     }
-    let mut notes = Vec::from_iter(records::note(&reader));
+    let mut notes = Vec::from_iter(crate::structure::motions::records::note(&reader));
     notes.extend(doubts::notes(&template, &reader.names, node));
-    let of_measured = root.get(measured::KEY.0).zip(template.measured.as_ref());
+    let of_measured = root.get(keys::KEY.0).zip(template.measured.as_ref());
     let of_measured = of_measured.map(|(node, own)| (node, own.delays));
-    let identity = names::identity(node, of_measured, &reader.records.borrow());
+    let identity = identity::identity(node, of_measured, &reader.records.borrow());
     let schema = schema::schema(&parameters, &metrics, &drawn, &template.units);
     (faults.count() == before).then(|| {
         Arc::new(StructureProblem::new(
@@ -217,7 +215,9 @@ fn units(object: &Object, structure: &Node, faults: &mut Faults) -> (String, f64
     let metre = LENGTHS.iter().find(|known| parts.contains(&known.0));
     // Of other units, g and the accelerations of records are unknown.
     let needs_metre = ["record", "synthetic", "weight"];
-    if (metre.is_none() || !parts.contains(&"s")) && names::has_key(structure, &needs_metre) {
+    if (metre.is_none() || !parts.contains(&"s"))
+        && crate::structure::reading::given::has_key(structure, &needs_metre)
+    {
         let message = format!(
             "records, synthetic motions and weights need a length in m, cm or mm and a time in s, as in \"t, kN, m, s\", got {}",
             quoted(&text)

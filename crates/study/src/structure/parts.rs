@@ -2,19 +2,16 @@
 
 use super::contacts::plane;
 use super::keys::{BAR, GRAVITY, GROUND, MASS, RAYLEIGH, START};
-use super::names::member;
-use super::reader::{Reader, open, take_name};
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::structure::reading::given::member;
+use crate::structure::reading::reader::{Part, Reader, open, take_name};
 use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::Amount;
 use slipgap_solver::problem::structure::parts::template::{Bar, Mass, Moved, Start, StaticLoad};
 use slipgap_solver::system::structure::Direction;
 use std::collections::HashSet;
-
-/// A named part with its value in the study.
-pub(super) type Part<'a> = (String, &'a Node, String);
 
 /// The masses, with one part for each direction of a mass that moves in several: NAME.x, NAME.y.
 pub(super) fn in_directions<'a>(parts: Vec<Part<'a>>, faults: &mut Faults) -> Vec<Part<'a>> {

@@ -2,10 +2,10 @@
 
 use super::contacts::plane;
 use super::keys::SPRING;
-use super::reader::{Reader, open};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
 use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::{Amount, Source};
@@ -25,7 +25,6 @@ pub(super) fn springs(
     let name = object.get("name");
     let name = name.and_then(|node| text(node, &object.path("name"), faults));
     let name = name.unwrap_or_default();
-    reader.direction(&object, faults)?;
     let Some(node) = object.get("directions") else {
         let along = reader.along(&object, "a spring", faults);
         let numbers = numbers(&object, None, reader, faults);

@@ -1,6 +1,6 @@
 use super::EnsembleMetrics;
 use crate::batch::PartResult;
-use crate::batch::part_result::Solutions;
+use crate::batch::solve::part_result::Solutions;
 use slipgap_solver::solve::MetricTable;
 use slipgap_study::{Study, parse};
 

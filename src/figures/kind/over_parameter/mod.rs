@@ -1,13 +1,15 @@
 //! What metric and convergence figures share: metrics over a parameter, one panel for each
 //! metric, one curve for each set of values of the other parameters that vary.
 
+pub(super) mod convergence;
 mod limits_of_checks;
+pub(super) mod metric;
 mod order;
 mod orders;
 mod reference;
 
-use super::history::arrangement::Arrangement;
-use super::history::curves::members;
+use super::motion::history::arrangement::Arrangement;
+use super::motion::history::curves::members;
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
 use order::{graded, order};

@@ -1,25 +1,16 @@
 //! The structure of a case as a picture: ground, masses, bars with their elements, springs, contacts and loads.
 
-mod blocks;
-mod columns;
-mod ground_motion;
-mod groups;
-mod inner;
-mod labels;
-pub(crate) mod links;
-mod marks;
+mod arrange;
 pub(crate) mod mesh;
+pub(crate) mod nodes;
 pub(crate) mod paint;
-mod pairs;
-pub(crate) mod places;
-mod relations;
-pub(crate) mod sizes;
+pub(crate) mod part;
 pub(crate) mod symbols;
 
 use super::Draw;
 use crate::figures::FigureData;
 use slipgap_drawing::layout;
-use slipgap_drawing::layout::sheet::{Picture, Shape, Sheet};
+use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style;
 use slipgap_solver::problem::structure::Scheme as Structure;
 use slipgap_study::kinds::Scheme;
@@ -49,7 +40,7 @@ impl Draw for Scheme {
         let width = figure.width.unwrap_or(natural.clamp(style::SINGLE, WIDEST));
         let factor = ((width - 2.0 * style::EDGE) / size[0]).min(1.0);
         let left = (width - factor * size[0]) / 2.0;
-        transform(&mut picture, factor, [left, style::EDGE]);
+        paint::transform(&mut picture, factor, [left, style::EDGE]);
         let mut sheet = Sheet {
             width,
             height: (factor * size[1] + 2.0 * style::EDGE).ceil(),
@@ -62,29 +53,6 @@ impl Draw for Scheme {
     }
 }
 
-/// The picture smaller by a factor, with its corner at a place.
-fn transform(picture: &mut Picture, factor: f64, [left, top]: [f64; 2]) {
-    let moved = |[x, y]: [f64; 2]| [left + factor * x, top + factor * y];
-    for shape in &mut picture.shapes {
-        match shape {
-            Shape::Line(points, width) => {
-                points.iter_mut().for_each(|point| *point = moved(*point));
-                *width *= factor;
-            }
-            Shape::Box(rect, _) => {
-                [rect.left, rect.top] = moved([rect.left, rect.top]);
-                rect.width *= factor;
-                rect.height *= factor;
-            }
-            Shape::Arrow(ends) | Shape::DoubleArrow(ends) => *ends = ends.map(moved),
-        }
-    }
-    for words in &mut picture.words {
-        words.at = moved(words.at);
-        words.size *= factor;
-    }
-}
-
 /// What the picture shows, in plain text.
 fn describe(scheme: &Structure) -> String {
     let bars = scheme
@@ -94,7 +62,7 @@ fn describe(scheme: &Structure) -> String {
         .count();
     let contacts = scheme.links.iter().filter(|link| !link.name.is_empty());
     let contacts: Vec<&str> = contacts.map(|link| link.name.as_str()).collect();
-    let own = scheme.parts.iter().filter(|part| !inner::is_node(part));
+    let own = scheme.parts.iter().filter(|part| !part::is_node(part));
     let parts: Vec<&str> = own.map(|part| part.name.as_str()).collect();
     let models = scheme.parts.iter().filter(|part| part.model.is_some());
     let models = models.count();

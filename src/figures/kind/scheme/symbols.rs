@@ -2,6 +2,7 @@
 
 use slipgap_drawing::layout::sheet::{Picture, Rect, Shape};
 use slipgap_drawing::style;
+use slipgap_drawing::text;
 use slipgap_solver::problem::structure::described::scheme::picture::LinkKind;
 
 /// Width of outlines.
@@ -20,6 +21,13 @@ pub const DEPTH: f64 = 5.0;
 const SLIDING: f64 = 10.0;
 /// Half the distance of faces.
 pub const GAP: f64 = 3.5;
+/// Distance of a name from its symbol.
+pub const NAME_GAP: f64 = 3.0;
+
+/// Length of a name in the type of labels.
+pub fn length(name: &str) -> f64 {
+    text::width(&text::markup::escape(name), style::LABEL)
+}
 
 /// Size of a symbol across its line, without its name.
 pub fn across(kind: LinkKind) -> f64 {

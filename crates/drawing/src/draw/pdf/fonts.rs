@@ -5,8 +5,9 @@ use crate::DrawingError;
 use crate::text::font::{self, Glyph};
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, Str};
+use read_fonts::types::Tag;
+use read_fonts::{FontRef, ReadError, TableProvider};
 use subsetter::GlyphRemapper;
-use ttf_parser::{RawFace, Tag};
 
 /// Objects that a font takes.
 const OBJECTS: i32 = 5;
@@ -83,13 +84,8 @@ impl Subset {
         font.widths().consecutive(1, widths);
         font.finish();
 
-        let outlines = font::face(face);
-        let thousandths = 1000.0 / f32::from(outlines.units_per_em());
-        let of = |units: i16| f32::from(units) * thousandths;
-        let bounds = outlines.global_bounding_box();
-        let capitals = outlines
-            .capital_height()
-            .unwrap_or_else(|| outlines.ascender());
+        let outlines = FontRef::new(font::bytes(face)).and_then(|font| Metrics::of(&font));
+        let outlines = outlines.map_err(|error| fault(error.to_string()))?;
         let slant = if italic {
             FontFlags::ITALIC
         } else {
@@ -98,16 +94,11 @@ impl Subset {
         pdf.font_descriptor(descriptor)
             .name(Name(name.as_bytes()))
             .flags(FontFlags::SYMBOLIC | FontFlags::SERIF | slant)
-            .bbox(Rect::new(
-                of(bounds.x_min),
-                of(bounds.y_min),
-                of(bounds.x_max),
-                of(bounds.y_max),
-            ))
-            .italic_angle(outlines.italic_angle())
-            .ascent(of(outlines.ascender()))
-            .descent(of(outlines.descender()))
-            .cap_height(of(capitals))
+            .bbox(outlines.bounds)
+            .italic_angle(outlines.italic_angle)
+            .ascent(outlines.ascent)
+            .descent(outlines.descent)
+            .cap_height(outlines.capitals)
             .stem_v(80.0)
             .font_file3(program);
 
@@ -120,11 +111,10 @@ impl Subset {
 
         let subset = subsetter::subset(font::bytes(face), 0, &self.codes)
             .map_err(|error| fault(error.to_string()))?;
-        let tables = RawFace::parse(&subset, 0).map_err(|error| fault(error.to_string()))?;
-        let outlines = tables
-            .table(Tag::from_bytes(b"CFF "))
-            .ok_or_else(|| fault("no outlines".into()))?;
-        let outlines = compressed(outlines);
+        let outlines = FontRef::new(&subset)
+            .and_then(|tables| tables.expect_data_for_tag(Tag::new(b"CFF ")))
+            .map_err(|error| fault(error.to_string()))?;
+        let outlines = compressed(outlines.as_bytes());
         let mut stream = pdf.stream(program, &outlines);
         stream.filter(Filter::FlateDecode);
         stream.pair(Name(b"Subtype"), Name(b"CIDFontType0C"));
@@ -144,6 +134,34 @@ impl Subset {
             letter
         };
         (0..6).map(|_| letter()).collect()
+    }
+}
+
+/// Lengths of a font in thousandths of the type size.
+struct Metrics {
+    bounds: Rect,
+    ascent: f32,
+    descent: f32,
+    capitals: f32,
+    /// In degrees, negative for letters that lean to the right.
+    italic_angle: f32,
+}
+
+impl Metrics {
+    fn of(font: &FontRef) -> Result<Metrics, ReadError> {
+        let (head, os2) = (font.head()?, font.os2()?);
+        let thousandths = 1000.0 / f32::from(head.units_per_em());
+        let of = |units: i16| f32::from(units) * thousandths;
+        let [left, bottom, right, top] =
+            [head.x_min(), head.y_min(), head.x_max(), head.y_max()].map(of);
+        let ascent = os2.s_typo_ascender();
+        Ok(Metrics {
+            bounds: Rect::new(left, bottom, right, top),
+            ascent: of(ascent),
+            descent: of(os2.s_typo_descender()),
+            capitals: of(os2.s_cap_height().unwrap_or(ascent)),
+            italic_angle: font.post()?.italic_angle().to_f32(),
+        })
     }
 }
 

@@ -184,11 +184,11 @@ pub(super) static METRICS: [Metric; 19] = [
     ),
     Metric::selected(
         ["regularisation_error", "regularisation error", "1"],
-        "error of the softened law alone: rms_error with g instead of c; g is the exact motion with the softened law in continuous time; of the laws of [F] it needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7; of others it is integrated (reference_error), and empty where this needs too many steps or the law is rigid and no Coulomb friction",
+        "error of the softened law alone: rms_error with g instead of c; g is the exact motion with the softened law in continuous time, a closed form for the laws of [F], else integrated",
     ),
     Metric::selected(
         ["step_error", "step error", "1"],
-        "error of the time step alone: rms_error with g instead of e; g is the exact motion with the softened law in continuous time; of the laws of [F] it needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7; of others it is integrated (reference_error), and empty where this needs too many steps or the law is rigid and no Coulomb friction",
+        "error of the time step alone: rms_error with g instead of e; g is the exact motion with the softened law in continuous time, a closed form for the laws of [F], else integrated",
     ),
     Metric::selected(
         ["regularisation_share", "regularisation share", "1"],
@@ -200,7 +200,7 @@ pub(super) static METRICS: [Metric; 19] = [
     ),
     Metric::selected(
         ["numerical_dissipation", "numerical dissipation", "1"],
-        "energy that the method takes from the motion up to the last step, over the energy at t = 0; below 0 where it adds energy; 0 to round-off for average-acceleration",
+        "energy that the method takes up to the last step, over the energy at t = 0; below 0 where it adds energy; round-off for average-acceleration",
     ),
     Metric::selected(["cost", "cost", "1"], "steps times sub-steps of the method"),
     Metric::selected(
@@ -217,7 +217,7 @@ pub(super) static METRICS: [Metric; 19] = [
     ),
     Metric::selected(
         ["reference_error", "reference error", "1"],
-        "estimated error of g: the larger one of rms_error of g integrated with a tolerance of 1e-10 against g with 1e-12, at every third step and the last one, and of the part of step_error that the convergence of the steps dT to dT/64 does not explain; empty for the laws of [F], whose g is a closed form",
+        "estimated error of an integrated g: rms_error of g with a tolerance of 1e-10 against g with 1e-12, or the part of step_error that the convergence of the steps dT to dT/64 does not explain, if that is larger; empty for the laws of [F]",
     ),
 ];
 

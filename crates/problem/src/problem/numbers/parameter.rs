@@ -7,6 +7,15 @@ use super::text::{Text, escape, text};
 use crate::contact::number::{Number, Usual, same};
 use std::fmt;
 
+/// How numbers are laid along an axis, of a figure or of a design.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their logarithm; only positive numbers.
+    Log,
+}
+
 /// One parameter of a problem.
 #[derive(Debug, Clone)]
 pub struct Parameter {

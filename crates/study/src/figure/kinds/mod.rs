@@ -1,29 +1,14 @@
 //! The kinds of figure, one file each: its keys, what is decoded from them, its checks, and which results it needs. The
 //! sheet of each is in `figures/kind`, since a study is read below the drawing.
 
-mod budget;
-mod convergence;
-mod curve;
-mod distribution;
-mod fragility;
-mod front;
-mod history;
-mod law;
-mod map;
-mod metric;
-mod orbit;
-mod profile;
-mod quantiles;
-mod samples;
-mod scatter;
-mod scheme;
-mod sobol;
-mod spectrum;
-mod wave;
-
+mod ensembles;
+mod metrics;
+mod model;
+mod motion;
 use super::checker::Checker;
-use super::decoded_value::Values;
+pub use super::choice::{Fit, Marks, Ridge};
 use super::keys::{COMMON, Key};
+use super::values::Values;
 use crate::scope::Scope;
 use crate::{ColumnRef, Scale};
 use slipgap_solver::problem::{Case, Problem};
@@ -94,8 +79,8 @@ pub(crate) trait Decoded {
 }
 
 macro_rules! kinds {
-    ($($module:ident :: $kind:ident),+ $(,)?) => {
-        $(pub use $module::$kind;)+
+    ($($group:ident :: $module:ident :: $kind:ident),+ $(,)?) => {
+        $(pub use $group::$module::$kind;)+
 
         /// What a figure shows.
         #[derive(Debug)]
@@ -112,33 +97,32 @@ macro_rules! kinds {
         }
 
         /// Every kind of figure: the table that decoding, schema and documentation read.
-        pub(crate) static KINDS: &[Kind] = &[$($module::KIND),+];
+        pub(crate) static KINDS: &[Kind] = &[$($group::$module::KIND),+];
     };
 }
 
-pub use fragility::Fit;
-pub use spectrum::Ordinate;
+pub use motion::spectrum::Ordinate;
 
 kinds! {
-    history::History,
-    curve::Curve,
-    orbit::Orbit,
-    profile::Profile,
-    wave::Wave,
-    metric::Metric,
-    convergence::Convergence,
-    budget::Budget,
-    map::Map,
-    scatter::Scatter,
-    front::Front,
-    samples::Samples,
-    sobol::Sobol,
-    distribution::Distribution,
-    quantiles::Quantiles,
-    fragility::Fragility,
-    law::Law,
-    spectrum::Spectrum,
-    scheme::Scheme,
+    motion::history::History,
+    motion::curve::Curve,
+    motion::orbit::Orbit,
+    motion::profile::Profile,
+    motion::wave::Wave,
+    metrics::metric::Metric,
+    metrics::convergence::Convergence,
+    metrics::budget::Budget,
+    metrics::map::Map,
+    metrics::scatter::Scatter,
+    metrics::front::Front,
+    ensembles::samples::Samples,
+    ensembles::sobol::Sobol,
+    ensembles::distribution::Distribution,
+    ensembles::quantiles::Quantiles,
+    ensembles::fragility::Fragility,
+    model::law::Law,
+    motion::spectrum::Spectrum,
+    model::scheme::Scheme,
 }
 
 impl FigureKind {

@@ -5,14 +5,12 @@ use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use crate::structure::keys::{LISTS, PART};
-use crate::structure::parts::Part;
-use crate::structure::reader::{Reader, open};
+use crate::structure::reading::reader::Part;
+use crate::structure::reading::reader::{Reader, open};
 use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::{Amount, Source};
 use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::parts::along::Term;
-use slipgap_solver::problem::structure::parts::contact::Contact;
-use slipgap_solver::problem::structure::parts::template::Mass;
+use slipgap_solver::problem::structure::parts::{along::Term, contact::Contact, template::Mass};
 use slipgap_solver::system::structure::Direction;
 
 /// A law of a list, or a list in it.

@@ -6,24 +6,29 @@ mod pressing;
 
 pub(in crate::structure) use compound::inner_nodes;
 
-use super::files;
-use super::keys::{CONTACT, LAW_TABLE, NORMAL_TABLE, PRESSING, WEIGHT};
-use super::loads::{scaled, table};
-use super::parts::Part;
-use super::reader::{Reader, open};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::structure::keys::{CONTACT, LAW_TABLE, NORMAL_TABLE, PRESSING, WEIGHT};
+use crate::structure::motions::loads::scaled;
+use crate::structure::motions::table::table;
+use crate::structure::reading::files;
+use crate::structure::reading::reader::Part;
+use crate::structure::reading::reader::{Reader, open};
 use crate::value::{name, text};
 use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::structure::given::amount::{self, Amount};
-use slipgap_solver::problem::structure::given::chosen::Chosen;
 use slipgap_solver::problem::structure::given::loads::{Kind, Source};
 use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::parts::along::Term;
-use slipgap_solver::problem::structure::parts::contact::{Contact, Normal};
 use slipgap_solver::problem::structure::parts::contacts::{NAMES, NUMBERS, law_named};
-use slipgap_solver::problem::structure::parts::template::Spring;
+use slipgap_solver::problem::structure::{
+    given::chosen::Chosen,
+    parts::{
+        along::Term,
+        contact::{Contact, Normal},
+        template::Spring,
+    },
+};
 use slipgap_solver::system::import::{self, ImportFault, Pair};
 
 /// Most bytes of a file of pairs.

@@ -3,7 +3,7 @@
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::structure::reader::Reader;
+use crate::structure::reading::reader::Reader;
 use crate::value::text;
 use slipgap_solver::problem::structure::given::node::{GROUND, NodeRef};
 use slipgap_solver::problem::structure::parts::along::Term;

@@ -3,10 +3,12 @@
 use crate::source::faults::{Faults, unknown};
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::PRESSING;
-use crate::structure::reader::open;
+use crate::structure::reading::reader::open;
 use crate::value::text;
-use slipgap_solver::problem::structure::parts::contact::{Contact, Normal, Pressing, PressingPart};
-use slipgap_solver::problem::structure::parts::template::Spring;
+use slipgap_solver::problem::structure::parts::{
+    contact::{Contact, Normal, Pressing, PressingPart},
+    template::Spring,
+};
 
 /// The parts that a normal force names: one, or a list.
 pub(super) fn parts(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<PressingPart>> {

@@ -1,9 +1,9 @@
 //! Columns of measurements: their names and units.
 
 use super::super::keys::COLUMN;
-use super::super::reader::open;
 use crate::source::faults::{Faults, quoted};
 use crate::source::tree::{Node, Tree};
+use crate::structure::reading::reader::open;
 use crate::value::text;
 use slipgap_solver::problem::numbers::unit::Dimension;
 use slipgap_solver::problem::structure::metrics::unit_consistency::{dimension_of, examples};

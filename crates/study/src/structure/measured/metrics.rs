@@ -1,8 +1,8 @@
 //! Metrics that compare with what was measured: whether it was.
 
-use super::KEY;
 use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
+use crate::structure::keys::KEY;
 use slipgap_solver::problem::structure::channels::measured::{Measured, measured_loop};
 use slipgap_solver::problem::structure::metrics::metric::StructureMetric;
 

@@ -8,12 +8,12 @@ pub(super) use column::{Column, column};
 pub(super) use metrics::report_not_measured;
 pub(super) use table::test;
 
-use super::keys::MEASURED;
-use super::named_metrics::hinted;
-use super::reader::{Reader, open};
+use super::keys::{KEY, MEASURED};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::structure::named::named_metrics::hinted;
+use crate::structure::reading::reader::{Reader, open};
 use slipgap_solver::problem::numbers::parameter::Range;
 use slipgap_solver::problem::numbers::unit::Dimension;
 use slipgap_solver::problem::structure::channels::channel::Channel;
@@ -21,12 +21,6 @@ use slipgap_solver::problem::structure::channels::measured::{FEWEST, Measured};
 use slipgap_solver::problem::structure::channels::names::Names;
 use slipgap_solver::problem::structure::tables::schema::Drawn;
 use std::sync::Arc;
-
-/// The key with its meaning.
-pub(crate) const KEY: (&str, &str) = (
-    "measured",
-    "measured channels of a study of structures, with which its metrics compare, as in rms_error(deck.u, measured)",
-);
 
 /// What was measured, with the channels added to those that histories draw; `None` without the key, or with a fault.
 pub(super) fn decode(

@@ -1,11 +1,11 @@
 //! Files of measurements, read by the names of their columns.
 
-use super::super::files::bytes;
-use super::super::reader::Reader;
 use super::column::Column;
 use crate::source::faults::{Faults, quoted};
 use crate::source::hint::nearest;
 use crate::source::tree::Node;
+use crate::structure::reading::files::bytes;
+use crate::structure::reading::reader::Reader;
 use slipgap_solver::problem::structure::channels::measured::Test;
 use slipgap_solver::system::measured_table::MeasuredTable;
 

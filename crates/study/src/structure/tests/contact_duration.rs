@@ -1,6 +1,7 @@
 //! The estimated duration of a contact.
 
 use crate::parse;
+use slipgap_solver::contact::ClippedLine;
 use slipgap_solver::contact::{
     ContactLaw, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Ye,
 };

@@ -3,6 +3,7 @@
 mod assembled;
 mod channels;
 mod contact_duration;
+mod directions;
 mod ground;
 mod imposed;
 mod initial;

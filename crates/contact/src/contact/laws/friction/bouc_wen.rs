@@ -1,5 +1,6 @@
 //! The Bouc-Wen model of friction.
 
+use super::hysteresis::{self, Hysteresis, Motion};
 use crate::contact::prelude::*;
 
 /// Bouc-Wen model [Bouc 1967, Wen 1976] of friction: S = L z, dz/dr = (1 - |z|^n (1 + sgn(rdot z))/2)/u_y with u_y = compliance L,
@@ -41,9 +42,13 @@ pub struct Step<const L: usize> {
     closed: [bool; 2],
 }
 
-impl StoredEnergy for BoucWen {
-    fn stored_energy(&self, _: f64, s: f64) -> f64 {
-        0.5 * self.compliance * s * s
+impl Hysteresis for BoucWen {
+    fn compliance(&self) -> f64 {
+        self.compliance
+    }
+
+    fn limit(&self) -> f64 {
+        self.limit
     }
 }
 
@@ -96,15 +101,11 @@ impl Properties for BoucWen {
     }
 
     fn initial_stiffness(&self, _: f64) -> f64 {
-        if self.limit > 0.0 {
-            1.0 / self.compliance
-        } else {
-            0.0
-        }
+        hysteresis::initial_stiffness(self)
     }
 
     fn reach(&self) -> f64 {
-        4.0 * self.compliance * self.limit
+        hysteresis::reach(self)
     }
 
     fn bounds(&self) -> [f64; 2] {
@@ -173,15 +174,9 @@ impl<const L: usize> StepLaw<L> for Step<L> {
 
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
-        // S rises with r, so r(i+1) - r(i) has the sign of the change under S(i+1) = S(i).
         let zero = Lane::splat(0.0);
-        let before = trial.force.cut(self.limit);
-        let free = trial.change - trial.force * self.h[0] - before * self.h[1];
-        let inverse = self
-            .limit
-            .map(|limit| if limit > 0.0 { 1.0 / limit } else { 0.0 });
-        let w = free.map(f64::abs) * self.stiffness * inverse;
-        let z = (before * inverse).zip(free, |z, free| if free < 0.0 { -z } else { z });
+        let motion = Motion::new(trial, self.limit, self.stiffness, self.h);
+        let Motion { along: z, w, .. } = motion;
         // u + c (z(u) - z(0)) = w, elastic up to z = 0.
         let c = self.stiffness * self.h[1];
         let below = (-z).larger(zero);
@@ -212,7 +207,7 @@ impl<const L: usize> StepLaw<L> for Step<L> {
                 }
             }
         }
-        (before + (self.limit * (elastic + grown)).zip(free, f64::copysign)).cut(self.limit)
+        motion.end(elastic + grown)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Dahl's model of friction.
 
+use super::hysteresis::{self, Hysteresis, Motion};
 use crate::contact::prelude::*;
 
 /// Dahl's model [Dahl 1968, 1976]: dS/dr = sigma (1 - (S/L) sgn rdot)^n, sigma = 1/compliance. n = 0 is the displacement-control model.
@@ -37,9 +38,13 @@ pub struct Step<const L: usize> {
     exponential: [bool; 2],
 }
 
-impl StoredEnergy for Dahl {
-    fn stored_energy(&self, _: f64, s: f64) -> f64 {
-        0.5 * self.compliance * s * s
+impl Hysteresis for Dahl {
+    fn compliance(&self) -> f64 {
+        self.compliance
+    }
+
+    fn limit(&self) -> f64 {
+        self.limit
     }
 }
 
@@ -94,15 +99,11 @@ impl Properties for Dahl {
     }
 
     fn initial_stiffness(&self, _: f64) -> f64 {
-        if self.limit > 0.0 {
-            1.0 / self.compliance
-        } else {
-            0.0
-        }
+        hysteresis::initial_stiffness(self)
     }
 
     fn reach(&self) -> f64 {
-        4.0 * self.compliance * self.limit
+        hysteresis::reach(self)
     }
 
     fn bounds(&self) -> [f64; 2] {
@@ -166,17 +167,9 @@ impl<const L: usize> StepLaw<L> for Step<L> {
 
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
-        // S rises with r, so r(i+1) - r(i) has the sign of the change under S(i+1) = S(i).
-        let before = trial.force.cut(self.limit);
-        let free = trial.change - trial.force * self.h[0] - before * self.h[1];
-        let inverse = self
-            .limit
-            .map(|limit| if limit > 0.0 { 1.0 / limit } else { 0.0 });
-        let w = free.map(f64::abs) * self.stiffness * inverse;
-        let q = (before * inverse).zip(
-            free,
-            |part, free| if free < 0.0 { 1.0 + part } else { 1.0 - part },
-        );
+        let motion = Motion::new(trial, self.limit, self.stiffness, self.h);
+        let Motion { along, w, .. } = motion;
+        let q = along.map(|along| 1.0 - along);
         // z + c (q(0) - q(z)) = w
         let c = self.stiffness * self.h[1];
         let mut less = Lane::splat(0.0);
@@ -190,7 +183,7 @@ impl<const L: usize> StepLaw<L> for Step<L> {
                 }
             }
         }
-        (before + (self.limit * less).zip(free, f64::copysign)).cut(self.limit)
+        motion.end(less)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The displacement-control model of friction.
 
+use super::hysteresis::{self, Hysteresis};
 use crate::contact::element::{DisplacementFriction, Element};
 use crate::contact::prelude::*;
 
@@ -22,9 +23,13 @@ pub struct Step<const L: usize> {
     by_force: Lane<L>,
 }
 
-impl StoredEnergy for DisplacementControl {
-    fn stored_energy(&self, _: f64, s: f64) -> f64 {
-        0.5 * self.compliance * s * s
+impl Hysteresis for DisplacementControl {
+    fn compliance(&self) -> f64 {
+        self.compliance
+    }
+
+    fn limit(&self) -> f64 {
+        self.limit
     }
 }
 
@@ -63,15 +68,11 @@ impl Properties for DisplacementControl {
     }
 
     fn initial_stiffness(&self, _: f64) -> f64 {
-        if self.limit > 0.0 {
-            1.0 / self.compliance
-        } else {
-            0.0
-        }
+        hysteresis::initial_stiffness(self)
     }
 
     fn reach(&self) -> f64 {
-        4.0 * self.compliance * self.limit
+        hysteresis::reach(self)
     }
 
     fn bounds(&self) -> [f64; 2] {

@@ -4,6 +4,7 @@ mod bearing;
 mod bouc_wen;
 mod dahl;
 mod displacement_control;
+mod hysteresis;
 pub(in crate::contact) mod lugre;
 pub(in crate::contact) mod pendulum;
 mod stribeck;

@@ -91,33 +91,30 @@ impl Described for Pendulum {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "pendulum";
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-            let radius = given.need("R")?;
-            let nu = given
-                .given("nu")
-                .ok_or(LawFault::Needs(Self::NAME, "nu and N"))?;
-            if nu <= 0.0 {
-                return Err(LawFault::NotPositive("nu"));
-            }
-            let power = 1.0 - given.given("pressure_exponent").unwrap_or(0.0);
-            if power <= 0.0 {
-                return Err(LawFault::Needs(Self::NAME, "pressure_exponent < 1"));
-            }
-            Ok(Form::of(Pendulum {
-                compliance: 1.0 / given.stiffness()?,
-                limit: given.limit(),
-                restoring: 1.0 / (nu * radius),
-                at_rest: [given.limit(), power],
-                rising: given.bearing()?,
-            }))
-        })
-.also(&["frictionpendulum", "fps", "singlefpbearing"])
-.in_structures("friction, elastic up to r^E, on a concave surface: plus (N/R) r (Zayas, Low and Mahin 1990)", &[
-                &structure::K,
-                &structure::R_E,
-                &RADIUS,
-                &structure::NU_MIN,
-                &structure::NU_RATE,
-            ])];
+        let radius = given.need("R")?;
+        let nu = given
+            .given("nu")
+            .ok_or(LawFault::Needs(Self::NAME, "nu and N"))?;
+        if nu <= 0.0 {
+            return Err(LawFault::NotPositive("nu"));
+        }
+        let power = 1.0 - given.given("pressure_exponent").unwrap_or(0.0);
+        if power <= 0.0 {
+            return Err(LawFault::Needs(Self::NAME, "pressure_exponent < 1"));
+        }
+        Ok(Form::of(Pendulum {
+            compliance: 1.0 / given.stiffness()?,
+            limit: given.limit(),
+            restoring: 1.0 / (nu * radius),
+            at_rest: [given.limit(), power],
+            rising: given.bearing()?,
+        }))
+    })
+        .also(&["frictionpendulum", "fps", "singlefpbearing"])
+        .in_structures(
+            "friction, elastic up to r^E, on a concave surface: plus (N/R) r (Zayas, Low and Mahin 1990)",
+            &[&structure::K, &structure::R_E, &RADIUS, &structure::NU_MIN, &structure::NU_RATE],
+        )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
         let friction = (r / law.compliance).min(law.limit);

@@ -65,22 +65,21 @@ impl Described for Stribeck {
     const NAME: &'static str = "stribeck";
     const OF_VELOCITY: bool = true;
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-            let limit = given.limit();
-            let static_limit = given.need("static_ratio")? * limit;
-            let stribeck_velocity = given.need("stribeck_velocity")?;
-            Ok(Form::of(Stribeck {
-                // rdot^E is that of the static limit.
-                compliance: 1.0 / given.viscosity(static_limit)?,
-                limit,
-                static_limit,
-                stribeck_velocity,
-            }))
-        })
-.in_oscillator("velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises", &[
-                    &oscillator::BETA,
-                    &oscillator::STATIC_RATIO,
-                    &oscillator::STRIBECK_VELOCITY,
-                ], |given| {
+        let limit = given.limit();
+        let static_limit = given.need("static_ratio")? * limit;
+        let stribeck_velocity = given.need("stribeck_velocity")?;
+        Ok(Form::of(Stribeck {
+            // rdot^E is that of the static limit.
+            compliance: 1.0 / given.viscosity(static_limit)?,
+            limit,
+            static_limit,
+            stribeck_velocity,
+        }))
+    })
+        .in_oscillator(
+            "velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises",
+            &[&oscillator::BETA, &oscillator::STATIC_RATIO, &oscillator::STRIBECK_VELOCITY],
+            |given| {
                 let [width, static_limit, stribeck_velocity] = given.all()?;
                 Some(Stribeck {
                     // rdot^E is that of the static limit.
@@ -89,13 +88,12 @@ impl Described for Stribeck {
                     static_limit,
                     stribeck_velocity,
                 }.into())
-            })
-.in_structures("friction, viscous up to the static limit, which falls to the kinetic one with rdot (Stribeck 1902)", &[
-                &structure::C,
-                &structure::RDOT_E,
-                &structure::STATIC_RATIO,
-                &structure::STRIBECK_VELOCITY,
-            ])];
+            },
+        )
+        .in_structures(
+            "friction, viscous up to the static limit, which falls to the kinetic one with rdot (Stribeck 1902)",
+            &[&structure::C, &structure::RDOT_E, &structure::STATIC_RATIO, &structure::STRIBECK_VELOCITY],
+        )];
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)));
 }

@@ -1,8 +1,8 @@
 //! A gap and a spring that yields.
 
+use super::loop_of;
 use super::yielding::Yielding;
-use super::{loop_of, resisting};
-use crate::contact::laws::yielding::one_sided::{self, HARDENING, OneSided, Set};
+use crate::contact::laws::yielding::one_sided::{self, HARDENING, OneSided};
 use crate::contact::prelude::*;
 use std::f64::consts::PI;
 
@@ -29,18 +29,6 @@ pub struct GapYield {
     pub damage: bool,
 }
 
-/// The law over a step.
-#[derive(Debug, Clone, Copy)]
-pub struct Step<const L: usize> {
-    own: one_sided::Step<L>,
-    /// Flexibility for S(i).
-    h: Lane<L>,
-}
-
-/// What yielding left of the gap.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Left<const L: usize>(Set<L>);
-
 /// Whether a gap stays.
 const DAMAGE: Number = Number::new(
     ["damage", "*d*", "1"],
@@ -56,6 +44,8 @@ impl GapYield {
             yield_force: self.yield_force,
             hardening: self.hardening,
             returns: !self.damage,
+            sign: -1.0,
+            shift: 0.0,
         }
     }
 }
@@ -74,16 +64,19 @@ impl Described for GapYield {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "gap-yield";
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-            let law = GapYield {
-                stiffness: given.need("k")?,
-                yield_force: given.need("Fy")?,
-                hardening: given.need("hardening")?,
-                damage: given.need("damage")? != 0.0,
-            };
-            Ok(Form::of(law))
-        })
-.also(&["elasticppgap", "shearkey"])
-.in_structures("closes when r reaches 0; a spring k that yields at Fy and may leave a wider gap: a shear key, soil", &[&structure::K, &structure::FY, &HARDENING, &DAMAGE])];
+        let law = GapYield {
+            stiffness: given.need("k")?,
+            yield_force: given.need("Fy")?,
+            hardening: given.need("hardening")?,
+            damage: given.need("damage")? != 0.0,
+        };
+        Ok(Form::of(law))
+    })
+        .also(&["elasticppgap", "shearkey"])
+        .in_structures(
+            "closes when r reaches 0; a spring k that yields at Fy and may leave a wider gap: a shear key, soil",
+            &[&structure::K, &structure::FY, &HARDENING, &DAMAGE],
+        )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
         let yielding = Yielding {
             stiffness: law.stiffness,
@@ -125,27 +118,16 @@ impl Properties for GapYield {
     }
 
     fn straight(&self) -> Option<Straight> {
-        Some(Straight::OneSided {
-            spring: self.spring(),
-            sign: -1.0,
-            shift: 0.0,
-        })
+        Some(Straight::OneSided(self.spring()))
     }
 }
 
 impl Law for GapYield {
-    type Step<const L: usize> = Step<L>;
+    type Step<const L: usize> = one_sided::Step<L>;
 
     #[inline(always)]
-    fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
-        let mut springs = [laws[0].spring(); L];
-        for (spring, law) in springs.iter_mut().zip(laws) {
-            *spring = law.spring();
-        }
-        Step {
-            own: OneSided::step(&springs, on),
-            h: on.start.h,
-        }
+    fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Self::Step<L> {
+        OneSided::step(laws, Self::spring, on)
     }
 
     /// In to the overlap `reach`, and out.
@@ -159,18 +141,5 @@ impl Law for GapYield {
             [reach - force / self.stiffness, 0.0],
         ];
         loop_of(states.into_iter(), reach)
-    }
-}
-
-impl<const L: usize> StepLaw<L> for Step<L> {
-    type Memory = Left<L>;
-
-    #[inline(always)]
-    fn force(&self, trial: &Trial<L>, left: &mut Left<L>) -> Lane<L> {
-        let change = trial.force * self.h - trial.change;
-        let force = self
-            .own
-            .force(-trial.displacement, -trial.force, change, &mut left.0);
-        resisting(force)
     }
 }

@@ -148,19 +148,22 @@ impl Described for HyperbolicGap {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "hyperbolic-gap";
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-            let stiffness = given.need("k")?;
-            let unloading = given.given("k_unloading").unwrap_or(stiffness);
-            given.at_most("k", stiffness, ("k_unloading", unloading))?;
-            let law = HyperbolicGap {
-                stiffness,
-                ultimate: given.need("Fult")?,
-                failure_ratio: given.need("Rf")?,
-                unloading,
-            };
-            Ok(Form::of(law))
-        })
-.also(&["hyperbolicgapmaterial", "backfill", "abutment"])
-.in_structures("closes when r reaches 0; pushes along a hyperbola: the backfill of an abutment (Duncan and Mokwa 2001, Shamsabadi et al. 2007)", &[&structure::K, &F_ULT, &R_F, &K_UNLOADING])];
+        let stiffness = given.need("k")?;
+        let unloading = given.given("k_unloading").unwrap_or(stiffness);
+        given.at_most("k", stiffness, ("k_unloading", unloading))?;
+        let law = HyperbolicGap {
+            stiffness,
+            ultimate: given.need("Fult")?,
+            failure_ratio: given.need("Rf")?,
+            unloading,
+        };
+        Ok(Form::of(law))
+    })
+        .also(&["hyperbolicgapmaterial", "backfill", "abutment"])
+        .in_structures(
+            "closes when r reaches 0; pushes along a hyperbola: the backfill of an abutment (Duncan and Mokwa 2001, Shamsabadi et al. 2007)",
+            &[&structure::K, &F_ULT, &R_F, &K_UNLOADING],
+        )];
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Collision(|law, mass, speed| law.collision(mass, speed));
 }

@@ -77,19 +77,22 @@ impl Described for ImpactYield {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "impact-yield";
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-            let (stiffness, hardening) = (given.need("k1")?, given.need("k2")?);
-            if hardening <= 0.0 {
-                return Err(LawFault::NotPositive("k2"));
-            }
-            let law = ImpactYield {
-                stiffness,
-                hardening: given.at_most("k2", hardening, ("k1", stiffness))?,
-                yield_overlap: given.need("delta_y")?,
-            };
-            Ok(Form::of(law))
-        })
-.also(&["impactmaterial", "bilinearimpact", "muthukumardesroches"])
-.in_structures("impact with k1, from delta_y on k2, unloading with k1, then k2 (Muthukumar and DesRoches 2006)", &[&structure::K1, &structure::K2, &DELTA_Y])];
+        let (stiffness, hardening) = (given.need("k1")?, given.need("k2")?);
+        if hardening <= 0.0 {
+            return Err(LawFault::NotPositive("k2"));
+        }
+        let law = ImpactYield {
+            stiffness,
+            hardening: given.at_most("k2", hardening, ("k1", stiffness))?,
+            yield_overlap: given.need("delta_y")?,
+        };
+        Ok(Form::of(law))
+    })
+        .also(&["impactmaterial", "bilinearimpact", "muthukumardesroches"])
+        .in_structures(
+            "impact with k1, from delta_y on k2, unloading with k1, then k2 (Muthukumar and DesRoches 2006)",
+            &[&structure::K1, &structure::K2, &DELTA_Y],
+        )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
         let yielding = Yielding {
             stiffness: law.stiffness,
@@ -149,12 +152,8 @@ impl Law for ImpactYield {
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
-        let mut bands = [laws[0].band(); L];
-        for (band, law) in bands.iter_mut().zip(laws) {
-            *band = law.band();
-        }
         Step {
-            band: Band::step(&bands, on),
+            band: Band::step(laws, Self::band, on),
             h: on.start.h,
         }
     }

@@ -59,11 +59,17 @@ impl Described for Rigid {
     const KIND: ContactKind = ContactKind::Impact;
     const NAME: &'static str = "rigid";
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| match given.given("restitution") {
-            Some(restitution) => Ok(rigid(given, restitution)),
-            None => stop(given, given.need("e")?),
-        })
-.between_bars("without compliance: r >= 0 at the end of a step; with moreau-jean instead restitution of the ends, and an overlap may remain (Moreau 1988, Jean 1999)", &[&bars::RESTITUTION])
-.in_structures("impact without compliance, with restitution e (Moreau 1988, Jean 1999)", &[&structure::E])];
+        Some(restitution) => Ok(rigid(given, restitution)),
+        None => stop(given, given.need("e")?),
+    })
+        .between_bars(
+            "without compliance: r >= 0 at the end of a step; with moreau-jean instead restitution of the ends, and an overlap may remain (Moreau 1988, Jean 1999)",
+            &[&bars::RESTITUTION],
+        )
+        .in_structures(
+            "impact without compliance, with restitution e (Moreau 1988, Jean 1999)",
+            &[&structure::E],
+        )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, _, _| RigidImpact {
         restitution: law.restitution,
         duration: 0.0,

@@ -62,20 +62,23 @@ impl Described for Bilinear {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "bilinear";
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-            let stiffness = given.need("k1")?;
-            let hardening = match (given.given("k2"), given.given("ratio")) {
-                (Some(k2), None) => k2,
-                (None, Some(ratio)) => ratio * stiffness,
-                _ => return Err(LawFault::Needs(Self::NAME, "k2 or ratio")),
-            };
-            Ok(Form::of(Bilinear {
-                stiffness,
-                yield_force: given.need("Fy")?,
-                hardening: given.at_most("k2", hardening, ("k1", stiffness))?,
-            }))
-        })
-.also(&["steel01", "uniaxialbilin", "elastoplastic"])
-.in_structures("yields at Fy in both directions, with kinematic hardening, or softening if k2 < 0: a column, a lead-rubber bearing (Prager 1956)", &[&structure::K1, &structure::FY, &structure::K2, &RATIO])];
+        let stiffness = given.need("k1")?;
+        let hardening = match (given.given("k2"), given.given("ratio")) {
+            (Some(k2), None) => k2,
+            (None, Some(ratio)) => ratio * stiffness,
+            _ => return Err(LawFault::Needs(Self::NAME, "k2 or ratio")),
+        };
+        Ok(Form::of(Bilinear {
+            stiffness,
+            yield_force: given.need("Fy")?,
+            hardening: given.at_most("k2", hardening, ("k1", stiffness))?,
+        }))
+    })
+        .also(&["steel01", "uniaxialbilin", "elastoplastic"])
+        .in_structures(
+            "yields at Fy in both directions, with kinematic hardening, or softening if k2 < 0: a column, a lead-rubber bearing (Prager 1956)",
+            &[&structure::K1, &structure::FY, &structure::K2, &RATIO],
+        )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
         let beyond = r - law.yield_force / law.stiffness;
@@ -141,12 +144,8 @@ impl Law for Bilinear {
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
-        let mut bands = [laws[0].band(); L];
-        for (band, law) in bands.iter_mut().zip(laws) {
-            *band = law.band();
-        }
         Step {
-            band: Band::step(&bands, on),
+            band: Band::step(laws, Self::band, on),
             h: on.start.h,
         }
     }

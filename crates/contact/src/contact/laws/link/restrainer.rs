@@ -1,6 +1,6 @@
 //! A cable that restrains.
 
-use crate::contact::laws::yielding::one_sided::{self, HARDENING, OneSided, Set};
+use crate::contact::laws::yielding::one_sided::{self, HARDENING, OneSided};
 use crate::contact::prelude::*;
 
 /// A restrainer of a bridge, a cable or rod with slack: S = 0 up to r = slack, then it pulls with k up to Fy and hardens with eta k.
@@ -20,19 +20,6 @@ pub struct Restrainer {
     pub hardening: f64,
 }
 
-/// The law over a step.
-#[derive(Debug, Clone, Copy)]
-pub struct Step<const L: usize> {
-    own: one_sided::Step<L>,
-    slack: Lane<L>,
-    /// Flexibility for S(i).
-    h: Lane<L>,
-}
-
-/// By how much yielding made it longer.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Longer<const L: usize>(Set<L>);
-
 /// Slack.
 const SLACK: Number = Number::new(
     ["slack", "*s*", "length"],
@@ -48,6 +35,8 @@ impl Restrainer {
             yield_force: self.yield_force,
             hardening: self.hardening,
             returns: false,
+            sign: 1.0,
+            shift: -self.slack,
         }
     }
 }
@@ -62,15 +51,18 @@ impl Described for Restrainer {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "restrainer";
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-            Ok(Form::of(Restrainer {
-                slack: given.need("slack")?,
-                stiffness: given.need("k")?,
-                yield_force: given.need("Fy")?,
-                hardening: given.need("hardening")?,
-            }))
-        })
-.also(&["cable", "cablerestrainer", "hook", "tensiononly"])
-.in_structures("pulls where r is more than its slack, with k; yields at Fy and becomes longer: a cable or rod", &[&SLACK, &structure::K, &structure::FY, &HARDENING])];
+        Ok(Form::of(Restrainer {
+            slack: given.need("slack")?,
+            stiffness: given.need("k")?,
+            yield_force: given.need("Fy")?,
+            hardening: given.need("hardening")?,
+        }))
+    })
+        .also(&["cable", "cablerestrainer", "hook", "tensiononly"])
+        .in_structures(
+            "pulls where r is more than its slack, with k; yields at Fy and becomes longer: a cable or rod",
+            &[&SLACK, &structure::K, &structure::FY, &HARDENING],
+        )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let d = velocity * time - law.slack;
         let after = law.yield_force + law.hardening * (law.stiffness * d - law.yield_force);
@@ -96,38 +88,15 @@ impl Properties for Restrainer {
     }
 
     fn straight(&self) -> Option<Straight> {
-        Some(Straight::OneSided {
-            spring: self.spring(),
-            sign: 1.0,
-            shift: -self.slack,
-        })
+        Some(Straight::OneSided(self.spring()))
     }
 }
 
 impl Law for Restrainer {
-    type Step<const L: usize> = Step<L>;
+    type Step<const L: usize> = one_sided::Step<L>;
 
     #[inline(always)]
-    fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
-        let mut springs = [laws[0].spring(); L];
-        for (spring, law) in springs.iter_mut().zip(laws) {
-            *spring = law.spring();
-        }
-        Step {
-            own: OneSided::step(&springs, on),
-            slack: lanes(laws, |law| law.slack),
-            h: on.start.h,
-        }
-    }
-}
-
-impl<const L: usize> StepLaw<L> for Step<L> {
-    type Memory = Longer<L>;
-
-    #[inline(always)]
-    fn force(&self, trial: &Trial<L>, longer: &mut Longer<L>) -> Lane<L> {
-        let change = trial.change - trial.force * self.h;
-        let d = trial.displacement - self.slack;
-        self.own.force(d, trial.force, change, &mut longer.0)
+    fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Self::Step<L> {
+        OneSided::step(laws, Self::spring, on)
     }
 }

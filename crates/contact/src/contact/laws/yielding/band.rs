@@ -44,14 +44,15 @@ impl Band {
     }
 
     #[inline(always)]
-    pub(in crate::contact) fn step<const L: usize>(
-        laws: &[Band; L],
+    pub(in crate::contact) fn step<W, const L: usize>(
+        laws: &[W; L],
+        band: impl Fn(&W) -> Band,
         on: &StepFlexibility<L>,
     ) -> Step<L> {
-        let stiffness = [0, 1].map(|which| lanes(laws, |law| law.stiffness[which]));
+        let stiffness = [0, 1].map(|which| lanes(laws, |law| band(law).stiffness[which]));
         Step {
             stiffness,
-            bounds: [0, 1].map(|which| lanes(laws, |law| law.bounds[which])),
+            bounds: [0, 1].map(|which| lanes(laws, |law| band(law).bounds[which])),
             share: stiffness.map(|k| (Lane::splat(1.0) + k * on.end.h).map(|x| 1.0 / x)),
         }
     }

@@ -28,23 +28,31 @@ pub struct OneSided {
     pub hardening: f64,
     /// Whether s comes back with d.
     pub returns: bool,
+    /// 1 of a spring that pulls, S = F, or -1 of one that pushes, S = -F.
+    pub sign: f64,
+    /// d at r = 0: d = sign r + shift.
+    pub shift: f64,
 }
 
 /// The spring over a step.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::contact) struct Step<const L: usize> {
+pub struct Step<const L: usize> {
     /// k and eta k.
     stiffness: [Lane<L>; 2],
     /// Fy (1 - eta).
     start: Lane<L>,
     returns: [bool; L],
+    sign: Lane<L>,
+    shift: Lane<L>,
+    /// Flexibility for S(i).
+    h: Lane<L>,
     /// 1/(1 + k h) with the flexibility for F(i+1), for both.
     share: [Lane<L>; 2],
 }
 
 /// s of L springs, as it was before the last force.
 #[derive(Debug, Clone, Copy, Default)]
-pub(in crate::contact) struct Set<const L: usize>(Lane<L>);
+pub struct Set<const L: usize>(Lane<L>);
 
 impl OneSided {
     /// The force of a first loading.
@@ -80,22 +88,42 @@ impl OneSided {
     }
 
     #[inline(always)]
-    pub(in crate::contact) fn step<const L: usize>(
-        laws: &[OneSided; L],
+    pub(in crate::contact) fn step<W, const L: usize>(
+        laws: &[W; L],
+        spring: impl Fn(&W) -> OneSided,
         on: &StepFlexibility<L>,
     ) -> Step<L> {
-        let soft = lanes(laws, |law| law.hardening * law.stiffness);
-        let stiffness = [lanes(laws, |law| law.stiffness), soft];
+        let of = |number: fn(OneSided) -> f64| lanes(laws, |law| number(spring(law)));
+        let stiffness = [
+            of(|law| law.stiffness),
+            of(|law| law.hardening * law.stiffness),
+        ];
         let mut returns = [false; L];
         for (returns, law) in returns.iter_mut().zip(laws) {
-            *returns = law.returns;
+            *returns = spring(law).returns;
         }
         Step {
             stiffness,
-            start: lanes(laws, |law| law.yield_force * (1.0 - law.hardening)),
+            start: of(|law| law.yield_force * (1.0 - law.hardening)),
             returns,
+            sign: of(|law| law.sign),
+            shift: of(|law| law.shift),
+            h: on.start.h,
             share: stiffness.map(|k| (Lane::splat(1.0) + k * on.end.h).map(|x| 1.0 / x)),
         }
+    }
+}
+
+impl<const L: usize> StepLaw<L> for Step<L> {
+    type Memory = Set<L>;
+
+    #[inline(always)]
+    fn force(&self, trial: &Trial<L>, set: &mut Set<L>) -> Lane<L> {
+        let d = self.sign * trial.displacement + self.shift;
+        let change = self.sign * (trial.change - trial.force * self.h);
+        let force = self.push(d, self.sign * trial.force, change, set);
+        // The sum makes no negative zero.
+        Lane::splat(0.0) + self.sign * force
     }
 }
 
@@ -105,13 +133,7 @@ impl<const L: usize> Step<L> {
     /// Both lines rise with d', so that the root is the smaller one of their roots. s follows from the start of the step alone: it is
     /// the same for every trial of the step.
     #[inline(always)]
-    pub(in crate::contact) fn force(
-        &self,
-        d: Lane<L>,
-        force: Lane<L>,
-        change: Lane<L>,
-        set: &mut Set<L>,
-    ) -> Lane<L> {
+    fn push(&self, d: Lane<L>, force: Lane<L>, change: Lane<L>, set: &mut Set<L>) -> Lane<L> {
         for l in 0..L {
             let own = &mut set.0.0[l];
             if force.0[l] > 0.0 {

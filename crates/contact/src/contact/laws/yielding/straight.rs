@@ -16,15 +16,8 @@ pub enum Straight {
         /// Whether it acts for r < 0 alone.
         is_stop: bool,
     },
-    /// A spring on one side of a gap, with sign S over d = sign r + shift.
-    OneSided {
-        /// The spring.
-        spring: OneSided,
-        /// 1, or -1 for one that pushes.
-        sign: f64,
-        /// d at r = 0.
-        shift: f64,
-    },
+    /// A spring on one side of a gap.
+    OneSided(OneSided),
     /// Parts that yield one after the other.
     Parts(Multilinear),
 }

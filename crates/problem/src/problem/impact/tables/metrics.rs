@@ -7,15 +7,15 @@ use std::ops::Range as Rows;
 pub(super) static METRICS: [Metric; 33] = [
     Metric::new(
         ["contact_duration", "contact duration/*T*_I_", "T_I"],
-        "time from the first zero of r (falling) to the last zero of r (rising), with r interpolated linearly between steps; undefined without contact, and if the bars still touch at the end",
+        "time from the first zero of r (falling) to the last (rising), with r straight between steps; undefined without contact, and if the bars touch at the end",
     ),
     Metric::new(
         ["contact_steps", "contact in whole steps/*T*_I_", "T_I"],
-        "contact_duration in whole steps: first step with r >= 0 after the last step with r < 0, minus last step with r >= 0 before the first step with r < 0; undefined without contact, and if the bars still touch at the end",
+        "contact_duration in whole steps: first step with r >= 0 after the last with r < 0, minus last step with r >= 0 before the first with r < 0",
     ),
     Metric::new(
         ["separations", "separations", "1"],
-        "number of openings that close again (the first touch is not one of them), both within 0.9 exact contact durations after the exact first touch; undefined without contact",
+        "number of openings that close again, both within 0.9 exact contact durations after the exact first touch; undefined without contact",
     ),
     Metric::new(
         ["max_overlap", "max. overlap/(*cT*_I_/2)", "c T_I/2"],
@@ -23,7 +23,7 @@ pub(super) static METRICS: [Metric; 33] = [
     ),
     Metric::new(
         ["rdot_oscillation", "rms of *ṙ*/*c* in contact", "c"],
-        "root mean square of rdot - exact rdot over the steps from 0.3 to 0.9 exact contact durations after the exact first touch; undefined without contact",
+        "root mean square of c - e of rdot from 0.3 to 0.9 exact contact durations after the exact first touch; undefined without contact",
     ),
     Metric::new(
         ["peak_force", "peak of *F*/*F*_0_", "F0"],
@@ -59,7 +59,7 @@ pub(super) static METRICS: [Metric; 33] = [
             "regularisation error of *r*/(*cT*_I_/2)",
             "c T_I/2",
         ],
-        "error of the softened law alone: rms_error_r of continuous bars with the law, compared with e; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
+        "error of the softened law alone: rms_error_r of continuous bars with the law, compared with e; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
     ),
     Metric::selected(
         [
@@ -67,23 +67,23 @@ pub(super) static METRICS: [Metric; 33] = [
             "regularisation error of *ṙ*/*c*",
             "c",
         ],
-        "error of the softened law alone: rms_error_rdot of continuous bars with the law, compared with e; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
+        "error of the softened law alone: rms_error_rdot of continuous bars with the law, compared with e; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
     ),
     Metric::selected(
         ["mesh_error_r", "mesh error of *r*/(*cT*_I_/2)", "c T_I/2"],
-        "error of the mesh alone: rms_error_r of the elements in continuous time, compared with continuous bars with the law; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
+        "error of the mesh alone: rms_error_r of the elements in continuous time, compared with continuous bars with the law; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
     ),
     Metric::selected(
         ["mesh_error_rdot", "mesh error of *ṙ*/*c*", "c"],
-        "error of the mesh alone: rms_error_rdot of the elements in continuous time, compared with continuous bars with the law; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
+        "error of the mesh alone: rms_error_rdot of the elements in continuous time, compared with continuous bars with the law; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
     ),
     Metric::selected(
         ["step_error_r", "step error of *r*/(*cT*_I_/2)", "c T_I/2"],
-        "error of the time step alone: rms_error_r of c, compared with the elements in continuous time; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
+        "error of the time step alone: rms_error_r of c, compared with the elements in continuous time; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
     ),
     Metric::selected(
         ["step_error_rdot", "step error of *ṙ*/*c*", "c"],
-        "error of the time step alone: rms_error_rdot of c, compared with the elements in continuous time; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
+        "error of the time step alone: rms_error_rdot of c, compared with the elements in continuous time; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
     ),
     Metric::selected(
         ["regularisation_share_r", "regularisation share of *r*", "1"],
@@ -119,15 +119,15 @@ pub(super) static METRICS: [Metric; 33] = [
             "exact contact duration/*T*_I_",
             "T_I",
         ],
-        "contact_duration of the exact motion; undefined without contact, and if the bars still touch at the end",
+        "contact_duration of the exact motion",
     ),
     Metric::selected(
         ["peak_force_exact", "exact peak of *F*/*F*_0_", "F0"],
-        "peak_force of the exact motion; undefined without contact",
+        "peak_force of the exact motion",
     ),
     Metric::selected(
         ["restitution_exact", "exact restitution", "1"],
-        "restitution of the exact motion, from its impulse until the last step; undefined without contact",
+        "restitution of the exact motion, from its impulse until the last step",
     ),
     Metric::selected(
         ["contact_dissipation", "contact dissipation", "1"],
@@ -135,7 +135,7 @@ pub(super) static METRICS: [Metric; 33] = [
     ),
     Metric::selected(
         ["numerical_dissipation", "numerical dissipation", "1"],
-        "energy that the method takes from the bars up to the last step, over E_0; below 0 where it adds energy; 0 to round-off for average-acceleration",
+        "energy that the method takes up to the last step, over E_0; below 0 where it adds energy; round-off for average-acceleration",
     ),
     Metric::selected(
         ["energy_lost", "energy lost", "1"],
@@ -147,11 +147,11 @@ pub(super) static METRICS: [Metric; 33] = [
     ),
     Metric::selected(
         ["reference_error_r", "reference error of *r*", "1"],
-        "estimated error of the two motions between the exact and the computed one: the larger rms of r integrated with a tolerance of 1e-10 less r with 1e-12, at every third step and the last one, or the part of step_error_r that the convergence of the steps dt to dt/64 does not explain, if that is larger; empty for the impact spring, whose motions have closed forms",
+        "estimated error of the integrated motions between the exact and the computed one: the rms of r with a tolerance of 1e-10 less r with 1e-12, or the part of step_error_r that the convergence of the steps dt to dt/64 does not explain, if that is larger; empty for the impact spring",
     ),
     Metric::selected(
         ["reference_error_rdot", "reference error of *ṙ*", "1"],
-        "estimated error of the two motions between the exact and the computed one: the larger rms of rdot integrated with a tolerance of 1e-10 less rdot with 1e-12, at every third step and the last one, or the part of step_error_rdot that the convergence of the steps dt to dt/64 does not explain, if that is larger; empty for the impact spring, whose motions have closed forms",
+        "estimated error of the integrated motions between the exact and the computed one: the rms of rdot with a tolerance of 1e-10 less rdot with 1e-12, or the part of step_error_rdot that the convergence of the steps dt to dt/64 does not explain, if that is larger; empty for the impact spring",
     ),
 ];
 

@@ -19,28 +19,31 @@ impl Described for Lugre {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "lugre";
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-            let ratio = given.need("static_ratio")?;
-            // Without a fall of the limit v_S has no effect.
-            let stribeck_velocity = match (ratio > 1.0, given.given("stribeck_velocity")) {
-                (false, None) => 1.0,
-                _ => given.need("stribeck_velocity")?,
-            };
-            Ok(Form::of(Lugre {
-                sigma0: given.need("sigma0")?,
-                sigma1: given.need("sigma1")?,
-                sigma2: given.need("sigma2")?,
-                limit: given.limit(),
-                static_limit: ratio * given.limit(),
-                stribeck_velocity,
-            }))
-        })
-.in_oscillator("bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)", &[
-                    &oscillator::SIGMA0,
-                    &oscillator::SIGMA1,
-                    &oscillator::SIGMA2,
-                    &oscillator::STATIC_RATIO,
-                    &oscillator::STRIBECK_VELOCITY,
-                ], |given| {
+        let ratio = given.need("static_ratio")?;
+        // Without a fall of the limit v_S has no effect.
+        let stribeck_velocity = match (ratio > 1.0, given.given("stribeck_velocity")) {
+            (false, None) => 1.0,
+            _ => given.need("stribeck_velocity")?,
+        };
+        Ok(Form::of(Lugre {
+            sigma0: given.need("sigma0")?,
+            sigma1: given.need("sigma1")?,
+            sigma2: given.need("sigma2")?,
+            limit: given.limit(),
+            static_limit: ratio * given.limit(),
+            stribeck_velocity,
+        }))
+    })
+        .in_oscillator(
+            "bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
+            &[
+                &oscillator::SIGMA0,
+                &oscillator::SIGMA1,
+                &oscillator::SIGMA2,
+                &oscillator::STATIC_RATIO,
+                &oscillator::STRIBECK_VELOCITY,
+            ],
+            |given| {
                 let [sigma0, sigma1, sigma2, static_limit, stribeck_velocity] = given.all()?;
                 Some(Lugre {
                     sigma0,
@@ -50,14 +53,18 @@ impl Described for Lugre {
                     static_limit,
                     stribeck_velocity,
                 }.into())
-            })
-.in_structures("friction, bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)", &[
+            },
+        )
+        .in_structures(
+            "friction, bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
+            &[
                 &structure::SIGMA0,
                 &structure::SIGMA1,
                 &structure::SIGMA2,
                 &structure::STATIC_RATIO,
                 &structure::STRIBECK_VELOCITY,
-            ])];
+            ],
+        )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let [g, _] = law.strength(velocity);
         let faded = libm::exp(-law.sigma0 * velocity * time / g);

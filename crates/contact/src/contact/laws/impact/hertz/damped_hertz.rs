@@ -68,15 +68,19 @@ macro_rules! damped_hertz {
         impl Described for $law {
             const KIND: ContactKind = ContactKind::Impact;
             const NAME: &'static str = $name;
-            const OFFERS: &'static [Offer] = &[
-                Offer::new(Self::NAME, |given| {
-                        let (k_h, restitution) = (given.need("k_h")?, given.need("restitution")?);
-                        Ok(Form::of($law::new(k_h, restitution)).with_restitution(restitution))
-                    })
-.also(&[$($($also),+)?])
-.between_bars($meaning, &[&bars::K_H, &bars::RESTITUTION])
-.in_structures($meaning, &[&structure::K_H, &structure::RESTITUTION]),
-            ];
+            const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
+                let (k_h, restitution) = (given.need("k_h")?, given.need("restitution")?);
+                Ok(Form::of($law::new(k_h, restitution)).with_restitution(restitution))
+            })
+                .also(&[$($($also),+)?])
+                .between_bars(
+                    $meaning,
+                    &[&bars::K_H, &bars::RESTITUTION],
+                )
+                .in_structures(
+                    $meaning,
+                    &[&structure::K_H, &structure::RESTITUTION],
+                )];
             const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
                 RigidImpact::hertz(law.stiffness, law.damping, mass, speed)
             });

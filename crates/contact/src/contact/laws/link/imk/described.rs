@@ -212,14 +212,20 @@ impl Described for Imk {
     const NAME: &'static str = "imk-peak-oriented";
     const OFFERS: &'static [Offer] = &[
         Offer::new(Self::NAME, |given| form(given, None))
-.also(&["imkpeakoriented", "modimkpeakoriented", "imk", "clough"])
-.in_structures("a hinge that hardens, softens and degrades with the energy that it takes, loaded again towards its peak (Ibarra, Medina and Krawinkler 2005)", &COMMON),
+            .also(&["imkpeakoriented", "modimkpeakoriented", "imk", "clough"])
+            .in_structures(
+                "a hinge that hardens, softens and degrades with the energy that it takes, loaded again towards its peak (Ibarra, Medina and Krawinkler 2005)",
+                &COMMON,
+            ),
         Offer::new("imk-pinching", |given| {
-                let pinching = [given.need("kappa_F")?, given.need("kappa_D")?];
-                form(given, Some(pinching))
-            })
-.also(&["imkpinching", "modimkpinching"])
-.in_structures("the same with pinching: loaded again first towards a point below the line to its peak", &WITH_PINCHING),
+            let pinching = [given.need("kappa_F")?, given.need("kappa_D")?];
+            form(given, Some(pinching))
+        })
+            .also(&["imkpinching", "modimkpinching"])
+            .in_structures(
+                "the same with pinching: loaded again first towards a point below the line to its peak",
+                &WITH_PINCHING,
+            ),
     ];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;

@@ -14,11 +14,14 @@ impl Described for Multilinear {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "multilinear";
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-            let law = Multilinear::new(given.table)?;
-            Ok(Form::of(law))
-        })
-.also(&["trilinear", "iwan", "multilinearplastic"])
-.in_structures("yields along a table of r and S, symmetric or not, and unloads by Masing's rule (Iwan 1966)", &[&TABLE])];
+        let law = Multilinear::new(given.table)?;
+        Ok(Form::of(law))
+    })
+        .also(&["trilinear", "iwan", "multilinearplastic"])
+        .in_structures(
+            "yields along a table of r and S, symmetric or not, and unloads by Masing's rule (Iwan 1966)",
+            &[&TABLE],
+        )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
         Some(law.force(r, &law.first(r)))

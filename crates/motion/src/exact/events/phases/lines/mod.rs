@@ -78,15 +78,7 @@ pub fn of(law: &StructureLaw) -> Option<Lines> {
             unbent,
             is_stop,
         })),
-        Straight::OneSided {
-            spring,
-            sign,
-            shift,
-        } => Some(Lines::OneSided(OneSided {
-            sign,
-            shift,
-            spring,
-        })),
+        Straight::OneSided(spring) => Some(Lines::OneSided(OneSided(spring))),
         Straight::Parts(law) => Some(Lines::Parts(Parts(law))),
     }
 }

@@ -6,38 +6,34 @@ use crate::exact::events::phases::contact_phase::Phase;
 
 /// F = sign S over d = sign r + shift: k (d - s) up to Fy (1 - eta) + eta k d. What it keeps is s.
 #[derive(Debug, Clone, Copy)]
-pub struct OneSided {
-    pub sign: f64,
-    pub shift: f64,
-    pub spring: Spring,
-}
+pub struct OneSided(pub Spring);
 
 impl OneSided {
     /// d at r, and r at d.
     fn deflection(&self, r: f64) -> f64 {
-        self.sign * r + self.shift
+        self.0.sign * r + self.0.shift
     }
 
     fn r(&self, d: f64) -> f64 {
-        self.sign * (d - self.shift)
+        self.0.sign * (d - self.0.shift)
     }
 
     /// A line through d and F, between these d, in this direction of d.
     fn line(&self, slope: f64, [d, force]: [f64; 2], ends: [f64; 2], direction: f64) -> Line {
         let ends = ends.map(|d| self.r(d));
-        let ends = if self.sign > 0.0 {
+        let ends = if self.0.sign > 0.0 {
             ends
         } else {
             [ends[1], ends[0]]
         };
         Line {
             slope,
-            point: [self.r(d), self.sign * force],
+            point: [self.r(d), self.0.sign * force],
             // No negative zero.
             direction: if direction == 0.0 {
                 0.0
             } else {
-                self.sign * direction
+                self.0.sign * direction
             },
             ..Line::open(ends)
         }
@@ -55,9 +51,9 @@ impl OneSided {
     }
 
     fn elastic(&self, set: f64) -> Line {
-        let (k, eta) = (self.spring.stiffness, self.spring.hardening);
+        let (k, eta) = (self.0.stiffness, self.0.hardening);
         let end = match eta < 1.0 {
-            true => self.spring.yield_force / k + set / (1.0 - eta),
+            true => self.0.yield_force / k + set / (1.0 - eta),
             false => f64::INFINITY,
         };
         let line = self.line(k, [set, 0.0], [set, end], 0.0).keeping(set);
@@ -68,12 +64,12 @@ impl OneSided {
     }
 
     fn yielding(&self) -> Line {
-        let (k, eta) = (self.spring.stiffness, self.spring.hardening);
+        let (k, eta) = (self.0.stiffness, self.0.hardening);
         let ends = [f64::NEG_INFINITY, f64::INFINITY];
-        let start = self.spring.yield_force * (1.0 - eta);
+        let start = self.0.yield_force * (1.0 - eta);
         Line {
             loss: [0.0, 1.0 - eta],
-            phase: Phase::Sliding(self.sign),
+            phase: Phase::Sliding(self.0.sign),
             ..self.line(eta * k, [0.0, start], ends, 1.0)
         }
     }
@@ -81,13 +77,11 @@ impl OneSided {
     pub fn start(&self, r: f64, force: Option<f64>) -> Line {
         let d = self.deflection(r);
         if let Some(force) = force.filter(|force| *force != 0.0) {
-            return self.elastic(d - self.sign * force / self.spring.stiffness);
+            return self.elastic(d - self.0.sign * force / self.0.stiffness);
         }
         match d {
             _ if d <= 0.0 => self.open(0.0),
-            _ if self.spring.hardening < 1.0
-                && self.spring.stiffness * d > self.spring.yield_force =>
-            {
+            _ if self.0.hardening < 1.0 && self.0.stiffness * d > self.0.yield_force => {
                 self.yielding()
             }
             _ => self.elastic(0.0),
@@ -96,24 +90,24 @@ impl OneSided {
 
     pub fn next(&self, line: &Line, end: End, r: f64) -> Line {
         let d = self.deflection(r);
-        let outwards = (end == End::Low) == (self.sign > 0.0);
+        let outwards = (end == End::Low) == (self.0.sign > 0.0);
         let [set, ..] = line.kept;
         match (line.phase, end) {
             (Phase::Open, End::Turn) => self.elastic(d),
             (Phase::Open, _) if outwards => self.open(0.0),
             (Phase::Open, _) => self.elastic(set),
             (Phase::Closed, _) if !outwards => self.yielding(),
-            (Phase::Closed, _) if self.spring.returns && set > 0.0 => self.following(set),
+            (Phase::Closed, _) if self.0.returns && set > 0.0 => self.following(set),
             (Phase::Closed, _) => self.open(set),
             (Phase::Sliding(_), _) => {
-                self.elastic(d - self.sign * line.force(r) / self.spring.stiffness)
+                self.elastic(d - self.0.sign * line.force(r) / self.0.stiffness)
             }
         }
     }
 
     pub fn stored(&self, line: &Line, r: f64) -> f64 {
         let force = line.force(r);
-        0.5 * force * force / self.spring.stiffness
+        0.5 * force * force / self.0.stiffness
     }
 }
 

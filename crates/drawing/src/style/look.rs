@@ -1,0 +1,32 @@
+//! How the curves of a figure are told apart.
+
+use super::marker::Marker;
+use super::stroke::Stroke;
+
+/// Most curves: as many as strokes and markers can distinguish, in black or in colour.
+pub const MOST_STYLES: usize = 30;
+
+/// How the curves of a figure are told apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Look {
+    /// By colours, instead of by dashes and markers.
+    pub colour: bool,
+    /// Whether curves in colour have markers, too.
+    pub markers: bool,
+}
+
+impl Look {
+    /// The stroke of curve `i` of `count`; a single one is unbroken.
+    pub fn stroke(self, i: usize, count: usize) -> Stroke {
+        match self.colour {
+            true => Stroke::Colour((i % MOST_STYLES) as u8),
+            false if count == 1 => Stroke::Solid,
+            false => Stroke::of_case(i),
+        }
+    }
+
+    /// The marker of curve `i`.
+    pub fn marker(self, i: usize) -> Option<Marker> {
+        (!self.colour || self.markers).then(|| Marker::of_case(i))
+    }
+}

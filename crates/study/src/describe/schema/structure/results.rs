@@ -1,0 +1,57 @@
+//! The schema of metrics, checks and figures of structures.
+
+use super::{any, described};
+use crate::decode::checks;
+use crate::describe::schema::figures::{of_any_problem, rules};
+use crate::describe::schema::parts::several;
+use crate::figure::keys::Takes;
+use crate::figure::kinds::{Kind, Needs};
+use serde_json::{Value as Json, json};
+use slipgap_solver::problem::structure::metrics::ground::PREFIX;
+use slipgap_solver::problem::structure::metrics::reduction::REDUCTIONS;
+
+/// The name of a metric.
+pub(super) fn metric() -> Json {
+    let one = |name: &str| match name.strip_prefix(PREFIX) {
+        Some(measure) => format!("ground\\.([xyz]\\.)?{measure}"),
+        None => name.to_owned(),
+    };
+    let all: Vec<String> = REDUCTIONS.iter().map(|known| one(known.0)).collect();
+    json!({
+        "type": "string",
+        "pattern": format!("^({})( *\\(.+\\))?$", all.join("|")),
+        "description": "a reduction of a channel, such as peak(g1.right - p2) or impacts(gap12), or a measure of the ground, such as ground.pga or, of several directions, ground.y.pga",
+    })
+}
+
+pub(super) fn check(metric: &Json) -> Json {
+    let value = |key: &str| match key {
+        "metric" => metric.clone(),
+        "where" => json!({ "type": "object" }),
+        _ => any(),
+    };
+    let mut schema = described(&checks::KEYS, value, &["metric"]);
+    schema["anyOf"] = json!([{ "required": ["min"] }, { "required": ["max"] }]);
+    schema
+}
+
+/// The rules for figures of one kind.
+pub(super) fn figure(kind: &Kind) -> Json {
+    let suits = kind.needs != Needs::Profiles && kind.name != "law";
+    rules(kind, suits, |key| taken(key.takes))
+}
+
+/// The value of a key of a figure, whose quantities and metrics have free names.
+fn taken(takes: Takes) -> Json {
+    match takes {
+        Takes::Filter | Takes::Marks => json!({ "type": "object" }),
+        Takes::Quantities
+        | Takes::Profiles
+        | Takes::Metrics
+        | Takes::Budgets
+        | Takes::Parameters => several(json!({ "type": "string" })),
+        Takes::Number => any(),
+        Takes::InUnits => json!({ "const": false }),
+        _ => of_any_problem(takes),
+    }
+}

@@ -1,0 +1,115 @@
+//! The probability that a metric exceeds a limit, over a parameter.
+
+use crate::figure::checker::Checker;
+use crate::figure::choice::Fit;
+use crate::figure::ensembles;
+use crate::figure::keys::{BY_OUTSIDE, COLOUR, Takes, X_RANGE, X_SCALE, Y_RANGE, key};
+use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
+use crate::{ColumnRef, Scale};
+use slipgap_solver::problem::Problem;
+
+pub(in crate::figure::kinds) const KIND: Kind = Kind {
+    name: "fragility",
+    needs: Needs::Ensemble,
+    meaning: "part of the ensemble in which a metric exceeds a limit, over a parameter such as the scale of records, with 95 % intervals and a lognormal function; or, over a measure such as ground.Sa(T1), the function by incremental scaling or of a cloud",
+    keys: &[
+        key(
+            "x",
+            Takes::Column,
+            true,
+            "parameter along the horizontal axis, not of the ensemble; with the fit incremental or cloud also a metric, such as ground.Sa(1)",
+        ),
+        key("y", Takes::Metric, true, "metric"),
+        key(
+            "limit",
+            Takes::Number,
+            true,
+            "a case exceeds the limit if its metric is greater",
+        ),
+        key(
+            "fit",
+            Takes::Fit,
+            false,
+            "likelihood: of the parts that exceed at each x (if left out); incremental: of the x at which each member reaches the limit, straight between its cases; cloud: from a line through ln y over ln x",
+        ),
+        BY_OUTSIDE,
+        X_SCALE,
+        X_RANGE,
+        Y_RANGE,
+        COLOUR,
+    ],
+    decode: |values, _| {
+        Some(FigureKind::Fragility(Fragility {
+            x: values.column("x")?,
+            y: values.row("y")?,
+            limit: values.numbers("limit").first().copied()?,
+            fit: values.fit("fit"),
+            by: values.row("by"),
+            x_scale: values.scale("x_scale"),
+        }))
+    },
+};
+
+/// The probability that a metric exceeds a limit, over a parameter or a metric.
+#[derive(Debug)]
+pub struct Fragility {
+    /// Column along the horizontal axis.
+    pub x: ColumnRef,
+    /// Row of the study's measures.
+    pub y: usize,
+    /// A case exceeds it if its metric is greater.
+    pub limit: f64,
+    /// How the function is found.
+    pub fit: Fit,
+    /// Parameter with one line style for each value; `None`: all outside of the ensemble that vary, but one line if x is a metric.
+    pub by: Option<usize>,
+    /// Scale of the horizontal axis.
+    pub x_scale: Scale,
+}
+
+impl Fragility {
+    /// The parameter along the horizontal axis, if it is one.
+    pub fn parameter(&self) -> Option<usize> {
+        match self.x {
+            ColumnRef::Parameter(row) => Some(row),
+            ColumnRef::Metric(_) => None,
+        }
+    }
+}
+
+impl Decoded for Fragility {
+    fn limited_axes(&self) -> Option<([Scale; 2], usize)> {
+        Some(([self.x_scale, Scale::Linear], 1))
+    }
+
+    fn check_cases(&self, checker: &mut Checker) {
+        match self.x {
+            ColumnRef::Parameter(row) => {
+                ensembles::check(checker, Some(row), self.by, KIND.name);
+                checker.suits_scale("x", row, self.x_scale);
+                checker.range_shows_some(row);
+            }
+            ColumnRef::Metric(row) => {
+                if self.fit == Fit::Likelihood {
+                    let message = "is a metric; give \"fit\": incremental or cloud";
+                    checker.fault("x", message);
+                }
+                if row == self.y {
+                    checker.fault("y", "must be a metric other than x");
+                }
+                let ensemble = checker.scope.ensemble.as_deref().unwrap_or_default();
+                if self.by.is_some_and(|by| ensemble.contains(&by)) {
+                    let message = "is a parameter of the ensemble; choose another one";
+                    checker.fault("by", message);
+                }
+            }
+        }
+    }
+
+    fn measures(&self, _: &dyn Problem) -> Vec<usize> {
+        match self.x {
+            ColumnRef::Parameter(_) => vec![self.y],
+            ColumnRef::Metric(row) => vec![self.y, row],
+        }
+    }
+}

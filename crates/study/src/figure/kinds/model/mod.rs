@@ -1,0 +1,4 @@
+//! Figures of the model itself.
+
+pub(super) mod law;
+pub(super) mod scheme;

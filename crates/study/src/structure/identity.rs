@@ -1,0 +1,46 @@
+//! A hash of a structure, for the keys of stores.
+
+use crate::source::tree::{Member, Node, Tree};
+use sha2::{Digest, Sha256};
+
+/// A hash of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records. What
+/// `measured` says belongs to it, with the range of the delays, which decides the points that are compared.
+pub(super) fn identity(
+    structure: &Node,
+    measured: Option<(&Node, [f64; 2])>,
+    records: &[(String, Vec<u8>)],
+) -> String {
+    let mut digest = Sha256::new();
+    for (name, bytes) in records {
+        digest.update(name.as_bytes());
+        digest.update([0]);
+        digest.update((bytes.len() as u64).to_le_bytes());
+        digest.update(bytes);
+    }
+    let hex = |bytes: &[u8]| -> String { bytes.iter().map(|byte| format!("{byte:02x}")).collect() };
+    let mut written = written(structure);
+    if let Some((node, delays)) = measured {
+        written += &self::written(node);
+        written += &format!("{delays:?}");
+    }
+    let structure = Sha256::digest(written);
+    let records = digest.finalize();
+    format!("{}.{}", hex(&structure), hex(&records))
+}
+
+/// A value as JSON without blanks and remarks.
+fn written(node: &Node) -> String {
+    let all = |parts: Vec<String>| parts.join(",");
+    match &node.tree {
+        Tree::Object(members) => {
+            let real = members.iter().filter(|member| member.key != "//");
+            let one = |member: &Member| format!("{:?}:{}", member.key, written(&member.node));
+            format!("{{{}}}", all(real.map(one).collect()))
+        }
+        Tree::List(items) => format!("[{}]", all(items.iter().map(written).collect())),
+        Tree::Text(text) => format!("{text:?}"),
+        Tree::Number(number) => number.clone(),
+        Tree::Bool(truth) => truth.to_string(),
+        Tree::Null => "null".to_owned(),
+    }
+}

@@ -1,0 +1,156 @@
+//! The keys of the ground, of supports, and of functions of time.
+
+use super::Keys;
+
+/// Keys of the ground by directions.
+pub(crate) const GROUND: Keys = &[
+    ("x", "acceleration in x"),
+    ("y", "acceleration in y"),
+    ("z", "acceleration in z"),
+];
+
+/// Keys of imposed displacements.
+pub(crate) const IMPOSED: Keys = &[
+    ("t", "times, rising"),
+    ("u", "displacements, the first one 0"),
+];
+
+/// Keys of imposed displacements of a file.
+pub(crate) const IMPOSED_BY_FILE: Keys = &[
+    (
+        "file",
+        "CSV file as of `measured`, or a parameter that chooses it",
+    ),
+    (
+        "time",
+        "name of the column of times, or an object with its unit",
+    ),
+    (
+        "column",
+        "name of the column of displacements, or an object with its unit; u is the column less its first number",
+    ),
+];
+
+/// The key of imposed displacements.
+pub(crate) const DISPLACEMENT: (&str, &str) = (
+    "displacement",
+    "instead of an acceleration, here or under a direction: points t, u with a cubic between them that turns only there",
+);
+
+/// Keys of a support besides those of a function, or of the directions.
+pub(crate) const SUPPORT: Keys = &[
+    DISPLACEMENT,
+    ("delay", "time by which all is later; at rest before"),
+    (
+        "baseline",
+        "as of a function; with \"linear\" the support rests after the end",
+    ),
+];
+
+/// Keys of a function of time; one of the first ones.
+pub(crate) const FUNCTION: Keys = &[
+    ("sine", "amplitude sin(omega t + phase)"),
+    ("table", "straight lines between points, constant beyond"),
+    (
+        "record",
+        "file of a recorded acceleration, relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis",
+    ),
+    ("pulse", "a pulse of acceleration"),
+    (
+        "synthetic",
+        "a synthetic acceleration by its seed, or by seed and omega",
+    ),
+    (
+        "unit",
+        "unit of a record: g, m/s2, cm/s2 or mm/s2; if left out, that of the file",
+    ),
+    (
+        "mean",
+        "mean of a record: \"removed\" (if left out, for K-NET) or \"kept\" (for others)",
+    ),
+    (
+        "column",
+        "column of a table with the accelerations, from 1; t and a if left out",
+    ),
+    ("dt", "time step in s of a table without times"),
+    ("component", "component of a file with several, from 1"),
+    (
+        "scale",
+        "factor of the function, in addition to \"scale_to\"",
+    ),
+    (
+        "start",
+        "time that becomes t = 0; this and the keys below not of a sine",
+    ),
+    ("end", "time at which it ends; 0 after"),
+    (
+        "baseline",
+        "what is removed: \"none\"; \"mean\" of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
+    ),
+    ("scale_to", "strength of the motion from start to end"),
+    ("delay", "time by which all is later; 0 before"),
+];
+
+/// Number of the keys of [`FUNCTION`] of which one is needed.
+pub(crate) const FUNCTIONS: usize = 5;
+
+/// Key of the files of an axis of records.
+pub(crate) const FILES: Keys = &[(
+    "files",
+    "a folder (without .md), or a pattern with one *, such as \"records/*.smc\"; in the order of names",
+)];
+
+/// Keys of `sine`.
+pub(crate) const SINE: Keys = &[
+    ("amplitude", "amplitude"),
+    ("omega", "circular frequency"),
+    ("phase", "phase; 0 if not given"),
+];
+
+/// Keys of `table`.
+pub(crate) const TABLE: Keys = &[
+    ("t", "times, rising; two equal times make a jump"),
+    ("f", "values at these times"),
+];
+
+/// Keys of `pulse`.
+pub(crate) const PULSE: Keys = &[
+    (
+        "ricker",
+        "a (1 - 2 x) exp(-x), x = (pi f (t - at))^2, from 0 to 2 at",
+    ),
+    ("cosine", "one sine cycle"),
+];
+
+/// Meaning of `sampled`. The last sample is at the end also where the end is no multiple.
+const SAMPLED: &str = "time between samples, straight between, the last one at the end; then 0";
+
+/// Keys of `ricker`.
+pub(crate) const RICKER: Keys = &[
+    ("amplitude", "a"),
+    ("frequency", "f"),
+    ("at", "time of the peak"),
+    ("sampled", SAMPLED),
+];
+
+/// Keys of `cosine`.
+pub(crate) const COSINE: Keys = &[
+    ("amplitude", "amplitude"),
+    ("period", "length of the cycle"),
+    ("sampled", SAMPLED),
+];
+
+/// Keys of `synthetic`.
+pub(crate) const SYNTHETIC: Keys = &[
+    ("seed", "a whole number from 0 to 4294967295"),
+    (
+        "omega",
+        "circular frequency of the ground filter in rad/s; 15.6 (firm ground) if left out",
+    ),
+];
+
+/// Keys of a load: the node, and those of a function.
+pub(crate) const LOAD_AT: (&str, &str) = (
+    "at",
+    "node on which the force acts, a bar, or matrices and a direction such as tower.x; on each node the same force",
+);

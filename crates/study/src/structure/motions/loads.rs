@@ -1,0 +1,232 @@
+//! Functions of time: sines, tables, records, pulses and synthetic accelerations.
+
+use super::records::record;
+use super::shape::shape;
+use super::table::table;
+use crate::source::faults::{Faults, join};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use crate::structure::keys::{
+    COSINE, FUNCTION, FUNCTIONS, GROUND, LOAD_AT, PULSE, RICKER, SINE, SYNTHETIC, TABLE, names,
+};
+use crate::structure::reading::reader::{Reader, open};
+use crate::value::text;
+use slipgap_solver::problem::numbers::parameter::Range;
+use slipgap_solver::problem::structure::given::amount::{self, Amount};
+use slipgap_solver::problem::structure::given::loads::{Kind, LARGEST_SEED, Source};
+use slipgap_solver::problem::structure::{given::shape::Scaled, parts::template::Load};
+use slipgap_solver::system::structure::Direction;
+
+/// A force on a node.
+pub(in crate::structure) fn load(
+    node: &Node,
+    path: &str,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Load> {
+    let mut keys = vec![LOAD_AT.0];
+    keys.extend(names(FUNCTION));
+    let object = Object::open(node, path, &keys, faults)?;
+    let at = object.need(LOAD_AT.0, LOAD_AT.1, faults);
+    let at = at.and_then(|node| {
+        let path = object.path("at");
+        reader.moved(&text(node, &path, faults)?, node.at, &path, faults)
+    });
+    if let Some(node) = object.get("scale_to") {
+        let message = "only an acceleration is scaled to a strength";
+        faults.add(node.at, &object.path("scale_to"), message);
+    }
+    let force = function(&object, node.at, path, reader, faults);
+    Some(Load {
+        at: at?,
+        force: force?,
+    })
+}
+
+/// A function of time with its scale.
+pub(in crate::structure) fn scaled(
+    node: &Node,
+    path: &str,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Scaled> {
+    let object = open(node, path, FUNCTION, faults)?;
+    function(&object, node.at, path, reader, faults)
+}
+
+/// The accelerations of the ground: one in x, or one for each key x, y and z.
+pub(in crate::structure) fn ground(
+    object: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Vec<(Direction, Scaled)> {
+    let Some(node) = object.get("ground") else {
+        return Vec::new();
+    };
+    let path = object.path("ground");
+    let by_directions = match &node.tree {
+        Tree::Object(members) => {
+            let keys = names(GROUND);
+            members
+                .iter()
+                .any(|member| keys.contains(&member.key.to_lowercase().as_str()))
+        }
+        _ => false,
+    };
+    if !by_directions {
+        let ground = scaled(node, &path, reader, faults);
+        return ground
+            .map(|ground| (Direction::X, ground))
+            .into_iter()
+            .collect();
+    }
+    let Some(object) = open(node, &path, GROUND, faults) else {
+        return Vec::new();
+    };
+    let one = |direction: Direction| {
+        let node = object.get(direction.name())?;
+        let path = object.path(direction.name());
+        Some((direction, scaled(node, &path, reader, faults)?))
+    };
+    Direction::TRANSLATIONS
+        .into_iter()
+        .filter_map(one)
+        .collect()
+}
+
+/// Keys that only a record has, and the message for another function with one.
+const OF_RECORDS: [(&str, &str); 5] = [
+    (
+        "unit",
+        "only a record has a unit; other functions are in the units of the study",
+    ),
+    ("mean", "only the mean of a record is removed or kept"),
+    ("column", "only a record has columns"),
+    ("dt", "only a record has a time step"),
+    ("component", "only a record has components"),
+];
+
+/// The function of an object, whose other keys belong to something else.
+pub(in crate::structure) fn function(
+    object: &Object,
+    at: usize,
+    path: &str,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Scaled> {
+    let kinds = &FUNCTION[..FUNCTIONS];
+    let given = object.members.iter();
+    let given: Vec<_> = given
+        .filter(|member| kinds.iter().any(|kind| kind.0 == member.key))
+        .collect();
+    let [member] = given[..] else {
+        let all: Vec<&str> = kinds.iter().map(|kind| kind.0).collect();
+        object.fault(
+            format!("must have exactly one of {}", all.join(", ")),
+            faults,
+        );
+        return None;
+    };
+    for (key, message) in OF_RECORDS {
+        if let (Some(node), false) = (object.get(key), member.key == "record") {
+            faults.add(node.at, &object.path(key), message);
+        }
+    }
+    let inner = join(path, &member.key);
+    let scale = reader.optional(object, "scale", Range::Any, faults);
+    let shape = shape(object, reader, faults);
+    let kind = match member.key.as_str() {
+        "sine" => sine(&member.node, &inner, reader, faults),
+        "table" => {
+            let [t, f] = table(&member.node, &inner, (TABLE, ["t", "f"]), reader, faults)?;
+            Some(Kind::Table { t, f })
+        }
+        "record" => record(&member.node, &inner, object, reader, faults),
+        "pulse" => pulse(&member.node, &inner, reader, faults),
+        _ => synthetic(&member.node, &inner, reader, faults),
+    };
+    Some(Scaled {
+        source: Source::new(kind?, (at, path.to_owned())),
+        scale,
+        shape: shape?,
+    })
+}
+
+fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
+    let object = open(node, path, SINE, faults)?;
+    let mut need = |key| reader.needed(&object, SINE, key, Range::Any, faults);
+    let (amplitude, omega) = (need("amplitude"), need("omega"));
+    Some(Kind::Sine {
+        amplitude: amplitude?,
+        omega: omega?,
+        phase: reader.optional(&object, "phase", Range::Any, faults),
+    })
+}
+
+fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
+    let object = open(node, path, PULSE, faults)?;
+    let [member] = object.members[..] else {
+        object.fault("must have exactly one of ricker, cosine", faults);
+        return None;
+    };
+    let path = object.path(&member.key);
+    if member.key == "ricker" {
+        let object = open(&member.node, &path, RICKER, faults)?;
+        let mut need = |key, range| reader.needed(&object, RICKER, key, range, faults);
+        let (amplitude, frequency) = (
+            need("amplitude", Range::Any),
+            need("frequency", Range::Positive),
+        );
+        let (at, sampled) = (
+            need("at", Range::Positive),
+            need("sampled", Range::Positive),
+        );
+        return Some(Kind::Ricker {
+            amplitude: amplitude?,
+            frequency: frequency?,
+            at: at?,
+            sampled: sampled?,
+        });
+    }
+    let object = open(&member.node, &path, COSINE, faults)?;
+    let mut need = |key, range| reader.needed(&object, COSINE, key, range, faults);
+    let amplitude = need("amplitude", Range::Any);
+    let (period, sampled) = (
+        need("period", Range::Positive),
+        need("sampled", Range::Positive),
+    );
+    Some(Kind::Cosine {
+        amplitude: amplitude?,
+        period: period?,
+        sampled: sampled?,
+    })
+}
+
+/// A seed, plain or in an object with the frequency of the ground filter.
+fn synthetic(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
+    let Tree::Object(_) = &node.tree else {
+        let seed = reader.amount(node, path, Range::NotNegative, faults);
+        return Some(Kind::Synthetic {
+            seed: whole(seed?, faults)?,
+            omega: None,
+        });
+    };
+    let object = open(node, path, SYNTHETIC, faults)?;
+    let before = faults.count();
+    let seed = reader.needed(&object, SYNTHETIC, "seed", Range::NotNegative, faults);
+    let seed = seed.and_then(|seed| whole(seed, faults));
+    let omega = reader.optional(&object, "omega", Range::Positive, faults);
+    let complete = faults.count() == before;
+    Some(Kind::Synthetic { seed: seed?, omega }).filter(|_| complete)
+}
+
+/// A seed; a plain number is reported here if it is not whole, so that all faults are reported together.
+fn whole(seed: Amount, faults: &mut Faults) -> Option<Amount> {
+    if let amount::Source::Number(x) = seed.source
+        && let Err(violation) = seed.as_whole(x, 0, LARGEST_SEED)
+    {
+        faults.add(seed.at, &seed.path, violation.message);
+        return None;
+    }
+    Some(seed)
+}

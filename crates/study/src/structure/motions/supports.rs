@@ -1,0 +1,220 @@
+//! Supports with motions of their own: an acceleration, or one in each direction, with a delay.
+
+use super::loads::function;
+use super::shape::baseline;
+use super::table::table;
+use crate::source::faults::{Faults, join, quoted};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use crate::structure::keys::{
+    DISPLACEMENT, FUNCTION, GROUND, IMPOSED, IMPOSED_BY_FILE, SUPPORT, names,
+};
+use crate::structure::measured::{column, test};
+use crate::structure::reading::given::member;
+use crate::structure::reading::reader::Part;
+use crate::structure::reading::reader::{Reader, open};
+use slipgap_solver::problem::numbers::parameter::Range;
+use slipgap_solver::problem::numbers::unit::Dimension;
+use slipgap_solver::problem::structure::channels::measured::Test;
+use slipgap_solver::problem::structure::given::amount::Amount;
+use slipgap_solver::problem::structure::given::supports::{Course, Points, Support};
+use slipgap_solver::system::structure::{Baseline, Direction};
+use std::sync::Arc;
+
+/// The directions x, y and z in which a support moves.
+pub(in crate::structure) fn directions(node: &Node) -> [bool; 3] {
+    let Tree::Object(members) = &node.tree else {
+        return [true, false, false];
+    };
+    let given = |direction: Direction| members.iter().any(|one| one.key == direction.name());
+    match Direction::TRANSLATIONS.map(given) {
+        [false, false, false] => [true, false, false],
+        by_directions => by_directions,
+    }
+}
+
+/// The motions of the supports, in the order of their numbers.
+pub(in crate::structure) fn supports(
+    parts: &[Part],
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Vec<Support> {
+    let all = parts.iter();
+    all.flat_map(|part| support(part, reader, faults).unwrap_or_default())
+        .collect()
+}
+
+/// `ground` together with `supports`.
+pub(in crate::structure) fn refuse_ground(object: &Object, faults: &mut Faults) {
+    if let (Some(_), Some(supports)) = (object.get("ground"), object.get("supports")) {
+        let message = "give ground or supports, not both: u is relative to the ground, but absolute with supports; \"ground\" is a node that does not move there";
+        faults.add(supports.at, &object.path("supports"), message);
+    }
+}
+
+/// A delay or a baseline of a support and of one of its directions, too.
+fn refuse_twice(support: &Object, direction: &Node, path: &str, faults: &mut Faults) {
+    let Tree::Object(members) = &direction.tree else {
+        return;
+    };
+    let twice = members.iter().filter(|member| {
+        SUPPORT.iter().any(|key| key.0 == member.key) && support.get(&member.key).is_some()
+    });
+    for member in twice {
+        let message = "give it for the support or for its directions, not both";
+        faults.add(member.at, &join(path, &member.key), message);
+    }
+}
+
+fn support(
+    (own_name, node, path): &Part,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Vec<Support>> {
+    let mut keys = names(FUNCTION);
+    keys.extend(names(GROUND).into_iter().chain(names(SUPPORT)));
+    let object = Object::open(node, path, &keys, faults)?;
+    let given = directions(node);
+    let members = object.members.iter();
+    let plain = members
+        .clone()
+        .filter(|member| {
+            member.key == DISPLACEMENT.0 || !SUPPORT.iter().any(|key| key.0 == member.key)
+        })
+        .find(|member| is_course(&member.key));
+    let by_directions = members
+        .clone()
+        .any(|member| GROUND.iter().any(|key| key.0 == member.key));
+    // The delay and the baseline of a function are those of the support, whose displacement follows from them. Its strength is that
+    // without the baseline; to remove it once more changes nothing.
+    let support = |direction, mut course: Course, delay: Option<Amount>| {
+        let (delay, baseline) = match &mut course {
+            Course::Acceleration(acceleration) => {
+                let shape = &mut acceleration.shape;
+                let baseline = shape.baseline;
+                if shape.scale_to.is_none() {
+                    shape.baseline = Baseline::None;
+                }
+                (shape.delay.take(), baseline)
+            }
+            Course::Displacement(..) => (delay, Baseline::None),
+        };
+        Support {
+            name: own_name.clone(),
+            direction,
+            course,
+            delay,
+            baseline,
+        }
+    };
+    if !by_directions {
+        let course = course(&object, node.at, path, reader, faults)?;
+        let delay = match &course {
+            Course::Displacement(..) => {
+                reader.optional(&object, "delay", Range::NotNegative, faults)
+            }
+            Course::Acceleration(_) => None,
+        };
+        return Some(vec![support(Direction::X, course, delay)]);
+    }
+    if let Some(member) = plain {
+        let message = "give a function of time, which is the motion in x, or x, y and z, not both";
+        faults.add(member.at, &join(path, &member.key), message);
+        return None;
+    }
+    let delay = reader.optional(&object, "delay", Range::NotNegative, faults);
+    let baseline = baseline(&object, faults).unwrap_or_default();
+    let one = |(direction, given): (Direction, bool)| {
+        let node = object.get(direction.name()).filter(|_| given)?;
+        let path = object.path(direction.name());
+        refuse_twice(&object, node, &path, faults);
+        let mut keys = names(FUNCTION);
+        keys.push(DISPLACEMENT.0);
+        let object = Object::open(node, &path, &keys, faults)?;
+        let mut course = course(&object, node.at, &path, reader, faults)?;
+        if let Course::Acceleration(acceleration) = &mut course {
+            let shape = &mut acceleration.shape;
+            shape.delay = shape.delay.take().or_else(|| delay.clone());
+            if shape.baseline == Baseline::None {
+                shape.baseline = baseline;
+            }
+        }
+        Some(support(direction, course, delay.clone()))
+    };
+    let all: Vec<Support> = (Direction::TRANSLATIONS.into_iter().zip(given))
+        .filter_map(one)
+        .collect();
+    Some(all)
+}
+
+/// Whether a key says how a support moves.
+fn is_course(key: &str) -> bool {
+    key == DISPLACEMENT.0 || FUNCTION.iter().any(|own| own.0 == key)
+}
+
+/// The acceleration or the displacements of an object.
+fn course(
+    object: &Object,
+    at: usize,
+    path: &str,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Course> {
+    let Some(node) = object.get(DISPLACEMENT.0) else {
+        let acceleration = function(object, at, path, reader, faults)?;
+        return Some(Course::Acceleration(Box::new(acceleration)));
+    };
+    let mut others = object.members.iter().filter(|own| own.key != "delay");
+    let other = others.find(|own| FUNCTION.iter().any(|key| key.0 == own.key));
+    if let Some(other) = other {
+        let message = format!("a support with displacements has no {}", other.key);
+        faults.add(other.at, &join(path, &other.key), message);
+        return None;
+    }
+    let path = object.path(DISPLACEMENT.0);
+    let is_file = IMPOSED_BY_FILE
+        .iter()
+        .any(|key| member(node, key.0).is_some());
+    let points = match is_file {
+        true => file(node, &path, reader, faults)?,
+        false => Points::List(table(node, &path, (IMPOSED, ["t", "u"]), reader, faults)?),
+    };
+    Some(Course::Displacement(points, (node.at, path)))
+}
+
+/// The displacements of a file.
+fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Points> {
+    let object = open(node, path, IMPOSED_BY_FILE, faults)?;
+    let mut need = |place: usize| {
+        let (key, meaning) = IMPOSED_BY_FILE[place];
+        Some((object.need(key, meaning, faults)?, object.path(key)))
+    };
+    let (file, time, u) = (need(0), need(1), need(2));
+    let ((node, path), time, u) = (file?, time?, u?);
+    let mut column = |(node, path), dimension| column(node, path, dimension, &reader.units, faults);
+    let (time, u) = (column(time, Dimension::Time), column(u, Dimension::Length));
+    let (time, u) = (time?, u?);
+    let (chosen, files) = reader.files(node, &path, faults)?;
+    let mut points = Vec::with_capacity(files.len());
+    for file in files {
+        let Test { time, values } = test(file, (node, &path), (&time, &[&u]), reader, faults)?;
+        let u = values.into_iter().next()?;
+        if u.len() < 2 {
+            let message = format!(
+                "{}: the file has {}; the displacements of a support need at least 2 rows",
+                quoted(file),
+                match u.len() {
+                    0 => "no row of numbers",
+                    _ => "1 row of numbers",
+                }
+            );
+            faults.add(node.at, &path, message);
+            return None;
+        }
+        // The support is at rest at its first point.
+        let first = *u.first()?;
+        let u = u.iter().map(|x| x - first).collect();
+        points.push((file, Arc::new([time, u])));
+    }
+    Some(Points::File(chosen, points))
+}

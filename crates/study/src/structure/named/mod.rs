@@ -1,0 +1,5 @@
+//! What a study names: parameters, labels, metrics and channels.
+
+pub(super) mod labels;
+pub(super) mod named_metrics;
+pub(crate) mod names;

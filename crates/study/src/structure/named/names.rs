@@ -1,0 +1,236 @@
+//! The names that a study gives its parameters.
+
+use super::labels::{is_label, labels, report_texts_of_tables};
+use crate::source::faults::{Faults, quoted};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use crate::structure::keys::KEY;
+use crate::structure::reading::given::{
+    Choices, Choosing, given, interned_choices, member, texts, under,
+};
+use crate::structure::reading::reader::is_name;
+use crate::value::text;
+use slipgap_solver::problem::expression::FUNCTIONS;
+use slipgap_solver::problem::expression::Formula;
+use slipgap_solver::problem::interned;
+use slipgap_solver::problem::method::PARAMETERS;
+use slipgap_solver::problem::numbers::parameter::Parameter;
+use slipgap_solver::problem::structure::metrics::metric::OF_ALL;
+use slipgap_solver::problem::structure::parts::contacts::NAMES;
+use slipgap_solver::problem::structure::tables::schema::{FIXED, Named, of_method};
+
+/// The key of measurements.
+const MEASURED: &str = KEY.0;
+
+/// The parameters of a study whose values are names.
+pub(in crate::structure) fn choices(structure: &Node, root: &Node) -> Choosing {
+    Choosing {
+        parts: parts(structure, root),
+        labels: labels(structure, root),
+    }
+}
+
+/// The parameters that choose a law or a file, with what they choose from.
+fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
+    let given = given(root);
+    let values = |name: &str| -> Vec<&str> {
+        let own = given.iter().filter(|(member, _)| member.key == name);
+        own.flat_map(|(member, _)| texts(&member.node)).collect()
+    };
+    let mut found: Vec<(String, Choices)> = Vec::new();
+    for key in ["law", "record", "M", "K", "C", MEASURED] {
+        let mut names = Vec::new();
+        // A mass may have the name of a matrix.
+        match (key, member(structure, "matrices")) {
+            (MEASURED, _) => {
+                let file = member(root, key).and_then(|own| member(own, "file"));
+                names.extend(file.into_iter().flat_map(texts));
+                if let Some(supports) = member(structure, "supports") {
+                    under(supports, "file", &mut names);
+                }
+            }
+            ("law" | "record", _) => under(structure, key, &mut names),
+            (_, Some(matrices)) => under(matrices, key, &mut names),
+            (_, None) => {}
+        }
+        for name in names {
+            let is_given = given.iter().any(|(member, _)| member.key == name);
+            if !is_given || found.iter().any(|known| known.0 == name) {
+                continue;
+            }
+            let choices = match key {
+                "law" => NAMES,
+                _ => {
+                    let mut files: Vec<(&str, &str)> = Vec::new();
+                    for file in values(name) {
+                        let file = interned(file);
+                        if !files.iter().any(|known| known.0 == file) {
+                            let what = match key {
+                                "record" | MEASURED => key,
+                                _ => "matrix",
+                            };
+                            files.push((file, what));
+                        }
+                    }
+                    interned_choices(files)
+                }
+            };
+            found.push((name.to_owned(), choices));
+        }
+    }
+    found
+}
+
+/// The parameters of all blocks in the order of the file. dt, duration and those of the method are always among them.
+pub(in crate::structure) fn parameters(
+    root: &Node,
+    choices: &Choosing,
+    faults: &mut Faults,
+) -> Vec<Named> {
+    let mut parameters: Vec<Named> = Vec::new();
+    for (member, path) in given(root) {
+        let name = &member.key;
+        if parameters.iter().any(|known| known.name == *name) || of_method(name) {
+            continue;
+        }
+        report_texts_of_tables(&member.node, &path, name, choices, faults);
+        let reserved = FUNCTIONS.iter().any(|function| function.0 == name)
+            || ["and", "or", "not"].contains(&name.as_str());
+        // Columns of results that are not parameters.
+        let column = name == "case" || OF_ALL.contains(&name.as_str());
+        if reserved || column || !is_name(name) {
+            let message = match reserved || column {
+                true if column => format!(
+                    "{} is a column of results.csv; choose another name",
+                    quoted(name)
+                ),
+                true => format!(
+                    "{} has a meaning in expressions; choose another name",
+                    quoted(name)
+                ),
+                false => format!(
+                    "{} cannot name a parameter; a name is letters, digits and _, not beginning with a digit",
+                    quoted(name)
+                ),
+            };
+            faults.add(member.at, &path, message);
+        }
+        let of = |all: &[(String, Choices)]| {
+            let known = all.iter().find(|known| known.0 == *name);
+            known.map(|known| known.1)
+        };
+        let (part, label) = (of(&choices.parts), of(&choices.labels));
+        parameters.push(Named {
+            name: name.clone(),
+            choices: part.or(label),
+            shown: None,
+            required: part.is_some() || FIXED.iter().any(|fixed| fixed.0 == name),
+        });
+    }
+    for (name, _) in FIXED {
+        if !parameters.iter().any(|known| known.name == name) {
+            parameters.push(Named {
+                name: name.to_owned(),
+                choices: None,
+                shown: None,
+                required: true,
+            });
+        }
+    }
+    // One behind the other, as `method::of_case` reads them.
+    parameters.extend(PARAMETERS.iter().map(|parameter| Named {
+        name: parameter.name.to_string(),
+        choices: None,
+        shown: None,
+        required: true,
+    }));
+    parameters
+}
+
+/// The key of names for figures, with its meaning.
+pub(crate) const SHOWN: (&str, &str) = (
+    "names",
+    "name and, if wanted, unit of parameters of a structure in figures, as in {\"gap\": [\"width of the gap\", \"m\"]}",
+);
+
+/// Gives parameters the names and units that figures write.
+pub(in crate::structure) fn show(root: &Object, parameters: &mut [Named], faults: &mut Faults) {
+    let Some(node) = root.get(SHOWN.0) else {
+        return;
+    };
+    let known: Vec<String> = parameters.iter().map(|named| named.name.clone()).collect();
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    let Some(object) = Object::open(node, SHOWN.0, &known, faults) else {
+        return;
+    };
+    for own in &object.members {
+        let path = object.path(&own.key);
+        let texts = match &own.node.tree {
+            Tree::List(items) if (1..=2).contains(&items.len()) => items,
+            _ => {
+                faults.must_be(
+                    &own.node,
+                    &path,
+                    "a list of a name and a unit, as in [\"gap\", \"m\"]",
+                );
+                continue;
+            }
+        };
+        let texts = texts.iter().enumerate();
+        let texts = texts.map(|(i, item)| text(item, &format!("{path}[{i}]"), faults));
+        let Some(mut texts) = texts.collect::<Option<Vec<String>>>() else {
+            continue;
+        };
+        let unit = texts.get_mut(1).map(std::mem::take).unwrap_or_default();
+        let name = texts.swap_remove(0);
+        if let Some(named) = parameters.iter_mut().find(|named| named.name == own.key) {
+            named.shown = Some([name, unit]);
+        }
+    }
+}
+
+/// Reports the parameters that neither the structure nor another parameter, a condition or a metric contains, and that are no labels.
+pub(in crate::structure) fn report_unused(
+    root: &Node,
+    parameters: &[Named],
+    table: &[Parameter],
+    in_metrics: impl Fn(&str) -> bool,
+    faults: &mut Faults,
+) {
+    let given = given(root);
+    let mut used = vec![false; parameters.len()];
+    let mut conditions = Vec::new();
+    under(root, "when", &mut conditions);
+    let formulas = given.iter().flat_map(|(member, _)| texts(&member.node));
+    let formulas = formulas.filter_map(|text| Formula::number(text, table).ok());
+    let conditions = conditions.into_iter();
+    let conditions = conditions.filter_map(|text| Formula::condition(text, table).ok());
+    for formula in formulas.chain(conditions) {
+        formula.uses().iter().for_each(|row| used[*row] = true);
+    }
+    for (used, named) in used.iter_mut().zip(parameters) {
+        *used |= in_metrics(&named.name);
+    }
+    let is_used = |row: usize| {
+        let named = &parameters[row];
+        named.required || used[row] && named.choices.is_none()
+    };
+    let is_used_name = |name: &str| {
+        let row = parameters.iter().position(|named| named.name == name);
+        row.is_some_and(is_used)
+    };
+    for (row, named) in parameters.iter().enumerate() {
+        if is_used(row) || is_label(root, &named.name, &is_used_name) {
+            continue;
+        }
+        let own = given.iter().find(|(member, _)| member.key == named.name);
+        if let Some((member, path)) = own {
+            let name = quoted(&named.name);
+            let message = format!(
+                "{name} is not used: no part of the structure and no expression contains it; a label of the cases is allowed as a \
+                 list in a \"zip\" with a parameter that is used"
+            );
+            faults.add(member.at, path, message);
+        }
+    }
+}

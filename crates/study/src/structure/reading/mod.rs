@@ -1,0 +1,6 @@
+//! What all parts of a structure are read with.
+
+pub(super) mod along;
+pub(super) mod files;
+pub(super) mod given;
+pub(super) mod reader;

@@ -1,0 +1,283 @@
+//! Files by a folder or a pattern: `{"files": "records/*.smc"}` as the value of a parameter, of `record` in the structure, or of `file`
+//! in `measured`.
+//! It becomes the list of the files, which is what the rest of the reader sees.
+
+use crate::source::faults::{Faults, join, quoted};
+use crate::source::object::Object;
+use crate::source::tree::{Member, Node, Tree};
+use crate::structure::keys::FILES;
+use crate::structure::keys::KEY;
+use crate::structure::reading::given::{member, members, texts};
+use crate::value::text;
+use std::path::Path;
+
+/// The key of measurements, and the parameter of their files.
+const MEASURED: &str = KEY.0;
+
+/// Most files of an axis.
+const MOST: usize = 10_000;
+
+/// Files of an axis: what `*` is in the name of each, and its path in the study.
+type Found = Vec<(String, String)>;
+
+/// Puts the lists of files into the parameters of a study; `folder` is that of the study.
+pub(crate) fn expand(root: &mut Node, folder: &Path, faults: &mut Faults) {
+    let mut named = Vec::new();
+    let Some(structure) = root.member("structure") else {
+        return;
+    };
+    take(structure, "", "structure", &mut named);
+    if let Some(file) = root.member(MEASURED).and_then(|own| own.member("file"))
+        && has_files(file)
+    {
+        let path = join(MEASURED, "file");
+        named.push((replaced(file, MEASURED.to_owned()), path));
+    }
+    for (path, block) in blocks(root) {
+        let Some(parameters) = block.member("parameters") else {
+            continue;
+        };
+        let Tree::Object(own) = &mut parameters.tree else {
+            continue;
+        };
+        for (new, _) in &named {
+            if !own.iter().any(|known| known.key == new.key) {
+                own.push(new.clone());
+            }
+        }
+        let path = join(&path, "parameters");
+        let mut found = Vec::new();
+        for given in own.iter_mut().filter(|given| has_files(&given.node)) {
+            // The files of the structure are at fault there.
+            let mut of_structure = named.iter().filter(|new| new.0.at == given.at);
+            let path = match of_structure.next() {
+                Some((_, path)) => path.clone(),
+                None => join(&path, &given.key),
+            };
+            if let Some(files) = files(&given.node, &path, folder, faults) {
+                found.push((given.key.clone(), given.node.at, path, files));
+            }
+        }
+        go_together(block, found, faults);
+    }
+}
+
+/// Whether a value is an object with files.
+fn has_files(node: &Node) -> bool {
+    members(node).iter().any(|member| member.key == FILES[0].0)
+}
+
+/// Takes the files out of the structure: `record` becomes the name of a parameter.
+fn take(node: &mut Node, name: &str, path: &str, found: &mut Vec<(Member, String)>) {
+    match &mut node.tree {
+        Tree::Object(members) => {
+            for member in members {
+                let path = join(path, &member.key);
+                if member.key == "record" && has_files(&member.node) {
+                    let key = format!("record{name}");
+                    found.push((replaced(&mut member.node, key), path));
+                    continue;
+                }
+                // The ground in x is `record_x`, a support `record_left`.
+                let own = match member.key.as_str() {
+                    "ground" | "supports" | "contacts" => name.to_owned(),
+                    key => format!("{name}_{key}"),
+                };
+                take(&mut member.node, &own, &path, found);
+            }
+        }
+        Tree::List(items) => {
+            for (i, item) in items.iter_mut().enumerate() {
+                take(item, &format!("{name}_{i}"), &format!("{path}[{i}]"), found);
+            }
+        }
+        Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {}
+    }
+}
+
+/// Puts the name of a parameter in the place of a value; gives the parameter with the value.
+fn replaced(node: &mut Node, key: String) -> Member {
+    let at = node.at;
+    let tree = Tree::Text(key.clone());
+    let node = std::mem::replace(node, Node { at, tree });
+    Member { key, at, node }
+}
+
+/// The study, or its blocks, each with its path.
+pub(in crate::structure) fn blocks(root: &mut Node) -> Vec<(String, &mut Node)> {
+    if member(root, "blocks").is_none() {
+        return vec![(String::new(), root)];
+    }
+    match root.member("blocks").map(|node| &mut node.tree) {
+        Some(Tree::List(items)) => {
+            let items = items.iter_mut().enumerate();
+            items
+                .map(|(i, item)| (format!("blocks[{i}]"), item))
+                .collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The files of an object, in the order of their names.
+fn files(node: &Node, path: &str, folder: &Path, faults: &mut Faults) -> Option<Found> {
+    let object = Object::open(node, path, &[FILES[0].0], faults)?;
+    let node = object.need(FILES[0].0, FILES[0].1, faults)?;
+    let path = object.path(FILES[0].0);
+    let pattern = text(node, &path, faults)?;
+    let found = matching(&pattern, folder);
+    match found {
+        Ok(found) => Some(found),
+        Err(why) => {
+            faults.add(node.at, &path, format!("{}: {why}", quoted(&pattern)));
+            None
+        }
+    }
+}
+
+/// The files that a folder or a pattern names, or why there are none.
+fn matching(pattern: &str, folder: &Path) -> Result<Found, String> {
+    let is_folder = folder.join(pattern).is_dir();
+    let (parent, name) = match pattern.rsplit_once('/') {
+        _ if is_folder => (pattern.trim_end_matches('/'), "*"),
+        Some((parent, name)) => (parent, name),
+        None => ("", pattern),
+    };
+    let Some((before, after)) = name
+        .split_once('*')
+        .filter(|(_, after)| !after.contains('*'))
+    else {
+        return Err("must be a folder, or a pattern with one * in the name of the files".into());
+    };
+    if parent.contains('*') {
+        return Err("must have its * in the name of the files, not in that of a folder".into());
+    }
+    let place = match pattern.starts_with('/') && parent.is_empty() {
+        true => Path::new("/").to_owned(),
+        false => folder.join(parent),
+    };
+    let entries = std::fs::read_dir(&place);
+    let entries =
+        entries.map_err(|why| format!("cannot read the folder {}: {why}", place.display()))?;
+    let mut found = Vec::new();
+    for entry in entries {
+        let entry =
+            entry.map_err(|why| format!("cannot read the folder {}: {why}", place.display()))?;
+        let Ok(name) = entry.file_name().into_string() else {
+            continue;
+        };
+        // Pages beside the records of a folder.
+        if name.starts_with('.') || is_folder && name.to_ascii_lowercase().ends_with(".md") {
+            continue;
+        }
+        let star = name
+            .strip_prefix(before)
+            .and_then(|rest| rest.strip_suffix(after));
+        if let Some(star) = star
+            && entry.path().is_file()
+        {
+            let path = match pattern.contains('/') || is_folder {
+                true => format!("{parent}/{name}"),
+                false => name.clone(),
+            };
+            found.push((star.to_owned(), path));
+        }
+    }
+    found.sort_by(|a, b| a.1.cmp(&b.1));
+    match found.len() {
+        0 => Err(format!("no file in {} has such a name", place.display())),
+        1..=MOST => Ok(found),
+        many => Err(format!("{many} files; allowed: at most {MOST}")),
+    }
+}
+
+/// Puts the lists of a block in place. Those that are in no `zip` of the study become one: the files for which `*` is the same go
+/// together.
+fn go_together(
+    block: &mut Node,
+    mut found: Vec<(String, usize, String, Found)>,
+    faults: &mut Faults,
+) {
+    let zipped: Vec<String> = member(block, "zip")
+        .map(|node| texts(node).into_iter().map(str::to_owned).collect())
+        .unwrap_or_default();
+    let free: Vec<usize> = (0..found.len())
+        .filter(|i| !zipped.contains(&found[*i].0))
+        .collect();
+    if let [first, others @ ..] = &free[..]
+        && !others.is_empty()
+    {
+        let order: Vec<String> = found[*first].3.iter().map(|file| file.0.clone()).collect();
+        let leader = found[*first].0.clone();
+        for other in others {
+            let (_, at, path, files) = &mut found[*other];
+            let place = |star: &str| order.iter().position(|own| own == star);
+            let extra = files.iter().find(|file| place(&file.0).is_none());
+            let missing = order
+                .iter()
+                .find(|star| !files.iter().any(|file| file.0 == **star));
+            let why = match (extra, missing) {
+                (Some((star, file)), _) => format!(
+                    "{} has no partner in {leader}, with {} for *",
+                    quoted(file),
+                    quoted(star)
+                ),
+                (None, Some(star)) => {
+                    format!("no file with {} for *, as {leader} has one", quoted(star))
+                }
+                (None, None) => {
+                    files.sort_by_key(|file| place(&file.0));
+                    continue;
+                }
+            };
+            faults.add(
+                *at,
+                path,
+                format!(
+                    "{why}; files of several parameters go together, those with the same text for *"
+                ),
+            );
+        }
+        let names = free.iter().map(|i| &found[*i]);
+        let names = names.map(|(name, at, ..)| Node {
+            at: *at,
+            tree: Tree::Text(name.clone()),
+        });
+        let group = Node {
+            at: found[*first].1,
+            tree: Tree::List(names.collect()),
+        };
+        add_zip(block, group);
+    }
+    for (name, at, _, files) in found {
+        let given = block
+            .member("parameters")
+            .and_then(|node| node.member(&name));
+        if let Some(given) = given {
+            let text = |file: (String, String)| Node {
+                at,
+                tree: Tree::Text(file.1),
+            };
+            given.tree = Tree::List(files.into_iter().map(text).collect());
+        }
+    }
+}
+
+/// Adds a group to the `zip` of a block.
+pub(in crate::structure) fn add_zip(block: &mut Node, group: Node) {
+    if let Some(zip) = block.member("zip") {
+        if let Tree::List(groups) = &mut zip.tree {
+            groups.push(group);
+        }
+        return;
+    }
+    if let Tree::Object(members) = &mut block.tree {
+        let at = group.at;
+        let tree = Tree::List(vec![group]);
+        members.push(Member {
+            key: "zip".to_owned(),
+            at,
+            node: Node { at, tree },
+        });
+    }
+}

@@ -1,0 +1,210 @@
+//! The results of a run.
+
+pub(super) mod columns;
+pub(super) mod figure;
+pub(super) mod table;
+pub(super) mod tables;
+
+use crate::case::solution::Solution;
+use crate::case::solve;
+use crate::error::raise;
+use figure::{Figure, Shown};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyDict, PyType};
+use slipgap::batch::WarnedCases;
+use slipgap::batch::output::manifest;
+use slipgap::checks::{self, TestedValues};
+use slipgap::error::Error;
+use slipgap::problem::numbers::parameter::Value;
+use std::path::PathBuf;
+use std::sync::Arc;
+use table::Table;
+use tables::Groups;
+
+/// The classes `slipgap.Check`, `slipgap.Failure` and `slipgap.WarnedCases`.
+static CHECK: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static FAILURE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static WARNED: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+
+/// The results of a study, as `slipgap.run` returns them.
+#[pyclass(frozen, module = "slipgap")]
+pub struct Results {
+    /// The table with one row for each case.
+    #[pyo3(get)]
+    pub table: Py<Table>,
+    /// Figures by name.
+    #[pyo3(get)]
+    pub figures: Py<PyDict>,
+    /// The folder with the files of the run; None without one.
+    #[pyo3(get)]
+    pub folder: Option<PathBuf>,
+    pub shown: Arc<Shown>,
+    pub failures: Vec<(u64, String)>,
+    /// By check of the study: the cases and the values; NaN if a value is undefined.
+    pub checked: TestedValues,
+    pub without_contact: u64,
+    pub warnings: Vec<WarnedCases>,
+    pub groups: Groups,
+}
+
+impl Results {
+    /// The figures by name.
+    pub fn figures(
+        py: Python<'_>,
+        shown: &Arc<Shown>,
+        folder: Option<&PathBuf>,
+    ) -> PyResult<Py<PyDict>> {
+        let figures = PyDict::new(py);
+        for figure in Figure::all(shown, folder.map(PathBuf::as_path)) {
+            let figure = Bound::new(py, figure)?;
+            figures.set_item(figure.getattr("name")?, figure)?;
+        }
+        Ok(figures.unbind())
+    }
+}
+
+#[pymethods]
+impl Results {
+    /// The checks of the study, each with its case, its value and whether it is met. They are made when they are asked for.
+    #[getter]
+    fn checks<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let class = CHECK.import(py, "slipgap._records", "Check")?;
+        let study = &self.shown.source.study;
+        let verdicts = self.checked.verdicts(study);
+        let record = |verdict: checks::Verdict| {
+            let met = verdict.holds();
+            let checks::Verdict {
+                case,
+                metric,
+                value,
+                min,
+                max,
+            } = verdict;
+            class.call1((case, metric, value, min, max, met))
+        };
+        verdicts.map(record).collect()
+    }
+
+    /// The cases that could not be solved.
+    #[getter]
+    fn failures<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let class = FAILURE.import(py, "slipgap._records", "Failure")?;
+        let failures = self.failures.iter();
+        failures
+            .map(|failure| class.call1(failure.clone()))
+            .collect()
+    }
+
+    /// The kinds of warnings, each with the number of its cases and one of them.
+    #[getter]
+    fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let class = WARNED.import(py, "slipgap._records", "WarnedCases")?;
+        let record = |warning: &WarnedCases| {
+            let parameters = PyDict::new(py);
+            for (name, value) in &warning.parameters {
+                match value {
+                    Value::Number(x) => parameters.set_item(name, x)?,
+                    Value::Whole(n) => parameters.set_item(name, n)?,
+                    Value::Name(text) => parameters.set_item(name, text)?,
+                }
+            }
+            let message = warning.to_string();
+            class.call1((
+                warning.kind.name(),
+                warning.cases,
+                warning.case,
+                parameters,
+                message,
+            ))
+        };
+        self.warnings.iter().map(record).collect()
+    }
+
+    /// The tables over groups of cases by name, with the columns of the files: `quantiles` and `two_samples` of an ensemble, `sobol` of
+    /// a saltelli design, `reductions`, those that the study has; and `warnings`, one row for each kind.
+    #[getter]
+    fn tables(&self, py: Python<'_>) -> PyResult<Py<PyDict>> {
+        self.groups.tables(py, &self.shown, &self.warnings)
+    }
+
+    /// A figure of matplotlib, in its own style: a metric over a parameter, a metric over two, or the history of a case.
+    ///
+    /// `plot(y)` draws the metric over the parameter with the most values, and `plot(y, x)` over another one, a line for each
+    /// combination of the others that vary; `plot(z, x, y)` draws a map. `plot(case=3)` draws the channels of a case over time,
+    /// `plot("r", case=3)` one of them, with the exact motion if there is one. Axes that are given are drawn on.
+    #[pyo3(signature = (metric = None, x = None, y = None, *, case = None, ax = None))]
+    fn plot<'py>(
+        slf: Bound<'py, Self>,
+        py: Python<'py>,
+        metric: Option<&str>,
+        x: Option<&str>,
+        y: Option<&str>,
+        case: Option<i64>,
+        ax: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let plot = py.import("slipgap._plot")?.getattr("plot")?;
+        plot.call1((slf, metric, x, y, case, ax))
+    }
+
+    /// A case of the study with its motion, as `slipgap.solve` gives it.
+    fn solution(&self, py: Python<'_>, case: i64) -> PyResult<Solution> {
+        solve::of_source(py, self.shown.source.clone(), case)
+    }
+
+    /// Names of the columns of the table that are parameters.
+    #[getter]
+    fn parameters(&self) -> Vec<String> {
+        let study = &self.shown.source.study;
+        let table = study.problem.parameters();
+        let rows = study.parameter_columns().into_iter();
+        rows.map(|row| table[row].column_name().to_owned())
+            .collect()
+    }
+
+    /// Names of the columns of the table that are metrics.
+    #[getter]
+    fn metrics(&self) -> Vec<String> {
+        let study = &self.shown.source.study;
+        let columns = study.columns.iter();
+        columns
+            .map(|row| study.measures[*row].name.clone())
+            .collect()
+    }
+
+    /// The origin of the results, as in manifest.json.
+    #[getter]
+    fn manifest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let source = &self.shown.source;
+        let text = py.detach(|| match &self.folder {
+            Some(folder) => {
+                let file = folder.join("manifest.json");
+                std::fs::read_to_string(&file).map_err(Error::io("cannot read", file))
+            }
+            None => {
+                let entries = {
+                    let counted = self.without_contact;
+                    manifest(&source.study, &source.file, &[], counted, &self.warnings)
+                };
+                Ok(serde_json::Value::Object(entries).to_string())
+            }
+        });
+        let text = text.map_err(|error| raise(py, error))?;
+        py.import("json")?.call_method1("loads", (text,))
+    }
+
+    fn __repr__(&self) -> String {
+        let study = &self.shown.source.study;
+        let cases = match study.len() {
+            1 => "1 case".to_owned(),
+            cases => format!("{cases} cases"),
+        };
+        let name = &self.shown.source.name;
+        match self.failures.len() {
+            0 => format!("<slipgap.Results of {name}: {cases}>"),
+            unsolved => {
+                format!("<slipgap.Results of {name}: {cases}, {unsolved} without a solution>")
+            }
+        }
+    }
+}

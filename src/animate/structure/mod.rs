@@ -1,0 +1,252 @@
+//! The film of a structure: its scheme, moved by the histories of its nodes.
+
+pub(super) mod motion;
+pub(super) mod nodes;
+pub(super) mod words;
+
+use super::film::Film;
+use super::film::contact::Contact;
+use super::film::scene::{Bar, Link, Mover, Point, Scene};
+use crate::figures::scheme::nodes::places::Placed;
+use crate::figures::scheme::paint;
+use crate::figures::scheme::paint::links::LinkPlace;
+use crate::figures::scheme::paint::painter::Painter;
+use crate::figures::scheme::part::has_places;
+use crate::history::History;
+use crate::problem::{Case, Problem};
+use motion::{Motion, node_of_bar};
+use slipgap_solver::problem::structure::described::scheme::picture::{End, Place, Scheme};
+use std::borrow::Cow;
+use words::{align, kind};
+
+/// Most nodes of a bar whose displacements are shown: between them a bar is straight.
+const NODES: u32 = 8;
+
+/// The film of a case with this scheme and motion.
+pub fn film<'a>(
+    problem: &dyn Problem,
+    case: &Case,
+    scheme: &Scheme,
+    history: &'a History,
+) -> Film<'a> {
+    let columns = problem.history_columns(case).into_iter();
+    let mut motion = Motion {
+        history,
+        columns: columns
+            .map(|own| (own.column.name.into_owned(), own.index))
+            .collect(),
+        moves: Vec::new(),
+        stresses: Vec::new(),
+    };
+    let names: Vec<&str> = scheme.links.iter().map(|link| &*link.name).collect();
+    let names: Vec<&str> = names.into_iter().filter(|name| !name.is_empty()).collect();
+    let limits = problem.friction_limits(case, history);
+    let contacts: Vec<Contact> = scheme
+        .links
+        .iter()
+        .filter(|link| !link.name.is_empty())
+        .map(|link| motion.contact(link.kind, &link.name, &limits))
+        .collect();
+    let mut scene = paint::with_places(scheme, |painter, placed| {
+        let mut draft = Draft {
+            painter: &painter,
+            motion: &mut motion,
+            contacts: &names,
+            placed,
+            scene: Scene::default(),
+        };
+        draft.parts();
+        draft.links();
+        draft.grounds();
+        draft.loads();
+        let mut scene = draft.scene;
+        if let Some(placed) = placed {
+            nodes::add(&mut scene, &painter, placed, &mut motion, &names);
+        }
+        scene
+    });
+    let places = motion.moves.len();
+    let supports = scheme.links.iter().flat_map(|link| &link.supports);
+    let support = supports.flatten().next();
+    let support = support.map(|name| (name.clone(), motion.values(&format!("{name}.a"))));
+    for link in scene.links.iter_mut().filter(|link| link.kind == "impact") {
+        let column = motion.column(&format!("{}.r", link.name.0));
+        link.opening = column.map(|column| motion.add(column));
+    }
+    Film {
+        last: history.len().saturating_sub(1) as u64,
+        scene,
+        steps: (0..history.len() as u64).collect(),
+        moves: motion
+            .moves
+            .iter()
+            .map(|column| Cow::Borrowed(history.channel(*column)))
+            .collect(),
+        places,
+        stresses: motion.stresses.into_iter().map(Cow::Owned).collect(),
+        contacts,
+        support,
+        ..Film::default()
+    }
+}
+
+/// A scene under way.
+struct Draft<'a, 'b> {
+    painter: &'a Painter<'a>,
+    motion: &'a mut Motion<'b>,
+    contacts: &'a [&'a str],
+    placed: Option<&'a Placed>,
+    scene: Scene,
+}
+
+impl Draft<'_, '_> {
+    /// What moves an end of a link.
+    fn mover(&mut self, end: End, support: Option<&str>) -> Option<usize> {
+        match end {
+            End::Ground => support.and_then(|name| self.motion.of(name)),
+            End::Part(part, place) => {
+                let part = &self.painter.scheme.parts[part];
+                let n = part.elements.unwrap_or(1);
+                let node = match place {
+                    Place::Mass => part.name.clone(),
+                    Place::Left => node_of_bar(&part.name, n, 0),
+                    Place::Right => node_of_bar(&part.name, n, n),
+                    Place::Inner(x) => {
+                        node_of_bar(&part.name, n, (x * f64::from(n)).round() as u32)
+                    }
+                    Place::Dof(dof) => {
+                        let model = part.model.as_ref()?;
+                        let own = &model.interface[dof];
+                        let all = self.placed.filter(|_| has_places(part));
+                        let matrices = all.and_then(|placed| nodes::matrices(placed, own.node));
+                        format!("{}.{}", matrices.unwrap_or(&part.name), own.name)
+                    }
+                };
+                self.motion.of(&node)
+            }
+        }
+    }
+
+    fn parts(&mut self) {
+        let painter = self.painter;
+        for (i, part) in painter.scheme.parts.iter().enumerate() {
+            if has_places(part) {
+                continue;
+            }
+            let own = painter.rects[i];
+            let rect = [own.left, own.top, own.width, own.height];
+            match part.elements {
+                Some(n) => {
+                    let shown = n.min(NODES);
+                    let node = |i: u32| node_of_bar(&part.name, n, n * i / shown);
+                    let nodes = (0..=shown).map(|i| self.motion.of(&node(i))).collect();
+                    self.scene.bars.push(Bar {
+                        rect,
+                        name: part.name.clone(),
+                        nodes,
+                        stresses: self.motion.stresses(&part.name, n),
+                    });
+                }
+                None => {
+                    // A block of matrices moves as the first of its named places.
+                    let named = part
+                        .model
+                        .as_ref()
+                        .and_then(|model| model.interface.first());
+                    let node = match named {
+                        Some(first) => format!("{}.{}", part.name, first.name),
+                        None => part.name.clone(),
+                    };
+                    let by = Mover::right(self.motion.of(&node));
+                    self.scene.masses.push((rect, by, part.name.clone()));
+                }
+            }
+        }
+    }
+
+    fn links(&mut self) {
+        for place in self.painter.link_places() {
+            let link = self.link(&place);
+            let [(from, a), (to, b)] = link.ends;
+            if (to[1] - from[1]).abs() < (to[0] - from[0]).abs() {
+                self.scene
+                    .distances
+                    .push((to[0] - from[0] - 5.0, [a.0, b.0]));
+            }
+            self.scene.links.push(link);
+        }
+    }
+
+    fn link(&mut self, place: &LinkPlace) -> Link {
+        let own = &self.painter.scheme.links[place.link];
+        let mover = |end: usize, draft: &mut Self| {
+            let which = place.of[end];
+            let support = own.supports[which].as_deref();
+            Mover::right(draft.mover(own.between[which], support))
+        };
+        let movers = [mover(0, self), mover(1, self)];
+        let (at, anchor) = place.name;
+        let [first, second] = &place.rods;
+        let mut rods: Vec<(usize, Vec<Point>)> = first.iter().chain(second).cloned().collect();
+        // Thin lines to nodes.
+        for (end, which) in place.of.iter().enumerate() {
+            if let End::Part(part, Place::Dof(dof)) = own.between[*which]
+                && let own = &self.painter.scheme.parts[part]
+                && let Some(model) = own.model.as_ref().filter(|_| has_places(own))
+            {
+                let node = model.interface[dof].node;
+                let from = self.painter.node_places(part, model)[node];
+                rods.push((end, vec![from, place.ends[end]]));
+            }
+        }
+        Link {
+            kind: kind(own.kind),
+            contact: self.contacts.iter().position(|name| *name == own.name),
+            name: (own.name.clone(), at, align(anchor)),
+            ends: [(place.ends[0], movers[0]), (place.ends[1], movers[1])],
+            direction: [place.opens, 0.0],
+            opening: None,
+            rods,
+        }
+    }
+
+    /// The ground. Under supports each link has ground of its own, since they move apart.
+    fn grounds(&mut self) {
+        let scheme = self.painter.scheme;
+        let moves =
+            |link: &slipgap_solver::problem::structure::described::scheme::picture::Link| {
+                link.supports.iter().any(Option::is_some)
+            };
+        if !scheme.links.iter().any(moves) {
+            let places = self.painter.ground_places().into_iter();
+            self.scene
+                .grounds
+                .extend(places.map(|own| (own.ends, own.away, Mover::default())));
+            return;
+        }
+        const HALF: f64 = 14.0;
+        for place in self.painter.link_places() {
+            let Some(end) = place.parts.iter().position(Option::is_none) else {
+                continue;
+            };
+            let own = &scheme.links[place.link];
+            let which = place.of[end];
+            let support = own.supports[which].as_deref();
+            let by = Mover::right(self.mover(own.between[which], support));
+            let [x, y] = place.ends[end];
+            let across: Point = [place.ends[1 - end][0] - x, place.ends[1 - end][1] - y];
+            let (ends, away) = match across[0].abs() > across[1].abs() {
+                true => ([[x, y - HALF], [x, y + HALF]], [-across[0].signum(), 0.0]),
+                false => ([[x - HALF, y], [x + HALF, y]], [0.0, 1.0]),
+            };
+            self.scene.grounds.push((ends, away, by));
+        }
+    }
+
+    fn loads(&mut self) {
+        for load in self.painter.load_places() {
+            let by = Mover::right(self.mover(load.end, None));
+            self.scene.forces.push((load.arrow, by));
+        }
+    }
+}

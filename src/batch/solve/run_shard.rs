@@ -1,0 +1,57 @@
+//! Computes the parts of a shard.
+
+use super::compute;
+use super::run_part::{KeptPart, keep_part};
+use crate::batch::parts::chunk;
+use crate::batch::parts::queue::PartQueue;
+use crate::batch::parts::shard::Shard;
+use crate::batch::store::Store;
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+use slipgap_study::Study;
+use slipgap_study::error::Error;
+
+/// Number of parts for each thread that are computed at a time.
+const PARTS: usize = 4;
+
+/// What a shard has done. All its parts are in the store.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct ShardResult {
+    /// Number of parts of the shard.
+    pub parts: u64,
+    /// Number of these that were computed; the others were in the store.
+    pub computed: u64,
+    /// Number of cases in the computed parts that could not be solved.
+    pub unsolved: u64,
+}
+
+/// Computes the parts of a shard that the store does not have, and saves them.
+///
+/// # Errors
+/// The first part that cannot be saved.
+pub fn run_shard(
+    study: &Study,
+    shard: Shard,
+    store: &Store,
+    bar: &ProgressBar,
+) -> Result<ShardResult, Error> {
+    compute::keep_memory();
+    let mut queue = PartQueue::of_shard(study, shard);
+    let count = chunk::parts_at_a_time(study, PARTS * rayon::current_num_threads());
+    let mut result = ShardResult::default();
+    loop {
+        let parts = queue.next(count);
+        if parts.is_empty() {
+            return Ok(result);
+        }
+        let parts = parts.into_par_iter();
+        let kept: Vec<KeptPart> = parts
+            .map(|(_, part)| keep_part(study, part, bar, store))
+            .collect::<Result<_, Error>>()?;
+        for part in kept {
+            result.parts += 1;
+            result.computed += u64::from(part.computed);
+            result.unsolved += part.unsolved;
+        }
+    }
+}

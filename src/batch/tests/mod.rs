@@ -1,0 +1,4 @@
+//! Runs of whole studies: their columns, and what is made once.
+
+mod columns;
+mod samples;

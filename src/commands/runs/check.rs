@@ -1,0 +1,117 @@
+//! `slipgap check`: every check of every study, with the value tested.
+
+use crate::commands::arguments::sources::Source;
+use crate::commands::arguments::{JobsArgs, StudiesArgs};
+use crate::commands::terminal::{note, print_all, progress, table_lines};
+use crate::commands::{NOT_MET, UNSOLVED};
+use clap::Args;
+use slipgap::batch::{self, RunOptions};
+use slipgap::checks::{CheckCollector, TestedValues, Verdict};
+use slipgap::error::Error;
+use slipgap::problem::numbers::parameter::shortest;
+use slipgap::run::{UnsolvedCases, cases_run, without_value};
+use slipgap::warnings::StudyWarnings;
+
+/// The arguments of `slipgap check`.
+#[derive(Args)]
+pub struct CheckArgs {
+    #[command(flatten)]
+    studies: StudiesArgs,
+    #[command(flatten)]
+    jobs: JobsArgs,
+}
+
+impl CheckArgs {
+    /// Tests the checks; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        let studies = self.studies.read()?;
+        self.jobs.run(|| check(&studies))
+    }
+}
+
+/// A study and the values that its checks test.
+struct Tested<'a> {
+    source: &'a Source,
+    values: TestedValues,
+}
+
+/// Runs the studies without writing files and prints the verdicts; returns the exit code.
+fn check(sources: &[Source]) -> Result<u8, Error> {
+    let (mut all, mut all_solved) = (Vec::new(), true);
+    for source in sources {
+        let (checked, solved) = run_study(source)?;
+        all.push(checked);
+        all_solved &= solved;
+    }
+    let header = ["study", "case", "metric", "value", "limits", "verdict"];
+    print_all(table_lines(|| {
+        let rows = all.iter().flat_map(|checked| {
+            let name = &checked.source.name;
+            checked.verdicts().map(move |verdict| row(name, &verdict))
+        });
+        std::iter::once(header.map(String::from).to_vec()).chain(rows)
+    }))?;
+    let verdicts = || all.iter().flat_map(Tested::verdicts);
+    let failed = verdicts().filter(|verdict| !verdict.holds()).count();
+    let checks = match verdicts().count() {
+        1 => "1 check".to_owned(),
+        count => format!("{count} checks"),
+    };
+    note(&format!("{checks}, {failed} not met"));
+    // A case without a solution decides the exit code before a check that is not met.
+    Ok(match (all_solved, failed) {
+        (false, _) => UNSOLVED,
+        (true, 0) => 0,
+        (true, _) => NOT_MET,
+    })
+}
+
+/// Runs one study; returns the checked values, and whether every case was solved.
+fn run_study(source: &Source) -> Result<(Tested<'_>, bool), Error> {
+    let study = &source.study;
+    let bar = progress::bar(&source.name, study.len());
+    let mut checks = CheckCollector::new(study);
+    let mut unsolved = UnsolvedCases::new(source);
+    let mut warnings = StudyWarnings::new(study);
+    let mut cases = 0;
+    batch::run(study, &bar, &RunOptions::METRICS, |part| {
+        cases += part.len() as u64;
+        warnings.add(&part);
+        checks.add(&part);
+        for (row, why) in part.metrics.failures() {
+            unsolved.add(part.number(row), why);
+        }
+        Ok(())
+    })?;
+    progress::finish(&bar, &source.name, &cases_run(cases));
+    unsolved.lines().for_each(|line| note(&line));
+    for own in &study.notes() {
+        note(&source.line(own));
+    }
+    for warning in warnings.list() {
+        note(&source.line(&warning.to_string()));
+    }
+    for (name, empty, cases) in checks.empty() {
+        note(&without_value(source, name, empty, cases));
+    }
+    let values = checks.finish();
+    Ok((Tested { source, values }, unsolved.is_empty()))
+}
+
+impl Tested<'_> {
+    /// The verdicts, sorted by check and case.
+    fn verdicts(&self) -> impl Iterator<Item = Verdict> {
+        self.values.verdicts(&self.source.study)
+    }
+}
+
+fn row(name: &str, verdict: &Verdict) -> Vec<String> {
+    vec![
+        name.to_owned(),
+        verdict.case.to_string(),
+        verdict.metric.to_owned(),
+        verdict.value.map_or("undefined".into(), shortest),
+        verdict.limits(),
+        if verdict.holds() { "ok" } else { "NOT MET" }.to_owned(),
+    ]
+}

@@ -1,0 +1,6 @@
+//! Figures of ensembles of cases: samples, quantiles and fragility.
+
+pub(super) mod distribution;
+pub(super) mod ensembles;
+pub(super) mod fragility;
+pub(super) mod quantiles;

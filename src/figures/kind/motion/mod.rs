@@ -1,0 +1,9 @@
+//! Figures of motions: histories, one quantity over another, profiles, spectra and laws.
+
+pub(super) mod curve;
+pub(super) mod history;
+pub(super) mod law;
+pub(super) mod orbit;
+pub(super) mod profile;
+pub(super) mod spectrum;
+pub(super) mod wave;

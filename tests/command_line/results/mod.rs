@@ -1,0 +1,11 @@
+//! What results have: tables, figures and columns of each kind of study.
+
+mod cut;
+mod designs;
+mod ensembles;
+mod pictures;
+mod plane;
+mod reductions;
+mod restitution;
+mod units;
+mod untouched;

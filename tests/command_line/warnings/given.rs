@@ -1,0 +1,233 @@
+//! Warnings of numbers that are allowed and unlikely: each at its limit.
+
+use crate::Bench;
+use crate::warnings::{body, some};
+
+const UNITS: &str = r#", "units": "kg, N, m, s""#;
+const TIMES: &str = r#""dt": 0.01, "duration": 1"#;
+const FRICTION: &str = r#""law": "displacement-control", "k": 100, "between": ["ground", "a"]"#;
+
+/// A body with a friction contact that slides, another spring and other parts.
+fn sprung(parameters: &str, springs: &str, more: &str) -> String {
+    let contact = format!(r#"{FRICTION}, "limit": 0.1"#);
+    let parameters = format!("{parameters}, {TIMES}");
+    let study = body(&parameters, &contact, more, r#""peak(a)""#);
+    study.replace(r#""k": 1}]"#, &format!(r#""k": 1}}{springs}]"#))
+}
+
+#[test]
+fn a_contact_that_is_soft_beside_the_motion_overlaps_too_far() {
+    let bench = Bench::new();
+    // x^2 + k (x - 0.1)^2 = 1: the overlap x - 0.1 is 0.5, half of the amplitude, for k = 0.64/0.25.
+    let study = |k: &str, more: &str| {
+        let parameters = format!(r#""k": {k}, "dt": 0.01, "duration": 6"#);
+        let contact = r#""law": "impact", "between": ["ground", "a"], "gap": 0.1, "k": "k""#;
+        body(&parameters, contact, more, r#""peak(a)""#)
+    };
+    let soft = some(&[("deep-overlap", 2, 0)]);
+    assert_eq!(bench.kinds(&study("[0.1, 2.4, 2.7, 1000]", UNITS)), soft);
+    assert_eq!(bench.kinds(&study("[0.1, 2.4, 2.7, 1000]", "")), []);
+    // With a mass of the wrong unit, too.
+    let heavy = study("1000", UNITS);
+    assert_eq!(bench.kinds(&heavy), []);
+}
+
+#[test]
+fn the_mass_of_a_spring_is_that_of_its_nodes() {
+    let bench = Bench::new();
+    let of_one = r#", {"between": ["ground", "a"], "mass": "m", "period": 1}"#;
+    let study = sprung(r#""m": [0.98, 0.995, 1.005, 1.02]"#, of_one, "");
+    assert_eq!(bench.kinds(&study), some(&[("spring-mass", 2, 0)]));
+    let table = bench.text("figures/s/manifest.json");
+    assert!(
+        table.contains("structure.springs[1].mass is 0.98, the nodes have 1"),
+        "{table}"
+    );
+    // From m1 m2/(m1 + m2) to all that springs connect.
+    let of_two =
+        r#", {"between": ["a", "b"], "mass": "m", "period": 1}, {"between": ["b", "d"], "k": 1}"#;
+    let study = sprung(r#""m": [0.49, 0.5, 1, 2.5, 2.6]"#, of_two, "");
+    let study = study.replace(r#""a": 1}"#, r#""a": 1, "b": 1, "d": 0.5}"#);
+    assert_eq!(bench.kinds(&study), some(&[("spring-mass", 2, 0)]));
+}
+
+#[test]
+fn ratios_and_coefficients_are_no_percentages() {
+    let bench = Bench::new();
+    let spring = r#", {"between": ["ground", "a"], "mass": 1, "period": 1, "ratio": "x"}"#;
+    let ratio = some(&[("damping-ratio", 1, 1)]);
+    assert_eq!(bench.kinds(&sprung(r#""x": [1, 1.01]"#, spring, "")), ratio);
+    let modal = r#", "modal_damping": "x""#;
+    assert_eq!(bench.kinds(&sprung(r#""x": [1, 1.01]"#, "", modal)), ratio);
+    let coefficient = sprung(r#""x": [2, 2.01]"#, "", "");
+    let coefficient = coefficient.replace(r#""limit": 0.1"#, r#""nu": "x", "N": 0.01"#);
+    assert_eq!(
+        bench.kinds(&coefficient),
+        some(&[("friction-coefficient", 1, 1)])
+    );
+}
+
+#[test]
+fn friction_that_never_reaches_its_limit_in_any_case_is_found() {
+    let bench = Bench::new();
+    // The largest elastic force is 100/sqrt(101) = 9.95, and 95 % of the limit are 9.88 and 10.07.
+    let study = |limit: &str, law: &str| {
+        let contact = format!(r#"{law}, "between": ["ground", "a"], "limit": "limit""#);
+        let parameters = format!(r#""limit": {limit}, "dt": 0.001, "duration": 1"#);
+        body(&parameters, &contact, "", r#""peak(a)""#)
+    };
+    let elastic = r#""law": "displacement-control", "k": 100"#;
+    assert_eq!(bench.kinds(&study("10.4", elastic)), []);
+    assert_eq!(
+        bench.kinds(&study("10.6", elastic)),
+        some(&[("never-slides", 1, 0)])
+    );
+    for law in [
+        elastic,
+        r#""law": "bouc-wen", "k": 100"#,
+        r#""law": "tanh", "c": 1"#,
+        r#""law": "coulomb""#,
+    ] {
+        assert_eq!(bench.kinds(&study("[0.1, 50]", law)), [], "{law}");
+        assert_eq!(
+            bench.kinds(&study("[5000, 6000]", law)),
+            some(&[("never-slides", 2, 0)]),
+            "{law}"
+        );
+    }
+}
+
+#[test]
+fn the_colliding_mass_is_that_of_the_bodies() {
+    let bench = Bench::new();
+    let contact = r#""law": "kelvin-voigt", "k": 100, "restitution": 0.9, "colliding_mass": "m", "between": ["ground", "a"]"#;
+    let parameters = format!(r#""m": [0.49, 0.51, 1.99, 2.01], {TIMES}"#);
+    let study = body(&parameters, contact, "", r#""peak(a)""#);
+    assert_eq!(bench.kinds(&study), some(&[("colliding-mass", 2, 0)]));
+}
+
+#[test]
+fn matrices_in_other_units_or_exchanged_have_strange_periods() {
+    let bench = Bench::new();
+    let dofs = "node,direction\n1,x\n2,x\n";
+    let matrix = |entries: [f64; 3]| {
+        let [a, b, c] = entries;
+        format!(
+            "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 {a}\n2 1 {b}\n2 2 {c}\n"
+        )
+    };
+    bench.file("p.dofs.csv", dofs);
+    bench.file("I.mtx", matrix([1.0, 0.0, 1.0]));
+    let study = |mass: &str, stiffness: &str, units: &str| {
+        format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 1}}, "structure": {{"units": "{units}",
+              "matrices": {{"p": {{"M": "{mass}", "K": "{stiffness}", "dofs": "p.dofs.csv"}}}}, "start": {{"p.1.x": {{"v": 1}}}}}},
+              "metrics": ["peak(p.1.x)"]}}"#
+        )
+    };
+    // Two storeys of 1 t and k: the longest period is 2 pi/(0.618 sqrt(k)), 10 s for k = 1.0336 and 0.05 s for 41344.
+    for (k, wrong) in [
+        (1.03, true),
+        (1.04, false),
+        (1000.0, false),
+        (41300.0, false),
+        (41400.0, true),
+    ] {
+        bench.file("K.mtx", matrix([2.0 * k, -k, k]));
+        let kinds = bench.kinds(&study("I.mtx", "K.mtx", "t, kN, m, s"));
+        let expected = some(&[("matrix-periods", 1, 0)]);
+        assert_eq!(kinds, if wrong { expected } else { Vec::new() }, "{k}");
+        assert_eq!(bench.kinds(&study("I.mtx", "K.mtx", "")), []);
+    }
+    // Exchanged: 2 pi sqrt((3 + sqrt(5))/2 k).
+    bench.file("K.mtx", matrix([2000.0, -1000.0, 1000.0]));
+    assert_eq!(
+        bench.kinds(&study("K.mtx", "I.mtx", "t, kN, m, s")),
+        some(&[("matrix-periods", 1, 0)])
+    );
+    let shown = "the longest period is 321.49 s";
+    assert!(bench.text("figures/s/manifest.json").contains(shown));
+    let explained = bench.expect(0, &["explain", "s.json"]);
+    assert!(explained.out.contains(shown), "{explained:?}");
+}
+
+#[test]
+fn gravity_needs_a_node_that_it_moves() {
+    let bench = Bench::new();
+    let study = |gravity: &str| {
+        sprung(
+            r#""x": 1"#,
+            "",
+            &format!(r#", "static": {{"gravity": {gravity}}}"#),
+        )
+        .replace(r#""x": 1, "#, "")
+    };
+    assert_eq!(
+        bench.kinds(&study("-9.81")),
+        some(&[("idle-gravity", 1, 0)])
+    );
+    assert_eq!(bench.kinds(&study(r#"{"x": 0.01}"#)), []);
+    assert_eq!(bench.kinds(&study("0")), []);
+}
+
+#[test]
+fn bars_have_the_wave_speed_of_a_material() {
+    let bench = Bench::new();
+    // EA = c^2 m/L: 2.5e7 for 500 m/s and 6.4e9 for 8000 m/s.
+    let bar = r#", "bars": {"g": {"L": 10, "EA": "EA", "mass": 1000, "n": 2}}"#;
+    let held = r#", {"between": ["ground", "g.left"], "k": 1}"#;
+    let study = |more: &str| {
+        sprung(
+            r#""EA": [2.4e7, 2.6e7, 6.3e9, 6.5e9]"#,
+            held,
+            &format!("{bar}{more}"),
+        )
+    };
+    assert_eq!(bench.kinds(&study(UNITS)), some(&[("wave-speed", 2, 0)]));
+    assert_eq!(bench.kinds(&study("")), []);
+    let rigid = study(UNITS).replace(r#""n": 2"#, r#""n": 1"#);
+    assert_eq!(bench.kinds(&rigid), some(&[("wave-speed", 1, 0)]));
+}
+
+#[test]
+fn friction_holds_a_part_and_bodies_may_fly_until_they_collide() {
+    let bench = Bench::new();
+    // The velocity laws have no stiffness at rest; the force of the bearing is that of another contact.
+    for law in [
+        r#""velocity-control", "rdotE": 0.01, "limit": 0.1"#,
+        r#""tanh", "c": 1, "limit": 0.1"#,
+        r#""coulomb", "limit": 0.1"#,
+    ] {
+        let contact = format!(r#""law": {law}, "between": ["ground", "a"]"#);
+        let study = body(TIMES, &contact, "", r#""peak(a)""#);
+        let free = study.replace(r#""springs": [{"between": ["ground", "a"], "k": 1}],"#, "");
+        assert_eq!(bench.kinds(&free), [], "{law}");
+    }
+    let flies = |more: &str| {
+        format!(
+            r#"{{"problem": "structure", "parameters": {{{TIMES}}}, "structure": {{"masses": {{"a": 1, "b": 1}},
+              "contacts": {{"c": {{"law": "impact", "k": 100, "between": ["a", "b"], "gap": 0.1}}}}, "start": {{"a": {{"v": 1}}}}{more}}},
+              "metrics": ["restitution(c)"]}}"#
+        )
+    };
+    assert_eq!(bench.kinds(&flies("")), []);
+    let shaken = flies(r#", "ground": {"sine": {"amplitude": 1, "omega": 1}}"#);
+    assert_eq!(bench.kinds(&shaken), some(&[("unheld-part", 1, 0)]));
+}
+
+#[test]
+fn the_first_studies_of_readme_and_guide_have_no_warning() {
+    let bench = Bench::new();
+    for (page, name) in [
+        (include_str!("../../../README.md"), "towers"),
+        (include_str!("../../../docs/guide.md"), "building"),
+    ] {
+        let named = format!("studies/{name}.json");
+        let after = &page[page.find(&named).unwrap()..];
+        let block = after.split("```json\n").nth(1).unwrap();
+        bench.file("s.json", block.split("```").next().unwrap());
+        let short = ["--set", "duration=7"];
+        let run = ["run", "s.json", "--deny-warnings"];
+        bench.expect(0, &[&run[..], &short[..]].concat());
+    }
+}

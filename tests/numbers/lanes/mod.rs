@@ -1,0 +1,4 @@
+//! Many cases at a time.
+
+mod single;
+mod sweep;

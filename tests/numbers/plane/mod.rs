@@ -1,0 +1,4 @@
+//! Friction in a plane.
+
+mod closed_forms;
+mod exact;

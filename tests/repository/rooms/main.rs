@@ -1,0 +1,92 @@
+//! The rooms of the house are small, and imports point down: no circle of imports between the modules of a folder, no file above 300
+//! lines before its tests, no folder above 15 entries. Nothing is compiled: sources are read as text.
+
+mod circles;
+mod imports;
+mod sources;
+
+use sources::Crate;
+use std::path::Path;
+use walkdir::{DirEntry, WalkDir};
+
+/// Most lines of a file before its tests.
+const MOST_LINES: usize = 300;
+/// Most files and folders in a folder.
+const MOST_ENTRIES: usize = 15;
+
+/// The folders with sources and tests.
+const FOLDERS: [&str; 7] = [
+    "src",
+    "crates",
+    "validation",
+    "python",
+    "tests",
+    "benches",
+    "examples",
+];
+
+/// Folders with more entries: the matrices and records of one data file, which a program writes side by side for studies that name
+/// them without a folder.
+const EXEMPT: [&str; 1] = ["tests/data/own_structure"];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Fails with a list of what offends.
+fn assert_none(rule: &str, offences: &[String]) {
+    let count = offences.len();
+    assert!(
+        count == 0,
+        "{rule}, {count} times:\n{}\n",
+        offences.join("\n")
+    );
+}
+
+#[test]
+fn no_modules_of_a_folder_import_one_another_in_a_circle() {
+    let crates = Crate::all(root());
+    assert!(!crates.is_empty());
+    let offences: Vec<String> = crates.iter().flat_map(circles::of).collect();
+    assert_none("imports in a circle", &offences);
+}
+
+#[test]
+fn no_file_has_more_than_300_lines_before_its_tests() {
+    let mut offences = Vec::new();
+    for own in Crate::all(root()) {
+        for module in own.modules.iter().filter(|module| !module.is_test) {
+            let lines = sources::before_tests(&module.text).lines().count();
+            if lines > MOST_LINES {
+                offences.push(format!("{lines} {}", module.file.display()));
+            }
+        }
+    }
+    assert_none("more than 300 lines", &offences);
+}
+
+#[test]
+fn no_folder_has_more_than_15_entries() {
+    let mut offences = Vec::new();
+    let folders = FOLDERS.iter().map(|name| root().join(name));
+    for folder in folders.filter(|folder| folder.is_dir()) {
+        let entries = WalkDir::new(folder).into_iter();
+        let entries = entries.filter_entry(is_source).map(Result::unwrap);
+        for folder in entries.filter(|entry| entry.file_type().is_dir()) {
+            let inside = WalkDir::new(folder.path()).min_depth(1).max_depth(1);
+            let count = inside.into_iter().filter_entry(is_source).count();
+            let name = folder.path().strip_prefix(root()).unwrap();
+            if count > MOST_ENTRIES && EXEMPT.iter().all(|own| Path::new(own) != name) {
+                offences.push(format!("{count} {}", name.display()));
+            }
+        }
+    }
+    assert_none("more than 15 entries", &offences);
+}
+
+/// Whether an entry is a source, not something that was built.
+fn is_source(entry: &DirEntry) -> bool {
+    let name = entry.file_name().to_string_lossy();
+    let built = ["target", "__pycache__"].contains(&&*name) || name.ends_with(".so");
+    !built && !name.starts_with('.')
+}
