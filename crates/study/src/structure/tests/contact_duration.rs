@@ -3,7 +3,7 @@
 use crate::parse;
 use slipgap_solver::contact::ClippedLine;
 use slipgap_solver::contact::{
-    ContactLaw, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Ye,
+    ClippedLine, ContactLaw, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Ye,
 };
 use slipgap_solver::problem::structure::model::contact_duration;
 use slipgap_solver::system::structure::{
