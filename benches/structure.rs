@@ -46,7 +46,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
         [0, 1, n + 1].map(|place| move |girder| Some(girder * (n + 2) + place));
     let contact = |between, gap, law| Contact {
         name: "contact".to_string(),
-        along: slipgap_solver::system::structure::between(between),
+        along: slipgap_system::system::structure::between(between),
         gap,
         law,
     };

@@ -1,8 +1,8 @@
 //! The checks of a study: limits of metrics, tested for every case that they apply to.
 
 use crate::batch::{Outcome, PartResult};
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_study::{Groups, Study};
 
 /// One check on one case.

@@ -79,12 +79,14 @@ pub mod run;
 pub mod study_figures;
 pub mod warnings;
 
-pub use slipgap_recommend as recommend;
-pub use slipgap_solver::{
-    contact, exact, history, lane, methods, metrics,
+pub use slipgap_contact::{contact, lane};
+pub use slipgap_motion::{exact, history, solve, textbook};
+pub use slipgap_problem::{
+    metrics,
     problem::{self, expression},
-    solve, system, textbook,
 };
+pub use slipgap_recommend as recommend;
 pub use slipgap_statistics as statistics;
 pub use slipgap_study as study;
 pub use slipgap_study::error;
+pub use slipgap_system::{methods, system};

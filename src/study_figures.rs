@@ -3,7 +3,7 @@
 use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::{self, DrawnCase, GroupResults, Needed, PartResult, ShownCases};
 use crate::figures::FigureData;
-use slipgap_solver::problem::Case;
+use slipgap_problem::problem::Case;
 use slipgap_study::{ColumnRef, Figure, Study};
 
 /// Whether a figure shows the case.

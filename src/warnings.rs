@@ -3,7 +3,7 @@
 
 use crate::batch::{PartResult, WarnedCases, WarningCounts};
 use crate::checks::{self, ReducedChecks};
-use slipgap_solver::solve::Warning;
+use slipgap_motion::solve::Warning;
 use slipgap_study::Study;
 use std::collections::BTreeSet;
 

@@ -16,8 +16,8 @@ use crate::batch;
 use crate::problem::Case;
 use crate::study::{Study, error::Error};
 use film::Film;
-use slipgap_solver::problem::numbers::unit::Dimension;
-use slipgap_solver::problem::{Solution, Violation};
+use slipgap_problem::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::{Solution, Violation};
 
 /// What an animation shows.
 #[derive(Debug, Clone, Default)]

@@ -1,7 +1,7 @@
 //! What `slipgap calibrate` would search, in words.
 
 use super::usage;
-use slipgap_solver::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_study::{Free, Study};
 
 /// Lines about the free parameters of a study and the cost of their search; empty without `calibrate`.

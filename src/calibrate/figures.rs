@@ -3,8 +3,8 @@
 use super::series;
 use super::{Calibration, Fit};
 use crate::figures::{MeasuredMotion, MeasuredPanel, MisfitCurve, MisfitPanel, Misfits};
+use slipgap_problem::problem::{MeasuredChannel, escape};
 use slipgap_recommend::calibrate::End;
-use slipgap_solver::problem::{MeasuredChannel, escape};
 use slipgap_study::Free;
 
 /// Most tests with panels of their own.

@@ -2,10 +2,10 @@
 
 use indicatif::ProgressBar;
 use rayon::prelude::*;
+use slipgap_motion::solve::MetricTable;
+use slipgap_problem::problem::table::cases::Cases;
 use slipgap_recommend::Stop;
 use slipgap_recommend::calibrate::{Objective, Stopped};
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::solve::MetricTable;
 use slipgap_study::{PointCases, Study};
 
 /// Cases of one sweep: those that are stepped side by side. The bits of a case do not depend on it.

@@ -2,9 +2,9 @@
 
 use super::misfit::Misfit;
 use super::series::{self, Test};
+use slipgap_problem::problem::table::cases::Cases;
 use slipgap_recommend::calibrate::Stopped;
 use slipgap_recommend::with_finer_step;
-use slipgap_solver::problem::table::cases::Cases;
 use slipgap_study::{Alternative, Input, MOST_CASES, Study};
 
 /// The numerical part of a misfit. Without step and mesh errors, the misfit of `rms_error` would lie within misfit +- this.

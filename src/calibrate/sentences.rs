@@ -2,8 +2,8 @@
 
 use super::compare::DECISIVE;
 use super::{Calibration, Fit, Numerical, State, Verdict};
+use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_recommend::format::digits;
-use slipgap_solver::problem::numbers::parameter::shortest;
 
 /// Why an alternative has no misfit, by the first of its tests at the last point that was tried.
 fn without_solution(fit: &Fit) -> String {

@@ -1,8 +1,8 @@
 //! A measured channel of the tests of an alternative, with what is computed for it.
 
 use rayon::prelude::*;
-use slipgap_solver::metrics::measured::at_times;
-use slipgap_solver::problem::{Case, MeasuredChannel, Solution};
+use slipgap_problem::metrics::measured::at_times;
+use slipgap_problem::problem::{Case, MeasuredChannel, Solution};
 use slipgap_study::{PointCases, Study};
 
 /// A test at a point of the free parameters.

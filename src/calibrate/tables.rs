@@ -2,8 +2,8 @@
 
 use super::words;
 use super::{Calibration, Fit};
+use slipgap_problem::problem::numbers::parameter::{Parameter, shortest};
 use slipgap_recommend::calibrate::End;
-use slipgap_solver::problem::numbers::parameter::{Parameter, shortest};
 use slipgap_study::Free;
 use slipgap_study::error::Error;
 

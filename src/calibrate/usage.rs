@@ -1,7 +1,7 @@
 //! Which free parameters an alternative uses, and with which of them cases are not solved side by side.
 
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::{Alternative, Free, Study};
 
 /// The free parameters that an alternative uses, and those that it does not: cases that differ only in one of these have the same

@@ -2,9 +2,9 @@
 
 use super::sentences::sentences;
 use super::{Calibration, Fit, State, Verdict};
+use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_recommend::calibrate::End;
 use slipgap_recommend::format::digits;
-use slipgap_solver::problem::numbers::parameter::shortest;
 use slipgap_study::Free;
 
 /// How sharply a parameter is determined.

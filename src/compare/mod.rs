@@ -9,10 +9,10 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use slipgap_solver::problem::numbers::parameter::{self, ColumnRule, Parameter};
-use slipgap_solver::problem::structure::metrics::metric::looks_like_metric;
-use slipgap_solver::problem::structure::tables::schema::{NAME, named};
-use slipgap_solver::problem::{PROBLEMS, Problem, find};
+use slipgap_problem::problem::numbers::parameter::{self, ColumnRule, Parameter};
+use slipgap_problem::problem::structure::metrics::metric::looks_like_metric;
+use slipgap_problem::problem::structure::tables::schema::{NAME, named};
+use slipgap_problem::problem::{PROBLEMS, Problem, find};
 use slipgap_study::units::scaled;
 
 /// The differences of one metric.
@@ -202,7 +202,7 @@ mod tests {
         let metrics = ["rms_error", "max_error"].map(String::from);
         let columns = ["case".to_owned()].into_iter().chain(names).chain(metrics);
         let row = |(i, (alpha, rms, max)): (usize, &(&str, &str, &str))| {
-            let value = |p: &slipgap_solver::problem::numbers::parameter::Parameter| match &*p.name
+            let value = |p: &slipgap_problem::problem::numbers::parameter::Parameter| match &*p.name
             {
                 "alpha" => (*alpha).to_owned(),
                 _ => "1".into(),

@@ -2,8 +2,8 @@
 
 use super::DrawnCase;
 use slipgap_drawing::text::{markup, number};
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::{Default, Parameter, Value};
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::{Default, Parameter, Value};
 use slipgap_study::{Filter, Study};
 use std::collections::HashMap;
 

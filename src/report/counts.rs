@@ -3,7 +3,7 @@
 use super::text::{code, escape};
 use crate::batch::solve::divergence::{self, Divergence};
 use crate::batch::{Outcome, WarnedCases};
-use slipgap_solver::solve::Unsolvable;
+use slipgap_motion::solve::Unsolvable;
 use slipgap_study::Study;
 use std::io::{self, Write};
 

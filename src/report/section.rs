@@ -3,7 +3,7 @@
 use super::packed::write_part;
 use super::text::{escape, verdict};
 use super::{Checks, Counts, Detail, Drawing, Indices, Quantiles, Results};
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 use slipgap_study::Study;
 use std::io::{self, Write};
 

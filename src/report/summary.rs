@@ -2,7 +2,7 @@
 
 use super::Section;
 use super::text::{code, escape, verdict};
-use slipgap_solver::solve::WARNINGS;
+use slipgap_motion::solve::WARNINGS;
 use std::io::{self, Write};
 
 /// Writes the summary.

@@ -31,7 +31,7 @@ use crate::batch::{self, RunOptions, ShownCases};
 use crate::study_figures;
 use crate::warnings::StudyWarnings;
 use slipgap_drawing::style;
-use slipgap_solver::problem::{Solution, cases_without_contact};
+use slipgap_problem::problem::{Solution, cases_without_contact};
 use slipgap_study::error::Error;
 use std::path::PathBuf;
 use tables::Tables;

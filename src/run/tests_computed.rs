@@ -3,7 +3,7 @@
 use crate::batch::{self, Outcome};
 use crate::checks::{CheckCollector, Verdict};
 use indicatif::ProgressBar;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::{Study, parse};
 
 /// A mass that hits a stop: 3 stiffnesses, 2 gaps and 2 speeds, of which the smaller one never closes the larger gap.

@@ -1,7 +1,7 @@
 //! Cases that could not be solved: lines about the first ones, and the number of the others.
 
 use super::Source;
-use slipgap_solver::solve::Unsolvable;
+use slipgap_motion::solve::Unsolvable;
 
 /// Largest number of cases with a line each.
 const MOST_LISTED: usize = 20;

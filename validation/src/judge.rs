@@ -3,7 +3,7 @@
 use super::Finding;
 use super::ledger::{Demand, Expect, Reading};
 use super::within::{Limits, Met, short, within};
-use slipgap_solver::problem::{Lines, Problem, Snapshot};
+use slipgap_problem::problem::{Lines, Problem, Snapshot};
 use slipgap_study::{CaseMetrics, Reference, Study};
 
 /// Tests everything that a reading expects.

@@ -1,6 +1,6 @@
 //! What a search is for, and its result.
 
-use slipgap_solver::problem::Case;
+use slipgap_problem::problem::Case;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 

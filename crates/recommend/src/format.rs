@@ -1,7 +1,7 @@
 //! Numbers as a person writes them.
 
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::shortest;
 
 /// Four digits.
 pub fn digits(x: f64) -> String {

@@ -1,8 +1,8 @@
 //! The search of a level: its candidates, in the order of their errors.
 
 use super::{Candidate, CostLevel, EnergyChange, Request, SearchSpace, refine, with_finer_step};
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::table::cases::Cases;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::table::cases::Cases;
 
 /// Candidates whose finer steps are solved together.
 const TOGETHER: usize = 16;

@@ -41,7 +41,7 @@ pub struct Fixed {
     pub method: Option<&'static str>,
 }
 
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 /// The row of a metric; `usize::MAX` if the problem has no such metric, which no case has.
 pub fn metric(problem: &dyn Problem, name: &str) -> usize {

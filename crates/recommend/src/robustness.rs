@@ -1,7 +1,7 @@
 //! An answer under other conditions than those that it was searched for: how many of them miss the target.
 
 use super::{Candidate, Request, SearchSpace};
-use slipgap_solver::problem::table::cases::Cases;
+use slipgap_problem::problem::table::cases::Cases;
 
 /// An answer over a range of a parameter.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,9 @@
 //! Laws and methods with their parameters: the short lists that a search tries.
 
-use slipgap_solver::contact::{Described, DisplacementControl, ImpactSpring, VelocityControl};
-use slipgap_solver::methods::{AverageAcceleration, Description, METHODS, Method};
-use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::numbers::parameter::{Kind, Value, shortest};
+use slipgap_contact::contact::{Described, DisplacementControl, ImpactSpring, VelocityControl};
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::numbers::parameter::{Kind, Value, shortest};
+use slipgap_system::methods::{AverageAcceleration, Description, METHODS, Method};
 
 /// A law or a method, with the parameters that a search takes from a list.
 #[derive(Debug, Clone, PartialEq)]

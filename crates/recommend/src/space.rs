@@ -1,7 +1,7 @@
 //! Search spaces: the candidates of a problem.
 
 use super::{Request, Variant};
-use slipgap_solver::problem::{Case, Problem, Solution};
+use slipgap_problem::problem::{Case, Problem, Solution};
 
 /// Candidates of the same cost, with their neighbours.
 #[derive(Debug, Default)]

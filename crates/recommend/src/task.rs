@@ -2,7 +2,7 @@
 
 use super::{Request, Variants};
 use sha2::{Digest, Sha256};
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 use slipgap_study::error::Error;
 
 /// A search: its candidates and its targets.

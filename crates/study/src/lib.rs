@@ -39,18 +39,18 @@ pub use describe::{problem_pages, problem_reference, reference, schema, start};
 pub use figure::kinds::{self, FigureKind, Marks, Ridge};
 pub use measure::{Measure, measures};
 pub use reduction::{CaseMetrics, Groups, Operator, Reduced, Reduction, reduced_cases};
-pub use slipgap_solver::problem::expression::{printable, unprintable};
+pub use slipgap_problem::problem::expression::{printable, unprintable};
 pub use source::input::{Input, STDIN};
 pub use source::setting::{Setting, SettingFault};
 pub use units::Units;
 
-pub use slipgap_solver::problem::numbers::parameter::Scale;
+pub use slipgap_problem::problem::numbers::parameter::Scale;
 
 /// Hash of the code that makes numbers of a structure: the keys of stores have no numbers of structures. Comments, documentation and
 /// tests do not change it.
 pub const READER_KEY: &str = env!("SLIPGAP_READER");
 
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 use std::sync::Arc;
 
 /// A validated study.

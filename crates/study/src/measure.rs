@@ -3,8 +3,8 @@
 use super::units::Units;
 use crate::computed::Computed;
 use crate::reduction::Reduction;
-use slipgap_solver::problem::numbers::unit::Dimension;
-use slipgap_solver::problem::{Problem, escape};
+use slipgap_problem::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::{Problem, escape};
 
 /// A column of results beyond the parameters, or a reduction of one.
 #[derive(Debug, Clone)]

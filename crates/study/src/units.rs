@@ -1,7 +1,7 @@
 //! Names of the units that a study's parameters are in, and of the columns and titles in these units.
 
-use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::numbers::unit::Dimension;
 
 /// The message for results in units in a study without the key.
 pub(crate) const NEEDS_UNITS: &str = "results in units need the key \"units\" of the study";

@@ -3,10 +3,10 @@
 use super::source::faults::{Faults, any_of, in_words, quoted, shown, unknown};
 use super::source::hint::unit;
 use super::source::tree::{Node, Tree};
-use slipgap_solver::problem::PROBLEMS;
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::expression::unprintable;
-use slipgap_solver::problem::numbers::parameter::{Kind, Parameter, Range, Value, shortest};
+use slipgap_problem::problem::PROBLEMS;
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::expression::unprintable;
+use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, Value, shortest};
 use std::fmt;
 
 /// What a number may be written as.

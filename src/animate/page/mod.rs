@@ -8,8 +8,8 @@ use super::unit;
 use crate::report::text::escape;
 use crate::study::{Study, error::Error};
 use serde_json::{Value, json};
-use slipgap_solver::problem::numbers::unit::Dimension;
-use slipgap_solver::problem::structure::GroundMotion;
+use slipgap_problem::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::structure::GroundMotion;
 
 /// Largest size of a page in bytes.
 pub const MOST_BYTES: usize = 3_000_000;

@@ -15,7 +15,7 @@ use crate::figures::scheme::part::has_places;
 use crate::history::History;
 use crate::problem::{Case, Problem};
 use motion::{Motion, node_of_bar};
-use slipgap_solver::problem::structure::described::scheme::picture::{End, Place, Scheme};
+use slipgap_problem::problem::structure::described::scheme::picture::{End, Place, Scheme};
 use std::borrow::Cow;
 use words::{align, kind};
 
@@ -214,7 +214,7 @@ impl Draft<'_, '_> {
     fn grounds(&mut self) {
         let scheme = self.painter.scheme;
         let moves =
-            |link: &slipgap_solver::problem::structure::described::scheme::picture::Link| {
+            |link: &slipgap_problem::problem::structure::described::scheme::picture::Link| {
                 link.supports.iter().any(Option::is_some)
             };
         if !scheme.links.iter().any(moves) {

@@ -3,7 +3,7 @@
 use crate::animate::film::contact::Contact;
 use crate::animate::film::numbers::peak;
 use crate::history::History;
-use slipgap_solver::problem::structure::described::scheme::picture::LinkKind;
+use slipgap_problem::problem::structure::described::scheme::picture::LinkKind;
 use std::borrow::Cow;
 use std::collections::HashMap;
 

@@ -8,8 +8,8 @@ use crate::figures::scheme::nodes::places::Placed;
 use crate::figures::scheme::paint::painter::Painter;
 use crate::figures::scheme::part::has_places;
 use crate::figures::scheme::symbols;
-use slipgap_solver::problem::structure::described::scheme::model::Model;
-use slipgap_solver::problem::structure::described::scheme::picture::{End, LinkKind, Place};
+use slipgap_problem::problem::structure::described::scheme::model::Model;
+use slipgap_problem::problem::structure::described::scheme::picture::{End, LinkKind, Place};
 
 /// Most nodes that are drawn.
 const MOST: usize = 400;

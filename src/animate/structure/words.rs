@@ -1,7 +1,7 @@
 //! How the page names kinds of links and alignments.
 
 use slipgap_drawing::layout::sheet::Anchor;
-use slipgap_solver::problem::structure::described::scheme::picture::LinkKind;
+use slipgap_problem::problem::structure::described::scheme::picture::LinkKind;
 
 /// How words are aligned.
 pub fn align(anchor: Anchor) -> &'static str {

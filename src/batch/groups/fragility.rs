@@ -4,7 +4,7 @@
 use super::capacities;
 use super::point::FragilityPoint;
 use crate::batch::DrawnCase;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_statistics::lognormal::{Fragility as Function, NoFit, Trials};
 use slipgap_study::kinds::{Fit, Fragility};
 use slipgap_study::{Study, alike};

@@ -1,9 +1,9 @@
 //! The results that figures show, as columns: 8 bytes for a number of a case.
 
 use crate::batch::PartResult;
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::problem::{Case, Schema, Snapshot, Solution};
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::table::cases::Cases;
+use slipgap_problem::problem::{Case, Schema, Snapshot, Solution};
 use slipgap_study::alike::Identity;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;

@@ -1,7 +1,7 @@
 //! sobol.csv: the Sobol' indices of every metric of every saltelli design.
 
 use crate::batch::groups::sobol::{DesignColumns, DesignMetrics, MetricColumn};
-use slipgap_solver::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_statistics::sobol::Index;
 use slipgap_study::Study;
 use slipgap_study::error::Error;

@@ -1,9 +1,9 @@
 //! CSV tables of cases without a solution, failures.csv, and of histories.
 
-use slipgap_solver::problem::numbers::parameter::shortest;
-use slipgap_solver::problem::numbers::unit::Dimension;
-use slipgap_solver::problem::{Case, HistoryColumn, MeasuredChannel, Solution};
-use slipgap_solver::solve::Unsolvable;
+use slipgap_motion::solve::Unsolvable;
+use slipgap_problem::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::{Case, HistoryColumn, MeasuredChannel, Solution};
 use slipgap_study::Study;
 use std::io::{self, Write};
 

@@ -9,7 +9,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use slipgap_solver::problem::table::cases::Cases;
+use slipgap_problem::problem::table::cases::Cases;
 use slipgap_study::Study;
 
 /// Raw combinations of a chunk; in a large study a power of two times as many.
@@ -205,8 +205,9 @@ mod tests {
             let work: u64 = (0..cases.len()).map(steps).sum();
             assert!(work <= WORK, "{work}");
             for row in 0..cases.len() {
-                let number =
-                    |case: &slipgap_solver::problem::Case| [case.number("beta"), case.number("dT")];
+                let number = |case: &slipgap_problem::problem::Case| {
+                    [case.number("beta"), case.number("dT")]
+                };
                 assert_eq!(
                     number(cases.shown().at(row)),
                     number(&study.case(next).unwrap())

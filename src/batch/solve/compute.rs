@@ -5,9 +5,9 @@ use super::part_result::Solutions;
 use super::signal_order::signal_order;
 use crate::batch::parts::chunk::WORK;
 use rayon::prelude::*;
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::problem::{Case, Solution};
-use slipgap_solver::solve::{MetricTable, Unsolvable, Warnings};
+use slipgap_motion::solve::{MetricTable, Unsolvable, Warnings};
+use slipgap_problem::problem::table::cases::Cases;
+use slipgap_problem::problem::{Case, Solution};
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 

@@ -2,9 +2,9 @@
 //! contains them.
 
 use crate::batch::PartResult;
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::solve::MetricTable;
+use slipgap_motion::solve::MetricTable;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::table::cases::Cases;
 use slipgap_study::{Computed, Found, Partners, Reference, Rule, Study};
 
 /// The metrics, followed by the same in the units of the study, if it has units, and by those computed by arithmetic. Ratios and

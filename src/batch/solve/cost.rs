@@ -3,9 +3,9 @@
 use super::compute::{SWEEP_WORK, compute_rows, keep_memory, parallel_tasks, slice, solvable_rows};
 use super::options::RunOptions;
 use rayon::prelude::*;
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::table::cases::Cases;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::table::cases::Cases;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 use std::collections::BTreeSet;

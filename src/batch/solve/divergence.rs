@@ -2,7 +2,7 @@
 
 use super::cost::total;
 use rayon::prelude::*;
-use slipgap_solver::problem::Case;
+use slipgap_problem::problem::Case;
 use slipgap_study::Study;
 use std::fmt;
 

@@ -2,7 +2,7 @@
 
 use super::work_progress::WorkProgress;
 use crate::batch::store::Store;
-use slipgap_solver::problem::{Case, Solution};
+use slipgap_problem::problem::{Case, Solution};
 use slipgap_study::error::Error;
 
 /// Called with the number and the solution of each computed case.

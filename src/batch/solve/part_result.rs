@@ -1,9 +1,9 @@
 //! The results of a part: as columns, or case by case.
 
 use crate::batch::store::Miss;
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::problem::{Case, Solution};
-use slipgap_solver::solve::{MetricTable, Unsolvable};
+use slipgap_motion::solve::{MetricTable, Unsolvable};
+use slipgap_problem::problem::table::cases::Cases;
+use slipgap_problem::problem::{Case, Solution};
 use slipgap_study::Study;
 use std::collections::BTreeMap;
 

@@ -7,8 +7,8 @@ use crate::batch::parts::chunk::Part;
 use crate::batch::store::key::{CaseHash, Key};
 use crate::batch::store::{EarlierCases, Miss, Store};
 use indicatif::ProgressBar;
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::solve::MetricTable;
+use slipgap_motion::solve::MetricTable;
+use slipgap_problem::problem::table::cases::Cases;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 

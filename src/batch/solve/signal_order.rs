@@ -1,8 +1,8 @@
 //! The order of cases in which every sampled signal is made once.
 
-use slipgap_solver::problem::Samples;
-use slipgap_solver::problem::structure::MOST_SAMPLED;
-use slipgap_solver::problem::table::cases::Cases;
+use slipgap_problem::problem::Samples;
+use slipgap_problem::problem::structure::MOST_SAMPLED;
+use slipgap_problem::problem::table::cases::Cases;
 use slipgap_study::Study;
 use std::collections::BTreeMap;
 

@@ -1,9 +1,9 @@
 //! The cases of a study with one kind of warning.
 
 use serde_json::{Map, Value as Json, json};
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::solve::{WARNINGS, Warning};
+use slipgap_motion::solve::{WARNINGS, Warning};
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::Study;
 use std::fmt;
 

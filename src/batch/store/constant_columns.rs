@@ -7,7 +7,7 @@ use bytes::Bytes;
 use parquet::column::writer::ColumnCloseResult;
 use parquet::errors::Result;
 
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::parameter::Value;
 
 /// The bytes of a column, and its entry in the footer.
 pub type EncodedColumn = (Bytes, ColumnCloseResult);

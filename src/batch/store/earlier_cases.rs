@@ -1,6 +1,6 @@
 //! Cases of stored parts, found by the hash of their parameters.
 
-use slipgap_solver::solve::MetricTable;
+use slipgap_motion::solve::MetricTable;
 use std::collections::HashMap;
 
 /// The cases of earlier parts.

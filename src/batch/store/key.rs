@@ -1,7 +1,7 @@
 //! Keys: everything that determines the results of a part. Stored results are used again only if their key is the same.
 
-use slipgap_solver::problem::numbers::parameter::{ColumnRule, Value};
-use slipgap_solver::problem::table::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
+use slipgap_problem::problem::numbers::parameter::{ColumnRule, Value};
+use slipgap_problem::problem::table::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
 use slipgap_study::Study;
 use std::fmt;
 use twox_hash::XxHash3_128;

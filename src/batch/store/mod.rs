@@ -34,8 +34,8 @@ use super::parts::chunk::{self, starts_in_same_chunk};
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
 use key::{Difference, Key, checksum};
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::solve::MetricTable;
+use slipgap_motion::solve::MetricTable;
+use slipgap_problem::problem::table::cases::Cases;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 

@@ -9,9 +9,9 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use super::key::{CaseHash, Difference, Key};
 use super::rows::Rows;
 use crate::batch::parts::chunk::MOST_ROWS;
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
-use slipgap_solver::solve::{MetricTable, Unsolvable, Warnings};
+use slipgap_motion::solve::{MetricTable, Unsolvable, Warnings};
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
 use slipgap_study::Study;
 
 /// Column of the reason why a case could not be solved.

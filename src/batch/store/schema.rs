@@ -8,7 +8,7 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::schema::types::{ColumnPath, Type};
 use serde_json::json;
-use slipgap_solver::problem::numbers::parameter::Kind;
+use slipgap_problem::problem::numbers::parameter::Kind;
 use slipgap_study::Study;
 use std::sync::Arc;
 

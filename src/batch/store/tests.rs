@@ -1,7 +1,7 @@
 use super::part_file::{all_in, parse_name};
 use super::*;
 use crate::batch::parts::chunk::parts;
-use slipgap_solver::solve::Unsolvable;
+use slipgap_motion::solve::Unsolvable;
 use slipgap_study::parse;
 
 /// A study with numbers, names, an axis, and a case that has no solution.

@@ -17,9 +17,9 @@ use super::constant_columns::{ConstantColumns, EncodedColumn};
 use super::key::Key;
 use super::reading::{OWN_TEXTS, general};
 use super::schema::{properties, schema};
-use slipgap_solver::problem::numbers::parameter::{Kind, Value};
-use slipgap_solver::problem::table::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
-use slipgap_solver::solve::MetricTable;
+use slipgap_motion::solve::MetricTable;
+use slipgap_problem::problem::numbers::parameter::{Kind, Value};
+use slipgap_problem::problem::table::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
 use slipgap_study::Study;
 
 /// The text of a case in a column, if it has one.

@@ -5,12 +5,12 @@ use crate::batch::output::tables::FailureTable;
 use crate::batch::store::Store;
 use crate::batch::store::key::{CaseHash, Key};
 use crate::batch::{RunOptions, run};
-use slipgap_solver::history::History;
-use slipgap_solver::problem::friction::FrictionOscillator;
-use slipgap_solver::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::problem::{Case, Problem, Schema, Solution, Violation};
-use slipgap_solver::solve::{MetricTable, Unsolvable};
+use slipgap_motion::history::History;
+use slipgap_motion::solve::{MetricTable, Unsolvable};
+use slipgap_problem::problem::friction::FrictionOscillator;
+use slipgap_problem::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
+use slipgap_problem::problem::table::cases::Cases;
+use slipgap_problem::problem::{Case, Problem, Schema, Solution, Violation};
 use slipgap_study::{Axis, AxisGroup, Block, Study, parse};
 use std::sync::Arc;
 
@@ -85,7 +85,7 @@ fn tables(study: &Study) -> [String; 2] {
             .row(
                 number,
                 &case,
-                &slipgap_solver::solve::Unsolvable::OutOfRange,
+                &slipgap_motion::solve::Unsolvable::OutOfRange,
             )
             .unwrap();
     }

@@ -2,7 +2,7 @@
 
 use crate::batch::solve::cost::{self, measure, total};
 use crate::batch::{self, RunOptions, solve::divergence};
-use slipgap_solver::problem::structure::MOST_SAMPLED;
+use slipgap_problem::problem::structure::MOST_SAMPLED;
 use slipgap_study::{Study, parse};
 use std::time::Duration;
 

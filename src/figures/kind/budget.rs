@@ -10,8 +10,8 @@ use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::slope;
 use slipgap_drawing::style::{self, Look, Stroke};
-use slipgap_solver::problem;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::Scale;
 use slipgap_study::kinds::Budget;
 

@@ -2,7 +2,7 @@
 
 use slipgap_drawing::layout::sheet::{PlacedText, Sheet};
 use slipgap_drawing::style::{self, Marker};
-use slipgap_solver::problem::Case;
+use slipgap_problem::problem::Case;
 use slipgap_study::{self, Study};
 
 const FRICTION: &str = r#""problem": "friction-oscillator""#;

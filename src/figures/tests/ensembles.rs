@@ -4,7 +4,7 @@ use crate::figures::{pdf, png, sheet, svg, with_hover};
 use slipgap_drawing::layout::sheet::{Series, Sheet};
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::markup::plain;
-use slipgap_solver::problem::Case;
+use slipgap_problem::problem::Case;
 use slipgap_statistics::binomial;
 use slipgap_statistics::empirical::half_band;
 use slipgap_study::{self, Study};

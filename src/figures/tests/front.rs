@@ -5,7 +5,7 @@ use crate::figures::with_hover;
 use slipgap_drawing::layout::sheet::{Rect, Sheet};
 use slipgap_drawing::style::{self, Stroke};
 use slipgap_drawing::text;
-use slipgap_solver::problem::Case;
+use slipgap_problem::problem::Case;
 use slipgap_study::{self, Study};
 use std::collections::HashMap;
 

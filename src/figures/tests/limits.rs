@@ -5,7 +5,7 @@ use crate::figures::{png, style};
 use slipgap_drawing::layout::below;
 use slipgap_drawing::layout::sheet::{Rect, Sheet};
 use slipgap_drawing::text;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::error::Error;
 use slipgap_study::kinds::{History, Law, Map, Metric};
 use slipgap_study::{FigureKind, Scale};

@@ -4,7 +4,7 @@ use crate::figures::{png, svg};
 use slipgap_drawing::layout::cloud::{Cloud, MOST_SHAPES};
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style;
-use slipgap_solver::problem::Case;
+use slipgap_problem::problem::Case;
 use slipgap_study::{self, Scale, Study};
 
 /// A study of friction with `n` samples of alpha, dT and x0, and one figure.

@@ -4,7 +4,7 @@ use crate::figures::FigureData;
 use crate::figures::markup::plain;
 use crate::figures::sheet::{Panel, Sheet};
 use crate::report::decimal;
-use slipgap_solver::problem::numbers::parameter::{Value, shortest};
+use slipgap_problem::problem::numbers::parameter::{Value, shortest};
 use slipgap_study::Study;
 
 /// Most numbers of a parameter that a caption lists.

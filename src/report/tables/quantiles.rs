@@ -109,5 +109,5 @@ fn range(low: Option<f64>, high: Option<f64>) -> String {
 /// A number with four digits.
 fn rounded(x: f64) -> String {
     let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
-    slipgap_solver::problem::numbers::parameter::shortest(rounded)
+    slipgap_problem::problem::numbers::parameter::shortest(rounded)
 }

@@ -5,7 +5,7 @@ use crate::batch::Outcome;
 use crate::report::text::{escape, printable};
 use crate::report::{Detail, packed};
 use serde_json::{Value as Json, json};
-use slipgap_solver::problem::numbers::parameter::{Kind, Value};
+use slipgap_problem::problem::numbers::parameter::{Kind, Value};
 use slipgap_study::Study;
 use std::io::{self, Write};
 use std::path::PathBuf;

@@ -3,9 +3,9 @@
 
 use serde_json::Value as Json;
 use slipgap::study::{self, Study};
-use slipgap_solver::system::loads::measures::Measure;
-use slipgap_solver::system::loads::spectrum;
-use slipgap_solver::system::structure::Table;
+use slipgap_system::system::loads::measures::Measure;
+use slipgap_system::system::loads::spectrum;
+use slipgap_system::system::structure::Table;
 use std::path::Path;
 
 const G: f64 = 9.80665;

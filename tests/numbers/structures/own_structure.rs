@@ -3,7 +3,7 @@
 
 use serde_json::{Value as Json, json};
 use slipgap::study::{self, Study};
-use slipgap_solver::problem::structure::described::scheme::picture::{End, Place};
+use slipgap_problem::problem::structure::described::scheme::picture::{End, Place};
 use std::path::Path;
 
 /// A study beside the models.

@@ -3,9 +3,9 @@
 
 use serde_json::Value as Json;
 use sha2::{Digest, Sha256};
-use slipgap_solver::system::loads::record::{Reading, Record, parse};
-use slipgap_solver::system::loads::{Unit, signal, spectrum};
-use slipgap_solver::system::structure::{Signal, Table};
+use slipgap_system::system::loads::record::{Reading, Record, parse};
+use slipgap_system::system::loads::{Unit, signal, spectrum};
+use slipgap_system::system::structure::{Signal, Table};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

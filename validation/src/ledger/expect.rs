@@ -2,7 +2,7 @@
 
 use super::over::over;
 use super::{Demand, Expect};
-use slipgap_solver::problem::numbers::parameter::{Range, shortest};
+use slipgap_problem::problem::numbers::parameter::{Range, shortest};
 use slipgap_study::Filter;
 use slipgap_study::faults::Faults;
 use slipgap_study::object::Object;

@@ -89,7 +89,7 @@ mod tests {
     use crate::layout::sheet::Rect;
     use crate::layout::ticks;
     use crate::text;
-    use slipgap_solver::problem;
+    use slipgap_problem::problem;
 
     /// Three columns of five places each.
     fn values() -> Values {

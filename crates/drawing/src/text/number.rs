@@ -1,6 +1,6 @@
 //! Numbers as figures write them: a minus sign, powers of ten, multiples of pi.
 
-use slipgap_solver::problem::numbers::parameter::{Value, shortest};
+use slipgap_problem::problem::numbers::parameter::{Value, shortest};
 use std::collections::HashSet;
 use std::f64::consts::PI;
 

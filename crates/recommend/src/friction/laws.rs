@@ -1,11 +1,11 @@
 //! The friction laws of a search, and their widths.
 
 use crate::{Setting, setting};
-use slipgap_solver::contact::WhichLaw;
-use slipgap_solver::contact::numbers::oscillator::{EXPONENT, SIGMA0, SIGMA1};
-use slipgap_solver::contact::offer::{Offered, Place};
-use slipgap_solver::problem::friction::FrictionOscillator;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_contact::contact::WhichLaw;
+use slipgap_contact::contact::numbers::oscillator::{EXPONENT, SIGMA0, SIGMA1};
+use slipgap_contact::contact::offer::{Offered, Place};
+use slipgap_problem::problem::friction::FrictionOscillator;
+use slipgap_problem::problem::numbers::parameter::Value;
 
 /// Damping ratio of a mass of 1 on the bristles of lugre: sigma1 = sqrt(sigma0), as in Canudas de Wit et al. (1995).
 const ZETA: f64 = 0.5;

@@ -11,11 +11,11 @@ pub use task::{ENERGY_GAIN, FrictionTask, X0};
 
 use super::grid::integers;
 use super::{Fixed, Grid, Variant, setting};
-use slipgap_solver::exact::coulomb::Coulomb;
-use slipgap_solver::history::History;
-use slipgap_solver::problem::friction::FrictionOscillator;
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::{Case, Problem, Violation};
+use slipgap_motion::exact::coulomb::Coulomb;
+use slipgap_motion::history::History;
+use slipgap_problem::problem::friction::FrictionOscillator;
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::{Case, Problem, Violation};
 use std::f64::consts::PI;
 
 /// Relative difference of x0 of neighbours.

@@ -1,6 +1,6 @@
 //! The releases for which an answer must hold: one, or all of a range.
 
-use slipgap_solver::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::numbers::parameter::shortest;
 use std::fmt;
 use std::str::FromStr;
 

@@ -6,9 +6,9 @@ use crate::format::{is_positive_integer, plain};
 use crate::grid::decades;
 use crate::setting::{has_sub_steps, method_parameters, sentence};
 use crate::{CostLevel, EnergyChange, Further, Grid, Range, SearchSpace, Variant, Variants};
-use slipgap_solver::problem::friction::FrictionOscillator;
-use slipgap_solver::problem::numbers::parameter::shortest;
-use slipgap_solver::problem::{Case, Problem, Solution};
+use slipgap_problem::problem::friction::FrictionOscillator;
+use slipgap_problem::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::{Case, Problem, Solution};
 use std::f64::consts::PI;
 
 /// Widths of a decade.

@@ -4,8 +4,8 @@ use super::{Friction, Releases, law_names};
 use crate::setting::choices;
 use crate::task::{Search, check_target, choice, folder_name};
 use crate::{Fixed, Request, Stop, Target, Variants, metric};
-use slipgap_solver::problem::friction::FrictionOscillator;
-use slipgap_solver::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::friction::FrictionOscillator;
+use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_study::error::Error;
 
 /// The releases, unless they are given. A range, because an answer for one release often misses the target at the others, and few

@@ -2,15 +2,15 @@
 //! `energy_drift_final` shows what the damping of the contact or the method takes or adds.
 
 use crate::EnergyChange;
-use slipgap_solver::contact::StoredEnergy;
-use slipgap_solver::history::History;
-use slipgap_solver::lane::Lane;
-use slipgap_solver::methods::ContactWork;
-use slipgap_solver::metrics::impact::step_work;
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::impact::BarImpact;
-use slipgap_solver::solve;
-use slipgap_solver::system::System;
+use slipgap_contact::contact::StoredEnergy;
+use slipgap_contact::lane::Lane;
+use slipgap_motion::history::History;
+use slipgap_motion::solve;
+use slipgap_problem::metrics::impact::step_work;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::impact::BarImpact;
+use slipgap_system::methods::ContactWork;
+use slipgap_system::system::System;
 
 /// The gain is the largest of drift of the contact minus numerical dissipation over all steps from t = 0, over E_0. It is not negative,
 /// because step 0 is one of them. The loss is what is gone at the last step: damping of the contact and numerical dissipation minus drift.

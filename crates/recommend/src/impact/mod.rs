@@ -11,13 +11,13 @@ pub use task::{BarFault, ENERGY_GAIN, ENERGY_LOSS, ImpactTask, MOST_ELEMENTS, ba
 
 use super::{Fixed, Grid, Setting, Variant};
 use mesh::{Mesh, meshes, most_cost};
-use slipgap_solver::contact::{Described, ImpactSpring};
-use slipgap_solver::methods::AverageAcceleration;
-use slipgap_solver::problem::impact::BarImpact;
-use slipgap_solver::problem::impact::scaled::Scaled;
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::table::schema::Text;
-use slipgap_solver::problem::{Case, Problem, Violation};
+use slipgap_contact::contact::{Described, ImpactSpring};
+use slipgap_problem::problem::impact::BarImpact;
+use slipgap_problem::problem::impact::scaled::Scaled;
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::table::schema::Text;
+use slipgap_problem::problem::{Case, Problem, Violation};
+use slipgap_system::methods::AverageAcceleration;
 use std::sync::OnceLock;
 
 /// Largest number of passes of a wave through the shorter bar before the bars part.

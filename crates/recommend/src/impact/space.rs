@@ -8,10 +8,10 @@ use crate::format::{digits, is_positive_integer, plain};
 use crate::grid::decades;
 use crate::setting::{has_sub_steps, method_named, method_parameters, sentence};
 use crate::{CostLevel, EnergyChange, Grid, SearchSpace, Setting, Variant, Variants, metric};
-use slipgap_solver::methods::AverageAcceleration;
-use slipgap_solver::problem::impact::BarImpact;
-use slipgap_solver::problem::numbers::parameter::{Value, shortest};
-use slipgap_solver::problem::{Case, Problem, Solution};
+use slipgap_problem::problem::impact::BarImpact;
+use slipgap_problem::problem::numbers::parameter::{Value, shortest};
+use slipgap_problem::problem::{Case, Problem, Solution};
+use slipgap_system::methods::AverageAcceleration;
 use std::sync::OnceLock;
 
 /// Smallest and largest gamma.

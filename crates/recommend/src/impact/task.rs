@@ -4,10 +4,10 @@ use super::{FixedParameters, Impact};
 use crate::setting::choices;
 use crate::task::{Search, check_target, choice, folder_name};
 use crate::{Fixed, Request, Stop, Target, metric};
-use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::impact::BarImpact;
-use slipgap_solver::problem::numbers::parameter::{Kind, Value, shortest};
-use slipgap_solver::problem::table::schema::Text;
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::impact::BarImpact;
+use slipgap_problem::problem::numbers::parameter::{Kind, Value, shortest};
+use slipgap_problem::problem::table::schema::Text;
 use slipgap_study::error::Error;
 use std::fmt;
 

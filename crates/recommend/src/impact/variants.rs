@@ -2,10 +2,10 @@
 
 use super::FixedParameters;
 use crate::{Setting, Variant, setting};
-use slipgap_solver::contact::WhichLaw;
-use slipgap_solver::contact::numbers::bars::RESTITUTION;
-use slipgap_solver::contact::offer::{Offered, Place};
-use slipgap_solver::problem::impact::BarImpact;
+use slipgap_contact::contact::WhichLaw;
+use slipgap_contact::contact::numbers::bars::RESTITUTION;
+use slipgap_contact::contact::offer::{Offered, Place};
+use slipgap_problem::problem::impact::BarImpact;
 
 /// Targets of the restitution of laws with damping; without damping they are other laws of the list.
 const RESTITUTIONS: [f64; 2] = [0.65, 0.9];

@@ -2,7 +2,7 @@
 
 use super::draft::BlockDraft;
 use crate::source::faults::{Faults, join};
-use slipgap_solver::problem::numbers::parameter::{Default, Kind, Parameter, Value};
+use slipgap_problem::problem::numbers::parameter::{Default, Kind, Parameter, Value};
 
 /// Reports a parameter that is given and does not apply, and one that applies, has no default and is not given.
 pub(super) fn check_applicability(

@@ -4,8 +4,8 @@ use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::within;
-use slipgap_solver::metrics::SLACK;
-use slipgap_solver::problem::numbers::parameter::{Kind, Parameter, Range, Value};
+use slipgap_problem::metrics::SLACK;
+use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, Value};
 
 /// The rules, each with the meaning of its three numbers.
 pub(crate) const RULES: [(&str, &str); 3] = [

@@ -8,7 +8,7 @@ use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::value::{name, number};
-use slipgap_solver::problem::numbers::parameter::{Parameter, Range, shortest};
+use slipgap_problem::problem::numbers::parameter::{Parameter, Range, shortest};
 
 /// The keys of a design, each with its meaning.
 pub(crate) const KEYS: [(&str, &str); 3] = [

@@ -4,8 +4,8 @@ use super::interval::Interval;
 use crate::cases::axis::design::Design;
 use crate::cases::axis::group::{Axis, AxisGroup};
 use crate::cases::axis::values::{Sampled, Values};
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::numbers::parameter::Value;
 
 /// A parameter that a block gives, with the place of every value.
 pub(crate) struct ParameterDraft {

@@ -6,7 +6,7 @@ use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::{value_of, within};
-use slipgap_solver::problem::numbers::parameter::{Kind, Parameter, Range, shortest};
+use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, shortest};
 
 /// The distributions, each with the meaning of its two numbers.
 pub(crate) const INTERVALS: [(&str, &str); 2] = [

@@ -8,8 +8,8 @@ use crate::source::faults::{Faults, in_words, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::{value, with_unit};
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::numbers::parameter::{Kind, Parameter};
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::numbers::parameter::{Kind, Parameter};
 
 /// Decodes a `parameters` object without its faulty values; `None` if the node is not an object.
 pub(crate) fn parameters(

@@ -4,7 +4,7 @@ use super::draft::BlockDraft;
 use crate::source::faults::{Faults, quoted, unknown};
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
-use slipgap_solver::problem::numbers::parameter::Parameter;
+use slipgap_problem::problem::numbers::parameter::Parameter;
 
 /// Decodes the groups of a `zip` into the draft, without the faulty ones.
 pub(crate) fn zip(

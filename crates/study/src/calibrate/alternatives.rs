@@ -2,8 +2,8 @@
 
 use crate::Study;
 use crate::cases::alike::{Identity, grouped, identity};
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::{Kind, Value};
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::{Kind, Value};
 
 /// Values of the axes that are no tests; each alternative has a search of its own.
 #[derive(Debug, Clone)]

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::source::input::Input;
 use crate::source::tree::{Node, Tree};
 use crate::{MOST_CASES, Study};
-use slipgap_solver::problem::numbers::parameter::{Value, shortest};
+use slipgap_problem::problem::numbers::parameter::{Value, shortest};
 use std::path::Path;
 
 impl Input {

@@ -9,7 +9,7 @@ use crate::source::faults::{Faults, any_of, join, quoted, unknown};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::{number, text};
-use slipgap_solver::problem::numbers::parameter::{Kind, Parameter, Range, shortest};
+use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, shortest};
 
 /// The keys besides the names of free parameters, each with its meaning.
 pub(crate) const KEYS: [(&str, &str); 3] = [

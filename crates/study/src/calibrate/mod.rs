@@ -16,7 +16,7 @@ pub use range::FreeRange;
 
 use crate::Study;
 use crate::computed::metrics_of;
-use slipgap_solver::problem::Case;
+use slipgap_problem::problem::Case;
 
 /// Free parameters of a study and the metric that their best values minimise.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,9 +7,9 @@ use crate::cases::block::Block;
 use crate::cases::formulas::derived::{Condition, Derived};
 use crate::cases::formulas::formula_table::FormulaTable;
 use crate::{Calibrate, Study};
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::problem::{Case, Violation};
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::table::cases::Cases;
+use slipgap_problem::problem::{Case, Violation};
 
 /// Makes the cases of an alternative at points of some free parameters; the others have the values of the study.
 #[derive(Debug, Clone)]

@@ -4,7 +4,7 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::{value_of, within};
-use slipgap_solver::problem::numbers::parameter::{Parameter, Range, shortest};
+use slipgap_problem::problem::numbers::parameter::{Parameter, Range, shortest};
 
 /// The key of a range whose logarithm is searched.
 pub(crate) const LOG: (&str, &str) = (

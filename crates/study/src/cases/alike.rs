@@ -1,8 +1,8 @@
 //! Cases that differ only in some parameters.
 
 use super::block::Block;
-use slipgap_solver::problem::numbers::parameter::{Default, Value};
-use slipgap_solver::problem::{Case, Problem};
+use slipgap_problem::problem::numbers::parameter::{Default, Value};
+use slipgap_problem::problem::{Case, Problem};
 use std::collections::HashMap;
 use std::hash::Hash;
 

@@ -3,8 +3,8 @@
 use crate::cases::axis::design::Design;
 use crate::cases::axis::group::{Axis, AxisGroup};
 use crate::cases::formulas::derived::{Condition, Derived};
-use slipgap_solver::problem::numbers::parameter::{Default, Value};
-use slipgap_solver::problem::{Case, Problem};
+use slipgap_problem::problem::numbers::parameter::{Default, Value};
+use slipgap_problem::problem::{Case, Problem};
 use std::sync::OnceLock;
 
 /// A block: all combinations of its groups of axes in file order, the last group fastest; the derived parameters; and the

@@ -2,8 +2,8 @@
 
 use super::block::Block;
 use crate::cases::formulas::derived::Derived;
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::{Case, Problem, Violation};
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::{Case, Problem, Violation};
 
 /// The relative round-off of a few operations, and some margin.
 const AGREES: f64 = 1e-9;

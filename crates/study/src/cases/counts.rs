@@ -6,7 +6,7 @@
 
 use super::block::{Block, CaseCounts};
 use crate::cases::formulas::derived::Condition;
-use slipgap_solver::problem::{Case, NotComputed, Problem, Violation};
+use slipgap_problem::problem::{Case, NotComputed, Problem, Violation};
 use std::ops::Range;
 
 /// Combinations between two counts of cases.

@@ -3,7 +3,7 @@
 use super::alike::unaffected;
 use super::block::Block;
 use crate::Study;
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 impl Study {
     /// The parameters whose values distinguish ensembles: all that may vary, but those of the key `ensemble`, those in `also`,

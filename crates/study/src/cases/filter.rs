@@ -1,7 +1,7 @@
 //! A `where`: which cases a figure, a check or a claim applies to.
 
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::Value;
 
 /// Which cases are selected: those that have one of the values of each parameter. A parameter is given by its row.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -22,9 +22,9 @@ use super::Study;
 use block::Block;
 use filter::Filter;
 use select::place;
-use slipgap_solver::problem::numbers::parameter::{ColumnRule, Parameter};
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::problem::{Case, Violation};
+use slipgap_problem::problem::numbers::parameter::{ColumnRule, Parameter};
+use slipgap_problem::problem::table::cases::Cases;
+use slipgap_problem::problem::{Case, Violation};
 use std::ops::Range;
 
 impl Study {

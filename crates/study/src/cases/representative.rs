@@ -5,8 +5,8 @@ use super::select::distinct;
 use crate::Study;
 use crate::cases::axis::group::{Axis, AxisGroup};
 use crate::cases::axis::values::Values;
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::Value;
 
 /// Larger blocks are tested only at the ends of their axes.
 pub(crate) const MOST_TESTED: u64 = 1_000_000;

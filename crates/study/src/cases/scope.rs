@@ -7,8 +7,8 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use crate::value::{name, value};
-use slipgap_solver::problem::numbers::parameter::{Default, Value};
-use slipgap_solver::problem::{Case, Problem};
+use slipgap_problem::problem::numbers::parameter::{Default, Value};
+use slipgap_problem::problem::{Case, Problem};
 use std::sync::Arc;
 
 /// Most combinations that are tested to find the cases that a filter selects. This takes some seconds; the cases of a figure

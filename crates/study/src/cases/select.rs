@@ -3,8 +3,8 @@
 use super::block::Block;
 use super::filter::Filter;
 use crate::cases::axis::group::AxisGroup;
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::{Case, Problem};
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::{Case, Problem};
 use std::collections::HashSet;
 
 impl Block {

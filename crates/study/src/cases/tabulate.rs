@@ -2,8 +2,8 @@
 
 use super::block::Block;
 use crate::cases::formulas::formula_table::FormulaTable;
-use slipgap_solver::problem::expression::{ExpressionFault, Formula};
-use slipgap_solver::problem::{Case, Schema};
+use slipgap_problem::problem::expression::{ExpressionFault, Formula};
+use slipgap_problem::problem::{Case, Schema};
 use std::sync::Arc;
 
 /// Most entries of a table. A formula with more depends on so much that hardly any two cases share a value.

@@ -1,10 +1,10 @@
 //! The arithmetic of metrics, with the measures known so far as names.
 
 use crate::Measure;
-use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::expression::{ExpressionFault, Formula};
-use slipgap_solver::problem::numbers::parameter::Parameter;
-use slipgap_solver::problem::structure::tables::schema::named;
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::expression::{ExpressionFault, Formula};
+use slipgap_problem::problem::numbers::parameter::Parameter;
+use slipgap_problem::problem::structure::tables::schema::named;
 
 /// The parameters of the problem, then these measures, then other names.
 pub fn table(problem: &dyn Problem, measures: &[Measure], others: &[&str]) -> Vec<Parameter> {

@@ -13,9 +13,9 @@ pub use partners::{Found, Partners};
 pub use reference::Reference;
 
 use super::{Measure, Study};
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::numbers::parameter::Value;
 
 /// How a metric is computed from others.
 #[derive(Debug, Clone)]

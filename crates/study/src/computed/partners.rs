@@ -1,8 +1,8 @@
 //! Finds the reference case of many cases.
 
 use super::Reference;
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::Value;
 use std::collections::HashMap;
 
 /// The reference case of a case, by its place among all of them.

@@ -5,8 +5,8 @@ use crate::cases::alike;
 use crate::cases::block::Block;
 use crate::cases::filter::Filter;
 use crate::cases::scope::Scope;
-use slipgap_solver::problem::numbers::parameter::Parameter;
-use slipgap_solver::problem::{Case, Problem};
+use slipgap_problem::problem::numbers::parameter::Parameter;
+use slipgap_problem::problem::{Case, Problem};
 
 /// The values of a reference case. A case goes with the one that has them and is otherwise the same.
 #[derive(Debug, Clone)]

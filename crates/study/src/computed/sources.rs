@@ -6,7 +6,7 @@ use crate::reduction::decode;
 use crate::source::faults::join;
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
-use slipgap_solver::problem::expression::FUNCTIONS;
+use slipgap_problem::problem::expression::FUNCTIONS;
 
 /// The words before the values of a reference case.
 pub const RELATIVE: &str = " relative to ";

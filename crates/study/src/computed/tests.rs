@@ -1,5 +1,5 @@
 use crate::{Found, Partners, Reference, Rule, Study, parse};
-use slipgap_solver::problem::Case;
+use slipgap_problem::problem::Case;
 
 /// A mass on a spring with friction, with these metrics and more keys.
 fn text(metrics: &str, more: &str) -> String {

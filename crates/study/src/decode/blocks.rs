@@ -10,8 +10,8 @@ use crate::source::faults::{Faults, in_words, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
-use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::expression::Formula;
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::expression::Formula;
 
 /// The blocks, of no more than `limit` raw combinations; none if one of them could not be decoded.
 pub(crate) fn blocks(

@@ -6,7 +6,7 @@ use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::value::{name, number};
 use crate::{Check, Filter};
-use slipgap_solver::problem::numbers::parameter::{Range, shortest};
+use slipgap_problem::problem::numbers::parameter::{Range, shortest};
 
 /// The keys of a check.
 pub(crate) const KEYS: [(&str, &str); 4] = [

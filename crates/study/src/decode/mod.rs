@@ -39,8 +39,8 @@ use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
 use columns::columns;
 use ensemble::ensemble;
-use slipgap_solver::problem::structure::tables::schema::NAME;
-use slipgap_solver::problem::{self, PROBLEMS, Problem};
+use slipgap_problem::problem::structure::tables::schema::NAME;
+use slipgap_problem::problem::{self, PROBLEMS, Problem};
 use std::sync::Arc;
 use validate::MOST_CASES;
 

@@ -2,10 +2,10 @@
 
 use crate::axes::draft::{BlockDraft, ParameterDraft};
 use crate::source::faults::{Faults, quoted};
-use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::numbers::parameter::{Default, Parameter};
-use slipgap_solver::problem::table::schema::Text;
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::numbers::parameter::{Default, Parameter};
+use slipgap_problem::problem::table::schema::Text;
 
 /// Reports the parameters of a formula that have no value in the block; false if there are any. `at` and `path` are the
 /// place of the formula.

@@ -7,8 +7,8 @@ use crate::cases::formulas::derived::{Condition, Derived, refused};
 use crate::cases::formulas::formula_table::FormulaTable;
 use crate::source::faults::{Faults, quoted};
 use crate::value::value_of;
-use slipgap_solver::problem::expression::{ExpressionFault, Formula};
-use slipgap_solver::problem::{Case, NotComputed, Problem, Schema};
+use slipgap_problem::problem::expression::{ExpressionFault, Formula};
+use slipgap_problem::problem::{Case, NotComputed, Problem, Schema};
 use std::sync::Arc;
 
 /// The block of a draft; `None` if an expression has a fault or refers to a faulty parameter.

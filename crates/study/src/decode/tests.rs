@@ -9,11 +9,11 @@ use crate::source::faults::Faults;
 use crate::source::place::Texts;
 use crate::source::tree;
 use crate::{Axis, AxisGroup, Block, Filter};
-use slipgap_solver::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::problem::table::schema::{Text, TimeAxis};
-use slipgap_solver::problem::{Case, Problem, Schema, Solution, Violation};
-use slipgap_solver::solve::{MetricTable, Unsolvable};
+use slipgap_motion::solve::{MetricTable, Unsolvable};
+use slipgap_problem::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
+use slipgap_problem::problem::table::cases::Cases;
+use slipgap_problem::problem::table::schema::{Text, TimeAxis};
+use slipgap_problem::problem::{Case, Problem, Schema, Solution, Violation};
 use std::borrow::Cow::{self, Borrowed};
 use std::sync::{Arc, LazyLock};
 
@@ -95,7 +95,7 @@ impl Problem for Bars {
     fn sweep(&self, _: &Cases, _: &[u32]) -> MetricTable {
         MetricTable::default()
     }
-    fn exact(&self, _: &Case, _: &[f64]) -> Option<slipgap_solver::history::History> {
+    fn exact(&self, _: &Case, _: &[f64]) -> Option<slipgap_motion::history::History> {
         None
     }
     fn complete(&self, case: &mut Case) -> Vec<Violation> {

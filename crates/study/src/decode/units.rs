@@ -5,7 +5,7 @@ use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::units::Units;
 use crate::value::text;
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 /// The keys of `units`.
 pub(crate) const KEYS: [(&str, &str); 3] = [

@@ -4,7 +4,7 @@ use crate::Block;
 use crate::axes::draft::BlockDraft;
 use crate::cases::representative::{MOST_TESTED, all_positions, ends, independent, restricted};
 use crate::source::faults::Faults;
-use slipgap_solver::problem::{Case, Problem, Violation};
+use slipgap_problem::problem::{Case, Problem, Violation};
 use std::collections::HashSet;
 
 /// Most raw combinations of a study, if the command line sets no other limit.

@@ -11,8 +11,8 @@ use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
 use crate::figure::reduced;
 use crate::reduction::OPERATORS;
-use slipgap_solver::problem::PROBLEMS;
-use slipgap_solver::problem::expression::{CONSTANTS, FUNCTIONS};
+use slipgap_problem::problem::PROBLEMS;
+use slipgap_problem::problem::expression::{CONSTANTS, FUNCTIONS};
 
 /// The pages beside the general one, docs/study-files.md: one for each problem.
 pub fn problem_pages() -> Vec<&'static str> {

@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use super::schema::values::allowed;
-use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::method::PARAMETERS as METHOD;
-use slipgap_solver::problem::numbers::parameter::{Default, Kind, Parameter};
-use slipgap_solver::solve::{WARNINGS, Warning};
+use slipgap_motion::solve::{WARNINGS, Warning};
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::method::PARAMETERS as METHOD;
+use slipgap_problem::problem::numbers::parameter::{Default, Kind, Parameter};
 
 /// Names as code, with commas.
 pub(super) fn code(names: &[&str]) -> String {

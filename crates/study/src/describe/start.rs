@@ -21,7 +21,7 @@ pub fn start(problem: &str) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipgap_solver::problem;
+    use slipgap_problem::problem;
 
     #[test]
     fn every_problem_has_an_example_of_its_own() {

@@ -2,12 +2,12 @@
 
 use super::reference::{code, list, object};
 use crate::structure::keys;
-use slipgap_solver::problem::structure::channels::channel::{
+use slipgap_problem::problem::structure::channels::channel::{
     OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
 };
-use slipgap_solver::problem::structure::metrics::reduction::{REDUCTIONS, of_measured};
-use slipgap_solver::problem::structure::parts::contacts::NAMES;
-use slipgap_solver::problem::structure::tables::schema::{FIXED, MEANING, NAME};
+use slipgap_problem::problem::structure::metrics::reduction::{REDUCTIONS, of_measured};
+use slipgap_problem::problem::structure::parts::contacts::NAMES;
+use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
 
 /// Name of the page.
 pub(super) const PAGE: &str = NAME;

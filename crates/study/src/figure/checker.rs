@@ -5,8 +5,8 @@ use super::values::Values;
 use crate::faults::{Faults, join};
 use crate::scope::Scope;
 use crate::{Figure, Reduction, Scale};
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::{Default, Value, shortest};
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::{Default, Value, shortest};
 
 /// What to do about too many cases.
 pub(super) const NARROW: &str = "narrow the cases with \"where\"";

@@ -11,7 +11,7 @@ use crate::tree::{Node, Tree};
 use crate::units::NEEDS_UNITS;
 use crate::value::{name, number, text};
 use crate::{ColumnRef, Scale};
-use slipgap_solver::problem::numbers::parameter::{self, Range};
+use slipgap_problem::problem::numbers::parameter::{self, Range};
 
 /// Longest file name of a figure, well within the limits of file systems with an extension.
 const LONGEST_NAME: usize = 100;

@@ -3,7 +3,7 @@
 use super::checker::Checker;
 use super::vary;
 use crate::alike;
-use slipgap_solver::problem::numbers::parameter::Default;
+use slipgap_problem::problem::numbers::parameter::Default;
 
 /// Reports parameters that cannot be along the axis of `kind` or distinguish its curves.
 pub(super) fn check(checker: &mut Checker, x: Option<usize>, by: Option<usize>, kind: &str) {

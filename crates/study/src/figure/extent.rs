@@ -3,7 +3,7 @@
 use crate::faults::Faults;
 use crate::tree::{Node, Tree};
 use crate::value::number;
-use slipgap_solver::problem::numbers::parameter::{Range, shortest};
+use slipgap_problem::problem::numbers::parameter::{Range, shortest};
 
 /// Widths of a figure in mm, from less than a narrow column to more than a page across.
 pub(crate) const WIDTHS: [f64; 2] = [70.0, 400.0];

@@ -3,7 +3,7 @@
 use super::checker::Checker;
 use super::extent::POINTS;
 use crate::Scale;
-use slipgap_solver::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::numbers::parameter::shortest;
 
 /// Width in mm of a matrix of samples without its columns, and what each column adds.
 const MATRIX: [f64; 2] = [36.0, 18.0];

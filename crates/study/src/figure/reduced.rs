@@ -2,8 +2,8 @@
 
 use crate::Reduction;
 use crate::scope::Scope;
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::Value;
 use std::collections::{HashMap, HashSet};
 
 /// The kinds of figure that show reductions.

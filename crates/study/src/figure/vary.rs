@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::checker::Checker;
-use slipgap_solver::problem::numbers::parameter::{Default, Value};
+use slipgap_problem::problem::numbers::parameter::{Default, Value};
 
 /// What a user can do besides narrowing the cases, for kinds with the key `by`.
 pub(super) const OR_WITHOUT_BY: &str = " or leave out \"by\"";

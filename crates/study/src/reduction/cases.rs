@@ -2,8 +2,8 @@
 
 use super::{Groups, Reduction};
 use crate::Study;
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::Value;
 
 /// A case, or what the cases of a group share, with its metrics.
 #[derive(Debug, Clone)]

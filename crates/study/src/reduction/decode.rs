@@ -7,9 +7,9 @@ use crate::object::Object;
 use crate::tree::Node;
 use crate::value::text;
 use crate::{Block, Measure};
-use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::numbers::parameter::{Default, Range, Value};
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::numbers::parameter::{Default, Range, Value};
 
 /// What a reduction looks like.
 const FORM: &str =

@@ -2,7 +2,7 @@
 
 use super::{Operator, Reduction};
 use crate::cases::alike::Identity;
-use slipgap_solver::problem::Case;
+use slipgap_problem::problem::Case;
 use std::collections::HashMap;
 
 /// Groups of cases that reductions of the same parameters take together, in the order of their first cases.

@@ -14,8 +14,8 @@ pub use operator::Operator;
 
 use super::cases::alike::{Identity, identity};
 use super::{Measure, Study};
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::numbers::parameter::Default;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::numbers::parameter::Default;
 
 /// A metric reduced over parameters.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! The operators of reductions: the table that decoding, schema and documentation read.
 
-use slipgap_solver::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_statistics::quantile::quantile;
 
 /// The words of the operators, each with its meaning.

@@ -79,8 +79,8 @@ impl Faults {
 /// Most faults whose lines are shown. Finding thousands of lines takes time.
 const MOST_SHOWN: usize = 20;
 
-use slipgap_solver::problem::expression::{ExpressionFault, UnknownName, printable};
-pub use slipgap_solver::problem::expression::{quoted, shortened};
+use slipgap_problem::problem::expression::{ExpressionFault, UnknownName, printable};
+pub use slipgap_problem::problem::expression::{quoted, shortened};
 
 /// The path of `key` within `path`.
 pub fn join(path: &str, key: &str) -> String {
@@ -146,8 +146,8 @@ mod tests {
 
     #[test]
     fn an_unknown_name_in_an_expression_has_the_nearest_one() {
-        use slipgap_solver::problem::expression::Formula;
-        let table = slipgap_solver::problem::PROBLEMS[0].parameters();
+        use slipgap_problem::problem::expression::Formula;
+        let table = slipgap_problem::problem::PROBLEMS[0].parameters();
         let words = |fault| in_words(&fault);
         let sqrt = words(Formula::number("sqr(2)", table).unwrap_err());
         assert!(

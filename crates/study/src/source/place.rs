@@ -1,6 +1,6 @@
 //! Line and column of byte offsets, and the line of a text with a mark under the column.
 
-use slipgap_solver::problem::expression::is_plain;
+use slipgap_problem::problem::expression::is_plain;
 
 /// A position in a text with its line and column. Offsets in rising order need one pass over the text.
 pub struct Place<'a> {

@@ -2,7 +2,7 @@
 
 use super::faults::{Faults, join, quoted, shortened, shown};
 use super::tree::{self, Member, Node, SyntaxFault, Tree};
-use slipgap_solver::problem;
+use slipgap_problem::problem;
 use std::fmt;
 
 /// A parameter and its value, as written on the command line.

@@ -5,10 +5,10 @@ use crate::axes::parameters::parameters;
 use crate::source::faults::Faults;
 use crate::source::tree::{Node, Tree};
 use crate::structure::reading::given::{member, members};
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::numbers::parameter::{Parameter, Value};
-use slipgap_solver::problem::structure::channels::measured::Measured;
-use slipgap_solver::problem::structure::given::amount::Source;
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::numbers::parameter::{Parameter, Value};
+use slipgap_problem::problem::structure::channels::measured::Measured;
+use slipgap_problem::problem::structure::given::amount::Source;
 
 /// Most parameters of a formula whose ends are all combined.
 const MOST: usize = 12;
@@ -125,11 +125,11 @@ impl Ranges<'_> {
 mod tests {
     use super::*;
     use crate::source::tree::parse;
-    use slipgap_solver::problem::ParameterExpression;
-    use slipgap_solver::problem::numbers::parameter::Range;
-    use slipgap_solver::problem::structure::given::amount::Amount;
-    use slipgap_solver::problem::structure::given::chosen::Chosen;
-    use slipgap_solver::problem::structure::tables::schema::named;
+    use slipgap_problem::problem::ParameterExpression;
+    use slipgap_problem::problem::numbers::parameter::Range;
+    use slipgap_problem::problem::structure::given::amount::Amount;
+    use slipgap_problem::problem::structure::given::chosen::Chosen;
+    use slipgap_problem::problem::structure::tables::schema::named;
     use std::sync::Arc;
 
     /// The delays of a study with these keys, in which this is the delay.

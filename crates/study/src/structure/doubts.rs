@@ -2,16 +2,16 @@
 
 use crate::source::faults::any_of;
 use crate::source::tree::Node;
-use slipgap_solver::contact::ContactKind;
-use slipgap_solver::problem::structure::channels::names::Names;
-use slipgap_solver::problem::structure::given::amount::Source;
-use slipgap_solver::problem::structure::given::node::NodeRef;
-use slipgap_solver::problem::structure::parts::contacts::law_named;
-use slipgap_solver::problem::structure::{
+use slipgap_contact::contact::ContactKind;
+use slipgap_problem::problem::structure::channels::names::Names;
+use slipgap_problem::problem::structure::given::amount::Source;
+use slipgap_problem::problem::structure::given::node::NodeRef;
+use slipgap_problem::problem::structure::parts::contacts::law_named;
+use slipgap_problem::problem::structure::{
     given::chosen::Chosen,
     parts::{along::Term, contact::Contact, template::Template},
 };
-use slipgap_solver::system::structure::Direction;
+use slipgap_system::system::structure::Direction;
 
 /// Coordinates that differ by less than this part of them are one.
 const SAME: f64 = 1e-9;

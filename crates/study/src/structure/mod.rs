@@ -22,12 +22,12 @@ use super::source::tree::Node;
 use super::value;
 use crate::structure::reading::reader::{Reader, named, open};
 use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE};
-use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::structure::StructureProblem;
-use slipgap_solver::problem::structure::channels::names::Names;
-use slipgap_solver::problem::structure::metrics::unit_consistency;
-use slipgap_solver::problem::structure::parts::template::{DampingStiffness, Reference, Template};
-use slipgap_solver::problem::structure::tables::schema::{self, Named};
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::structure::StructureProblem;
+use slipgap_problem::problem::structure::channels::names::Names;
+use slipgap_problem::problem::structure::metrics::unit_consistency;
+use slipgap_problem::problem::structure::parts::template::{DampingStiffness, Reference, Template};
+use slipgap_problem::problem::structure::tables::schema::{self, Named};
 use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
@@ -119,7 +119,7 @@ pub(super) fn problem(
         modal_damping: reader.optional(
             &object,
             "modal_damping",
-            slipgap_solver::problem::numbers::parameter::Range::NotNegative,
+            slipgap_problem::problem::numbers::parameter::Range::NotNegative,
             faults,
         ),
         damping_stiffness: damping_stiffness(&object, faults).unwrap_or_default(),

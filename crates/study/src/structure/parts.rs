@@ -7,10 +7,10 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::reading::given::member;
 use crate::structure::reading::reader::{Part, Reader, open, take_name};
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::given::amount::Amount;
-use slipgap_solver::problem::structure::parts::template::{Bar, Mass, Moved, Start, StaticLoad};
-use slipgap_solver::system::structure::Direction;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::given::amount::Amount;
+use slipgap_problem::problem::structure::parts::template::{Bar, Mass, Moved, Start, StaticLoad};
+use slipgap_system::system::structure::Direction;
 use std::collections::HashSet;
 
 /// The masses, with one part for each direction of a mass that moves in several: NAME.x, NAME.y.

@@ -7,9 +7,9 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::given::amount::{Amount, Source};
-use slipgap_solver::problem::structure::parts::template::{Spring, SpringNumbers};
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::given::amount::{Amount, Source};
+use slipgap_problem::problem::structure::parts::template::{Spring, SpringNumbers};
 
 /// The keys of numbers of which a spring in two directions may have two.
 const NUMBERS: [&str; 5] = ["k", "c", "mass", "period", "ratio"];

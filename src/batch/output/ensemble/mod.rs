@@ -8,7 +8,7 @@ mod two_samples;
 
 use crate::batch::PartResult;
 use rayon::prelude::*;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::{Study, alike};
 use std::collections::HashMap;
 

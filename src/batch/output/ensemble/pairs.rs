@@ -1,7 +1,7 @@
 //! Which ensembles are compared: those that differ in the value of one parameter, all else equal.
 
 use super::EnsembleMetrics;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::alike;
 use std::cmp::Ordering;
 

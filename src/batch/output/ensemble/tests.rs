@@ -1,7 +1,7 @@
 use super::EnsembleMetrics;
 use crate::batch::PartResult;
 use crate::batch::solve::part_result::Solutions;
-use slipgap_solver::solve::MetricTable;
+use slipgap_motion::solve::MetricTable;
 use slipgap_study::{Study, parse};
 
 fn study(text: &str) -> Study {

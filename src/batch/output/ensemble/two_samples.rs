@@ -3,7 +3,7 @@
 use super::pairs::Pair;
 use super::{EnsembleMetrics, text};
 use rayon::prelude::*;
-use slipgap_solver::problem::numbers::parameter::{Value, shortest};
+use slipgap_problem::problem::numbers::parameter::{Value, shortest};
 use slipgap_statistics::kolmogorov_smirnov::test;
 use std::io::{self, Write};
 

@@ -7,7 +7,7 @@ use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style::{self, Look, Marker, Stroke};
 use slipgap_drawing::text::markup;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::{Study, alike};
 
 /// Most curves of a figure: as many as a reader can distinguish without markers.

@@ -6,7 +6,7 @@ use crate::figures::label;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Panel, Series};
 use slipgap_drawing::style::{self, Look};
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::Study;
 
 /// A line through the best points of one value.

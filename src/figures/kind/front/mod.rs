@@ -17,7 +17,7 @@ use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Stroke};
 use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
-use slipgap_solver::problem::numbers::parameter;
+use slipgap_problem::problem::numbers::parameter;
 use slipgap_study::kinds::Front;
 use slipgap_study::{Study, alike};
 

@@ -4,7 +4,7 @@ use super::curve::{DrawWith, Look};
 use crate::figures::kind::Draw;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout::sheet::{Series, Sheet};
-use slipgap_solver::problem::Quantity;
+use slipgap_problem::problem::Quantity;
 use slipgap_study::Study;
 use slipgap_study::kinds::Orbit;
 use std::f64::consts::TAU;

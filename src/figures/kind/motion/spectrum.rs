@@ -11,10 +11,10 @@ use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style;
 use slipgap_drawing::text::{markup, number};
-use slipgap_solver::problem::structure::GroundMotion;
-use slipgap_solver::system::loads::spectrum::{self, spectrum};
+use slipgap_problem::problem::structure::GroundMotion;
 use slipgap_study::kinds::{Ordinate, Spectrum};
 use slipgap_study::{Scale, Study};
+use slipgap_system::system::loads::spectrum::{self, spectrum};
 
 /// Points of a curve: about one typographic point apart.
 const POINTS: usize = 240;

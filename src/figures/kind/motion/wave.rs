@@ -9,7 +9,7 @@ use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::sheet::{Cell, FilledMap, Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style;
-use slipgap_solver::problem::Lines;
+use slipgap_problem::problem::Lines;
 use slipgap_study::Scale;
 use slipgap_study::kinds::Wave;
 

@@ -67,9 +67,9 @@ pub fn lines(
 mod tests {
     use super::*;
     use crate::figures::ShownCases;
-    use slipgap_solver::problem;
-    use slipgap_solver::problem::Case;
-    use slipgap_solver::problem::numbers::unit::Dimension;
+    use slipgap_problem::problem;
+    use slipgap_problem::problem::Case;
+    use slipgap_problem::problem::numbers::unit::Dimension;
 
     /// Metrics of these names, and the same in units.
     fn table(names: [&str; 4]) -> Vec<Measure> {
@@ -110,7 +110,7 @@ mod tests {
         let places = [3.0, 1.0, 2.0];
         let case = |place: &f64| {
             let mut case = Case::new(problem.schema());
-            case.values[x] = Some(slipgap_solver::problem::numbers::parameter::Value::Number(
+            case.values[x] = Some(slipgap_problem::problem::numbers::parameter::Value::Number(
                 *place,
             ));
             case

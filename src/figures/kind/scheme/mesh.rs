@@ -2,7 +2,7 @@
 
 use super::symbols;
 use slipgap_drawing::layout::sheet::{Picture, Shape};
-use slipgap_solver::problem::structure::described::scheme::model::Model;
+use slipgap_problem::problem::structure::described::scheme::model::Model;
 
 /// With more couplings than this, lines and dots are fine.
 const MANY: usize = 100;

@@ -12,7 +12,7 @@ use crate::figures::FigureData;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style;
-use slipgap_solver::problem::structure::Scheme as Structure;
+use slipgap_problem::problem::structure::Scheme as Structure;
 use slipgap_study::kinds::Scheme;
 
 /// Widest picture that keeps the size of its letters if the figure has no width.

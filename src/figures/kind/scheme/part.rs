@@ -1,7 +1,7 @@
 //! What kind of part it is, and what its kind decides.
 
 use super::symbols::length;
-use slipgap_solver::problem::structure::described::scheme::picture::Part;
+use slipgap_problem::problem::structure::described::scheme::picture::Part;
 
 /// Width and height of a node between laws in series.
 pub const NODE: f64 = 4.0;

@@ -3,7 +3,7 @@
 use slipgap_drawing::layout::sheet::{Picture, Rect, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text;
-use slipgap_solver::problem::structure::described::scheme::picture::LinkKind;
+use slipgap_problem::problem::structure::described::scheme::picture::LinkKind;
 
 /// Width of outlines.
 pub const OUTLINE: f64 = 0.9;

@@ -1,7 +1,7 @@
 //! The values of an axis: a list, or points of a design, each computed when it is needed.
 
 use super::design::Coordinates;
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::parameter::Value;
 
 /// The values of an axis.
 #[derive(Debug, Clone)]

@@ -4,9 +4,9 @@ use super::formula_table::FormulaTable;
 use crate::cases::axis::group::AxisGroup;
 use crate::source::faults::quoted;
 use crate::value::value_of;
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::numbers::parameter::{Parameter, Value, shortest};
-use slipgap_solver::problem::{Case, NotComputed, Violation, values_used};
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::numbers::parameter::{Parameter, Value, shortest};
+use slipgap_problem::problem::{Case, NotComputed, Violation, values_used};
 
 /// A parameter that an expression gives.
 #[derive(Debug, Clone)]

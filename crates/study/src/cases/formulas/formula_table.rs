@@ -1,8 +1,8 @@
 //! A formula with its values for all combinations of the groups that it depends on.
 
 use crate::cases::axis::group::AxisGroup;
-use slipgap_solver::problem::Case;
-use slipgap_solver::problem::expression::Formula;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::expression::Formula;
 
 /// A formula and its table of values.
 #[derive(Debug, Clone)]

@@ -6,7 +6,7 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use crate::value::text;
-use slipgap_solver::problem::expression::{CONSTANTS, FUNCTIONS};
+use slipgap_problem::problem::expression::{CONSTANTS, FUNCTIONS};
 
 /// Reports items of `metrics` of another form.
 pub(super) fn check_forms(node: &Node, faults: &mut Faults) {

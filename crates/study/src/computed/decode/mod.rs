@@ -12,9 +12,9 @@ use crate::source::hint::nearest;
 use crate::source::object::Object;
 use crate::source::tree::{Member, Tree};
 use forms::{check_forms, refused};
-use slipgap_solver::problem::escape;
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::structure::tables::schema::{in_unit, symbol};
+use slipgap_problem::problem::escape;
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::structure::tables::schema::{in_unit, symbol};
 
 /// What `metrics` of a study asks for.
 #[derive(Debug, Default)]

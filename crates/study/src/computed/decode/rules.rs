@@ -5,10 +5,10 @@ use super::super::{Reference, Rule, formula};
 use super::{Decoded, Decoder};
 use crate::source::faults::{Faults, in_words, quoted};
 use crate::source::tree::{Member, Node, Tree};
-use slipgap_solver::problem::escape;
-use slipgap_solver::problem::expression::ExpressionFault;
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::structure::tables::schema::title;
+use slipgap_problem::problem::escape;
+use slipgap_problem::problem::expression::ExpressionFault;
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::structure::tables::schema::title;
 
 /// What a ratio looks like.
 const FORM: &str = "\"METRIC relative to PARAMETER = VALUE, ...\", as in \"peak(gap.S) relative to gamma = 1, n = 10\"";

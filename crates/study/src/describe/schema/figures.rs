@@ -8,8 +8,8 @@ use crate::decode::checks;
 use crate::figure::decoded_value::MARKS;
 use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::Kind;
-use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::numbers::parameter::{self, Parameter, Range};
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::numbers::parameter::{self, Parameter, Range};
 
 /// The name of a definition that belongs to a problem.
 pub(super) fn name_of(problem: &dyn Problem, what: &str) -> String {

@@ -17,7 +17,7 @@ use crate::decode::{self, units};
 use crate::figure::kinds::KINDS;
 use crate::structure::named::names::SHOWN;
 use crate::units::IN;
-use slipgap_solver::problem::{self, Metric, PROBLEMS, Problem};
+use slipgap_problem::problem::{self, Metric, PROBLEMS, Problem};
 use std::sync::Arc;
 use values::{
     EXPRESSION, INTERVAL, RULE, expression, interval, names, object, parameters, refer, rule,

@@ -9,8 +9,8 @@ use crate::computed::sources::NAMED;
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::figure::extent::WIDTHS;
 use crate::reduction::OPERATORS;
-use slipgap_solver::problem::expression::FUNCTIONS;
-use slipgap_solver::problem::numbers::parameter::Range;
+use slipgap_problem::problem::expression::FUNCTIONS;
+use slipgap_problem::problem::numbers::parameter::Range;
 
 /// The keys of a block in addition to `parameters`.
 pub(super) fn block_keys() -> Map<String, Json> {

@@ -4,7 +4,7 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::axes::axis_rule::RULES;
 use crate::axes::interval::INTERVALS;
-use slipgap_solver::problem::numbers::parameter::{
+use slipgap_problem::problem::numbers::parameter::{
     Condition, Default, Kind, Parameter, Range, Value,
 };
 

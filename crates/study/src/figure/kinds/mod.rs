@@ -11,7 +11,7 @@ use super::keys::{COMMON, Key};
 use super::values::Values;
 use crate::scope::Scope;
 use crate::{ColumnRef, Scale};
-use slipgap_solver::problem::{Case, Problem};
+use slipgap_problem::problem::{Case, Problem};
 
 /// One kind of figure.
 pub(crate) struct Kind {

@@ -3,8 +3,8 @@
 mod words;
 
 use crate::units::{NEEDS_UNITS, scaled};
-use slipgap_solver::contact::LAWS;
-use slipgap_solver::problem::expression::length_of_number;
+use slipgap_contact::contact::LAWS;
+use slipgap_problem::problem::expression::length_of_number;
 use words::{OF_STRUCTURES, OUTSIDE, SCALED, SYNONYMS, UNITS};
 
 /// Most bytes of a name that is compared with others. Every valid name is shorter.
@@ -139,7 +139,7 @@ pub(crate) fn unit(text: &str) -> Option<&str> {
 mod tests {
     use super::*;
     use crate::axes::axis_rule::RULES;
-    use slipgap_solver::problem::PROBLEMS;
+    use slipgap_problem::problem::PROBLEMS;
 
     /// The names of parameters of a problem.
     fn names(problem: usize) -> Vec<&'static str> {

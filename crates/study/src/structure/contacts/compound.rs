@@ -7,11 +7,11 @@ use crate::source::tree::{Member, Node, Tree};
 use crate::structure::keys::{LISTS, PART};
 use crate::structure::reading::reader::Part;
 use crate::structure::reading::reader::{Reader, open};
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::given::amount::{Amount, Source};
-use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::parts::{along::Term, contact::Contact, template::Mass};
-use slipgap_solver::system::structure::Direction;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::given::amount::{Amount, Source};
+use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
+use slipgap_problem::problem::structure::parts::{along::Term, contact::Contact, template::Mass};
+use slipgap_system::system::structure::Direction;
 
 /// A law of a list, or a list in it.
 enum Item {

@@ -16,12 +16,12 @@ use crate::structure::reading::files;
 use crate::structure::reading::reader::Part;
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::{name, text};
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::given::amount::{self, Amount};
-use slipgap_solver::problem::structure::given::loads::{Kind, Source};
-use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::parts::contacts::{NAMES, NUMBERS, law_named};
-use slipgap_solver::problem::structure::{
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::given::amount::{self, Amount};
+use slipgap_problem::problem::structure::given::loads::{Kind, Source};
+use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
+use slipgap_problem::problem::structure::parts::contacts::{NAMES, NUMBERS, law_named};
+use slipgap_problem::problem::structure::{
     given::chosen::Chosen,
     parts::{
         along::Term,
@@ -29,7 +29,7 @@ use slipgap_solver::problem::structure::{
         template::Spring,
     },
 };
-use slipgap_solver::system::import::{self, ImportFault, Pair};
+use slipgap_system::system::import::{self, ImportFault, Pair};
 
 /// Most bytes of a file of pairs.
 const LARGEST: u64 = 64 << 20;

@@ -5,9 +5,9 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
-use slipgap_solver::problem::structure::given::node::{GROUND, NodeRef};
-use slipgap_solver::problem::structure::parts::along::Term;
-use slipgap_solver::system::structure::{Direction, PlaneRow};
+use slipgap_problem::problem::structure::given::node::{GROUND, NodeRef};
+use slipgap_problem::problem::structure::parts::along::Term;
+use slipgap_system::system::structure::{Direction, PlaneRow};
 
 /// The rows of a contact in a plane: NAME.1 and NAME.2.
 const ROWS: [(PlaneRow, &str); 2] = [(PlaneRow::First, "1"), (PlaneRow::Second, "2")];

@@ -5,7 +5,7 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::keys::PRESSING;
 use crate::structure::reading::reader::open;
 use crate::value::text;
-use slipgap_solver::problem::structure::parts::{
+use slipgap_problem::problem::structure::parts::{
     contact::{Contact, Normal, Pressing, PressingPart},
     template::Spring,
 };

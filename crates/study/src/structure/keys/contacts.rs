@@ -1,8 +1,8 @@
 //! The keys of contacts and of their laws.
 
 use super::Keys;
-use slipgap_solver::contact::number::Number;
-use slipgap_solver::problem::structure::parts::contacts::{NUMBERS, meaning};
+use slipgap_contact::contact::number::Number;
+use slipgap_problem::problem::structure::parts::contacts::{NUMBERS, meaning};
 use std::sync::LazyLock;
 
 /// Keys of a contact: those of all, then the numbers of the laws.

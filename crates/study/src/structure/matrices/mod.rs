@@ -10,19 +10,19 @@ use crate::structure::reading::files;
 use crate::structure::reading::reader::Part;
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
-use slipgap_solver::problem::interned;
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::channels::channel::Term;
-use slipgap_solver::problem::structure::given::rows::Rows;
-use slipgap_solver::problem::structure::metrics::{metric::StructureMetric, reduction::Reduction};
-use slipgap_solver::problem::structure::parts::template::{Matrices, Template, Variant};
-use slipgap_solver::problem::structure::tables::schema::Drawn;
-use slipgap_solver::problem::structure::{
+use slipgap_problem::problem::interned;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::channels::channel::Term;
+use slipgap_problem::problem::structure::given::rows::Rows;
+use slipgap_problem::problem::structure::metrics::{metric::StructureMetric, reduction::Reduction};
+use slipgap_problem::problem::structure::parts::template::{Matrices, Template, Variant};
+use slipgap_problem::problem::structure::tables::schema::Drawn;
+use slipgap_problem::problem::structure::{
     parts::reduce::{Modes, Reduce},
     tables::named_rows::named_rows,
 };
-use slipgap_solver::system::structure::Symmetric;
-use slipgap_solver::system::{
+use slipgap_system::system::structure::Symmetric;
+use slipgap_system::system::{
     import::{Dofs, ImportFault, Imported, Matrix},
     structure::sparse::factor::negative_pivot,
 };

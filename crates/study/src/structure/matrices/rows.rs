@@ -5,7 +5,7 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::reading::files;
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
-use slipgap_solver::system::import::{Dofs, ImportFault};
+use slipgap_system::system::import::{Dofs, ImportFault};
 
 /// Most bytes of a file: 10^6 rows with 80 entries each.
 pub(in crate::structure) const LARGEST: u64 = 2 << 30;

@@ -5,9 +5,9 @@ use crate::source::faults::{Faults, quoted};
 use crate::source::tree::{Node, Tree};
 use crate::structure::reading::reader::open;
 use crate::value::text;
-use slipgap_solver::problem::numbers::unit::Dimension;
-use slipgap_solver::problem::structure::metrics::unit_consistency::{dimension_of, examples};
-use slipgap_solver::problem::structure::metrics::units::UnitNames;
+use slipgap_problem::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::structure::metrics::unit_consistency::{dimension_of, examples};
+use slipgap_problem::problem::structure::metrics::units::UnitNames;
 
 /// A column of a file.
 pub(in crate::structure) struct Column<'a> {

@@ -3,8 +3,8 @@
 use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::structure::keys::KEY;
-use slipgap_solver::problem::structure::channels::measured::{Measured, measured_loop};
-use slipgap_solver::problem::structure::metrics::metric::StructureMetric;
+use slipgap_problem::problem::structure::channels::measured::{Measured, measured_loop};
+use slipgap_problem::problem::structure::metrics::metric::StructureMetric;
 
 /// Reports metrics of what was not measured.
 pub(in crate::structure) fn report_not_measured(

@@ -14,12 +14,12 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::named::named_metrics::hinted;
 use crate::structure::reading::reader::{Reader, open};
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::numbers::unit::Dimension;
-use slipgap_solver::problem::structure::channels::channel::Channel;
-use slipgap_solver::problem::structure::channels::measured::{FEWEST, Measured};
-use slipgap_solver::problem::structure::channels::names::Names;
-use slipgap_solver::problem::structure::tables::schema::Drawn;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::structure::channels::channel::Channel;
+use slipgap_problem::problem::structure::channels::measured::{FEWEST, Measured};
+use slipgap_problem::problem::structure::channels::names::Names;
+use slipgap_problem::problem::structure::tables::schema::Drawn;
 use std::sync::Arc;
 
 /// What was measured, with the channels added to those that histories draw; `None` without the key, or with a fault.

@@ -6,8 +6,8 @@ use crate::source::hint::nearest;
 use crate::source::tree::Node;
 use crate::structure::reading::files::bytes;
 use crate::structure::reading::reader::Reader;
-use slipgap_solver::problem::structure::channels::measured::Test;
-use slipgap_solver::system::measured_table::MeasuredTable;
+use slipgap_problem::problem::structure::channels::measured::Test;
+use slipgap_system::system::measured_table::MeasuredTable;
 
 /// Most bytes of a file.
 const LARGEST: u64 = 64 << 20;

@@ -11,11 +11,11 @@ use crate::structure::keys::{
 };
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::given::amount::{self, Amount};
-use slipgap_solver::problem::structure::given::loads::{Kind, LARGEST_SEED, Source};
-use slipgap_solver::problem::structure::{given::shape::Scaled, parts::template::Load};
-use slipgap_solver::system::structure::Direction;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::given::amount::{self, Amount};
+use slipgap_problem::problem::structure::given::loads::{Kind, LARGEST_SEED, Source};
+use slipgap_problem::problem::structure::{given::shape::Scaled, parts::template::Load};
+use slipgap_system::system::structure::Direction;
 
 /// A force on a node.
 pub(in crate::structure) fn load(

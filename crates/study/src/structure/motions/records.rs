@@ -6,11 +6,11 @@ use crate::source::tree::Node;
 use crate::structure::reading::files::bytes;
 use crate::structure::reading::reader::Reader;
 use crate::value::{name, number};
-use slipgap_solver::problem::numbers::parameter::{Range, shortest};
-use slipgap_solver::problem::structure::given::loads::Kind;
-use slipgap_solver::system::loads::record::{Mean, Reading};
-use slipgap_solver::system::loads::{self, SignalFault, Unit};
-use slipgap_solver::system::structure::Signal;
+use slipgap_problem::problem::numbers::parameter::{Range, shortest};
+use slipgap_problem::problem::structure::given::loads::Kind;
+use slipgap_system::system::loads::record::{Mean, Reading};
+use slipgap_system::system::loads::{self, SignalFault, Unit};
+use slipgap_system::system::structure::Signal;
 use std::sync::Arc;
 
 /// Most bytes of a record.

@@ -7,12 +7,12 @@ use crate::source::tree::Node;
 use crate::structure::keys::{ASCE_7, EN_1998, Keys, SCALE_TO, SPECTRUM, TARGET_TABLE, names};
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::name;
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::given::amount::Amount;
-use slipgap_solver::problem::structure::given::scale_to::{Goal, ScaleTo, TargetSpectrum};
-use slipgap_solver::problem::structure::given::shape::Shape;
-use slipgap_solver::system::loads::Unit;
-use slipgap_solver::system::structure::Baseline;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::given::amount::Amount;
+use slipgap_problem::problem::structure::given::scale_to::{Goal, ScaleTo, TargetSpectrum};
+use slipgap_problem::problem::structure::given::shape::Shape;
+use slipgap_system::system::loads::Unit;
+use slipgap_system::system::structure::Baseline;
 
 /// What an object does to its function.
 pub(in crate::structure) fn shape(

@@ -13,12 +13,12 @@ use crate::structure::measured::{column, test};
 use crate::structure::reading::given::member;
 use crate::structure::reading::reader::Part;
 use crate::structure::reading::reader::{Reader, open};
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::numbers::unit::Dimension;
-use slipgap_solver::problem::structure::channels::measured::Test;
-use slipgap_solver::problem::structure::given::amount::Amount;
-use slipgap_solver::problem::structure::given::supports::{Course, Points, Support};
-use slipgap_solver::system::structure::{Baseline, Direction};
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::structure::channels::measured::Test;
+use slipgap_problem::problem::structure::given::amount::Amount;
+use slipgap_problem::problem::structure::given::supports::{Course, Points, Support};
+use slipgap_system::system::structure::{Baseline, Direction};
 use std::sync::Arc;
 
 /// The directions x, y and z in which a support moves.

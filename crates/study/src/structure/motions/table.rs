@@ -4,8 +4,8 @@ use crate::source::faults::Faults;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::Keys;
 use crate::structure::reading::reader::{Reader, open};
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::given::amount::Amount;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::given::amount::Amount;
 
 /// Lists of one length under two keys, such as times and values.
 pub(in crate::structure) fn table(

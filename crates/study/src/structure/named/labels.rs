@@ -5,11 +5,11 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::reading::given::{
     Choices, Choosing, given, interned_choices, member, members, texts,
 };
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::expression::unprintable;
-use slipgap_solver::problem::interned;
-use slipgap_solver::problem::numbers::parameter::LABEL;
-use slipgap_solver::problem::structure::tables::schema::{FIXED, named, of_method};
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::expression::unprintable;
+use slipgap_problem::problem::interned;
+use slipgap_problem::problem::numbers::parameter::LABEL;
+use slipgap_problem::problem::structure::tables::schema::{FIXED, named, of_method};
 
 /// The parameters whose values are texts that are no numbers and that neither the structure nor another parameter contains, with
 /// their texts.

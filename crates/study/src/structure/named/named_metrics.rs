@@ -7,18 +7,18 @@ use crate::source::hint::nearest;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::reading::reader::Reader;
-use slipgap_solver::problem::expression::printable;
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::channels::channel::{Channel, UNKNOWN};
-use slipgap_solver::problem::structure::channels::names::Names;
-use slipgap_solver::problem::structure::given::loads::Kind;
-use slipgap_solver::problem::structure::metrics::pieces::{Piece, pieces};
-use slipgap_solver::problem::structure::metrics::{
+use slipgap_problem::problem::expression::printable;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::channels::channel::{Channel, UNKNOWN};
+use slipgap_problem::problem::structure::channels::names::Names;
+use slipgap_problem::problem::structure::given::loads::Kind;
+use slipgap_problem::problem::structure::metrics::pieces::{Piece, pieces};
+use slipgap_problem::problem::structure::metrics::{
     metric::{StructureMetric, looks_like_metric},
     reduction::Reduction,
 };
-use slipgap_solver::problem::structure::tables::schema::Drawn;
-use slipgap_solver::problem::structure::{given::shape::Scaled, parts::template::Template};
+use slipgap_problem::problem::structure::tables::schema::Drawn;
+use slipgap_problem::problem::structure::{given::shape::Scaled, parts::template::Template};
 
 /// The metrics in the list `metrics`, and those that reductions, checks and figures name.
 pub(in crate::structure) fn metrics(

@@ -10,14 +10,14 @@ use crate::structure::reading::given::{
 };
 use crate::structure::reading::reader::is_name;
 use crate::value::text;
-use slipgap_solver::problem::expression::FUNCTIONS;
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::interned;
-use slipgap_solver::problem::method::PARAMETERS;
-use slipgap_solver::problem::numbers::parameter::Parameter;
-use slipgap_solver::problem::structure::metrics::metric::OF_ALL;
-use slipgap_solver::problem::structure::parts::contacts::NAMES;
-use slipgap_solver::problem::structure::tables::schema::{FIXED, Named, of_method};
+use slipgap_problem::problem::expression::FUNCTIONS;
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::interned;
+use slipgap_problem::problem::method::PARAMETERS;
+use slipgap_problem::problem::numbers::parameter::Parameter;
+use slipgap_problem::problem::structure::metrics::metric::OF_ALL;
+use slipgap_problem::problem::structure::parts::contacts::NAMES;
+use slipgap_problem::problem::structure::tables::schema::{FIXED, Named, of_method};
 
 /// The key of measurements.
 const MEASURED: &str = KEY.0;

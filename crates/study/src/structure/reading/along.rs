@@ -5,13 +5,13 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
-use slipgap_solver::problem::ParameterExpression;
-use slipgap_solver::problem::expression::Formula;
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::given::amount::{Amount, Source};
-use slipgap_solver::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_solver::problem::structure::parts::along::Term;
-use slipgap_solver::system::structure::Direction;
+use slipgap_problem::problem::ParameterExpression;
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::given::amount::{Amount, Source};
+use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
+use slipgap_problem::problem::structure::parts::along::Term;
+use slipgap_system::system::structure::Direction;
 use std::sync::Arc;
 
 /// What moves at one side, each node with its factor, and its terms.

@@ -6,10 +6,10 @@ use crate::source::faults::{Faults, quoted};
 use crate::source::input::open;
 use crate::source::tree::Node;
 use crate::value::text;
-use slipgap_solver::problem::interned;
-use slipgap_solver::problem::numbers::parameter::Kind;
-use slipgap_solver::problem::structure::given::chosen::Chosen;
-use slipgap_solver::system::import::ImportFault;
+use slipgap_problem::problem::interned;
+use slipgap_problem::problem::numbers::parameter::Kind;
+use slipgap_problem::problem::structure::given::chosen::Chosen;
+use slipgap_system::system::import::ImportFault;
 use std::io::{self, Read};
 use std::path::Path;
 

@@ -9,7 +9,7 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::tree::{Member, Node, Tree};
 use crate::structure::reading::given::{given, member, texts, under};
 use crate::structure::reading::reader::is_name;
-use slipgap_solver::system::loads::synthetic::PEAK;
+use slipgap_system::system::loads::synthetic::PEAK;
 
 /// The parameters that the command line may add.
 pub(crate) const RECORD: &str = "record";

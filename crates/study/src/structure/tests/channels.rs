@@ -1,7 +1,7 @@
 //! Accelerations, forces and energies as channels: against sums of other channels, velocities, and closed forms.
 
 use super::{faults, solved, study};
-use slipgap_solver::problem::Solution;
+use slipgap_problem::problem::Solution;
 
 const METHODS: [&str; 8] = [
     "average-acceleration",

@@ -1,12 +1,11 @@
 //! The estimated duration of a contact.
 
 use crate::parse;
-use slipgap_solver::contact::ClippedLine;
-use slipgap_solver::contact::{
+use slipgap_contact::contact::{
     ClippedLine, ContactLaw, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Ye,
 };
-use slipgap_solver::problem::structure::model::contact_duration;
-use slipgap_solver::system::structure::{
+use slipgap_problem::problem::structure::model::contact_duration;
+use slipgap_system::system::structure::{
     Contact, Node, Structure, StructureLaw, Symmetric, between,
 };
 

@@ -1,7 +1,7 @@
 //! The ground motion of a case.
 
 use crate::parse;
-use slipgap_solver::problem::structure::GroundMotion;
+use slipgap_problem::problem::structure::GroundMotion;
 
 /// The ground motion of the first case of a study with one mass and this ground.
 fn motion(ground: &str) -> GroundMotion {

@@ -1,7 +1,7 @@
 //! Displacements of supports by files, compared with the same points in lists.
 
 use crate::{Input, Study};
-use slipgap_solver::problem::Solution;
+use slipgap_problem::problem::Solution;
 use std::path::{Path, PathBuf};
 
 const T: [f64; 6] = [0.0, 0.3, 0.5, 1.25, 1.5, 2.0];

@@ -1,8 +1,8 @@
 //! Metrics against what was measured, compared with sums over the histories of the same cases.
 
 use crate::{Input, Study};
-use slipgap_solver::problem::table::cases::Cases;
-use slipgap_solver::problem::{Case, MeasuredChannel, Solution};
+use slipgap_problem::problem::table::cases::Cases;
+use slipgap_problem::problem::{Case, MeasuredChannel, Solution};
 use std::path::PathBuf;
 
 /// A folder of its own for a test.

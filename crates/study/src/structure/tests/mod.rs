@@ -15,8 +15,8 @@ mod ties;
 mod titles;
 
 use crate::{Study, parse};
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::{Case, Solution};
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::{Case, Solution};
 
 fn study(text: &str) -> Study {
     parse("s", text).unwrap_or_else(|e| panic!("{e}"))

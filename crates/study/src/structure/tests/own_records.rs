@@ -1,7 +1,7 @@
 //! Records of the command line instead of synthetic motions.
 
 use crate::{Input, Setting, Study};
-use slipgap_solver::system::loads::synthetic::PEAK;
+use slipgap_system::system::loads::synthetic::PEAK;
 
 /// A mass on synthetic motions; `scale` doubles them.
 const SYNTHETIC: &str = r#"{"problem": "structure",

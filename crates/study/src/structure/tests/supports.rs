@@ -1,7 +1,7 @@
 //! Supports with motions of their own: against the ground with the same motion, and against solutions that come from no method.
 
 use super::{faults, solved, study};
-use slipgap_solver::problem::Solution;
+use slipgap_problem::problem::Solution;
 
 /// The channels of the history of a study.
 fn channels(text: &str) -> Vec<Vec<f64>> {

@@ -16,7 +16,7 @@ use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style;
-use slipgap_solver::problem::Quantity;
+use slipgap_problem::problem::Quantity;
 use slipgap_study::Scale;
 use slipgap_study::kinds::Curve;
 

@@ -4,8 +4,8 @@ use super::super::history::curves::sizes;
 use super::super::history::measured::Measured;
 use crate::figures::DrawnCase;
 use slipgap_drawing::layout::sheet::Series;
-use slipgap_solver::history::History;
-use slipgap_solver::problem::{Quantity, Solution};
+use slipgap_motion::history::History;
+use slipgap_problem::problem::{Quantity, Solution};
 use slipgap_study::Study;
 
 /// Fewest and most points of an exact curve, and points for each step between them.

@@ -5,9 +5,9 @@ use crate::figures::DrawnCase;
 use crate::figures::label;
 use slipgap_drawing::layout::sheet::{MEASURED, Series};
 use slipgap_drawing::style::{self, Look};
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::numbers::unit::Dimension;
-use slipgap_solver::problem::{Case, Quantity, Solution};
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::{Case, Quantity, Solution};
 use slipgap_study::Study;
 
 /// Points of an exact curve: less than a typographic point apart.

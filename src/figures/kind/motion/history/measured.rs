@@ -1,6 +1,6 @@
 //! What was measured in a case, for curves.
 
-use slipgap_solver::problem::{Case, MeasuredChannel, Quantity};
+use slipgap_problem::problem::{Case, MeasuredChannel, Quantity};
 use slipgap_study::Study;
 
 /// The measured channels of a case.

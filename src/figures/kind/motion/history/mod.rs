@@ -20,8 +20,8 @@ use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style;
-use slipgap_solver::problem::Quantity;
-use slipgap_solver::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::Quantity;
+use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_study::kinds::History;
 use slipgap_study::{Scale, Study};
 

@@ -11,7 +11,7 @@ use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Band, MEASURED, Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Look};
-use slipgap_solver::problem::Quantity;
+use slipgap_problem::problem::Quantity;
 use slipgap_study::kinds::History;
 use slipgap_study::{Scale, Study};
 

@@ -2,12 +2,12 @@
 
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
+use slipgap_contact::contact::ContactLaw;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::{self, ticks};
 use slipgap_drawing::style;
 use slipgap_drawing::text::markup;
-use slipgap_solver::contact::ContactLaw;
 use slipgap_study::Study;
 
 const HEIGHT: f64 = 120.0;
@@ -118,7 +118,7 @@ struct Curve {
 /// The different curves of a law, each with its name and the parameters that distinguish it.
 fn curves(
     group: &[(ContactLaw, &DrawnCase)],
-    table: &[slipgap_solver::problem::numbers::parameter::Parameter],
+    table: &[slipgap_problem::problem::numbers::parameter::Parameter],
 ) -> Vec<Curve> {
     let reach = group
         .iter()

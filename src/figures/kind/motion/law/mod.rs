@@ -5,8 +5,8 @@ mod papers;
 
 use crate::figures::FigureData;
 use crate::figures::kind::Draw;
+use slipgap_contact::contact::{ClippedLine, ContactLaw};
 use slipgap_drawing::layout::sheet::Sheet;
-use slipgap_solver::contact::{ClippedLine, ContactLaw};
 use slipgap_study::kinds::Law;
 
 impl Draw for Law {

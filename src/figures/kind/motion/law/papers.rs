@@ -2,6 +2,8 @@
 
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
+use slipgap_contact::contact::numbers::oscillator::{ALPHA, BETA};
+use slipgap_contact::contact::{Cycle, DisplacementControl, Law as _, VelocityControl};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
@@ -9,9 +11,7 @@ use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Anchor, Panel, PlacedText, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style::{self, Stroke};
-use slipgap_solver::contact::numbers::oscillator::{ALPHA, BETA};
-use slipgap_solver::contact::{Cycle, DisplacementControl, Law as _, VelocityControl};
-use slipgap_solver::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::Study;
 
 const HEIGHT: f64 = 150.0;

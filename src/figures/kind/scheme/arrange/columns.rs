@@ -6,7 +6,7 @@ use super::join::Join;
 use super::reach::reach;
 use super::relations::Relations;
 use super::sizes::{Sizes, interval};
-use slipgap_solver::problem::structure::described::scheme::picture::Scheme;
+use slipgap_problem::problem::structure::described::scheme::picture::Scheme;
 
 /// Distance of parts in a row that nothing joins.
 const APART: f64 = 18.0;

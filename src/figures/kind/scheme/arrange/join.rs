@@ -1,6 +1,6 @@
 //! How a link joins parts, and its ends.
 
-use slipgap_solver::problem::structure::described::scheme::picture::{End, Link, Place};
+use slipgap_problem::problem::structure::described::scheme::picture::{End, Link, Place};
 
 /// How a link is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! How the links between two parts of a scheme are drawn: side by side or above one another.
 
 use super::join::{Join, end};
-use slipgap_solver::problem::structure::described::scheme::picture::{LinkKind, Place, Scheme};
+use slipgap_problem::problem::structure::described::scheme::picture::{LinkKind, Place, Scheme};
 
 /// What decides how pairs are drawn.
 pub struct Facts<'a> {

@@ -4,7 +4,7 @@ use super::super::symbols;
 use super::join::Join;
 use super::relations::Relations;
 use super::sizes::interval;
-use slipgap_solver::problem::structure::described::scheme::picture::{End, Place, Scheme};
+use slipgap_problem::problem::structure::described::scheme::picture::{End, Place, Scheme};
 
 /// Room for an arrow at a face.
 const ARROW: f64 = 26.0;

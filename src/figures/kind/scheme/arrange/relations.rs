@@ -7,7 +7,7 @@
 
 use super::join::{Join, end};
 use super::pairs::Facts;
-use slipgap_solver::problem::structure::described::scheme::picture::{
+use slipgap_problem::problem::structure::described::scheme::picture::{
     Link, LinkKind, Place, Scheme,
 };
 use std::collections::BTreeMap;

@@ -6,7 +6,7 @@ use super::join::{Join, end};
 use super::relations::Relations;
 use slipgap_drawing::style;
 use slipgap_drawing::text;
-use slipgap_solver::problem::structure::described::scheme::picture::{Link, Part, Place, Scheme};
+use slipgap_problem::problem::structure::described::scheme::picture::{Link, Part, Place, Scheme};
 
 /// Least width of a mass and of a bar.
 const LEAST: [f64; 2] = [36.0, 104.0];

@@ -1,8 +1,8 @@
 //! Groups of coupled nodes, which are moved apart where contacts or springs between them have no room.
 
 use super::super::part::extent;
-use slipgap_solver::problem::structure::described::scheme::model::Model;
-use slipgap_solver::problem::structure::described::scheme::picture::{End, Link, Place};
+use slipgap_problem::problem::structure::described::scheme::model::Model;
+use slipgap_problem::problem::structure::described::scheme::picture::{End, Link, Place};
 
 /// Moves the groups that are beside or above one another so far apart that each link has its length. The shape of each group
 /// stays. Groups that overlap by more than `beside` along an axis are not moved along it.

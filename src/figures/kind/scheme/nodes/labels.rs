@@ -5,8 +5,8 @@ use super::super::symbols::NAME_GAP;
 use slipgap_drawing::layout::sheet::{Anchor, PlacedText, Rect};
 use slipgap_drawing::style;
 use slipgap_drawing::text::{self, markup};
-use slipgap_solver::problem::structure::described::scheme::model::Model;
-use slipgap_solver::problem::structure::described::scheme::picture::Link;
+use slipgap_problem::problem::structure::described::scheme::model::Model;
+use slipgap_problem::problem::structure::described::scheme::picture::Link;
 
 /// A point of the picture.
 type Point = [f64; 2];

@@ -7,8 +7,8 @@ use super::places::Placed;
 use super::walls::{Wall, Walls};
 use slipgap_drawing::layout::sheet::{Picture, Rect, Shape};
 use slipgap_drawing::text::markup;
-use slipgap_solver::problem::structure::described::scheme::model::Model;
-use slipgap_solver::problem::structure::described::scheme::picture::{End, Link, LinkKind, Place};
+use slipgap_problem::problem::structure::described::scheme::model::Model;
+use slipgap_problem::problem::structure::described::scheme::picture::{End, Link, LinkKind, Place};
 
 /// Distance of the ground from a node.
 const TO_GROUND: f64 = 26.0;
@@ -245,7 +245,7 @@ impl Marks<'_> {
         for dof in &self.placed.loads {
             let named = &self.model.interface[*dof];
             let node = self.places[named.node];
-            let axes = slipgap_solver::system::structure::Direction::TRANSLATIONS;
+            let axes = slipgap_system::system::structure::Direction::TRANSLATIONS;
             let direction = axes.map(|axis| if axis == named.direction { 1.0 } else { 0.0 });
             match self.unit(direction).filter(|_| direction != [0.0; 3]) {
                 None => labels.near(node, format!("force {}", markup::escape(&named.name))),

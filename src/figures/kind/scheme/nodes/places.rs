@@ -3,8 +3,8 @@
 use super::super::part::{extent, has_places};
 use super::super::symbols::{self, length};
 use super::groups;
-use slipgap_solver::problem::structure::described::scheme::model::Model;
-use slipgap_solver::problem::structure::described::scheme::picture::{
+use slipgap_problem::problem::structure::described::scheme::model::Model;
+use slipgap_problem::problem::structure::described::scheme::picture::{
     End, Link, Part, Place, Scheme,
 };
 

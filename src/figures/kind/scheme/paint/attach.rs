@@ -8,8 +8,8 @@ use super::painter::Painter;
 use slipgap_drawing::layout::sheet::{Anchor, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text::markup;
-use slipgap_solver::problem::structure::described::scheme::model::Model;
-use slipgap_solver::problem::structure::described::scheme::picture::{Part, Place};
+use slipgap_problem::problem::structure::described::scheme::model::Model;
+use slipgap_problem::problem::structure::described::scheme::picture::{Part, Place};
 
 /// Distance of links over a part from its edge.
 const INSET: f64 = 5.0;

@@ -4,7 +4,7 @@ use super::super::symbols::NAME_GAP;
 use slipgap_drawing::layout::sheet::{Anchor, Picture, PlacedText, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text;
-use slipgap_solver::system::structure::Direction;
+use slipgap_system::system::structure::Direction;
 
 /// Length of a horizontal arrow.
 const ACROSS: f64 = 34.0;

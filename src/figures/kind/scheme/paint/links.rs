@@ -8,7 +8,7 @@ use super::painter::{OVER, Painter, ROWS};
 use slipgap_drawing::layout::sheet::{Anchor, Shape};
 use slipgap_drawing::style;
 use slipgap_drawing::text::markup;
-use slipgap_solver::problem::structure::described::scheme::picture::{Link, LinkKind};
+use slipgap_problem::problem::structure::described::scheme::picture::{Link, LinkKind};
 
 /// A point of the picture.
 type Point = [f64; 2];

@@ -3,7 +3,7 @@
 use super::super::symbols;
 use super::painter::Painter;
 use slipgap_drawing::layout::sheet::Shape;
-use slipgap_solver::problem::structure::described::scheme::picture::{End, Place};
+use slipgap_problem::problem::structure::described::scheme::picture::{End, Place};
 
 /// Length of an arrow.
 const FORCE: f64 = 22.0;

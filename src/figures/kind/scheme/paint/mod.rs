@@ -15,7 +15,7 @@ use super::nodes::places::Placed;
 use painter::Painter;
 use slipgap_drawing::layout::sheet::{Anchor, Picture, Shape};
 use slipgap_drawing::text;
-use slipgap_solver::problem::structure::described::scheme::picture::Scheme;
+use slipgap_problem::problem::structure::described::scheme::picture::Scheme;
 
 /// The horizontal and the vertical axis of a structure without places: its row along X.
 const ROW: [usize; 2] = [0, 2];

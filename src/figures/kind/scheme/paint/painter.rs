@@ -6,7 +6,7 @@ use super::super::arrange::sizes::Sizes;
 use super::super::part::has_places;
 use slipgap_drawing::layout::sheet::{Anchor, Picture, PlacedText, Rect};
 use slipgap_drawing::style;
-use slipgap_solver::problem::structure::described::scheme::picture::{LinkKind, Scheme};
+use slipgap_problem::problem::structure::described::scheme::picture::{LinkKind, Scheme};
 
 /// Distance of rows, and of rows that only friction connects.
 pub const ROWS: f64 = 32.0;

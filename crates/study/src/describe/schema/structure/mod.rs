@@ -13,10 +13,10 @@ use crate::describe::schema::values::{INTERVAL, RULE, expression, names, number,
 use crate::figure::kinds::KINDS;
 use crate::structure::keys::{self, Keys};
 use serde_json::{Map, Value as Json, json};
-use slipgap_solver::problem::method::PARAMETERS;
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::tables::schema::{FIXED, MEANING, NAME};
-use slipgap_solver::system::structure::Direction;
+use slipgap_problem::problem::method::PARAMETERS;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
+use slipgap_system::system::structure::Direction;
 
 /// The rules for studies of structures.
 pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {

@@ -6,11 +6,11 @@ use super::{
 use crate::describe::schema::values::{names, number, refer};
 use crate::structure::keys::{self};
 use serde_json::{Value as Json, json};
-use slipgap_solver::problem::numbers::parameter::Range;
-use slipgap_solver::problem::structure::parts::contacts::NAMES;
-use slipgap_solver::system::loads::Unit;
-use slipgap_solver::system::loads::record::Mean;
-use slipgap_solver::system::structure::Baseline;
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::parts::contacts::NAMES;
+use slipgap_system::system::loads::Unit;
+use slipgap_system::system::loads::record::Mean;
+use slipgap_system::system::structure::Baseline;
 
 pub(super) fn function_value(key: &str) -> Json {
     match key {

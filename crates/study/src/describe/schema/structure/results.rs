@@ -7,8 +7,8 @@ use crate::describe::schema::parts::several;
 use crate::figure::keys::Takes;
 use crate::figure::kinds::{Kind, Needs};
 use serde_json::{Value as Json, json};
-use slipgap_solver::problem::structure::metrics::ground::PREFIX;
-use slipgap_solver::problem::structure::metrics::reduction::REDUCTIONS;
+use slipgap_problem::problem::structure::metrics::ground::PREFIX;
+use slipgap_problem::problem::structure::metrics::reduction::REDUCTIONS;
 
 /// The name of a metric.
 pub(super) fn metric() -> Json {

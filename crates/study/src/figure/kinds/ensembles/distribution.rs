@@ -5,7 +5,7 @@ use crate::figure::checker::Checker;
 use crate::figure::ensembles;
 use crate::figure::keys::{BY_OUTSIDE, COLOUR, METRICS, X_RANGE, X_SCALE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "distribution",

@@ -6,7 +6,7 @@ use crate::figure::ensembles;
 use crate::figure::keys::{BY_OUTSIDE, COLOUR, Takes, X_RANGE, X_SCALE, Y_RANGE, key};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::{ColumnRef, Scale};
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "fragility",

@@ -7,7 +7,7 @@ use crate::figure::keys::{
     BY_OUTSIDE, COLOUR, MARKERS, METRICS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
 };
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 /// The probabilities of the edges of a band if the study gives none: those of one standard deviation of a normal
 /// distribution.

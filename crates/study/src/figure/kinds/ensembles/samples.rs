@@ -5,7 +5,7 @@ use crate::figure::keys::{Takes, key};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::{limits, sampled};
 use crate::{ColumnRef, Scale};
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "samples",

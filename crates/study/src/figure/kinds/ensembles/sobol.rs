@@ -4,7 +4,7 @@ use crate::figure::checker::Checker;
 use crate::figure::keys::METRICS;
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::{Block, ColumnRef, Sampling, Scale};
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "sobol",

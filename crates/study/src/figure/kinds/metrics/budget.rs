@@ -5,7 +5,7 @@ use crate::figure::checker::Checker;
 use crate::figure::keys::{COLOUR, MARKERS, PANELS, Takes, X, X_RANGE, Y_RANGE, key};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::{sampled, vary};
-use slipgap_solver::problem::{self, Problem};
+use slipgap_problem::problem::{self, Problem};
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "budget",

@@ -6,7 +6,7 @@ use crate::figure::checker::Checker;
 use crate::figure::keys::{BY_OTHERS, COLOUR, MARKERS, METRICS, Takes, X_RANGE, Y_RANGE, key};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::sampled;
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "convergence",

@@ -5,7 +5,7 @@ use crate::cases::alike;
 use crate::figure::checker::{Checker, NARROW};
 use crate::figure::keys::{COLOUR, MARKERS, Takes, X_RANGE, Y_RANGE, key};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
-use slipgap_solver::problem::{Case, Problem};
+use slipgap_problem::problem::{Case, Problem};
 use std::collections::HashMap;
 
 /// Most lines of a panel: as many as a reader can distinguish where they are close.

@@ -6,7 +6,7 @@ use crate::figure::keys::{Takes, X, X_SCALE, Y_SCALE, key};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::{limits, sampled, vary};
 use crate::{ColumnRef, Scale};
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "map",

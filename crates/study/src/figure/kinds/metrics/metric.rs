@@ -7,7 +7,7 @@ use crate::figure::keys::{
 };
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::{sampled, vary};
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "metric",

@@ -4,7 +4,7 @@ use crate::figure::checker::Checker;
 use crate::figure::keys::{Takes, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::{ColumnRef, Scale};
-use slipgap_solver::problem::Problem;
+use slipgap_problem::problem::Problem;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "scatter",

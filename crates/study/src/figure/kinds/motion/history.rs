@@ -6,8 +6,8 @@ use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, X_RANGE,
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::vary;
 use crate::scope::Scope;
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::numbers::unit::Dimension;
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::numbers::unit::Dimension;
 use std::collections::HashMap;
 
 /// Most curves that line styles can distinguish in one panel.

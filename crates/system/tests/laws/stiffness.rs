@@ -1,9 +1,9 @@
 //! What steps and warnings ask of a law, its stiffness, its energy and the time of an impact, against its own answer.
 
 use super::{follow, is_rigid, made_with, sample};
-use slipgap_solver::contact::number::Number;
-use slipgap_solver::contact::offer::Offered;
-use slipgap_solver::contact::{ContactKind, ContactLaw, LAWS, Pendulum, StoredEnergy};
+use slipgap_contact::contact::number::Number;
+use slipgap_contact::contact::offer::Offered;
+use slipgap_contact::contact::{ContactKind, ContactLaw, LAWS, Pendulum, StoredEnergy};
 
 /// Values that differ where two numbers of a law are of one kind, so that one in the place of the other is seen.
 fn distinct(number: &Number) -> f64 {

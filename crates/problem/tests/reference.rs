@@ -1,7 +1,7 @@
 //! The parts of the error with laws that have no closed form: their sum, and the order of the step error.
 
-use slipgap_solver::problem::numbers::parameter::Value;
-use slipgap_solver::problem::{Case, find};
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::{Case, find};
 use std::f64::consts::PI;
 
 /// The metrics of these names.

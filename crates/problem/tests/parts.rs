@@ -1,15 +1,15 @@
 //! Laws of parts of bridges and buildings: loops in closed form, the equation of a step, the energy of a motion, and other programs.
 
 use serde_json::Value;
-use slipgap_solver::contact::offer::{Form, Place};
-use slipgap_solver::contact::{
+use slipgap_contact::contact::offer::{Form, Place};
+use slipgap_contact::contact::{
     AnyRunningLaw, ContactLaw, ContactResponse, Flexibility, GivenNumbers, StepFlexibility,
     StoredEnergy, Trial, offer::Offered,
 };
-use slipgap_solver::lane::Lane;
-use slipgap_solver::methods::{AverageAcceleration, Bathe, Coefficients, Method};
-use slipgap_solver::solve::structure::{Books, Prepared, run};
-use slipgap_solver::system::structure::{
+use slipgap_contact::lane::Lane;
+use slipgap_motion::solve::structure::{Books, Prepared, run};
+use slipgap_system::methods::{AverageAcceleration, Bathe, Coefficients, Method};
+use slipgap_system::system::structure::{
     Contact, Direction, Limit, Node, Structure, StructureLaw, Symmetric,
 };
 
@@ -311,7 +311,7 @@ fn a_multilinear_table_may_differ_on_both_sides() {
 #[test]
 fn tables_that_do_not_yield_are_refused() {
     let refused = |points: &[[f64; 2]], part: &str| {
-        let why = slipgap_solver::contact::Multilinear::new(points).expect_err(part);
+        let why = slipgap_contact::contact::Multilinear::new(points).expect_err(part);
         assert!(why.to_string().contains(part), "{why}");
     };
     refused(&[], "r > 0");
@@ -327,13 +327,13 @@ fn tables_that_do_not_yield_are_refused() {
             .map(|i| [i as f64, (2.0 * n as f64 - i as f64) * i as f64])
             .collect()
     };
-    assert!(slipgap_solver::contact::Multilinear::new(&many(7)).is_ok());
+    assert!(slipgap_contact::contact::Multilinear::new(&many(7)).is_ok());
     refused(&many(8), "more than 6");
     // Points on a line have no bend; a point at 0 is one of the table.
     let line: Vec<[f64; 2]> = (0..9)
         .map(|i| [f64::from(i) * 0.1, f64::from(i) * 0.3])
         .collect();
-    let straight = slipgap_solver::contact::Multilinear::new(&line).expect("a line");
+    let straight = slipgap_contact::contact::Multilinear::new(&line).expect("a line");
     assert_eq!(straight.parts, [0.0; 6]);
 }
 

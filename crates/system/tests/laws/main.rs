@@ -3,15 +3,15 @@
 mod properties;
 mod stiffness;
 
-use slipgap_solver::contact::number::{Number, Range, Usual};
-use slipgap_solver::contact::numbers::structure;
-use slipgap_solver::contact::offer::{Offered, Place};
-use slipgap_solver::contact::{
+use slipgap_contact::contact::number::{Number, Range, Usual};
+use slipgap_contact::contact::numbers::structure;
+use slipgap_contact::contact::offer::{Offered, Place};
+use slipgap_contact::contact::{
     ClippedLine, ContactKind, ContactLaw, ContactResponse, Flexibility, GivenNumbers, LAWS,
     StepFlexibility, StoredEnergy, Trial,
 };
-use slipgap_solver::lane::Lane;
-use slipgap_solver::system::structure::{Limit, StructureLaw};
+use slipgap_contact::lane::Lane;
+use slipgap_system::system::structure::{Limit, StructureLaw};
 
 /// A value of a number that no law treats specially.
 fn sample(number: &Number) -> f64 {

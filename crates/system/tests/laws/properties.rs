@@ -4,11 +4,11 @@
 //! default: the table shows it to whoever reviews `properties.txt`, and a default that changes shows in every line that it reaches.
 
 use super::{made_with, sample};
-use slipgap_solver::contact::{
+use slipgap_contact::contact::{
     ContactLaw, Flexibility, LAWS, StepFlexibility, StoredEnergy, VelocityControl, WhichLaw,
     plane::slides_in_plane,
 };
-use slipgap_solver::lane::Lane;
+use slipgap_contact::lane::Lane;
 
 const REVIEWED: &str = include_str!("properties.txt");
 
