@@ -1,23 +1,39 @@
 //! Structures with friction and impact: integrated step by step, solved exactly, and the error measured.
 //!
-//! A structure answers the forces of its contacts, a contact is one scalar law, a method is a small recursion, a step is one
-//! small convex problem for the contact forces; with one contact it is a scalar root.
-//!
 //! ```text
-//! x_k'' + omega_k^2 x_k = -phi_k^2 S            modes, scaled so that r = sum x_k (+ gap)      system
-//! W' = W - K P - G (S + S'),  P' = P + W'       constant average acceleration, exactly         methods
-//! r' = r* - h S'(r', state)                     the law's root                                 contact
+//! M u'' + C u' + K u + B S = p(t),   r = B^T u + gap          Structure
+//! S of each contact from r, rdot and what its law remembers    Contact with a StructureLaw
 //! ```
 //!
-//! The modules from top to bottom; each uses only those below it: [`problem`] (parameters, metrics and systems of a case),
-//! [`metrics`], [`solve`], [`textbook`], [`exact`], [`system`], [`methods`], [`contact`], [`expression`], [`range`], [`lane`], [`history`].
+//! A structure answers the forces of its contacts, a contact is one scalar law, a method is a small recursion, and a step is one small
+//! convex problem for the contact forces. [`run`] steps a [`Structure`] with a [`Method`]; [`exact`] gives the motion that the steps
+//! approach. The names of this page stay; the crates below it (`slipgap-contact`, `slipgap-system`, `slipgap-motion`,
+//! `slipgap-problem`) may change theirs.
 //!
-//! Everything that determines a result is in this crate, except the reader of structures: [`VERSION_KEY`] is a hash of its code.
+//! Everything that determines a result is in those four crates, except the reader of structures: [`VERSION_KEYS`] has a hash of each.
 
-pub use slipgap_contact::{contact, lane, range};
-pub use slipgap_motion::{exact, history, solve, textbook};
-pub use slipgap_problem::{metrics, problem};
-pub use slipgap_system::{methods, system};
+mod solution;
+
+pub use slipgap_contact::contact::{ClippedLine, ContactKind, ContactLaw, LawFault};
+pub use slipgap_motion::exact::events::{Event, EventKind, EventsFault, Phase};
+pub use slipgap_motion::solve::Unsolvable;
+pub use slipgap_system::methods::{
+    AverageAcceleration, Bathe, Coefficients, ContactStabilized, Method, MoreauJean,
+};
+pub use slipgap_system::system::structure::{
+    Baseline, Contact, Direction, Limit, Load, Motion, Node, Preload, Pressure, Signal, Structure,
+    StructureLaw, Support, Symmetric, Table,
+};
+pub use solution::{Solution, exact, run};
+
+/// The laws of contacts that are no clipped lines, with their numbers.
+pub mod laws {
+    pub use slipgap_contact::contact::{
+        Bearing, Bilinear, BoucWen, Dahl, GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap,
+        Imk, ImpactYield, Jankowski, KelvinVoigt, Lugre, Multilinear, Pendulum, Restrainer,
+        Stribeck, Tanh, Viscous, Ye,
+    };
+}
 
 /// Hashes of the code of all crates that determine a result. A change of it makes stored results outdated; a change of comments,
 /// documentation or tests does not change it.
