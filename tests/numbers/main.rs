@@ -26,6 +26,7 @@ mod own_structure;
 mod plane;
 mod plane_exact;
 mod recommend_laws;
+mod recommend_study;
 mod records;
 mod reduction;
 mod regularised;

@@ -28,7 +28,7 @@ pub use figure::reduced;
 pub use source::{faults, input, object, place, tree};
 
 pub use calibrate::decode::FIGURES as CALIBRATION_FIGURES;
-pub use calibrate::{Alternative, Calibrate, Free, FreeRange, PointCases};
+pub use calibrate::{Alternative, Calibrate, Free, FreeRange, PointCases, Recommend};
 pub use cases::block::Block;
 pub use cases::design::{Design, Sampling};
 pub use cases::filter::Filter;
@@ -80,6 +80,8 @@ pub struct Study {
     pub ensemble: Vec<usize>,
     /// Free parameters and the metric that their best values minimise, if the study has them.
     pub calibrate: Option<Calibrate>,
+    /// Parameters to choose and metrics to keep, if the study has them.
+    pub recommend: Option<Recommend>,
     /// Figures to draw.
     pub figures: Vec<Figure>,
     /// Limits to test.

@@ -99,6 +99,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
         None
     }
+    /// The metrics in these rows of the exact motion of a completed case, at the times of its steps; `None` for those that are not known.
+    fn exact_metrics(&self, _case: &Case, rows: &[usize]) -> Vec<Option<f64>> {
+        vec![None; rows.len()]
+    }
     /// Why the whole history of a completed case does not fit in memory; `None` if it does. Its metrics and figures may need less.
     fn history_fault(&self, _case: &Case) -> Option<Violation> {
         None

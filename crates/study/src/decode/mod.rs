@@ -37,7 +37,7 @@ use std::sync::Arc;
 use validate::MOST_CASES;
 
 /// The keys of a study, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 16] = [
+pub(crate) const KEYS: [(&str, &str); 17] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
@@ -75,6 +75,10 @@ pub(crate) const KEYS: [(&str, &str); 16] = [
     (
         "calibrate",
         "free parameters with their ranges and the metric to minimise, for `slipgap calibrate`",
+    ),
+    (
+        "recommend",
+        "the parameters to choose and the metrics to keep within tolerances, for `slipgap recommend`",
     ),
     ("figures", "figures to draw"),
     ("checks", "limits that `slipgap check` tests"),
@@ -239,6 +243,7 @@ pub(crate) fn study(
     scope.measures.extend(reductions);
     scope.ensemble = ensemble(&object, &scope, faults);
     let calibrate = calibrate::decode::calibrate(&object, &scope, faults);
+    let recommend = calibrate::recommend::recommend(&object, &scope, faults);
     let checks = object.items("checks", faults, |node, path, faults| {
         check(node, path, &scope, faults)
     });
@@ -257,6 +262,7 @@ pub(crate) fn study(
         blocks: scope.blocks,
         ensemble: scope.ensemble.unwrap_or_default(),
         calibrate,
+        recommend,
         figures,
         checks,
         settings: Vec::new(),

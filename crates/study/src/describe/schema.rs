@@ -47,6 +47,9 @@ pub fn schema() -> String {
     properties["metrics"]["type"] = json!(["array", "object"]);
     properties["names"] = shown_names();
     properties["reductions"]["items"] = reduction();
+    if let (Json::Object(own), Json::Object(keys)) = (&mut properties["recommend"], recommend()) {
+        own.extend(keys);
+    }
     properties["problem"]["enum"] = json!(problems);
     properties["iteration"]["enum"] = json!(decode::ITERATIONS);
     let mut definitions = Map::new();
@@ -351,6 +354,29 @@ pub(super) fn calibrate() -> Json {
         schema["description"] = meaning.into();
         properties.insert(key.into(), schema);
     }
+    with_free(properties, &[calibrate::decode::KEYS[0].0])
+}
+
+/// The key `recommend`.
+fn recommend() -> Json {
+    let tolerances = json!({
+        "type": "object",
+        "properties": { "//": { "description": "a remark" } },
+        "minProperties": 1,
+        "additionalProperties": number(Range::Positive),
+    });
+    let keys = calibrate::recommend::KEYS;
+    let schemas = [several(json!({ "type": "string" })), tolerances];
+    let properties = keys.iter().zip(schemas).map(|((key, meaning), schema)| {
+        let mut schema = schema;
+        schema["description"] = (*meaning).into();
+        ((*key).to_owned(), schema)
+    });
+    with_free(properties.collect(), &keys.map(|key| key.0))
+}
+
+/// An object with these properties, remarks, and ranges of free parameters.
+fn with_free(mut properties: Map<String, Json>, required: &[&str]) -> Json {
     properties.insert("//".into(), json!({ "description": "a remark" }));
     let (key, meaning) = calibrate::range::LOG;
     let mut log = pair();
@@ -359,7 +385,7 @@ pub(super) fn calibrate() -> Json {
     json!({
         "type": "object",
         "properties": properties,
-        "required": [calibrate::decode::KEYS[0].0],
+        "required": required,
         "additionalProperties": { "anyOf": [pair(), log], "description": "range of a free parameter" },
     })
 }

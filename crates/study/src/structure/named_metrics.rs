@@ -17,7 +17,7 @@ use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::schema::Drawn;
 use slipgap_solver::problem::structure::template::{Scaled, Template};
 
-/// The metrics in the list `metrics`, and those that reductions, checks and figures name.
+/// The metrics in the list `metrics`, and those that reductions, checks, figures and searches name.
 pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<StructureMetric> {
     let mut metrics: Vec<StructureMetric> = Vec::new();
     let mut add = |text: &str, at: usize, path: &str, faults: &mut Faults| {
@@ -77,7 +77,9 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
             });
         }
     }
-    if let Some(own) = sources::minimised(root).filter(|own| is_plain(own.text)) {
+    let searched = sources::minimised(root).into_iter();
+    let searched = searched.chain(sources::kept(root));
+    for own in searched.filter(|own| is_plain(own.text)) {
         let is_name = !own.text.contains('(') || named.contains(&own.text);
         if !is_name || looks_like_metric(own.text) {
             add(own.text, own.at, &own.path, faults);

@@ -11,6 +11,7 @@ mod damping;
 mod derived;
 mod describe;
 mod diverge;
+mod exact_metrics;
 mod friction_limits;
 mod ground;
 pub mod ground_metric;
@@ -359,6 +360,13 @@ impl Problem for StructureProblem {
             time: times.to_vec(),
             channels: self.history(&exact, &numbering, &[]),
         })
+    }
+
+    fn exact_metrics(&self, case: &Case, rows: &[usize]) -> Vec<Option<f64>> {
+        let values = self
+            .ready(0, case)
+            .and_then(|own| self.exact_values(&own, rows));
+        values.unwrap_or_else(|_| vec![None; rows.len()])
     }
 
     fn history_fault(&self, case: &Case) -> Option<Violation> {

@@ -1,6 +1,7 @@
 //! Search spaces: the candidates of a problem.
 
-use super::{Request, Variant};
+use super::Request;
+use crate::Variant;
 use slipgap_solver::problem::{Case, Problem, Solution};
 
 /// Candidates of the same cost, with their neighbours.

@@ -1,6 +1,6 @@
 //! Finer steps: whether a case still reaches its targets when its step is halved until the metrics stop changing.
 
-use super::Target;
+use super::answer::Target;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::problem::parameter::Value;
 use slipgap_solver::problem::{Case, Problem};
