@@ -1,15 +1,16 @@
 //! The candidates of a study: each has its cost, its largest errors over the physical cases, and what becomes of it.
 
-use super::finer::Finer;
-use super::judge::{Judge, Judged};
+use super::judge::{Judge, Judged, all_of};
 use super::usage::used;
 use crate::calibrate::{Objective, Options, Stopped, search};
+use crate::setting::method_named;
 use crate::{EnergyChange, cost};
-use slipgap_solver::problem::Case;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::{Case, Problem};
 use slipgap_study::{Alternative, Free};
 use std::cmp::Ordering;
+use std::collections::HashSet;
 
 /// Cases of the search of free parameters, for each candidate.
 const CASES: u64 = 4000;
@@ -37,6 +38,10 @@ pub struct Choice {
     free: Vec<Free>,
     /// Its smallest step.
     step: f64,
+    /// Number of its modes or nodes.
+    pub(super) size: u64,
+    /// Number of its physical cases.
+    conditions: usize,
 }
 
 /// What becomes of a candidate.
@@ -54,17 +59,49 @@ pub enum State {
     Incomplete,
 }
 
+/// The largest quotients of error and tolerance with half the step, and with the next finer meshes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Finer {
+    /// With half the step.
+    pub step: f64,
+    /// With the next finer mesh.
+    pub mesh: Mesh,
+}
+
+/// What a finer mesh shows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Mesh {
+    /// The study does not choose a mesh.
+    NotChosen,
+    /// No candidate has a finer one.
+    Finest,
+    /// The largest quotient with the next finer one among the candidates.
+    Next(f64),
+}
+
+impl Finer {
+    /// Whether the metrics are kept there, too.
+    pub fn holds(&self) -> bool {
+        let mesh = match self.mesh {
+            Mesh::NotChosen => true,
+            Mesh::Finest => false,
+            Mesh::Next(mesh) => mesh <= 1.0,
+        };
+        self.step <= 1.0 && mesh
+    }
+}
+
 /// The candidates of a study, not yet solved. The judge then knows the physical cases.
 pub(super) fn candidates(judge: &mut Judge) -> Vec<Choice> {
     let study = judge.study;
     let within: Vec<usize> = judge.recommend.within.iter().map(|own| own.0).collect();
     let choice = |alternative: Alternative| {
         let cases = all_of(&study.point_cases(&alternative, &[]).cases(&[Vec::new()]));
+        let mut conditions = HashSet::new();
         for case in &cases {
+            let next = judge.conditions.len();
             let condition = judge.condition(case);
-            if !judge.conditions.contains(&condition) {
-                judge.conditions.push(condition);
-            }
+            conditions.insert(*judge.conditions.entry(condition).or_insert(next));
         }
         let problem = &*study.problem;
         let free = study.free_of_candidate(&alternative);
@@ -83,6 +120,8 @@ pub(super) fn candidates(judge: &mut Judge) -> Vec<Choice> {
             state: State::Incomplete,
             finer: None,
             step: step.fold(f64::INFINITY, f64::min),
+            size: cases.first().map_or(0, |case| size(problem, case)),
+            conditions: conditions.len(),
             free,
             alternative,
         }
@@ -90,16 +129,17 @@ pub(super) fn candidates(judge: &mut Judge) -> Vec<Choice> {
     study.candidates().into_iter().map(choice).collect()
 }
 
-/// The cases one by one.
-pub(super) fn all_of(cases: &Cases) -> Vec<Case> {
-    let mut shown = cases.shown();
-    (0..cases.len()).map(|row| shown.at(row).clone()).collect()
+/// Number of modes or nodes of a case, which a finer mesh has more of.
+fn size(problem: &dyn Problem, case: &Case) -> u64 {
+    let method = method_named(case.choice("method"));
+    let parts = method.map_or(1, |method| method.count_of_sub_steps());
+    cost(problem, case) / (problem.steps(case) * parts).max(1)
 }
 
 impl Choice {
     /// Whether it has all physical cases.
     pub(super) fn is_whole(&self, judge: &Judge) -> bool {
-        self.alternative.cases() == judge.conditions.len()
+        self.conditions == judge.conditions.len()
     }
 
     /// Its cases, at these values of some free parameters.
@@ -117,19 +157,24 @@ impl Choice {
         (&self.free, self.free.iter().map(value).collect())
     }
 
-    /// Numbers of elements and other whole numbers among the chosen parameters.
-    pub(super) fn counts(&self) -> Vec<(usize, u64)> {
-        let whole = |(row, value): &(usize, Value)| match value {
-            Value::Whole(n) => Some((*row, *n)),
-            _ => None,
+    /// The one chosen number in which both differ; `None` if they differ in a name or in several.
+    pub(super) fn differing(&self, other: &Choice) -> Option<usize> {
+        let is_free = |row: usize| self.free.iter().any(|free| free.parameter == row);
+        let chosen = |of: &Choice| -> Vec<(usize, Value)> {
+            let own = of.values.iter().filter(|own| !is_free(own.0));
+            own.copied().collect()
         };
-        self.values.iter().filter_map(whole).collect()
+        let (own, others) = (chosen(self), chosen(other));
+        let mut differing = own.iter().zip(&others).filter(|(own, other)| own != other);
+        let (first, second) = (differing.next()?, differing.next());
+        let is_number = first.0.0 == first.1.0 && first.0.1.as_f64().is_some();
+        (is_number && second.is_none() && own.len() == others.len()).then_some(first.0.0)
     }
 
     /// Greater for a finer mesh, then for a smaller step.
     pub(super) fn compare_fineness(&self, other: &Choice) -> Ordering {
         let steps = other.step.total_cmp(&self.step);
-        self.counts().cmp(&other.counts()).then(steps)
+        self.size.cmp(&other.size).then(steps)
     }
 }
 

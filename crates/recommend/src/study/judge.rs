@@ -1,6 +1,7 @@
 //! Solves cases and judges them: how far each metric is from its reference, and how much energy the case gains or loses.
 
-use super::reference::Reference;
+use super::errors::errors;
+use super::sweep::sweep;
 use crate::calibrate::Stopped;
 use crate::friction::{self, energy_gain};
 use crate::impact::{self, energy_change};
@@ -10,11 +11,9 @@ use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::problem::friction::FrictionOscillator;
 use slipgap_solver::problem::structure::metric::OF_ALL;
 use slipgap_solver::problem::{Case, Problem};
-use slipgap_study::alike::{Identity, identity, unaffected};
+use slipgap_study::alike::{Identity, identity};
 use slipgap_study::{Recommend, Study};
-
-/// Cases of one sweep: those that are stepped side by side. The bits of a case do not depend on it.
-const TOGETHER: usize = 16;
+use std::collections::HashMap;
 
 /// A solved case: its metrics in the order of the problem's table, and its change of energy; or why it has none.
 pub type Solved = Result<(Vec<Option<f64>>, EnergyChange), String>;
@@ -34,8 +33,8 @@ pub struct Judged {
 pub struct Judge<'a> {
     pub study: &'a Study,
     pub recommend: &'a Recommend,
-    /// The physical cases, by the values of `kept`.
-    pub conditions: Vec<Identity>,
+    /// The numbers of the physical cases, by the values of `kept`.
+    pub conditions: HashMap<Identity, usize>,
     /// Largest changes of energy allowed.
     pub limits: EnergyChange,
     /// Number of cases solved so far.
@@ -57,10 +56,10 @@ impl<'a> Judge<'a> {
             false => [impact::ENERGY_GAIN, impact::ENERGY_LOSS],
         };
         Judge {
-            kept: unaffected(&*study.problem, &study.blocks, &chosen),
+            kept: study.outside_choice(&chosen),
             study,
             recommend,
-            conditions: Vec::new(),
+            conditions: HashMap::new(),
             limits: EnergyChange {
                 gain: limits[0],
                 loss: limits[1],
@@ -87,9 +86,8 @@ impl<'a> Judge<'a> {
         let mut shown = cases.shown();
         let judged = solved.into_iter().enumerate().map(|(row, solved)| {
             let case = shown.at(row);
-            let at = self.condition(case);
-            let at = self.conditions.iter().position(|own| *own == at);
-            let reference = at.and_then(|at| self.references.get(at));
+            let at = self.conditions.get(&self.condition(case));
+            let reference = at.and_then(|at| self.references.get(*at));
             let (Ok((metrics, energy)), Some(reference)) = (&solved, reference) else {
                 return Judged {
                     errors: vec![f64::INFINITY; self.recommend.within.len()],
@@ -98,7 +96,7 @@ impl<'a> Judge<'a> {
                 };
             };
             Judged {
-                errors: Reference::errors(self, case, metrics, reference),
+                errors: errors((self.study, self.recommend), case, metrics, reference),
                 energy: *energy,
                 why: None,
             }
@@ -106,48 +104,40 @@ impl<'a> Judge<'a> {
         Ok(judged.collect())
     }
 
-    /// The metrics of cases and their changes of energy.
+    /// The metrics of cases and their changes of energy: those of structures side by side.
     pub fn solve(&mut self, cases: &Cases) -> Result<Vec<Solved>, Stopped> {
-        let rows: Vec<u32> = (0..cases.len() as u32)
-            .filter(|row| cases.may_be_solved(*row as usize))
-            .collect();
         let (study, stop) = (self.study, self.stop);
-        let solve = |rows: &[u32]| match stop.is_stopped() {
-            true => Err(Stopped),
-            false => Ok(solve(study, cases, rows)),
-        };
-        let found = rows.par_chunks(TOGETHER).map(solve);
-        let found: Vec<Vec<Solved>> = found.collect::<Result<_, Stopped>>()?;
-        self.solved += rows.len() as u64;
-        let mut all: Vec<Solved> = vec![Err("it breaks a rule".into()); cases.len()];
+        let problem = &*study.problem;
+        let mut all: Vec<Solved> = vec![Err(String::new()); cases.len()];
         for (row, why) in cases.refused() {
             all[row] = Err(why.to_owned());
         }
-        for (row, own) in rows.iter().zip(found.into_iter().flatten()) {
-            all[*row as usize] = own;
+        if problem.schema().described {
+            let (rows, table) = sweep(problem, cases, stop, &|_| ())?;
+            self.solved += rows.len() as u64;
+            for (place, row) in rows.into_iter().enumerate() {
+                let metrics: Vec<Option<f64>> = table.row(place).collect();
+                let energy = of_structure(study, &metrics);
+                all[row as usize] = match table.failure(place) {
+                    Some(why) => Err(why.to_string()),
+                    None => Ok((metrics, energy)),
+                };
+            }
+            return Ok(all);
+        }
+        let each = all_of(cases);
+        self.solved += each.len() as u64;
+        let solve = |(row, own): (usize, &mut Solved)| {
+            if cases.may_be_solved(row) && !stop.is_stopped() {
+                *own = solve_one(study, &each[row]);
+            }
+        };
+        all.par_iter_mut().enumerate().for_each(solve);
+        if stop.is_stopped() {
+            return Err(Stopped);
         }
         Ok(all)
     }
-}
-
-/// Solves the cases in these rows: those of structures side by side.
-fn solve(study: &Study, cases: &Cases, rows: &[u32]) -> Vec<Solved> {
-    let problem = &*study.problem;
-    let mut shown = cases.shown();
-    if !problem.schema().described {
-        let own = |row: &u32| solve_one(study, shown.at(*row as usize));
-        return rows.iter().map(own).collect();
-    }
-    let table = problem.sweep(cases, rows);
-    let of = |place: usize| match table.failure(place) {
-        Some(why) => Err(why.to_string()),
-        None => {
-            let metrics: Vec<Option<f64>> = table.row(place).collect();
-            let energy = of_structure(study, &metrics);
-            Ok((metrics, energy))
-        }
-    };
-    (0..rows.len()).map(of).collect()
 }
 
 fn solve_one(study: &Study, case: &Case) -> Solved {
@@ -187,4 +177,10 @@ fn of_structure(study: &Study, metrics: &[Option<f64>]) -> EnergyChange {
         gain: error.max(-dissipation).max(0.0),
         loss: dissipation.max(0.0),
     }
+}
+
+/// The cases one by one.
+pub(super) fn all_of(cases: &Cases) -> Vec<Case> {
+    let mut shown = cases.shown();
+    (0..cases.len()).map(|row| shown.at(row).clone()).collect()
 }

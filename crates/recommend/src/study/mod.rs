@@ -1,14 +1,17 @@
 //! Recommends among the candidates that a study lists: the cheapest one that keeps metrics within tolerances in every physical case.
 
 mod candidate;
+mod errors;
 mod finer;
 mod judge;
 mod reference;
+mod sweep;
 pub mod usage;
 
-pub use candidate::{Choice, State};
-pub use finer::{Finer, Mesh};
-pub use reference::{From, Reference, is_error};
+pub use candidate::{Choice, Finer, Mesh, State};
+pub use errors::is_error;
+pub use reference::{From, Reference};
+pub use sweep::sweep;
 
 use crate::calibrate::Stopped;
 use crate::{EnergyChange, Stop};
@@ -55,7 +58,7 @@ pub fn advise(input: &Input, stop: &Stop) -> Result<Advice, Error> {
     let mut judge = Judge::new(&study, recommend, stop);
     let mut compare = || -> Result<_, Stopped> {
         let mut choices = candidate::candidates(&mut judge);
-        let reference = judge.refer(&choices)?;
+        let reference = reference::refer(&choices, &mut judge)?;
         for choice in &mut choices {
             candidate::decide(choice, &mut judge)?;
         }

@@ -34,7 +34,7 @@ impl Input {
     pub fn candidate_study(&self, more: &[&str], limit: u64) -> Result<Study, Error> {
         self.edited(limit, |root| {
             let at = root.at;
-            let mut metrics = needed(root, |object| sources::kept(object));
+            let mut metrics = needed(root, sources::kept);
             for text in more {
                 let tree = Tree::Text((*text).to_owned());
                 if !metrics.iter().any(|own| own.tree == tree) {

@@ -48,8 +48,13 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
     let over = object.need(own[0], KEYS[0].1, faults).and_then(|node| {
         let path = object.path(own[0]);
         let rows = names(node, &path, "parameter", &parameters, faults)?;
-        for (i, row) in rows.iter().enumerate().filter(|_| !scope.blocks.is_empty()) {
-            refuse_constant(scope, *row, "a choice", item(node, &path, i), faults);
+        // A parameter of one law has its values in the blocks of this law.
+        let count = |row: usize| scope.blocks.iter().filter(|block| block.gives(row)).count();
+        let alike = |row: usize| [0, scope.blocks.len()].contains(&count(row));
+        for (i, row) in rows.iter().enumerate() {
+            if !scope.blocks.is_empty() && alike(*row) {
+                refuse_constant(scope, *row, "a choice", item(node, &path, i), faults);
+            }
         }
         Some(rows)
     });

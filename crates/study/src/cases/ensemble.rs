@@ -16,6 +16,11 @@ impl Study {
         let rows: Vec<usize> = self.ensemble.iter().chain(also).copied().collect();
         outside(&*self.problem, &self.blocks, &rows)
     }
+
+    /// The parameters whose values distinguish physical cases if those in `chosen` are numerical choices.
+    pub fn outside_choice(&self, chosen: &[usize]) -> Vec<usize> {
+        outside(&*self.problem, &self.blocks, chosen)
+    }
 }
 
 /// The parameters that may vary and do not change with those in `rows`.

@@ -1,7 +1,8 @@
 //! `slipgap.recommend`: the cheapest parameters that reach a target.
 
+mod study;
+
 use crate::error::{raise, usage};
-use crate::given;
 use crate::worker;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -10,9 +11,8 @@ use slipgap::problem::Case;
 use slipgap::problem::parameter::Value;
 use slipgap::recommend::friction::{FrictionTask, Releases};
 use slipgap::recommend::impact::{ImpactTask, bar};
-use slipgap::recommend::study::{Choice, advise};
 use slipgap::recommend::task::Search;
-use slipgap::recommend::{Candidate, SearchSpace, Stop, recommend as best, robustness};
+use slipgap::recommend::{Candidate, SearchSpace, recommend as best, robustness};
 
 /// The classes `slipgap.Recommendation`, `slipgap.Candidate` and `slipgap.Robustness`.
 static RECOMMENDATION: PyOnceLock<Py<PyType>> = PyOnceLock::new();
@@ -51,7 +51,7 @@ pub fn recommend<'py>(
     let search = match name.as_deref() {
         Some("friction-oscillator") if set.is_none() => friction(py, targets)?,
         Some("bar-impact") if set.is_none() => impact(py, targets)?,
-        _ if targets.is_empty() => return of_study(py, problem, jobs, set),
+        _ if targets.is_empty() => return study::recommend(py, problem, jobs, set),
         _ => {
             let message = "only friction-oscillator and bar-impact have targets as arguments, and no set; a study has them in its key recommend";
             return Err(usage(py, message));
@@ -112,68 +112,6 @@ pub fn recommend<'py>(
         solved,
         own_step,
         robustness,
-    ))
-}
-
-/// Compares the candidates of a study.
-fn of_study<'py>(
-    py: Python<'py>,
-    study: &Bound<'py, PyAny>,
-    jobs: usize,
-    set: Option<&Bound<'py, PyAny>>,
-) -> PyResult<Bound<'py, PyAny>> {
-    let source = given::source(py, study, set)?;
-    let stop = Stop::default();
-    let stops = stop.clone();
-    let work = move || advise(&source.input(), &stops);
-    let advice = worker::wait(py, jobs, work, || stop.stop(), |_| Ok(()))?;
-    let table = advice.study.problem.parameters();
-    let within: Vec<usize> = advice
-        .study
-        .recommend
-        .iter()
-        .flat_map(|own| &own.within)
-        .map(|own| own.0)
-        .collect();
-    let class = CANDIDATE.import(py, "slipgap._records", "Candidate")?;
-    let candidate = |choice: &Choice| {
-        let (parameters, errors) = (PyDict::new(py), PyDict::new(py));
-        for (row, value) in &choice.values {
-            put(&parameters, &table[*row].name, *value)?;
-        }
-        for (row, error) in within.iter().zip(&choice.errors) {
-            errors.set_item(advice.study.measures[*row].name.as_str(), error)?;
-        }
-        let converged = choice.finer.is_some_and(|finer| finer.holds());
-        class.call1((
-            parameters,
-            choice.cost,
-            errors,
-            choice.worst <= 1.0,
-            converged,
-        ))
-    };
-    let front = advice.choices.iter().map(candidate);
-    let front = front.collect::<PyResult<Vec<_>>>()?;
-    let order = |a: &usize, b: &usize| {
-        advice.choices[*a]
-            .worst
-            .total_cmp(&advice.choices[*b].worst)
-    };
-    let nearest = (0..front.len()).min_by(order);
-    let nearest = nearest.filter(|at| advice.choices[*at].worst.is_finite());
-    let best = advice.chosen.or(nearest).map(|at| front[at].clone());
-    let cheaper = &advice.choices[..advice.chosen.unwrap_or(0)];
-    let own_step = cheaper.iter().position(|choice| choice.worst <= 1.0);
-    let own_step = own_step.map(|at| front[at].clone());
-    let class = RECOMMENDATION.import(py, "slipgap._records", "Recommendation")?;
-    class.call1((
-        advice.chosen.is_some(),
-        best,
-        front,
-        advice.solved,
-        own_step,
-        py.None(),
     ))
 }
 
