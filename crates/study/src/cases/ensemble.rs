@@ -51,14 +51,13 @@ pub(crate) fn refuse_constant(
 ) {
     let name = &scope.problem.parameters()[row].name;
     let mut derived = scope.blocks.iter().flat_map(|block| &block.derived);
-    let levels = scope.levels(&Filter::default(), row);
-    let why = match levels.as_slice() {
-        _ if derived.any(|derived| derived.parameter == row) => {
-            "is given by an expression; name the parameters that it follows from".to_owned()
-        }
-        [] => "is given in none of the cases".to_owned(),
-        [one] => format!("is {one} in all cases; {what} needs a parameter with several values"),
-        _ => return,
+    let why = match derived.any(|derived| derived.parameter == row) {
+        true => "is given by an expression; name the parameters that it follows from".to_owned(),
+        false => match scope.levels(&Filter::default(), row).as_slice() {
+            [] => "is given in none of the cases".to_owned(),
+            [one] => format!("is {one} in all cases; {what} needs a parameter with several values"),
+            _ => return,
+        },
     };
     faults.add(at, &path, format!("{name} {why}"));
 }
