@@ -199,10 +199,19 @@ def calibrate(
     return _slipgap.calibrate(study, out, jobs, set)
 
 
-def recommend(problem: str, *, jobs: int | None = None, **targets: Any) -> Recommendation:
+def recommend(
+    problem: str | PathLike[str] | Mapping[str, Any],
+    *,
+    jobs: int | None = None,
+    set: Mapping[str, Any] | None = None,
+    **targets: Any,
+) -> Recommendation:
     """Find the cheapest parameters that reach a target.
 
-    Arguments are those of ``slipgap recommend``, with ``_`` for ``-``.
+    Of a study as in :func:`run` with the key ``recommend``, the candidates are those of the study; ``front`` has all of them, the
+    cheapest first, and ``set`` sets parameters, as in :func:`run`.
+
+    Of a problem, arguments are those of ``slipgap recommend``, with ``_`` for ``-``.
 
     For ``friction-oscillator``: the target ``rms`` (largest rms_error); ``law``, ``method``, ``x0`` and ``energy_gain`` may be
     given; ``x0`` is one release, or a pair of numbers for all releases between them. For ``bar-impact``: at least one of the targets ``peak_force_error``, ``overlap``, ``r`` and ``rdot``; ``law``,
@@ -212,7 +221,7 @@ def recommend(problem: str, *, jobs: int | None = None, **targets: Any) -> Recom
     :param jobs: number of threads; if left out, one for each core
     :raises SlipgapError: mistakes
     """
-    return _slipgap.recommend(problem, targets, jobs)
+    return _slipgap.recommend(problem, targets, jobs, set)
 
 
 def report(

@@ -164,13 +164,14 @@ class Candidate(NamedTuple):
     parameters: dict[str, Any]
     """Its parameters, as in a study."""
     cost: int
-    """Its cost: steps, or for bars steps times modes."""
+    """Its cost: steps, for bars steps times modes, of a study steps times modes or nodes of all physical cases."""
     errors: dict[str, float]
-    """By target: the largest error of the case and of its neighbours."""
+    """By target: the largest error of the case and of its neighbours; of a study that of all physical cases."""
     reached: bool
     """Whether it reaches every target."""
     converged: bool
-    """Whether it also reaches them with 1/2, 1/4, 1/8 .. of its step, until the metrics stop changing."""
+    """Whether it also reaches them with 1/2, 1/4, 1/8 .. of its step, until the metrics stop changing; of a study with half its step
+    and the next finer mesh."""
 
 
 class Robustness(NamedTuple):
@@ -265,7 +266,7 @@ class Recommendation(NamedTuple):
     best: Candidate | None
     """The cheapest case that does, else the nearest one; None if no case is within the limits of energy."""
     front: list[Candidate]
-    """The best case of every cost, the cheapest first."""
+    """The best case of every cost, the cheapest first; of a study all candidates."""
     solved: int
     """Number of cases solved."""
     own_step: Candidate | None

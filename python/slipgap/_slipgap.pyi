@@ -130,7 +130,12 @@ def calibrate(
     jobs: int | None,
     set: Mapping[str, Any] | None,
 ) -> Calibration: ...
-def recommend(problem: str, targets: dict[str, Any], jobs: int | None) -> Recommendation: ...
+def recommend(
+    problem: str | PathLike[str] | Mapping[str, Any],
+    targets: dict[str, Any],
+    jobs: int | None,
+    set: Mapping[str, Any] | None,
+) -> Recommendation: ...
 def schema() -> str: ...
 def claims(
     ledgers: str | PathLike[str], out: str | PathLike[str] | None, jobs: int | None

@@ -265,6 +265,29 @@ def test_recommend() -> None:
             slipgap.recommend(problem, **targets)
 
 
+def test_recommend_of_a_study() -> None:
+    study: dict[str, Any] = {
+        "problem": "friction-oscillator",
+        "parameters": {**FIG5, "dT": [0.2, 0.1, 0.05], "alpha": [0.1, 1]},
+        "recommend": {"over": ["dT", "alpha"], "within": {"rms_error": 0.02}},
+    }
+    del study["parameters"]["problem"]
+    found = slipgap.recommend(study, jobs=1)
+    assert found.reached and found.best in found.front and len(found.front) == 6
+    assert found == slipgap.recommend(study, jobs=2)
+    table = slipgap.run(study).table
+    rows = {(step, width): error for step, width, error in zip(table["dT"], table["alpha"], table["rms_error"])}
+    for candidate in found.front:
+        own = candidate.parameters
+        assert candidate.errors["rms_error"] == rows[own["dT"], own["alpha"]]
+    assert found.best is not None and found.best.errors["rms_error"] <= 0.02
+    assert [own.cost for own in found.front] == sorted(own.cost for own in found.front)
+    with pytest.raises(slipgap.SlipgapError, match="recommend.over"):
+        slipgap.recommend(study, set={"dT": 0.1})
+    with pytest.raises(slipgap.SlipgapError, match="no key"):
+        slipgap.recommend({key: study[key] for key in ["problem", "parameters"]})
+
+
 def test_schema_names_all_problems() -> None:
     problems = slipgap.schema()["properties"]["problem"]["enum"]
     assert set(problems) == {"friction-oscillator", "bar-impact", "structure"}

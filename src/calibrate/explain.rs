@@ -1,6 +1,7 @@
 //! What `slipgap calibrate` would search, in words.
 
 use super::usage;
+use super::used;
 use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_study::{Free, Study};
 
@@ -46,7 +47,7 @@ pub fn explained(study: &Study) -> String {
         ),
     };
     for own in &alternatives {
-        let [free, unused] = usage::used(study, own);
+        let [free, unused] = used(study, own);
         let apart = usage::apart(study, own, &free);
         let prefix = match own.name.as_str() {
             "" => "calibrate: ".to_owned(),

@@ -4,7 +4,6 @@ use super::misfit::{Misfit, Pooling};
 use super::numerics::{self, ErrorStudy, Numerical};
 use super::residuals::Residuals;
 use super::series::{self, Test};
-use super::usage;
 use indicatif::ProgressBar;
 use slipgap_recommend::Stop;
 use slipgap_recommend::calibrate::{
@@ -130,7 +129,7 @@ impl Search<'_> {
     /// # Errors
     /// The search was stopped.
     pub fn fit(&self, alternative: Alternative) -> Result<Fit, Stopped> {
-        let [free, unused] = usage::used(self.study, &alternative);
+        let [free, unused] = super::used(self.study, &alternative);
         let cases = self.study.point_cases(&alternative, &free);
         let pooling = match series::channel(self.study) {
             Some(_) => self.points(&cases),

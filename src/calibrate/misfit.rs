@@ -1,15 +1,11 @@
 //! The misfit of an alternative at points of its free parameters, many cases side by side.
 
 use indicatif::ProgressBar;
-use rayon::prelude::*;
-use slipgap_motion::solve::MetricTable;
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_recommend::Stop;
 use slipgap_recommend::calibrate::{Objective, Stopped};
+use slipgap_recommend::study::sweep;
 use slipgap_study::{PointCases, Study};
-
-/// Cases of one sweep: those that are stepped side by side. The bits of a case do not depend on it.
-const TOGETHER: usize = 16;
 
 /// The misfit of an alternative.
 pub struct Misfit<'a> {
@@ -56,31 +52,17 @@ impl Pooling {
 impl Misfit<'_> {
     /// The measure in each of some cases; infinite where it has no value.
     pub fn values(&mut self, cases: &Cases) -> Result<Vec<f64>, Stopped> {
-        let rows: Vec<u32> = (0..cases.len() as u32)
-            .filter(|row| cases.may_be_solved(*row as usize))
-            .collect();
-        let sweep = |rows: &[u32]| {
-            if self.stop.is_stopped() {
-                return Err(Stopped);
-            }
-            let table = self.study.problem.sweep(cases, rows);
-            self.bar.inc(rows.len() as u64);
-            Ok(table)
-        };
-        let tables = rows.par_chunks(TOGETHER).map(sweep);
-        let tables: Vec<MetricTable> = tables.collect::<Result<_, Stopped>>()?;
+        let tick = |solved| self.bar.inc(solved);
+        let (rows, table) = sweep(&*self.study.problem, cases, self.stop, &tick)?;
         self.solved += rows.len() as u64;
         let mut values = vec![f64::INFINITY; cases.len()];
         let mut shown = cases.shown();
-        for (rows, table) in rows.chunks(TOGETHER).zip(&tables) {
-            for (place, row) in rows.iter().enumerate() {
-                let row = *row as usize;
-                let metric = |metric: usize| table.value(place, metric);
-                let value = self
-                    .study
-                    .measure_value(self.measure, shown.at(row), &metric);
-                values[row] = value.unwrap_or(f64::INFINITY);
-            }
+        for (place, row) in rows.into_iter().map(|row| row as usize).enumerate() {
+            let metric = |metric: usize| table.value(place, metric);
+            let value = self
+                .study
+                .measure_value(self.measure, shown.at(row), &metric);
+            values[row] = value.unwrap_or(f64::INFINITY);
         }
         Ok(values)
     }

@@ -14,7 +14,6 @@ mod residuals;
 mod sentences;
 mod series;
 mod tables;
-mod usage;
 mod words;
 mod write;
 
@@ -30,8 +29,9 @@ pub use write::{studies, write};
 use crate::run::Source;
 use indicatif::ProgressBar;
 use slipgap_recommend::Stop;
+use slipgap_recommend::study::usage;
 use slipgap_study::error::Error;
-use slipgap_study::{Input, MOST_CASES, Study};
+use slipgap_study::{Alternative, Free, MOST_CASES, Study};
 
 /// What a calibration found.
 #[derive(Debug)]
@@ -59,9 +59,10 @@ impl Calibration {
     }
 }
 
-/// The text of a study and its settings.
-pub fn input(source: &Source) -> Input {
-    Input::new(&source.file.display().to_string(), &source.text).with(&source.study.settings)
+/// The free parameters that an alternative uses, and those that it does not.
+fn used(study: &Study, alternative: &Alternative) -> [Vec<Free>; 2] {
+    let minimised: Vec<usize> = study.calibrate.iter().map(|own| own.minimise).collect();
+    usage::used(study, alternative, &study.free_of(alternative), &minimised)
 }
 
 /// Calibrates a study. `bar` counts the cases.
@@ -76,7 +77,7 @@ pub fn calibrate(source: &Source, bar: &ProgressBar, stop: &Stop) -> Result<Cali
         ))
     };
     source.study.calibrate.as_ref().ok_or_else(none)?;
-    let input = input(source);
+    let input = source.input();
     let study = input.search_study(MOST_CASES)?;
     // Its rows of measures are others than those of the whole study.
     let calibrate = study.calibrate.as_ref().ok_or_else(none)?;

@@ -1,6 +1,6 @@
 //! The files of a calibration in the folder of the study.
 
-use super::{Calibration, Fit, figures, input, tables};
+use super::{Calibration, Fit, figures, tables};
 use crate::batch::output::Folder;
 use crate::figures::{pdf, png, svg};
 use crate::run::Source;
@@ -61,7 +61,7 @@ pub fn studies(
     source: &Source,
     folder: &Path,
 ) -> Result<BTreeMap<usize, (String, String)>, Error> {
-    let input = input(source);
+    let input = source.input();
     let mut all: BTreeMap<usize, (String, String)> = BTreeMap::new();
     let calibrate = found.study.calibrate.as_ref();
     let minimised = calibrate.map_or("", |own| &found.study.measures[own.minimise].name);

@@ -65,7 +65,6 @@ pub enum Verb {
     /// Test the statements of the papers and of the literature by studies, print the verdicts and write claims.md
     Claims(claims::ClaimsArgs),
     /// Find the cheapest parameters that reach a target; show the errors and the alternatives
-    #[command(subcommand)]
     Recommend(recommend::RecommendArgs),
     /// Find the values of free parameters with which a study comes nearest to what was measured
     Calibrate(calibrate::CalibrateArgs),

@@ -49,6 +49,11 @@ impl Source {
         })
     }
 
+    /// The text of the file and the settings of the command line.
+    pub fn input(&self) -> Input {
+        Input::new(&self.file.display().to_string(), &self.text).with(&self.study.settings)
+    }
+
     /// The file and the settings of the command line.
     pub fn origin(&self) -> String {
         let mut origin = self.file.display().to_string();

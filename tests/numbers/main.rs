@@ -10,4 +10,5 @@ mod impact;
 mod lanes;
 mod plane;
 mod recommend_laws;
+mod recommend_study;
 mod structures;

@@ -5,32 +5,25 @@
 //! gain or lose more energy than a limit. A recommended case also reaches the target with finer steps, if there is one that does.
 //!
 //! A space has many variants: laws with methods. All are compared on a coarse grid; the cheapest, and those of the papers, are
-//! searched on the fine grid.
+//! searched on the fine grid (`grid`, with the spaces `friction` and `impact`). Of any study, `study` compares the candidates that it
+//! lists, with free parameters by the search of `calibrate`.
 
-mod answer;
 pub mod calibrate;
 pub mod format;
 pub mod friction;
 mod grid;
 pub mod impact;
-mod level;
-mod refine;
-mod robustness;
-mod search;
 pub mod setting;
-mod space;
-mod survey;
+pub mod study;
 pub mod task;
 
-pub use answer::{Answer, Candidate, Request, Stop, Target};
-pub use refine::{
-    LEAST_HALVINGS, MOST_HALVINGS, Outcome, Refined, SETTLED, refine, with_finer_step,
+pub use grid::{
+    Answer, Candidate, CostLevel, EnergyChange, Further, Grid, LEAST_HALVINGS, MOST, MOST_HALVINGS,
+    MOST_OWN_STEP, Outcome, Range, Recommendation, Refined, Request, Robustness, SETTLED,
+    SearchSpace, Stop, Survey, Surveyed, Target, Variants, recommend, refine, robustness, search,
+    with_finer_step,
 };
-pub use robustness::{Robustness, robustness};
-pub use search::search;
 pub use setting::{Setting, Variant};
-pub use space::{CostLevel, EnergyChange, Further, Grid, Range, SearchSpace, Variants};
-pub use survey::{MOST, MOST_OWN_STEP, Recommendation, Survey, Surveyed, recommend};
 
 /// A law and a method that are not searched, because the user gives them.
 #[derive(Debug, Clone, Copy, Default)]
@@ -41,7 +34,16 @@ pub struct Fixed {
     pub method: Option<&'static str>,
 }
 
-use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::friction::FrictionOscillator;
+use slipgap_problem::problem::{Case, Problem};
+
+/// Cost of a case: steps times modes or nodes, times the sub-steps of its method.
+pub fn cost(problem: &dyn Problem, case: &Case) -> u64 {
+    let method = setting::method_named(case.choice("method"));
+    let parts = method.filter(|_| problem.name() == FrictionOscillator.name());
+    // The work of the other problems has them.
+    problem.work(case) * parts.map_or(1, |method| method.count_of_sub_steps())
+}
 
 /// The row of a metric; `usize::MAX` if the problem has no such metric, which no case has.
 pub fn metric(problem: &dyn Problem, name: &str) -> usize {

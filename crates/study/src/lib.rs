@@ -25,10 +25,17 @@ pub use computed::reference;
 pub use figure::reduced;
 pub use source::{faults, input, object, place, tree};
 
+pub use calibrate::Alternative;
+pub use calibrate::Calibrate;
+pub use calibrate::Free;
+pub use calibrate::FreeRange;
+pub use calibrate::PointCases;
+pub use calibrate::Recommend;
 pub use calibrate::decode::FIGURES as CALIBRATION_FIGURES;
-pub use calibrate::{Alternative, Calibrate, Free, FreeRange, PointCases};
-pub use cases::axis::design::{Design, Sampling};
-pub use cases::axis::group::{Axis, AxisGroup};
+pub use cases::axis::design::Design;
+pub use cases::axis::design::Sampling;
+pub use cases::axis::group::Axis;
+pub use cases::axis::group::AxisGroup;
 pub use cases::axis::values::Values;
 pub use cases::block::Block;
 pub use cases::filter::Filter;
@@ -76,6 +83,8 @@ pub struct Study {
     pub ensemble: Vec<usize>,
     /// Free parameters and the metric that their best values minimise, if the study has them.
     pub calibrate: Option<Calibrate>,
+    /// Parameters to choose and metrics to keep, if the study has them.
+    pub recommend: Option<Recommend>,
     /// Figures to draw.
     pub figures: Vec<Figure>,
     /// Limits to test.

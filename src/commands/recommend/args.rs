@@ -3,12 +3,21 @@
 use super::friction::FrictionArgs;
 use super::impact::ImpactArgs;
 use super::recommend;
-use super::task::SearchTask;
-use clap::Subcommand;
+use super::study::StudyArgs;
+use clap::{Args, Subcommand};
 use slipgap::error::Error;
 
+#[derive(Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub struct RecommendArgs {
+    #[command(subcommand)]
+    problem: Option<ProblemArgs>,
+    #[command(flatten)]
+    study: StudyArgs,
+}
+
 #[derive(Subcommand)]
-pub enum RecommendArgs {
+enum ProblemArgs {
     /// Find law, method, width and time step of a friction model
     FrictionOscillator(FrictionArgs),
     /// Find law, method, gamma, n, mass matrix and time step for the impact of two bars
@@ -18,15 +27,11 @@ pub enum RecommendArgs {
 impl RecommendArgs {
     /// Searches; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        let task = self.search_task()?;
+        let task = match self.problem {
+            None => return self.study.execute(),
+            Some(ProblemArgs::FrictionOscillator(args)) => args.search_task()?,
+            Some(ProblemArgs::BarImpact(args)) => args.search_task()?,
+        };
         task.common.jobs.run(|| recommend(&task))
-    }
-
-    /// The search that the arguments define.
-    fn search_task(self) -> Result<SearchTask, Error> {
-        match self {
-            RecommendArgs::FrictionOscillator(args) => args.search_task(),
-            RecommendArgs::BarImpact(args) => args.search_task(),
-        }
     }
 }

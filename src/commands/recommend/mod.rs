@@ -3,6 +3,7 @@
 mod args;
 mod friction;
 mod impact;
+mod study;
 mod survey;
 mod tables;
 mod task;
@@ -83,24 +84,28 @@ fn recommend(task: &SearchTask) -> Result<u8, Error> {
             .collect(),
         chosen,
     };
-    let sheet = front.sheet();
-    for path in [
-        folder.write(
-            "front.csv",
-            tables::front(space, request, answer).as_bytes(),
-        )?,
-        folder.write("front.png", &figures::png(&sheet, DPI)?)?,
-        folder.write("front.svg", figures::svg(&sheet, DPI)?.as_bytes())?,
-        folder.write("front.pdf", &figures::pdf(&sheet, DPI)?)?,
-    ] {
-        text += &format!("{}\n", path.display());
-    }
+    let csv = tables::front(space, request, answer);
+    let path = folder.write("front.csv", csv.as_bytes())?;
+    text += &format!("{}\n", path.display());
+    text += &write_front(&mut folder, &front)?;
     print(&text)?;
     if chosen.is_none() {
         note("slipgap: no case searched reaches the target; the nearest case is shown");
         return Ok(NOT_MET);
     }
     Ok(0)
+}
+
+/// Writes the picture of a front; returns the paths, one in each line.
+fn write_front(folder: &mut Folder, front: &Front) -> Result<String, Error> {
+    let sheet = front.sheet();
+    let paths = [
+        folder.write("front.png", &figures::png(&sheet, DPI)?)?,
+        folder.write("front.svg", figures::svg(&sheet, DPI)?.as_bytes())?,
+        folder.write("front.pdf", &figures::pdf(&sheet, DPI)?)?,
+    ];
+    let paths = paths.iter().map(|path| format!("{}\n", path.display()));
+    Ok(paths.collect())
 }
 
 /// The answer, cheaper candidates, and at most two that cost more.

@@ -93,6 +93,7 @@ pub(super) fn run(values: &[(f64, f64, f64)]) -> Run {
         metrics: Vec::new(),
         columns: Vec::new(),
         calibrate: None,
+        recommend: None,
         figures: Vec::new(),
         checks: Vec::new(),
     };

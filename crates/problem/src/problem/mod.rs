@@ -24,12 +24,12 @@ pub use parameter_expression::{NotComputed, ParameterExpression, values_used};
 use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::metrics::steps;
-use crate::problem::numbers::parameter::Parameter;
-use crate::problem::numbers::unit::Dimension;
-use crate::problem::table::cases::Cases;
 use crate::solve::{MetricTable, Unsolvable, Warning};
+use numbers::parameter::Parameter;
+use numbers::unit::Dimension;
 use std::sync::{Arc, LazyLock};
 use structure::{GroundMotion, Scheme};
+use table::cases::Cases;
 
 /// A problem: its schema, and how one of its cases is solved and judged.
 ///
@@ -94,6 +94,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     /// `None` where none is known.
     fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
         None
+    }
+    /// The metrics in these rows of the exact motion of a completed case, at the times of its steps; `None` for those that are not known.
+    fn exact_metrics(&self, _case: &Case, rows: &[usize]) -> Vec<Option<f64>> {
+        vec![None; rows.len()]
     }
     /// Why the whole history of a completed case does not fit in memory; `None` if it does. Its metrics and figures may need less.
     fn history_fault(&self, _case: &Case) -> Option<Violation> {

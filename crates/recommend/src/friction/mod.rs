@@ -10,7 +10,7 @@ pub use releases::{Releases, ReleasesFault};
 pub use task::{ENERGY_GAIN, FrictionTask, X0};
 
 use super::grid::integers;
-use super::{Fixed, Grid, Variant, setting};
+use super::{Fixed, Grid, Variant, cost, setting};
 use slipgap_motion::exact::coulomb::Coulomb;
 use slipgap_motion::history::History;
 use slipgap_problem::problem::friction::FrictionOscillator;
@@ -109,9 +109,7 @@ impl Friction {
     /// Steps times sub-steps.
     fn cost(&self, variant: &Variant, count: u32) -> u64 {
         let (case, _) = self.case(variant, WIDTHS[1], count, self.releases.longest());
-        let system = FrictionOscillator.system(&case);
-        let parts = system.map_or(1, |system| system.method.count_of_sub_steps());
-        FrictionOscillator.steps(&case) * parts
+        cost(&FrictionOscillator, &case)
     }
 }
 

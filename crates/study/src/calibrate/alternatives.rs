@@ -2,6 +2,7 @@
 
 use crate::Study;
 use crate::cases::alike::{Identity, grouped, identity};
+use crate::cases::axis::group::AxisGroup;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::{Kind, Value};
 
@@ -24,7 +25,7 @@ pub struct Alternative {
 struct Member {
     block: usize,
     raw: u64,
-    /// The positions on the axes that are no tests.
+    /// The positions on the axes of its alternative.
     own: Vec<u64>,
     case: Case,
 }
@@ -32,16 +33,25 @@ struct Member {
 impl Study {
     /// The alternatives in the order of the cases; none without `calibrate`.
     pub fn alternatives(&self) -> Vec<Alternative> {
-        let Some(calibrate) = &self.calibrate else {
-            return Vec::new();
-        };
-        let groups = grouped(self.members(calibrate.tests), |member| {
+        let tests = self.calibrate.as_ref().map(|own| own.tests);
+        tests.map_or(Vec::new(), |tests| {
+            self.grouped(tests, |group| !tests.is_some_and(|row| group.has(row)))
+        })
+    }
+
+    /// The cases with the same positions on these groups of axes, as an alternative each.
+    pub(super) fn grouped(
+        &self,
+        tests: Option<usize>,
+        is_own: impl Fn(&AxisGroup) -> bool,
+    ) -> Vec<Alternative> {
+        let groups = grouped(self.members(is_own), |member| {
             (member.block, member.own.clone())
         });
         let firsts: Vec<&Case> = groups.iter().map(|group| &group[0].case).collect();
-        let names = self.names(&firsts, calibrate.tests);
+        let names = self.names(&firsts, tests);
         let test = |member: &Member| {
-            let value = calibrate.tests.and_then(|row| member.case.values[row]);
+            let value = tests.and_then(|row| member.case.values[row]);
             value.map(|value| value.to_string())
         };
         let alternative = |(group, (name, values)): (&Vec<Member>, Named)| Alternative {
@@ -55,14 +65,13 @@ impl Study {
     }
 
     /// The cases of the study.
-    fn members(&self, tests: Option<usize>) -> Vec<Member> {
+    fn members(&self, is_own: impl Fn(&AxisGroup) -> bool) -> Vec<Member> {
         let problem = &*self.problem;
         let mut members = Vec::new();
         for (number, block) in self.blocks.iter().enumerate() {
-            let is_test = |group: usize| tests.is_some_and(|row| block.groups[group].has(row));
             for raw in (0..block.raw_len()).filter(|raw| block.is_case(problem, *raw)) {
                 let positions = block.positions(raw).into_iter().enumerate();
-                let own = positions.filter(|(group, _)| !is_test(*group));
+                let own = positions.filter(|(group, _)| is_own(&block.groups[*group]));
                 members.push(Member {
                     block: number,
                     raw,

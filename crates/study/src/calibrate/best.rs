@@ -1,6 +1,6 @@
 //! The study of an alternative with its best values, ready to run.
 
-use super::edit::{SHOWN, needed, put_metrics};
+use super::edit::{SHOWN, minimised, put_metrics};
 use super::files::move_files;
 use super::nodes::{blocks, items, list, put, put_remark, remove, take};
 use super::{Alternative, print};
@@ -26,9 +26,12 @@ impl Input {
         remark: &str,
     ) -> Result<String, Error> {
         let mut root = self.expanded()?.root;
-        let metrics = needed(&root);
+        let metrics = minimised(&root);
         add_metric(&mut root, metrics.last());
-        remove(&mut root, &["calibrate", SHOWN[1], SHOWN[2], SHOWN[3]]);
+        remove(
+            &mut root,
+            &["calibrate", "recommend", SHOWN[1], SHOWN[2], SHOWN[3]],
+        );
         keep_block(&mut root, alternative.block);
         if let Some(block) = blocks(&mut root).first_mut() {
             fix(block, study, alternative, values);

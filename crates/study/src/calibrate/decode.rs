@@ -52,30 +52,7 @@ pub(crate) fn calibrate(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
     let own = KEYS.map(|key| key.0);
     let allowed: Vec<&str> = names.iter().copied().chain(own).collect();
     let object = Object::open(node, &path, &allowed, faults)?;
-    let mut free = Vec::new();
-    for member in &object.members {
-        if own.contains(&member.key.as_str()) {
-            continue;
-        }
-        let Some(row) = names.iter().position(|name| *name == member.key) else {
-            continue;
-        };
-        let path = object.path(&member.key);
-        if let Some(message) = unsuitable(scope, row) {
-            faults.add(member.at, &path, message);
-            continue;
-        }
-        let range = FreeRange::decode(
-            &member.node,
-            &path,
-            &scope.problem.parameters()[row],
-            faults,
-        );
-        free.extend(range.map(|range| Free {
-            parameter: row,
-            range,
-        }));
-    }
+    let free = free(&object, &own, scope, faults);
     if free.is_empty() && faults.count() == before {
         let message = format!(
             "names no free parameter; give the range of one, as in \"k_h\": {{\"log\": [1e4, 1e7]}}; parameters: {}",
@@ -106,6 +83,30 @@ pub(crate) fn calibrate(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
         cases: cases?,
         tests,
     })
+}
+
+/// The free parameters: the members of an object but those with its `own` keys.
+pub(super) fn free(object: &Object, own: &[&str], scope: &Scope, faults: &mut Faults) -> Vec<Free> {
+    let names = scope.parameters();
+    let mut free = Vec::new();
+    for member in &object.members {
+        let row = names.iter().position(|name| *name == member.key);
+        let Some(row) = row.filter(|_| !own.contains(&member.key.as_str())) else {
+            continue;
+        };
+        let path = object.path(&member.key);
+        if let Some(message) = unsuitable(scope, row) {
+            faults.add(member.at, &path, message);
+            continue;
+        }
+        let parameter = &scope.problem.parameters()[row];
+        let range = FreeRange::decode(&member.node, &path, parameter, faults);
+        free.extend(range.map(|range| Free {
+            parameter: row,
+            range,
+        }));
+    }
+    free
 }
 
 /// Row of the parameter that chooses the file of measurements.
@@ -198,19 +199,30 @@ fn minimise(object: &Object, scope: &Scope, faults: &mut Faults) -> Option<usize
     let node = object.need(key.0, key.1, faults)?;
     let path = object.path(key.0);
     let text = text(node, &path, faults)?;
+    measure(&text, (node.at, &path), "minimise", scope, faults)
+}
+
+/// Row of the measure with this name at an offset and path; `verb` is what is done with it.
+pub(super) fn measure(
+    text: &str,
+    (at, path): (usize, &str),
+    verb: &str,
+    scope: &Scope,
+    faults: &mut Faults,
+) -> Option<usize> {
     let mut measures = scope.measures.iter();
     let Some(row) = measures.position(|measure| measure.name == text.trim()) else {
-        faults.add(node.at, &path, unknown("metric", &text, &scope.metrics()));
+        faults.add(at, path, unknown("metric", text, &scope.metrics()));
         return None;
     };
     let measure = &scope.measures[row];
     let late = measure.computed.as_ref().is_some_and(|own| own.late);
     if measure.reduction.is_some() || late {
         let message = format!(
-            "{} needs several cases; minimise a metric of one case, or arithmetic of such metrics",
-            quoted(&text)
+            "{} needs several cases; {verb} a metric of one case, or arithmetic of such metrics",
+            quoted(text)
         );
-        faults.add(node.at, &path, message);
+        faults.add(at, path, message);
         return None;
     }
     Some(row)

@@ -23,7 +23,25 @@ impl Input {
     /// As of [`Input::study`].
     pub fn search_study(&self, limit: u64) -> Result<Study, Error> {
         self.edited(limit, |root| {
-            let metrics = needed(root);
+            let metrics = minimised(root);
+            put_metrics(root, metrics);
+        })
+    }
+
+    /// The study with the metrics that `recommend` keeps and these as its only ones, and what they are computed from.
+    ///
+    /// # Errors
+    /// As of [`Input::study`].
+    pub fn candidate_study(&self, more: &[&str], limit: u64) -> Result<Study, Error> {
+        self.edited(limit, |root| {
+            let at = root.at;
+            let mut metrics = needed(root, sources::kept);
+            for text in more {
+                let tree = Tree::Text((*text).to_owned());
+                if !metrics.iter().any(|own| own.tree == tree) {
+                    metrics.push(Node { at, tree });
+                }
+            }
             put_metrics(root, metrics);
         })
     }
@@ -40,7 +58,7 @@ impl Input {
                 at,
                 tree: Tree::Text(metric.clone()),
             };
-            let own = needed(root);
+            let own = minimised(root);
             put_metrics(
                 root,
                 own.into_iter().chain(metrics.iter().map(text)).collect(),
@@ -70,20 +88,24 @@ pub(super) fn put_metrics(root: &mut Node, metrics: Vec<Node>) {
 }
 
 /// The metric under `minimise`, after the metrics with names of the study that it contains.
-pub(super) fn needed(root: &Node) -> Vec<Node> {
-    let mut none = Faults::default();
-    let Some(object) = Object::open(root, "", &["metrics", "calibrate"], &mut none) else {
+pub(super) fn minimised(root: &Node) -> Vec<Node> {
+    needed(root, |object| {
+        sources::minimised(object).into_iter().collect()
+    })
+}
+
+/// Some metrics, after those with names of the study that they contain.
+fn needed(root: &Node, of: impl for<'a> Fn(&Object<'a>) -> Vec<Source<'a>>) -> Vec<Node> {
+    let Some(object) = Object::of_any_keys(root, "", &mut Faults::default()) else {
         return Vec::new();
     };
-    let Some(minimised) = sources::minimised(&object) else {
-        return Vec::new();
-    };
+    let wanted = of(&object);
     let listed = sources::listed(&object);
     let named: Vec<(&Member, &Source)> = listed
         .iter()
         .filter_map(|own| Some((own.name?, own)))
         .collect();
-    let mut texts = vec![minimised.text];
+    let mut texts: Vec<&str> = wanted.iter().map(|own| own.text).collect();
     let mut kept: Vec<&Member> = Vec::new();
     while let Some(text) = texts.pop() {
         let words: Vec<&str> = text
@@ -105,9 +127,9 @@ pub(super) fn needed(root: &Node) -> Vec<Node> {
         at: own.at,
         tree: Tree::Object(vec![(*member).clone()]),
     };
-    let metric = Node {
-        at: minimised.at,
-        tree: Tree::Text(minimised.text.to_owned()),
+    let metric = |own: &Source| Node {
+        at: own.at,
+        tree: Tree::Text(own.text.to_owned()),
     };
-    kept.map(object).chain([metric]).collect()
+    kept.map(object).chain(wanted.iter().map(metric)).collect()
 }

@@ -1,4 +1,5 @@
-//! The key `calibrate` of a study: free parameters with ranges, the metric to minimise, and the cases of a search.
+//! The keys of a study for searches. `calibrate`: free parameters with ranges, the metric to minimise, and the cases of a search;
+//! `recommend`: parameters to choose, and metrics to keep.
 
 mod alternatives;
 mod best;
@@ -9,10 +10,12 @@ mod nodes;
 mod points;
 mod print;
 pub(super) mod range;
+pub(super) mod recommend;
 
 pub use alternatives::Alternative;
 pub use points::PointCases;
 pub use range::FreeRange;
+pub use recommend::Recommend;
 
 use crate::Study;
 use crate::computed::metrics_of;

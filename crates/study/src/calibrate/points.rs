@@ -6,7 +6,7 @@ use crate::cases::axis::values::Values;
 use crate::cases::block::Block;
 use crate::cases::formulas::derived::{Condition, Derived};
 use crate::cases::formulas::formula_table::FormulaTable;
-use crate::{Calibrate, Study};
+use crate::{Calibrate, Recommend, Study};
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_problem::problem::{Case, Violation};
@@ -35,14 +35,24 @@ impl Study {
 
     /// The free parameters that the block of an alternative gives, in the order of the file.
     pub fn free_of(&self, alternative: &Alternative) -> Vec<Free> {
+        let own = self.calibrate.iter().flat_map(|own: &Calibrate| &own.free);
+        self.given(alternative, own)
+    }
+
+    /// The same of a candidate of `recommend`.
+    pub fn free_of_candidate(&self, candidate: &Alternative) -> Vec<Free> {
+        let own = self.recommend.iter().flat_map(|own: &Recommend| &own.free);
+        self.given(candidate, own)
+    }
+
+    fn given<'a>(
+        &self,
+        alternative: &Alternative,
+        free: impl Iterator<Item = &'a Free>,
+    ) -> Vec<Free> {
         let block = &self.blocks[alternative.block];
-        let free = self
-            .calibrate
-            .iter()
-            .flat_map(|calibrate: &Calibrate| &calibrate.free);
-        free.copied()
-            .filter(|free| block.gives(free.parameter))
-            .collect()
+        let given = free.filter(|free| block.gives(free.parameter));
+        given.copied().collect()
     }
 }
 

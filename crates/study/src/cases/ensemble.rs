@@ -2,7 +2,11 @@
 
 use super::alike::unaffected;
 use super::block::Block;
+use super::filter::Filter;
+use super::scope::Scope;
 use crate::Study;
+use crate::source::faults::Faults;
+use crate::source::tree::{Node, Tree};
 use slipgap_problem::problem::Problem;
 
 impl Study {
@@ -11,6 +15,11 @@ impl Study {
     pub fn outside_ensemble(&self, also: &[usize]) -> Vec<usize> {
         let rows: Vec<usize> = self.ensemble.iter().chain(also).copied().collect();
         outside(&*self.problem, &self.blocks, &rows)
+    }
+
+    /// The parameters whose values distinguish physical cases if those in `chosen` are numerical choices.
+    pub fn outside_choice(&self, chosen: &[usize]) -> Vec<usize> {
+        outside(&*self.problem, &self.blocks, chosen)
     }
 }
 
@@ -30,6 +39,35 @@ fn may_vary(blocks: &[Block], row: usize) -> bool {
         let mut axes = block.axes().filter(|axis| axis.parameter == row);
         axes.any(|axis| axis.values.len() > 1) || block.derived.iter().any(|d| d.parameter == row)
     })
+}
+
+/// Reports at an offset and path a parameter that has no several values of its own, which `what` needs.
+pub(crate) fn refuse_constant(
+    scope: &Scope,
+    row: usize,
+    what: &str,
+    (at, path): (usize, String),
+    faults: &mut Faults,
+) {
+    let name = &scope.problem.parameters()[row].name;
+    let mut derived = scope.blocks.iter().flat_map(|block| &block.derived);
+    let why = match derived.any(|derived| derived.parameter == row) {
+        true => "is given by an expression; name the parameters that it follows from".to_owned(),
+        false => match scope.levels(&Filter::default(), row).as_slice() {
+            [] => "is given in none of the cases".to_owned(),
+            [one] => format!("is {one} in all cases; {what} needs a parameter with several values"),
+            _ => return,
+        },
+    };
+    faults.add(at, &path, format!("{name} {why}"));
+}
+
+/// The offset and path of name `i`, which may be given without a list.
+pub(crate) fn item(node: &Node, path: &str, i: usize) -> (usize, String) {
+    match &node.tree {
+        Tree::List(items) if i < items.len() => (items[i].at, format!("{path}[{i}]")),
+        _ => (node.at, path.to_owned()),
+    }
 }
 
 #[cfg(test)]

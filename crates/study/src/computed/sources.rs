@@ -14,6 +14,9 @@ pub const RELATIVE: &str = " relative to ";
 /// The key of the metric that `calibrate` minimises.
 pub const MINIMISE: &str = "minimise";
 
+/// The key of the metrics that `recommend` keeps.
+pub const WITHIN: &str = "within";
+
 /// The keys of a metric with a name, each with its meaning.
 pub(crate) const NAMED: [(&str, &str); 3] = [
     ("value", "the metric, arithmetic of metrics, or a ratio"),
@@ -136,9 +139,23 @@ pub fn minimised<'a>(root: &Object<'a>) -> Option<Source<'a>> {
     source(&minimised.node, path, None)
 }
 
-/// The texts of checks, figures and `calibrate` where a metric is expected.
+/// The metrics that `recommend` keeps.
+pub fn kept<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
+    let recommend = root.get("recommend").into_iter().flat_map(members);
+    let within = recommend.filter(|member| member.key == WITHIN);
+    let metrics = within.flat_map(|member| members(&member.node));
+    let source = |member: &'a Member| Source {
+        name: None,
+        text: &member.key,
+        at: member.at,
+        path: join(&join("recommend", WITHIN), &member.key),
+    };
+    metrics.map(source).collect()
+}
+
+/// The texts of checks, figures, `calibrate` and `recommend` where a metric is expected.
 pub fn shown<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
-    let mut found: Vec<Source> = minimised(root).into_iter().collect();
+    let mut found: Vec<Source> = minimised(root).into_iter().chain(kept(root)).collect();
     for key in ["checks", "figures"] {
         let Some(node) = root.get(key) else {
             continue;

@@ -5,7 +5,7 @@ use crate::structure::keys::KEY as MEASURED;
 use crate::structure::named::names::SHOWN;
 
 /// The keys of a study, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 16] = [
+pub(crate) const KEYS: [(&str, &str); 17] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
@@ -43,6 +43,10 @@ pub(crate) const KEYS: [(&str, &str); 16] = [
     (
         "calibrate",
         "free parameters with their ranges and the metric to minimise, for `slipgap calibrate`",
+    ),
+    (
+        "recommend",
+        "the parameters to choose and the metrics to keep within tolerances, for `slipgap recommend`",
     ),
     ("figures", "figures to draw"),
     ("checks", "limits that `slipgap check` tests"),

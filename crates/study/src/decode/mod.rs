@@ -200,6 +200,7 @@ pub(crate) fn study(
     scope.measures.extend(reductions);
     scope.ensemble = ensemble(&object, &scope, faults);
     let calibrate = calibrate::decode::calibrate(&object, &scope, faults);
+    let recommend = calibrate::recommend::recommend(&object, &scope, faults);
     let checks = object.items("checks", faults, |node, path, faults| {
         check(node, path, &scope, faults)
     });
@@ -218,6 +219,7 @@ pub(crate) fn study(
         blocks: scope.blocks,
         ensemble: scope.ensemble.unwrap_or_default(),
         calibrate,
+        recommend,
         figures,
         checks,
         settings: Vec::new(),

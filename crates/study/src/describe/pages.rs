@@ -48,6 +48,7 @@ pub fn reference() -> String {
         .replace("{{words}}", &list(&OPERATORS))
         .replace("{{reduced}}", &code(&reduced::KINDS))
         .replace("{{calibrate}}", &list(&calibrate::decode::KEYS))
+        .replace("{{recommend}}", &list(&calibrate::recommend::KEYS))
         .replace("{{checks}}", &list(&checks::KEYS))
         .replace("{{warnings}}", &warnings())
 }

@@ -20,19 +20,34 @@ impl<'a> Object<'a> {
         allowed: &[&str],
         faults: &mut Faults,
     ) -> Option<Object<'a>> {
+        Object::checked(node, path, Some(allowed), faults)
+    }
+
+    /// The same with any keys.
+    pub fn of_any_keys(node: &'a Node, path: &str, faults: &mut Faults) -> Option<Object<'a>> {
+        Object::checked(node, path, None, faults)
+    }
+
+    fn checked(
+        node: &'a Node,
+        path: &str,
+        allowed: Option<&[&str]>,
+        faults: &mut Faults,
+    ) -> Option<Object<'a>> {
         let Tree::Object(all) = &node.tree else {
-            faults.must_be(
-                node,
-                path,
-                &format!("an object with keys from {}", allowed.join(", ")),
-            );
+            let keys = allowed.map(|keys| format!("an object with keys from {}", keys.join(", ")));
+            faults.must_be(node, path, keys.as_deref().unwrap_or("an object"));
             return None;
+        };
+        let unknown_key = |key: &str| {
+            let known = allowed.filter(|known| !known.contains(&key));
+            known.map(|known| unknown("key", key, known))
         };
         let mut members: Vec<&Member> = Vec::new();
         for member in all.iter().filter(|member| member.key != "//") {
             let path = join(path, &member.key);
-            if !allowed.contains(&member.key.as_str()) {
-                faults.add(member.node.at, &path, unknown("key", &member.key, allowed));
+            if let Some(message) = unknown_key(&member.key) {
+                faults.add(member.node.at, &path, message);
             } else if members.iter().any(|first| first.key == member.key) {
                 let message = format!("key {} is given twice in one object", quoted(&member.key));
                 faults.add(member.at, &path, message);

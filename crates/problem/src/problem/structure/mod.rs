@@ -169,6 +169,13 @@ impl Problem for StructureProblem {
         })
     }
 
+    fn exact_metrics(&self, case: &Case, rows: &[usize]) -> Vec<Option<f64>> {
+        let values = self
+            .ready(0, case)
+            .and_then(|own| self.exact_values(&own, rows));
+        values.unwrap_or_else(|_| vec![None; rows.len()])
+    }
+
     fn history_fault(&self, case: &Case) -> Option<Violation> {
         self.check_history(case)
     }

@@ -7,16 +7,14 @@ mod parts;
 mod structure;
 pub(super) mod values;
 
-use figures::{check, filter, name_of, of_kind, parameter_names};
-use parts::{block_keys, computed, listed_metrics, reduction, several};
-
-use serde_json::{Map, Value as Json, json};
-
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, units};
 use crate::figure::kinds::KINDS;
 use crate::structure::named::names::SHOWN;
 use crate::units::IN;
+use figures::{check, filter, name_of, of_kind, parameter_names};
+use parts::{block_keys, computed, listed_metrics, recommend, reduction, several};
+use serde_json::{Map, Value as Json, json};
 use slipgap_problem::problem::{self, Metric, PROBLEMS, Problem};
 use std::sync::Arc;
 use values::{
@@ -44,6 +42,9 @@ pub fn schema() -> String {
     properties["metrics"]["type"] = json!(["array", "object"]);
     properties["names"] = shown_names();
     properties["reductions"]["items"] = reduction();
+    if let (Json::Object(own), Json::Object(keys)) = (&mut properties["recommend"], recommend()) {
+        own.extend(keys);
+    }
     properties["problem"]["enum"] = json!(problems);
     properties["iteration"]["enum"] = json!(decode::ITERATIONS);
     let mut definitions = Map::new();

@@ -1,7 +1,5 @@
 //! Parts of the schema that studies of all problems have.
 
-use serde_json::{Map, Value as Json, json};
-
 use super::values::{EXPRESSION, names, number, object, refer};
 use crate::axes::design;
 use crate::calibrate;
@@ -9,6 +7,7 @@ use crate::computed::sources::NAMED;
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::figure::extent::WIDTHS;
 use crate::reduction::OPERATORS;
+use serde_json::{Map, Value as Json, json};
 use slipgap_problem::problem::expression::FUNCTIONS;
 use slipgap_problem::problem::numbers::parameter::Range;
 
@@ -116,6 +115,29 @@ pub(super) fn calibrate() -> Json {
         schema["description"] = meaning.into();
         properties.insert(key.into(), schema);
     }
+    with_free(properties, &[calibrate::decode::KEYS[0].0])
+}
+
+/// The key `recommend`.
+pub(super) fn recommend() -> Json {
+    let tolerances = json!({
+        "type": "object",
+        "properties": { "//": { "description": "a remark" } },
+        "minProperties": 1,
+        "additionalProperties": number(Range::Positive),
+    });
+    let keys = calibrate::recommend::KEYS;
+    let schemas = [several(json!({ "type": "string" })), tolerances];
+    let properties = keys.iter().zip(schemas).map(|((key, meaning), schema)| {
+        let mut schema = schema;
+        schema["description"] = (*meaning).into();
+        ((*key).to_owned(), schema)
+    });
+    with_free(properties.collect(), &keys.map(|key| key.0))
+}
+
+/// An object with these properties, remarks, and ranges of free parameters.
+fn with_free(mut properties: Map<String, Json>, required: &[&str]) -> Json {
     properties.insert("//".into(), json!({ "description": "a remark" }));
     let (key, meaning) = calibrate::range::LOG;
     let mut log = pair();
@@ -124,7 +146,7 @@ pub(super) fn calibrate() -> Json {
     json!({
         "type": "object",
         "properties": properties,
-        "required": [calibrate::decode::KEYS[0].0],
+        "required": required,
         "additionalProperties": { "anyOf": [pair(), log], "description": "range of a free parameter" },
     })
 }

@@ -66,6 +66,11 @@ pub(crate) const SYNONYMS: &[(&[&str], &[&str])] = &[
         &["calibrate"],
     ),
     (
+        &["recommendation", "advise", "choose", "cheapest"],
+        &["recommend"],
+    ),
+    (&["tolerance", "tolerances", "keep", "limits"], &["within"]),
+    (
         &["budget", "evaluations", "maxevaluations", "maxiter"],
         &["cases"],
     ),

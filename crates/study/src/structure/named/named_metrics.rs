@@ -12,15 +12,14 @@ use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::channels::channel::{Channel, UNKNOWN};
 use slipgap_problem::problem::structure::channels::names::Names;
 use slipgap_problem::problem::structure::given::loads::Kind;
+use slipgap_problem::problem::structure::given::shape::Scaled;
+use slipgap_problem::problem::structure::metrics::metric::{StructureMetric, looks_like_metric};
 use slipgap_problem::problem::structure::metrics::pieces::{Piece, pieces};
-use slipgap_problem::problem::structure::metrics::{
-    metric::{StructureMetric, looks_like_metric},
-    reduction::Reduction,
-};
+use slipgap_problem::problem::structure::metrics::reduction::Reduction;
+use slipgap_problem::problem::structure::parts::template::Template;
 use slipgap_problem::problem::structure::tables::schema::Drawn;
-use slipgap_problem::problem::structure::{given::shape::Scaled, parts::template::Template};
 
-/// The metrics in the list `metrics`, and those that reductions, checks and figures name.
+/// The metrics in the list `metrics`, and those that reductions, checks, figures and searches name.
 pub(in crate::structure) fn metrics(
     root: &Object,
     names: &Names,
@@ -84,7 +83,9 @@ pub(in crate::structure) fn metrics(
             });
         }
     }
-    if let Some(own) = sources::minimised(root).filter(|own| is_plain(own.text)) {
+    let searched = sources::minimised(root).into_iter();
+    let searched = searched.chain(sources::kept(root));
+    for own in searched.filter(|own| is_plain(own.text)) {
         let is_name = !own.text.contains('(') || named.contains(&own.text);
         if !is_name || looks_like_metric(own.text) {
             add(own.text, own.at, &own.path, faults);

@@ -1,5 +1,7 @@
 //! `slipgap.recommend`: the cheapest parameters that reach a target.
 
+mod study;
+
 use crate::error::{raise, usage};
 use crate::worker;
 use pyo3::prelude::*;
@@ -39,20 +41,20 @@ const IMPACT: [&str; 13] = [
 #[pyfunction]
 pub fn recommend<'py>(
     py: Python<'py>,
-    problem: &str,
+    problem: &Bound<'py, PyAny>,
     targets: &Bound<'py, PyDict>,
     jobs: Option<i64>,
+    set: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let jobs = worker::jobs(py, jobs)?;
-    let search = match problem {
-        "friction-oscillator" => friction(py, targets)?,
-        "bar-impact" => impact(py, targets)?,
+    let name: Option<String> = problem.extract().ok();
+    let search = match name.as_deref() {
+        Some("friction-oscillator") if set.is_none() => friction(py, targets)?,
+        Some("bar-impact") if set.is_none() => impact(py, targets)?,
+        _ if targets.is_empty() => return study::recommend(py, problem, jobs, set),
         _ => {
-            let message = "allowed: friction-oscillator, bar-impact";
-            return Err(usage(
-                py,
-                format!("problem: unknown {problem:?}; {message}"),
-            ));
+            let message = "only friction-oscillator and bar-impact have targets as arguments, and no set; a study has them in its key recommend";
+            return Err(usage(py, message));
         }
     };
     let stop = search.request.stop.clone();
@@ -113,6 +115,15 @@ pub fn recommend<'py>(
     ))
 }
 
+/// Puts a value into a dictionary.
+fn put(into: &Bound<'_, PyDict>, key: &str, value: Value) -> PyResult<()> {
+    match value {
+        Value::Number(x) => into.set_item(key, x),
+        Value::Whole(n) => into.set_item(key, n),
+        Value::Name(name) => into.set_item(key, name),
+    }
+}
+
 /// A `slipgap.Candidate`.
 fn candidate<'py>(
     py: Python<'py>,
@@ -160,11 +171,7 @@ fn parameters<'py>(
                 (inner.cast_into()?, key)
             }
         };
-        match value {
-            Value::Number(x) => into.set_item(key, x)?,
-            Value::Whole(n) => into.set_item(key, n)?,
-            Value::Name(name) => into.set_item(key, name)?,
-        }
+        put(&into, key, value)?;
     }
     Ok(parameters)
 }

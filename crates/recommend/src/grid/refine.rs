@@ -1,9 +1,10 @@
 //! Finer steps: whether a case still reaches its targets when its step is halved until the metrics stop changing.
 
 use super::Target;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::table::cases::Cases;
-use slipgap_problem::problem::{Case, Problem};
 
 /// Halvings that are always made. Half the step alone is not enough: it may still be too long for the contact mode.
 pub const LEAST_HALVINGS: u32 = 4;

@@ -5,15 +5,20 @@ use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::{Alternative, Free, Study};
 
 /// The free parameters that an alternative uses, and those that it does not: cases that differ only in one of these have the same
-/// equations of motion.
-pub fn used(study: &Study, alternative: &Alternative) -> [Vec<Free>; 2] {
-    let all = study.free_of(alternative);
-    let minimise = study.calibrate.as_ref().map(|own| own.minimise);
-    let in_metric =
-        |free: &Free| minimise.is_some_and(|row| study.measure_contains(row, free.parameter));
+/// equations of motion, and these measures do not contain it.
+pub fn used(
+    study: &Study,
+    alternative: &Alternative,
+    all: &[Free],
+    measures: &[usize],
+) -> [Vec<Free>; 2] {
+    let in_metric = |free: &Free| {
+        let mut measures = measures.iter();
+        measures.any(|row| study.measure_contains(*row, free.parameter))
+    };
     let same = |one: &Case, other: &Case| study.problem.has_same_motion(one, other);
     let uses: Vec<bool> = (0..all.len())
-        .map(|place| in_metric(&all[place]) || changes(study, alternative, &all, place, &same))
+        .map(|place| in_metric(&all[place]) || changes(study, alternative, all, place, &same))
         .collect();
     [true, false].map(|wanted| {
         let places = all.iter().zip(&uses).filter(|(_, uses)| **uses == wanted);

@@ -1,7 +1,10 @@
 //! Search spaces: the candidates of a problem.
 
-use super::{Request, Variant};
-use slipgap_problem::problem::{Case, Problem, Solution};
+use super::Request;
+use crate::Variant;
+use slipgap_problem::problem::Case;
+use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::Solution;
 
 /// Candidates of the same cost, with their neighbours.
 #[derive(Debug, Default)]

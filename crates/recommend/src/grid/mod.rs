@@ -1,4 +1,21 @@
-//! Grids of numbers for searches.
+//! The search of grids of laws, methods, widths, meshes and steps: candidates by their costs, with their neighbours and finer steps.
+
+mod answer;
+mod level;
+mod refine;
+mod robustness;
+mod search;
+mod space;
+mod survey;
+
+pub use answer::{Answer, Candidate, Request, Stop, Target};
+pub use refine::{
+    LEAST_HALVINGS, MOST_HALVINGS, Outcome, Refined, SETTLED, refine, with_finer_step,
+};
+pub use robustness::{Robustness, robustness};
+pub use search::search;
+pub use space::{CostLevel, EnergyChange, Further, Grid, Range, SearchSpace, Variants};
+pub use survey::{MOST, MOST_OWN_STEP, Recommendation, Survey, Surveyed, recommend};
 
 /// Numbers in equal ratios from `from` to `to`, `count` per decade, rounded to three digits.
 pub fn decades(from: f64, to: f64, count: f64) -> Vec<f64> {

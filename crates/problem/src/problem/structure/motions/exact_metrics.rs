@@ -1,0 +1,63 @@
+//! Metrics of the exact motion of a case, with which computed ones are compared.
+
+use super::recorded::{MetricContext, Motions, distinct};
+use super::sweep::Ready;
+use super::{metric_values, motion};
+use crate::problem::structure::StructureProblem;
+use crate::problem::structure::metrics::metric::StructureMetric;
+use crate::problem::structure::metrics::reduction::Reduction;
+use crate::solve::Unsolvable;
+
+/// Reductions of a channel alone, which an exact motion has, too.
+const OF_MOTION: [Reduction; 6] = [
+    Reduction::Peak,
+    Reduction::Last,
+    Reduction::Min,
+    Reduction::Max,
+    Reduction::Rms,
+    Reduction::TimeOfPeak,
+];
+
+impl StructureProblem {
+    /// The metrics in these rows of the exact motion at the steps, if they are of a channel that it has.
+    pub(crate) fn exact_values(
+        &self,
+        ready: &Ready,
+        rows: &[usize],
+    ) -> Result<Vec<Option<f64>>, Unsolvable> {
+        let metrics: Vec<&StructureMetric> = rows.iter().map(|row| &self.metrics[*row]).collect();
+        let of_motion = |own: &StructureMetric| !own.measured && OF_MOTION.contains(&own.reduction);
+        let numbers = |own: &StructureMetric| {
+            metric_values::needed(own, &ready.numbering, self.template.contacts.len())
+        };
+        let known = metrics.iter().filter(|own| of_motion(own));
+        let all = distinct(known.flat_map(|own| numbers(own)));
+        if all.is_empty() {
+            return Ok(vec![None; rows.len()]);
+        }
+        let rigid = self.against_rigid();
+        let own = match rigid {
+            true => &motion::rigid(&ready.structure)?,
+            false => &ready.structure,
+        };
+        let times: Vec<f64> = (0..=ready.last).map(|i| i as f64 * ready.dt).collect();
+        let motions = Motions {
+            computed: motion::exact(own, &times, &all)?,
+            ..Motions::default()
+        };
+        let of = MetricContext {
+            structure: &ready.structure,
+            numbering: &ready.numbering,
+            compared: None,
+            dt: ready.dt,
+            against_rigid: rigid,
+            impulses: ready.method.has_impulses(),
+        };
+        let value = |metric: &&StructureMetric| {
+            let recorded = |number| motions.computed.of(number).iter().all(|x| x.is_finite());
+            let known = of_motion(metric) && numbers(metric).into_iter().all(recorded);
+            metric_values::value(metric, of, &motions).filter(|x| known && x.is_finite())
+        };
+        Ok(metrics.iter().map(value).collect())
+    }
+}

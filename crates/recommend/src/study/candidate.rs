@@ -1,0 +1,257 @@
+//! The candidates of a study: each has its cost, its largest errors over the physical cases, and what becomes of it.
+
+use super::judge::{Judge, Judged, all_of};
+use super::usage::used;
+use crate::calibrate::{Objective, Options, Stopped, search};
+use crate::setting::method_named;
+use crate::{EnergyChange, cost};
+use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::table::cases::Cases;
+use slipgap_problem::problem::{Case, Problem};
+use slipgap_study::{Alternative, Free};
+use std::cmp::Ordering;
+use std::collections::HashSet;
+
+/// Cases of the search of free parameters, for each candidate.
+const CASES: u64 = 4000;
+
+/// A candidate.
+#[derive(Debug)]
+pub struct Choice {
+    /// Its cases.
+    pub alternative: Alternative,
+    /// The chosen parameters that it has and its free ones, with their values.
+    pub values: Vec<(usize, Value)>,
+    /// Cost of all its cases.
+    pub cost: u64,
+    /// The largest error of each metric over the physical cases.
+    pub errors: Vec<f64>,
+    /// The largest changes of energy.
+    pub energy: EnergyChange,
+    /// The largest quotient of error and tolerance.
+    pub worst: f64,
+    /// What becomes of it.
+    pub state: State,
+    /// What half the step and finer meshes show, if they were looked at.
+    pub finer: Option<Finer>,
+    /// Its free parameters.
+    free: Vec<Free>,
+    /// Its smallest step.
+    step: f64,
+    /// Number of its modes or nodes.
+    pub(super) size: u64,
+    /// Number of its physical cases.
+    conditions: usize,
+}
+
+/// What becomes of a candidate.
+#[derive(Debug, Clone, PartialEq)]
+pub enum State {
+    /// It keeps every metric.
+    Keeps,
+    /// It misses a tolerance.
+    Misses,
+    /// It gains or loses too much energy.
+    Energy,
+    /// A case has no solution, for this reason.
+    Unsolved(String),
+    /// It does not have all physical cases.
+    Incomplete,
+}
+
+/// The largest quotients of error and tolerance with half the step, and with the next finer meshes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Finer {
+    /// With half the step.
+    pub step: f64,
+    /// With the next finer mesh.
+    pub mesh: Mesh,
+}
+
+/// What a finer mesh shows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Mesh {
+    /// The study does not choose a mesh.
+    NotChosen,
+    /// No candidate has a finer one.
+    Finest,
+    /// The largest quotient with the next finer one among the candidates.
+    Next(f64),
+}
+
+impl Finer {
+    /// Whether the metrics are kept there, too.
+    pub fn holds(&self) -> bool {
+        let mesh = match self.mesh {
+            Mesh::NotChosen => true,
+            Mesh::Finest => false,
+            Mesh::Next(mesh) => mesh <= 1.0,
+        };
+        self.step <= 1.0 && mesh
+    }
+}
+
+/// The candidates of a study, not yet solved. The judge then knows the physical cases.
+pub(super) fn candidates(judge: &mut Judge) -> Vec<Choice> {
+    let study = judge.study;
+    let within: Vec<usize> = judge.recommend.within.iter().map(|own| own.0).collect();
+    let choice = |alternative: Alternative| {
+        let cases = all_of(&study.point_cases(&alternative, &[]).cases(&[Vec::new()]));
+        let mut conditions = HashSet::new();
+        for case in &cases {
+            let next = judge.conditions.len();
+            let condition = judge.condition(case);
+            conditions.insert(*judge.conditions.entry(condition).or_insert(next));
+        }
+        let problem = &*study.problem;
+        let free = study.free_of_candidate(&alternative);
+        let [free, _] = used(study, &alternative, &free, &within);
+        let over = judge.recommend.over.iter();
+        let value = |row: &usize| Some((*row, cases.first()?.values[*row]?));
+        let step = cases
+            .iter()
+            .filter_map(|case| case.at(problem.schema().step));
+        Choice {
+            values: over.filter_map(value).collect(),
+            cost: cases.iter().map(|case| cost(problem, case)).sum(),
+            errors: Vec::new(),
+            energy: EnergyChange::UNKNOWN,
+            worst: f64::INFINITY,
+            state: State::Incomplete,
+            finer: None,
+            step: step.fold(f64::INFINITY, f64::min),
+            size: cases.first().map_or(0, |case| size(problem, case)),
+            conditions: conditions.len(),
+            free,
+            alternative,
+        }
+    };
+    study.candidates().into_iter().map(choice).collect()
+}
+
+/// Number of modes or nodes of a case, which a finer mesh has more of.
+fn size(problem: &dyn Problem, case: &Case) -> u64 {
+    let method = method_named(case.choice("method"));
+    let parts = method.map_or(1, |method| method.count_of_sub_steps());
+    cost(problem, case) / (problem.steps(case) * parts).max(1)
+}
+
+impl Choice {
+    /// Whether it has all physical cases.
+    pub(super) fn is_whole(&self, judge: &Judge) -> bool {
+        self.conditions == judge.conditions.len()
+    }
+
+    /// Its cases, at these values of some free parameters.
+    pub(super) fn cases(&self, judge: &Judge, free: &[Free], values: &[f64]) -> Cases {
+        let cases = judge.study.point_cases(&self.alternative, free);
+        cases.cases_with(&[values.to_vec()])
+    }
+
+    /// Its free parameters, each with its best value.
+    pub(super) fn free(&self) -> (&[Free], Vec<f64>) {
+        let value = |free: &Free| {
+            let own = self.values.iter().find(|(row, _)| *row == free.parameter);
+            own.map_or(f64::NAN, |(_, value)| value.as_f64().unwrap_or(f64::NAN))
+        };
+        (&self.free, self.free.iter().map(value).collect())
+    }
+
+    /// The one chosen number in which both differ; `None` if they differ in a name or in several.
+    pub(super) fn differing(&self, other: &Choice) -> Option<usize> {
+        let is_free = |row: usize| self.free.iter().any(|free| free.parameter == row);
+        let chosen = |of: &Choice| -> Vec<(usize, Value)> {
+            let own = of.values.iter().filter(|own| !is_free(own.0));
+            own.copied().collect()
+        };
+        let (own, others) = (chosen(self), chosen(other));
+        let mut differing = own.iter().zip(&others).filter(|(own, other)| own != other);
+        let (first, second) = (differing.next()?, differing.next());
+        let is_number = first.0.0 == first.1.0 && first.0.1.as_f64().is_some();
+        (is_number && second.is_none() && own.len() == others.len()).then_some(first.0.0)
+    }
+
+    /// Greater for a finer mesh, then for a smaller step.
+    pub(super) fn compare_fineness(&self, other: &Choice) -> Ordering {
+        let steps = other.step.total_cmp(&self.step);
+        self.size.cmp(&other.size).then(steps)
+    }
+}
+
+/// Solves the cases of a candidate, at the best values of its free parameters.
+pub(super) fn decide(choice: &mut Choice, judge: &mut Judge) -> Result<(), Stopped> {
+    if !choice.is_whole(judge) || judge.references.is_empty() {
+        return Ok(());
+    }
+    if !choice.free.is_empty() {
+        let options = Options {
+            seed: 1,
+            cases: CASES / choice.alternative.cases().max(1) as u64,
+        };
+        let mut worst = Worst { choice, judge };
+        let best = search(worst.choice.free.len(), &mut worst, &options)?;
+        let free = choice.free.iter().zip(&best.at);
+        let values = free.map(|(own, u)| (own.parameter, Value::Number(own.range.at(*u))));
+        choice.values.extend(values);
+    }
+    let (free, values) = choice.free();
+    let judged = judge.judged(&choice.cases(judge, free, &values))?;
+    let (errors, energy) = largest(&judged);
+    let why = judged.iter().find_map(|own| own.why.clone());
+    choice.worst = worst(judge, &judged);
+    choice.state = match why {
+        Some(why) => State::Unsolved(why),
+        None if !judge.allows(energy) => State::Energy,
+        None if choice.worst <= 1.0 => State::Keeps,
+        None => State::Misses,
+    };
+    (choice.errors, choice.energy) = (errors, energy);
+    Ok(())
+}
+
+/// The largest errors and changes of energy of cases.
+fn largest(judged: &[Judged]) -> (Vec<f64>, EnergyChange) {
+    let count = judged.first().map_or(0, |own| own.errors.len());
+    let error = |at: usize| judged.iter().map(|own| own.errors[at]).fold(0.0, f64::max);
+    let fold =
+        |of: fn(&EnergyChange) -> f64| judged.iter().map(|own| of(&own.energy)).fold(0.0, f64::max);
+    let energy = EnergyChange {
+        gain: fold(|own| own.gain),
+        loss: fold(|own| own.loss),
+    };
+    ((0..count).map(error).collect(), energy)
+}
+
+/// The largest quotient of error and tolerance; infinite if a case gains or loses too much energy.
+pub(super) fn worst(judge: &Judge, judged: &[Judged]) -> f64 {
+    let (errors, energy) = largest(judged);
+    if !judge.allows(energy) {
+        return f64::INFINITY;
+    }
+    let within = judge.recommend.within.iter();
+    let quotients = errors.iter().zip(within).map(|(error, own)| error / own.1);
+    quotients.fold(0.0, f64::max)
+}
+
+/// The largest quotient of a candidate at points of its free parameters.
+struct Worst<'a, 'b> {
+    choice: &'a Choice,
+    judge: &'a mut Judge<'b>,
+}
+
+impl Objective for Worst<'_, '_> {
+    fn misfits(&mut self, points: &[Vec<f64>]) -> Result<Vec<f64>, Stopped> {
+        let own = self
+            .judge
+            .study
+            .point_cases(&self.choice.alternative, &self.choice.free);
+        let judged = self.judge.judged(&own.cases(points))?;
+        // Those of the first physical case come first.
+        let of = |point: usize| {
+            let own = judged.iter().skip(point).step_by(points.len());
+            own.map(|own| worst(self.judge, std::slice::from_ref(own)))
+                .fold(0.0, f64::max)
+        };
+        Ok((0..points.len()).map(of).collect())
+    }
+}

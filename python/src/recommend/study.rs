@@ -1,0 +1,70 @@
+//! `slipgap.recommend` of a study: its candidates, and the cheapest that keeps its metrics.
+
+use super::{CANDIDATE, RECOMMENDATION, put};
+use crate::{given, worker};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use slipgap::recommend::Stop;
+use slipgap::recommend::study::{Choice, advise};
+
+/// Compares the candidates of a study.
+pub fn recommend<'py>(
+    py: Python<'py>,
+    study: &Bound<'py, PyAny>,
+    jobs: usize,
+    set: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let source = given::source(py, study, set)?;
+    let stop = Stop::default();
+    let stops = stop.clone();
+    let work = move || advise(&source.input(), &stops);
+    let advice = worker::wait(py, jobs, work, || stop.stop(), |_| Ok(()))?;
+    let table = advice.study.problem.parameters();
+    let within: Vec<usize> = advice
+        .study
+        .recommend
+        .iter()
+        .flat_map(|own| &own.within)
+        .map(|own| own.0)
+        .collect();
+    let class = CANDIDATE.import(py, "slipgap._records", "Candidate")?;
+    let candidate = |choice: &Choice| {
+        let (parameters, errors) = (PyDict::new(py), PyDict::new(py));
+        for (row, value) in &choice.values {
+            put(&parameters, &table[*row].name, *value)?;
+        }
+        for (row, error) in within.iter().zip(&choice.errors) {
+            errors.set_item(advice.study.measures[*row].name.as_str(), error)?;
+        }
+        let converged = choice.finer.is_some_and(|finer| finer.holds());
+        class.call1((
+            parameters,
+            choice.cost,
+            errors,
+            choice.worst <= 1.0,
+            converged,
+        ))
+    };
+    let front = advice.choices.iter().map(candidate);
+    let front = front.collect::<PyResult<Vec<_>>>()?;
+    let order = |a: &usize, b: &usize| {
+        advice.choices[*a]
+            .worst
+            .total_cmp(&advice.choices[*b].worst)
+    };
+    let nearest = (0..front.len()).min_by(order);
+    let nearest = nearest.filter(|at| advice.choices[*at].worst.is_finite());
+    let best = advice.chosen.or(nearest).map(|at| front[at].clone());
+    let cheaper = &advice.choices[..advice.chosen.unwrap_or(0)];
+    let own_step = cheaper.iter().position(|choice| choice.worst <= 1.0);
+    let own_step = own_step.map(|at| front[at].clone());
+    let class = RECOMMENDATION.import(py, "slipgap._records", "Recommendation")?;
+    class.call1((
+        advice.chosen.is_some(),
+        best,
+        front,
+        advice.solved,
+        own_step,
+        py.None(),
+    ))
+}
