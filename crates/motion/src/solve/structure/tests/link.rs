@@ -1,7 +1,7 @@
 //! A link: neither an impact nor friction.
 
 use super::*;
-use crate::contact::{ContactKind, ContactLaw, VelocityControl};
+use crate::contact::{ContactKind, ContactLaw, Viscous};
 use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method};
 use crate::solve::structure::{Books, Prepared, Watch, run};
 
@@ -17,12 +17,11 @@ fn decks(as_contact: bool) -> Structure {
     match as_contact {
         false => structure.damping.add_spring([Some(0), Some(1)], VISCOSITY),
         true => {
-            let damper = VelocityControl {
-                compliance: 1.0 / VISCOSITY,
-                limit: f64::INFINITY,
+            let damper = Viscous {
+                viscosity: VISCOSITY,
+                exponent: 1.0,
             };
-            let law = ContactLaw::VelocityControl(damper);
-            let law = StructureLaw::new(law, None);
+            let law = StructureLaw::new(ContactLaw::Viscous(damper), None);
             assert_eq!(
                 (law.kind(), law.limit().is_none()),
                 (ContactKind::Link, true)
