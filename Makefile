@@ -78,15 +78,16 @@ slurm-test: ## shards as a Slurm array on four virtual nodes: killed, requeued, 
 # pattern. What survives is explained in tests/mutants.md; lists of what was caught and missed are in target/mutants/PART/.
 PART = numbers structures events problem batch run study figures claims recommend
 ONLY = .
-solver = crates/solver/src
-changed_numbers = -f '$(solver)/**' -e '$(solver)/exact/events/**' -e '$(solver)/solve/structure/**' -e '$(solver)/system/structure/**' \
-  -e '$(solver)/system/loads/**' -e '$(solver)/problem/**'
+motion = crates/motion/src
+system = crates/system/src
+changed_numbers = -f 'crates/contact/src/**' -f '$(motion)/**' -f '$(system)/**' -f 'crates/problem/src/metrics/**' -e '$(motion)/exact/events/**' \
+  -e '$(motion)/solve/structure/**' -e '$(system)/system/structure/**' -e '$(system)/system/loads/**'
 noticed_numbers = --test numbers
-changed_structures = -f '$(solver)/solve/structure/**' -f '$(solver)/system/structure/**' -f '$(solver)/system/loads/**'
+changed_structures = -f '$(motion)/solve/structure/**' -f '$(system)/system/structure/**' -f '$(system)/system/loads/**'
 noticed_structures = --test numbers
-changed_events = -f '$(solver)/exact/events/**'
+changed_events = -f '$(motion)/exact/events/**'
 noticed_events = --test numbers
-changed_problem = -f '$(solver)/problem/**'
+changed_problem = -f 'crates/problem/src/problem/**'
 noticed_problem = --test numbers --test studies
 changed_run = -f 'src/run/**'
 noticed_run = --test command_line

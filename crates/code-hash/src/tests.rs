@@ -1,6 +1,7 @@
 //! The version of the solver in the keys of stores changes with what determines results, and with nothing else.
 
 use super::{code, files, sum};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -116,40 +117,47 @@ fn code_changes_the_hash_and_comments_documentation_and_tests_do_not() {
     assert!(code("fn f( {").is_err());
 }
 
+/// The crates that determine a result, each with its folders.
+const PARTS: [(&str, &[&str]); 4] = [
+    ("contact", &["contact"]),
+    ("system", &["methods", "system"]),
+    ("motion", &["exact", "solve", "textbook"]),
+    ("problem", &["metrics", "problem"]),
+];
+
 #[test]
-fn the_solver_has_code_in_every_folder_and_no_test_counts() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../solver");
-    let files = files(&root.join("src")).unwrap();
-    assert!(files.len() > 100);
-    for folder in [
-        "contact",
-        "exact",
-        "expression",
-        "methods",
-        "metrics",
-        "problem",
-        "solve",
-        "system",
-    ] {
-        let folder = root.join("src").join(folder);
+fn every_part_of_the_solver_has_a_hash_of_its_code_and_no_test_counts() {
+    let mut all = BTreeSet::new();
+    for (part, folders) in PARTS {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("..")
+            .join(part);
+        let files = files(&root.join("src")).unwrap();
+        for folder in folders {
+            let folder = root.join("src").join(folder);
+            let has_code = files.iter().any(|file| file.starts_with(&folder));
+            assert!(has_code, "{}", folder.display());
+        }
+        for file in files {
+            let code = code(&fs::read_to_string(&file).unwrap()).unwrap();
+            assert!(!code.contains("# [test]"), "{}", file.display());
+        }
+        // The crates of others below it compute for it, and its build script names them.
+        let manifest = text(&format!("crates/{part}/Cargo.toml"));
+        let (_, below) = manifest.split_once("[dependencies]\n").unwrap();
+        let below = below.lines().take_while(|line| !line.is_empty());
+        let below = below.filter_map(|line| line.split('.').next());
+        let below: Vec<&str> = below.filter(|name| !name.starts_with("slipgap-")).collect();
+        let script = text(&format!("crates/{part}/build.rs"));
+        let named: Vec<String> = below.iter().map(|name| format!("\"{name}\"")).collect();
         assert!(
-            files.iter().any(|file| file.starts_with(&folder)),
-            "{}",
-            folder.display()
+            script.contains(&format!("&[{}]", named.join(", "))),
+            "{script}"
         );
+        all.extend(below.into_iter().map(str::to_owned));
+        // The keys of stores have it.
+        let own = format!("slipgap_{part}::CODE_KEY");
+        assert!(text("crates/solver/src/lib.rs").contains(&own), "{own}");
     }
-    for file in files {
-        let code = code(&fs::read_to_string(&file).unwrap()).unwrap();
-        assert!(!code.contains("# [test]"), "{}", file.display());
-    }
-    // All crates below the solver compute for it.
-    let manifest = text("crates/solver/Cargo.toml");
-    let (_, below) = manifest.split_once("[dependencies]\n").unwrap();
-    let below = below.lines().take_while(|line| !line.is_empty());
-    let below: Vec<&str> = below.filter_map(|line| line.split('.').next()).collect();
-    assert_eq!(below, CRATES);
-    // Its build script names the same.
-    let script = text("crates/solver/build.rs");
-    let named = CRATES.map(|name| format!("\"{name}\"")).join(", ");
-    assert!(script.contains(&named), "{script}");
+    assert!(all.iter().map(String::as_str).eq(CRATES));
 }

@@ -8,7 +8,7 @@ function; the next piece starts there with the sign changed. An integration with
 
 Run:  python3 laws_friction.py     (needs numpy, scipy)
 
-The program prints X, X', S at T = 10 for crates/solver/src/contact/friction_tests.rs, and the largest difference between both integrations.
+The program prints X, X', S at T = 10 for crates/contact/src/contact/friction_tests.rs, and the largest difference between both integrations.
 """
 
 import math
