@@ -129,9 +129,7 @@ const PARTS: [(&str, &[&str]); 4] = [
 fn every_part_of_the_solver_has_a_hash_of_its_code_and_no_test_counts() {
     let mut all = BTreeSet::new();
     for (part, folders) in PARTS {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("..")
-            .join(part);
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(part);
         let files = files(&root.join("src")).unwrap();
         for folder in folders {
             let folder = root.join("src").join(folder);

@@ -13,18 +13,12 @@
 //! Faults that both have, such as a wrong start, show in the convergence of the steps ([`crate::metrics::convergence`]).
 
 pub mod bars;
-mod begin;
 mod contact;
 mod drive;
+mod moving;
 mod plane;
 mod radau;
-mod rest;
-mod rigid_planes;
 mod step;
-mod structure;
-mod structure_flow;
-mod structure_forces;
-mod substitute;
 mod tableau;
 #[cfg(test)]
 mod tests;
@@ -32,11 +26,11 @@ mod watched;
 
 use super::events::{EventsFault, Model, State, StateBuffers};
 use crate::contact::ContactLaw;
+use crate::exact::adaptive::moving::structure::Moving;
 use crate::exact::adaptive::watched::Watched;
 use crate::system::structure::Structure;
 use drive::Drive;
 use std::fmt;
-use structure::Moving;
 
 /// Most degrees of freedom.
 pub const MOST_NODES: usize = 100;

@@ -9,6 +9,7 @@ use super::motions::sweep::Ready;
 use super::parts::template::Template;
 use super::tables::schema::Drawn;
 use crate::methods::Method;
+use crate::problem::structure::motions::exact_motion;
 use crate::problem::{Case, Problem, Schema, Violation, method};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{balance, settle};
@@ -173,12 +174,12 @@ impl StructureProblem {
         numbers: &[Number],
     ) -> Result<Recorded, Unsolvable> {
         match self.against_rigid() {
-            true => crate::problem::structure::motions::motion::exact(
+            true => exact_motion::exact(
                 &crate::problem::structure::motions::motion::rigid(structure)?,
                 times,
                 numbers,
             ),
-            false => crate::problem::structure::motions::motion::exact(structure, times, numbers),
+            false => exact_motion::exact(structure, times, numbers),
         }
     }
 

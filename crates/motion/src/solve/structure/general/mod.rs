@@ -13,14 +13,12 @@
 
 mod books;
 mod contacts;
-mod correct;
 mod critical;
 mod curved;
 mod held;
-mod impact;
 mod mass;
 mod meet;
-mod rest;
+mod rigid;
 mod stages;
 mod start;
 mod state;

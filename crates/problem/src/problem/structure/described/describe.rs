@@ -1,5 +1,6 @@
 //! The assembled structure as text, for `explain`.
 
+use super::lists::{count, lines, list};
 use crate::contact::{ClippedLine, ContactKind, ContactLaw};
 use crate::problem::structure::given::short::short;
 use crate::problem::structure::model::contact_duration;
@@ -13,7 +14,7 @@ use crate::system::structure::{
 use std::f64::consts::PI;
 
 /// Most lines of a list.
-const MOST_LINES: usize = 12;
+pub(super) const MOST_LINES: usize = 12;
 
 /// Nodes and masses, natural periods without contacts and with elastic ones, contacts, and parts that nothing holds.
 /// Matrices have masses by direction, each with a line of its own.
@@ -269,37 +270,4 @@ fn touch(structure: &Structure, contact: &Contact, dt: f64) -> String {
         ", its nodes touch for {} = {steps:.1} steps{warning}",
         short(time)
     )
-}
-
-/// A number of things, such as `1 node` or `2 nodes`.
-fn count(number: usize, what: &str) -> String {
-    match number {
-        1 => format!("1 {what}"),
-        _ => format!("{number} {what}s"),
-    }
-}
-
-/// Items on one line; the middle of a long list is left out.
-fn list(what: &str, items: Vec<String>) -> String {
-    if items.is_empty() {
-        return String::new();
-    }
-    let len = items.len();
-    let shown = match len <= MOST_LINES {
-        true => items.join(", "),
-        false => format!(
-            "{}, ... ({len} in all), {}",
-            items[..MOST_LINES - 2].join(", "),
-            items[len - 1]
-        ),
-    };
-    format!("{what}: {shown}\n")
-}
-
-fn lines(what: &str, items: Vec<String>) -> String {
-    let all: String = items.iter().map(|item| format!("  {item}\n")).collect();
-    match items.is_empty() {
-        true => String::new(),
-        false => format!("{what}:\n{all}"),
-    }
 }

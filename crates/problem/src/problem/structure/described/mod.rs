@@ -2,4 +2,5 @@
 
 pub(crate) mod describe;
 pub(crate) mod ground;
+mod lists;
 pub mod scheme;

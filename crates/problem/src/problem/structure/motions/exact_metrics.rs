@@ -1,5 +1,6 @@
 //! Metrics of the exact motion of a case, with which computed ones are compared.
 
+use super::exact_motion;
 use super::recorded::{MetricContext, Motions, distinct};
 use super::sweep::Ready;
 use super::{metric_values, motion};
@@ -42,7 +43,7 @@ impl StructureProblem {
         };
         let times: Vec<f64> = (0..=ready.last).map(|i| i as f64 * ready.dt).collect();
         let motions = Motions {
-            computed: motion::exact(own, &times, &all)?,
+            computed: exact_motion::exact(own, &times, &all)?,
             ..Motions::default()
         };
         let of = MetricContext {

@@ -3,6 +3,7 @@
 pub(crate) mod derived;
 pub(crate) mod diverge;
 mod exact_metrics;
+pub(crate) mod exact_motion;
 pub(crate) mod friction_limits;
 pub(crate) mod measured_metrics;
 pub(crate) mod metric_values;

@@ -1,5 +1,6 @@
 //! The motions that the metrics of a case need, and their values, one case at a time or side by side.
 
+use super::exact_motion;
 use super::metric_values;
 use super::motion::{self, Recording, Run};
 use super::recorded::{MetricContext, Motions, Recorded, distinct};
@@ -228,15 +229,15 @@ impl StructureProblem {
         let times: Vec<f64> = (0..=*last).map(|i| i as f64 * dt).collect();
         let rigid = self.against_rigid();
         if self.has(&SOFTENED) || referred && !rigid {
-            let exact = motion::exact(structure, &times, &numbers);
+            let exact = exact_motion::exact(structure, &times, &numbers);
             motions.softened = Some(exact.map_err(|why| self.needing(why))?);
         }
         if self.has(&[Reduction::ReferenceError]) {
-            motions.coarse = motion::coarse(structure, &times, &numbers)?;
+            motions.coarse = exact_motion::coarse(structure, &times, &numbers)?;
             motions.reference_errors = self.reference_errors(ready, &motions);
         }
         if self.has(&[Reduction::RegularisationError]) || referred && rigid {
-            let exact = motion::exact(&motion::rigid(structure)?, &times, &numbers);
+            let exact = exact_motion::exact(&motion::rigid(structure)?, &times, &numbers);
             motions.rigid = Some(exact.map_err(|why| self.needing(why))?);
         }
         if self.has(&[Reduction::MeshError]) {
@@ -244,7 +245,7 @@ impl StructureProblem {
             let numbers = self.numbers(&numbering, |metric| {
                 metric.reduction == Reduction::MeshError
             });
-            motions.finer = Some((motion::exact(&finer, &times, &numbers)?, numbering));
+            motions.finer = Some((exact_motion::exact(&finer, &times, &numbers)?, numbering));
         }
         motions.unreduced = self.unreduced(ready)?;
         let compared = self.compared(ready)?;

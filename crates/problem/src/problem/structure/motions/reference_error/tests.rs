@@ -5,6 +5,7 @@ use crate::contact::offer::Form;
 use crate::contact::{BoucWen, ContactKind, ContactLaw, Dahl, HuntCrossley, Lugre, Pendulum, Tanh};
 use crate::methods::AverageAcceleration;
 use crate::problem::structure::channels::names::Names;
+use crate::problem::structure::motions::exact_motion;
 use crate::solve::structure::settle;
 use crate::system::structure::{
     Contact, Limit, Load, Node, Preload, Signal, StructureLaw, Symmetric, Table,
@@ -125,9 +126,11 @@ fn said(own: &Structure, other: &Structure, channel: &str, dt: f64) -> Said {
     let [run] = motion::steps(&[own], &prepared, recording);
     let computed = run.unwrap().0;
     let times: Vec<f64> = (0..=last).map(|i| i as f64 * dt).collect();
-    let exact = |of: &Structure| motion::exact(of, &times, &numbers).unwrap();
+    let exact = |of: &Structure| exact_motion::exact(of, &times, &numbers).unwrap();
     let [right, given] = [own, other].map(exact);
-    let coarse = motion::coarse(other, &times, &numbers).unwrap().unwrap();
+    let coarse = exact_motion::coarse(other, &times, &numbers)
+        .unwrap()
+        .unwrap();
     let steps = Stepped {
         structure: own,
         numbering: &numbering,

@@ -7,7 +7,7 @@ use crate::system::structure::Limit;
 
 impl Moving<'_> {
     /// u'' of the coordinates.
-    pub(super) fn accelerations(&self, t: f64, y: &[f64], a: &mut [f64]) {
+    pub(crate) fn accelerations(&self, t: f64, y: &[f64], a: &mut [f64]) {
         let [forces, _] = self.sums(t, y, a);
         for (i, force) in forces.into_iter().enumerate() {
             if force != 0.0 {
@@ -20,7 +20,7 @@ impl Moving<'_> {
     }
 
     /// The largest sum of the sizes of the terms of an acceleration.
-    pub(super) fn terms(&self, t: f64, y: &[f64]) -> f64 {
+    pub(crate) fn terms(&self, t: f64, y: &[f64]) -> f64 {
         let n = self.model.len();
         let mut sums = vec![0.0; n];
         self.model.stiffness.add_terms(&y[..n], &mut sums);
@@ -50,17 +50,17 @@ impl Moving<'_> {
         accelerations.fold(0.0, |most, (sum, w)| most.max(sum * w))
     }
 
-    pub(super) fn state_of(&self, contact: usize, y: &[f64]) -> Option<f64> {
+    pub(crate) fn state_of(&self, contact: usize, y: &[f64]) -> Option<f64> {
         self.places[contact].map(|place| y[place])
     }
 
-    pub(super) fn force(&self, contact: usize, t: f64, y: &[f64]) -> f64 {
+    pub(crate) fn force(&self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let own = &self.contacts[contact];
         let motion = self.relative(contact, t, y);
         own.force(motion, self.state_of(contact, y), self.limit(contact, t, y))
     }
 
-    pub(super) fn limit_value(&self, limit: &Limit, t: f64, y: &[f64]) -> f64 {
+    pub(crate) fn limit_value(&self, limit: &Limit, t: f64, y: &[f64]) -> f64 {
         let n = self.model.len();
         let motion = |node: usize| match &self.model.modes {
             None => [y[node], y[n + node]],
@@ -74,7 +74,7 @@ impl Moving<'_> {
 
     /// The rate of a limit. Where a state leaves its bound, it differs from that of the bound by nothing, so that an error of the rate
     /// changes S only by its square.
-    pub(super) fn limit_rate(&self, contact: usize, t: f64, y: &[f64]) -> f64 {
+    pub(crate) fn limit_rate(&self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let Some(limit) = self.model.structure.contacts[contact].law.limit() else {
             return 0.0;
         };

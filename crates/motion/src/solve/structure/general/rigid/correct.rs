@@ -3,13 +3,13 @@
 //! u + dt v is moved by s = -dt^2 M^-1 B Lambda, so that no stop overlaps: Lambda <= 0 at stops that would, 0 at the others. Velocities
 //! stay. The problem is that of contact forces with dt^2 B^T M^-1 B as flexibility.
 
-use super::held::corrections::Corrections;
-use super::stages::General;
 use crate::lane::Lane;
+use crate::solve::structure::general::held::corrections::Corrections;
+use crate::solve::structure::general::stages::General;
 
 impl<const L: usize> General<'_, L> {
     /// Moves the displacements predicted for a step, `dt v`, so that no rigid stop overlaps; `end` is the number of its end.
-    pub(super) fn correct(&mut self, part: usize, end: usize) {
+    pub(crate) fn correct(&mut self, part: usize, end: usize) {
         let Some(corrections) = &mut self.corrections else {
             return;
         };

@@ -1,10 +1,10 @@
 //! Contacts in a plane without compliance: which of them stick, begin to slide and slide.
 
-use super::plane::Phase;
 use super::rigid_planes::{self, Accelerations};
 use super::structure::{Moving, moved_gap};
 use crate::contact::RigidForces;
 use crate::contact::plane::length;
+use crate::exact::adaptive::plane::Phase;
 use crate::system::structure::Structure;
 
 /// Part of its limit that a force which begins to slide may miss by round-off.
@@ -30,7 +30,7 @@ impl Moving<'_> {
     }
 
     /// Writes the forces of rigid contacts in a plane: those that act, and those that would hold them. `a` is M a without contacts.
-    pub(super) fn hold(&self, t: f64, y: &[f64], a: &[f64], [forces, held]: [&mut Vec<f64>; 2]) {
+    pub(crate) fn hold(&self, t: f64, y: &[f64], a: &[f64], [forces, held]: [&mut Vec<f64>; 2]) {
         let mut sums = a.to_vec();
         for (i, force) in forces.iter().enumerate() {
             if *force != 0.0 {
@@ -80,7 +80,7 @@ impl Moving<'_> {
     }
 
     /// Takes the states of contacts in a plane as their last ones, and finds which of those without compliance rest.
-    pub(super) fn commit_planes(&mut self, t: f64, y: &mut [f64]) {
+    pub(crate) fn commit_planes(&mut self, t: f64, y: &mut [f64]) {
         let (mut rests, mut stopped) = (Vec::new(), false);
         for first in 0..self.planes.len() {
             if self.planes[first].is_none() {

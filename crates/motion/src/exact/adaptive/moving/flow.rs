@@ -1,9 +1,9 @@
 //! The motion of a structure as a flow.
 
-use super::Flow;
-use super::plane::PlaneContact;
 use super::structure::{Moving, ROUND_OFF_OF_STEP};
-use super::watched::Watched;
+use crate::exact::adaptive::Flow;
+use crate::exact::adaptive::plane::PlaneContact;
+use crate::exact::adaptive::watched::Watched;
 
 impl Flow for Moving<'_> {
     fn groups(&self) -> &[usize] {

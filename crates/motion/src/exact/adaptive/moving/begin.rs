@@ -5,12 +5,12 @@
 //! of Radau are the unknowns, S = nu N rdot/|rdot| there. The other forces change slowly: they follow by substitution. A step in two
 //! parts tells the error.
 
-use super::Flow;
-use super::plane::{Imposed, Phase};
-use super::radau::{NODES, POINTS, eliminate, weights};
 use super::structure::Moving;
 use super::substitute::{Points, combine};
 use crate::contact::plane::{Pair, dot, length};
+use crate::exact::adaptive::Flow;
+use crate::exact::adaptive::plane::{Imposed, Phase};
+use crate::exact::adaptive::radau::{NODES, POINTS, eliminate, weights};
 
 /// Difference of S over its limit, up to which it is sought.
 const TARGET: f64 = 1e-13;
@@ -29,14 +29,14 @@ const ROUND_OFF: f64 = 1e-14;
 
 impl Moving<'_> {
     /// The contacts that begin to slide, by their first rows.
-    pub(super) fn beginning(&self) -> Vec<usize> {
+    pub(crate) fn beginning(&self) -> Vec<usize> {
         let begins = |phase| matches!(phase, Some(Phase::Begins { .. }));
         let planes = self.planes().filter(|(_, plane)| begins(plane.phase));
         planes.map(|(first, _)| first).collect()
     }
 
     /// A step of h in one part and in two; the largest difference of their directions at the end, and its round-off.
-    pub(super) fn begin_to_slide(
+    pub(crate) fn begin_to_slide(
         &mut self,
         t: f64,
         h: f64,
@@ -74,7 +74,7 @@ impl Moving<'_> {
         [error, round_off]
     }
 
-    pub(super) fn impose(&mut self, firsts: &[usize], force: impl Fn(usize) -> Option<Imposed>) {
+    pub(crate) fn impose(&mut self, firsts: &[usize], force: impl Fn(usize) -> Option<Imposed>) {
         for (i, first) in firsts.iter().enumerate() {
             if let Some(plane) = &mut self.planes[*first] {
                 plane.imposed = force(i);

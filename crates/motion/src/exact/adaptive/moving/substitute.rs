@@ -1,14 +1,14 @@
 //! Substitution of the forces that begin to slide.
 
-use super::Flow;
-use super::plane::Imposed;
-use super::radau::POINTS;
 use super::structure::Moving;
 use crate::contact::plane::{Pair, length};
+use crate::exact::adaptive::Flow;
+use crate::exact::adaptive::plane::Imposed;
+use crate::exact::adaptive::radau::POINTS;
 
 impl Moving<'_> {
     /// States from the rates with the forces.
-    pub(super) fn substitute(
+    pub(crate) fn substitute(
         &mut self,
         times: [f64; POINTS],
         h: f64,
@@ -26,7 +26,7 @@ impl Moving<'_> {
     }
 
     /// How much the forces of these contacts take from their accelerations, by rows, while others stick.
-    pub(super) fn influence(&mut self, t: f64, points: &Points, firsts: &[usize]) -> Vec<f64> {
+    pub(crate) fn influence(&mut self, t: f64, points: &Points, firsts: &[usize]) -> Vec<f64> {
         let [state, forces] = [&points.states[POINTS - 1], &points.states[0]].map(Vec::clone);
         let n = self.model.len();
         let p = firsts.len();
@@ -59,15 +59,15 @@ impl Moving<'_> {
 }
 
 /// The points of a step.
-pub(super) struct Points {
+pub(crate) struct Points {
     /// States.
-    pub(super) states: Vec<Vec<f64>>,
+    pub(crate) states: Vec<Vec<f64>>,
     /// Forces of the contacts that begin.
-    pub(super) forces: Vec<Vec<Pair>>,
+    pub(crate) forces: Vec<Vec<Pair>>,
 }
 
 /// y + h times the weighted sums of rates.
-pub(super) fn combine(
+pub(crate) fn combine(
     to: &mut [Vec<f64>],
     y: &[f64],
     h: f64,

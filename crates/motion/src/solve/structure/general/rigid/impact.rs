@@ -1,8 +1,8 @@
 //! Rigid stops on which impulses act: which of them are active in a step.
 
-use super::contacts::LaneContact;
-use super::stages::General;
 use crate::lane::Lane;
+use crate::solve::structure::general::contacts::LaneContact;
+use crate::solve::structure::general::stages::General;
 
 /// Round-off of r over the largest displacement so far, of a stop that stays shut for a million steps: some 1000 times 2e-16.
 const ROUND_OFF: f64 = 1e-12;
@@ -10,7 +10,7 @@ const ROUND_OFF: f64 = 1e-12;
 impl<const L: usize> General<'_, L> {
     /// Makes the stops active whose gap, predicted for the middle of the step by r + dt/2 rdot, is not positive. A stop that stays
     /// shut has r = 0 and rdot = 0 but for round-off, which must not open it.
-    pub(super) fn activate(&mut self, part: usize) {
+    pub(crate) fn activate(&mut self, part: usize) {
         let Some(impacts) = &mut self.impacts else {
             return;
         };
@@ -44,7 +44,7 @@ impl<const L: usize> General<'_, L> {
     }
 
     /// After a step: contacts at rest have equal velocities.
-    pub(super) fn rest(&mut self, part: usize) {
+    pub(crate) fn rest(&mut self, part: usize) {
         let mut moved = false;
         for l in 0..L {
             moved |= self.join(part, l);

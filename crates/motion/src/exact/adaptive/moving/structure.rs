@@ -1,18 +1,18 @@
 //! The equations of a structure: M u'' + C u' + K u + B S = p(t), in the coordinates of a model.
 
-use super::contact::Contact;
-use super::plane::{PlaneContact, PlaneState};
-use super::watched::{LimitAt, Motion, Watched};
 use crate::contact::plane::Pair;
+use crate::exact::adaptive::contact::Contact;
+use crate::exact::adaptive::plane::{PlaneContact, PlaneState};
+use crate::exact::adaptive::watched::{LimitAt, Motion, Watched};
 use crate::exact::events::Model;
 use crate::system::structure::{PlaneRow, Structure};
 
 /// Part of the time between two points of tables over which the rate of a limit is a difference.
-pub(super) const DIFFERENCE: f64 = 1e-4;
+pub(crate) const DIFFERENCE: f64 = 1e-4;
 
 /// Round-off of the change of velocities in a step over its terms and the tolerance, some five times the unit round-off: a body that
 /// hardly moves under forces in equilibrium has no better velocity.
-pub(super) const ROUND_OFF_OF_STEP: f64 = 1e-3;
+pub(crate) const ROUND_OFF_OF_STEP: f64 = 1e-3;
 
 /// Part of velocities, and of the time of the motion, that does not matter, and the times at which loads are measured.
 const SHORT: f64 = 1e-3;
@@ -20,25 +20,25 @@ const SAMPLES: usize = 64;
 
 /// A structure with its contacts.
 pub struct Moving<'a> {
-    pub(super) model: Model<'a>,
-    pub(super) contacts: Vec<Contact>,
+    pub(crate) model: Model<'a>,
+    pub(crate) contacts: Vec<Contact>,
     /// The contacts in a plane, by their first rows.
-    pub(super) planes: Vec<Option<PlaneContact>>,
+    pub(crate) planes: Vec<Option<PlaneContact>>,
     /// Place of z of each contact; `None` without a state.
-    pub(super) places: Vec<Option<usize>>,
-    pub(super) groups: Vec<usize>,
+    pub(crate) places: Vec<Option<usize>>,
+    pub(crate) groups: Vec<usize>,
     /// Start and end of the present smooth part of all signals.
-    pub(super) part: [f64; 2],
-    pub(super) watched: Vec<Watched>,
+    pub(crate) part: [f64; 2],
+    pub(crate) watched: Vec<Watched>,
     /// The time of the last end of a step.
-    pub(super) t: f64,
+    pub(crate) t: f64,
     /// The largest sum of the sizes of the terms of an acceleration there, whose round-off it has.
-    pub(super) acceleration_terms: f64,
+    pub(crate) acceleration_terms: f64,
     /// Sizes of u and u' below which they do not matter.
-    pub(super) least: [f64; 2],
+    pub(crate) least: [f64; 2],
     /// The state there, if contacts in a plane are rigid: they may hold a structure that no load has moved yet.
-    pub(super) last: Option<Vec<f64>>,
-    pub(super) work: f64,
+    pub(crate) last: Option<Vec<f64>>,
+    pub(crate) work: f64,
 }
 
 impl<'a> Moving<'a> {
@@ -157,7 +157,7 @@ impl<'a> Moving<'a> {
     }
 
     /// A time of the present part: at its end, the one before.
-    pub(super) fn inside(&self, t: f64) -> f64 {
+    pub(crate) fn inside(&self, t: f64) -> f64 {
         match t >= self.part[1] {
             true => self.part[1].next_down(),
             false => t,
@@ -165,7 +165,7 @@ impl<'a> Moving<'a> {
     }
 
     /// A limit that changes, for forces: without its rate.
-    pub(super) fn limit(&self, contact: usize, t: f64, y: &[f64]) -> Option<LimitAt> {
+    pub(crate) fn limit(&self, contact: usize, t: f64, y: &[f64]) -> Option<LimitAt> {
         let limit = self.model.structure.contacts[contact].law.limit()?;
         if limit.varying.is_none() && limit.pressed_by.is_none() {
             return None;
@@ -177,7 +177,7 @@ impl<'a> Moving<'a> {
     }
 
     /// The same with its rate.
-    pub(super) fn moving_limit(&self, contact: usize, t: f64, y: &[f64]) -> Option<LimitAt> {
+    pub(crate) fn moving_limit(&self, contact: usize, t: f64, y: &[f64]) -> Option<LimitAt> {
         let limit = self.limit(contact, t, y)?;
         Some(LimitAt {
             rate: self.limit_rate(contact, self.inside(t), y),
@@ -186,7 +186,7 @@ impl<'a> Moving<'a> {
     }
 
     /// r and rdot of a contact.
-    pub(super) fn relative(&self, contact: usize, t: f64, y: &[f64]) -> [f64; 2] {
+    pub(crate) fn relative(&self, contact: usize, t: f64, y: &[f64]) -> [f64; 2] {
         let n = self.model.len();
         let column = &self.model.columns[contact];
         let structure = self.model.structure;
@@ -198,7 +198,7 @@ impl<'a> Moving<'a> {
     }
 
     /// The same with the sizes of their terms.
-    pub(super) fn motion(&self, contact: usize, t: f64, y: &[f64]) -> Motion {
+    pub(crate) fn motion(&self, contact: usize, t: f64, y: &[f64]) -> Motion {
         let n = self.model.len();
         let column = &self.model.columns[contact];
         let structure = self.model.structure;
@@ -216,13 +216,13 @@ impl<'a> Moving<'a> {
     }
 
     /// The contacts in a plane, with their first rows.
-    pub(super) fn planes(&self) -> impl Iterator<Item = (usize, &PlaneContact)> {
+    pub(crate) fn planes(&self) -> impl Iterator<Item = (usize, &PlaneContact)> {
         let planes = self.planes.iter().enumerate();
         planes.filter_map(|(first, plane)| Some((first, plane.as_ref()?)))
     }
 
     /// A contact in a plane at a time; `held` is the force that a rigid one needs to stick.
-    pub(super) fn in_plane(&self, first: usize, t: f64, y: &[f64], held: Pair) -> PlaneState {
+    pub(crate) fn in_plane(&self, first: usize, t: f64, y: &[f64], held: Pair) -> PlaneState {
         let [a, b] = [first, first + 1].map(|row| self.relative(row, t, y));
         PlaneState {
             t,
@@ -234,7 +234,7 @@ impl<'a> Moving<'a> {
     }
 
     /// M a without contacts, and the forces of all contacts; of rigid ones in a plane also those that would hold them.
-    pub(super) fn sums(&self, t: f64, y: &[f64], a: &mut [f64]) -> [Vec<f64>; 2] {
+    pub(crate) fn sums(&self, t: f64, y: &[f64], a: &mut [f64]) -> [Vec<f64>; 2] {
         let n = self.model.len();
         a.fill(0.0);
         self.model.stiffness.subtract_product(1.0, &y[..n], a);
@@ -265,7 +265,7 @@ impl<'a> Moving<'a> {
 }
 
 /// What supports that move add to a gap and to its rate.
-pub(super) fn moved_gap(structure: &Structure, contact: usize, t: f64) -> [f64; 2] {
+pub(crate) fn moved_gap(structure: &Structure, contact: usize, t: f64) -> [f64; 2] {
     let mut sum = [0.0; 2];
     for support in &structure.supports {
         let [u, v, _] = support.motion.at(t);

@@ -1,11 +1,11 @@
 //! Contacts at rest after a step with impulses: stops that stay shut, and friction that sticks.
 
-use super::stages::General;
+use crate::solve::structure::general::stages::General;
 
 impl<const L: usize> General<'_, L> {
     /// Gives nodes between which there are contacts at rest the same velocity, so that rdot is 0 and not round-off: that of their
     /// common momentum, or 0 on the ground. Returns whether anything changed.
-    pub(super) fn join(&mut self, part: usize, l: usize) -> bool {
+    pub(crate) fn join(&mut self, part: usize, l: usize) -> bool {
         let prepared = self.prepared;
         let Some(impacts) = &mut self.impacts else {
             return false;
