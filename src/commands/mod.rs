@@ -15,6 +15,10 @@ mod schema;
 pub mod terminal;
 
 use clap::Subcommand;
+use runs::check::CheckArgs;
+use runs::merge::MergeArgs;
+use runs::run::RunArgs;
+use runs::sbatch::SbatchArgs;
 use slipgap::batch::files::atomic::stop_writing;
 use slipgap::error::Error;
 use terminal::note;
@@ -45,13 +49,13 @@ pub enum Verb {
     /// Write a small study with remarks to studies/NAME.json, as a start
     Init(init::InitArgs),
     /// Run studies; write results.csv and figures to one folder for each study
-    Run(crate::commands::runs::run::RunArgs),
+    Run(RunArgs),
     /// Write the results of studies whose cases `run --shard` has computed; compute none
-    Merge(crate::commands::runs::merge::MergeArgs),
+    Merge(MergeArgs),
     /// Print a script that submits the shards of a study to Slurm as an array, and then the merge
-    Sbatch(crate::commands::runs::sbatch::SbatchArgs),
+    Sbatch(SbatchArgs),
     /// Run studies and test their checks; write no files
-    Check(crate::commands::runs::check::CheckArgs),
+    Check(CheckArgs),
     /// Show studies with their axes, cases and steps; compute nothing
     List(list::ListArgs),
     /// Show one case of a study: parameters, steps, cost and estimated time

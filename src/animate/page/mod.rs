@@ -1,12 +1,11 @@
 //! The page: its texts, its data and its program.
 
-use super::film::Film;
 use super::film::numbers::digits;
-use super::film::thin;
-use super::film::trace;
+use super::film::{Film, scene, thin, trace};
 use super::unit;
 use crate::report::text::escape;
-use crate::study::{Study, error::Error};
+use crate::study::Study;
+use crate::study::error::Error;
 use serde_json::{Value, json};
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::GroundMotion;
@@ -79,7 +78,7 @@ pub fn page(
             "symbols": symbols(study),
             "factor": digits(factor, 6),
             "reach": digits(factor * largest, 4),
-            "bounds": bounds.map(|own| crate::animate::film::scene::points(&own)),
+            "bounds": bounds.map(|own| scene::points(&own)),
             "ground": ground.map(|own| ground_data(own, duration)).or_else(|| support_data(films.first()?)),
             "films": films.iter().map(|film| film.data(largest, most)).collect::<Vec<_>>(),
         })

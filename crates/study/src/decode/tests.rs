@@ -1,10 +1,11 @@
 //! Tests with a small problem: parameters of an object, values that follow from others, rules across parameters.
 
+use super::resolve::resolve;
+use super::validate::validate;
 use crate::axes::draft::BlockDraft;
 use crate::axes::parameters::parameters;
+use crate::cases::formulas::formula_table::FormulaTable;
 use crate::cases::select;
-use crate::decode::resolve::resolve;
-use crate::decode::validate::validate;
 use crate::source::faults::Faults;
 use crate::source::place::Texts;
 use crate::source::tree;
@@ -367,9 +368,7 @@ fn an_expression_is_computed_once_for_each_set_of_its_parameters() {
     let study = crate::parse("x.json", &text).unwrap();
     let block = &study.blocks[0];
     let name = |row: usize| &*study.problem.parameters()[row].name;
-    let entries = |formula: &crate::cases::formulas::formula_table::FormulaTable| {
-        formula.table.as_ref().map_or(0, Vec::len)
-    };
+    let entries = |formula: &FormulaTable| formula.table.as_ref().map_or(0, Vec::len);
     let tables: Vec<(&str, usize)> = block
         .derived
         .iter()

@@ -1,16 +1,17 @@
 //! What may be a mistake in a structure, though it can be solved.
 
+use super::reading::given;
 use crate::source::faults::any_of;
 use crate::source::tree::Node;
 use slipgap_contact::contact::ContactKind;
 use slipgap_problem::problem::structure::channels::names::Names;
 use slipgap_problem::problem::structure::given::amount::Source;
+use slipgap_problem::problem::structure::given::chosen::Chosen;
 use slipgap_problem::problem::structure::given::node::NodeRef;
+use slipgap_problem::problem::structure::parts::along::Term;
+use slipgap_problem::problem::structure::parts::contact::Contact;
 use slipgap_problem::problem::structure::parts::contacts::law_named;
-use slipgap_problem::problem::structure::{
-    given::chosen::Chosen,
-    parts::{along::Term, contact::Contact, template::Template},
-};
+use slipgap_problem::problem::structure::parts::template::Template;
 use slipgap_system::system::structure::Direction;
 
 /// Coordinates that differ by less than this part of them are one.
@@ -19,7 +20,7 @@ const SAME: f64 = 1e-9;
 /// The doubts of a structure, in words.
 pub(super) fn notes(template: &Template, names: &Names, structure: &Node) -> Vec<String> {
     let mut notes = Vec::new();
-    let sampled = crate::structure::reading::given::has_key(structure, &["record", "synthetic"]);
+    let sampled = given::has_key(structure, &["record", "synthetic"]);
     if template.units.is_empty() && sampled {
         notes.push(
             "without \"units\" the accelerations of records and synthetic motions are in m/s^2; \"units\" converts them".to_owned(),

@@ -22,13 +22,20 @@ pub use crate::problem::structure::described::ground::GroundMotion;
 pub use crate::problem::structure::described::scheme::picture::Scheme;
 pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 use crate::solve::{MetricTable, Unsolvable, Warning};
-use model::assemble::{Model, assemble};
+use described::{describe, ground, scheme};
+use given::{short, signal_cache};
+use metrics::units::UnitNames;
+use model::assemble::{self, Model, assemble};
+use motions::compared::friction_limits;
 use motions::motion;
 use motions::recorded::distinct;
 use motions::sweep::Groups;
+use parts::listed;
+use parts::models::Models;
 pub use prepared::StructureProblem;
 use std::sync::Arc;
-use tables::columns::all_numbers;
+use tables::columns::{self, all_numbers};
+use tables::named_rows;
 
 impl Problem for StructureProblem {
     fn schema(&self) -> &Arc<Schema> {
@@ -48,12 +55,7 @@ impl Problem for StructureProblem {
             };
             samples.key.extend(key);
             samples.work += source.sampling_work(points);
-            samples.numbers =
-                samples
-                    .numbers
-                    .max(crate::problem::structure::given::signal_cache::numbers(
-                        points,
-                    ));
+            samples.numbers = samples.numbers.max(signal_cache::numbers(points));
         }
         samples
     }
@@ -76,7 +78,7 @@ impl Problem for StructureProblem {
         if step.is_finite() && duration.is_finite() {
             violations.extend(time_rules("dt", step, duration));
         }
-        match crate::problem::structure::model::assemble::check(&self.template, case) {
+        match assemble::check(&self.template, case) {
             Err(broken) => violations.extend(broken),
             Ok(numbering) => {
                 violations.extend(self.check_channels(&numbering, case));
@@ -183,18 +185,10 @@ impl Problem for StructureProblem {
     fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
         let exact = self.template.reference.is_some();
         match assemble(&self.template, case, Model::Study) {
-            Ok((structure, _)) => crate::problem::structure::tables::columns::of(
-                &structure,
-                &self.template,
-                self.drawn.len(),
-                exact,
-            )
-            .into_iter()
-            .chain(crate::problem::structure::tables::columns::of_drawn(
-                &self.drawn,
-                exact,
-            ))
-            .collect(),
+            Ok((structure, _)) => columns::of(&structure, &self.template, self.drawn.len(), exact)
+                .into_iter()
+                .chain(columns::of_drawn(&self.drawn, exact))
+                .collect(),
             Err(_) => Vec::new(),
         }
     }
@@ -235,29 +229,26 @@ impl Problem for StructureProblem {
     }
 
     fn scheme(&self, case: &Case) -> Option<Scheme> {
-        crate::problem::structure::described::scheme::scheme(&self.template, case)
+        scheme::scheme(&self.template, case)
     }
 
     fn unit_name(&self, dimension: Dimension) -> Option<String> {
-        let units = crate::problem::structure::metrics::units::UnitNames::of(&self.template.units)?;
+        let units = UnitNames::of(&self.template.units)?;
         Some(units.of_dimension(dimension))
     }
 
     fn friction_limits(&self, case: &Case, motion: &History) -> Vec<Option<Vec<f64>>> {
         match self.structure(case, Model::Study) {
-            Ok((structure, _)) => crate::problem::structure::motions::friction_limits::of(
-                &structure,
-                &self.template,
-                self.drawn.len(),
-                motion,
-            ),
+            Ok((structure, _)) => {
+                friction_limits::of(&structure, &self.template, self.drawn.len(), motion)
+            }
             Err(_) => Vec::new(),
         }
     }
 
     fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
         let duration = case.at(self.schema.duration)?;
-        crate::problem::structure::described::ground::ground_motion(&self.template, case, duration)
+        ground::ground_motion(&self.template, case, duration)
     }
 
     fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
@@ -270,33 +261,13 @@ impl Problem for StructureProblem {
     fn description(&self, case: &Case) -> Option<String> {
         let (structure, numbering) = self.structure(case, Model::Study).ok()?;
         let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
-        let models = crate::problem::structure::parts::models::Models::of(
-            &self.template,
-            case,
-            &structure,
-            &numbering,
-        );
+        let models = Models::of(&self.template, case, &structure, &numbering);
         let restitutions = warn::restitutions(&self.template, case, &structure);
         let units = &self.template.units;
-        let mut text = crate::problem::structure::described::describe::describe(
-            &structure,
-            &models,
-            times,
-            units,
-            &restitutions,
-        );
-        text +=
-            &crate::problem::structure::parts::listed::listed(&self.template, numbering.elements());
-        text += &crate::problem::structure::described::ground::described(
-            &self.template,
-            case,
-            self.computed_steps(case)?,
-        );
-        text += &crate::problem::structure::tables::named_rows::described(
-            &self.template,
-            case,
-            crate::problem::structure::given::short::short,
-        );
+        let mut text = describe::describe(&structure, &models, times, units, &restitutions);
+        text += &listed::listed(&self.template, numbering.elements());
+        text += &ground::described(&self.template, case, self.computed_steps(case)?);
+        text += &named_rows::described(&self.template, case, short::short);
         let dt = case.at(self.schema.step)?;
         if let Some(measured) = &self.template.measured
             && let Ok(compared) = measured.in_case(case, dt, self.steps(case))

@@ -2,14 +2,17 @@
 
 use super::channels::channel::{Channel, Number};
 use super::given::node::Numbering;
+use super::metrics::computed_ground::Steps;
 use super::metrics::metric::StructureMetric;
-use super::model::assemble::{Model, assemble};
+use super::model::assemble::{self, Model, assemble};
+use super::model::damping::{self, MOST_MODES};
+use super::model::massless;
 use super::motions::recorded::{Recorded, distinct};
 use super::motions::sweep::Ready;
+use super::motions::{exact_motion, motion};
 use super::parts::template::Template;
 use super::tables::schema::Drawn;
 use crate::methods::Method;
-use crate::problem::structure::motions::exact_motion;
 use crate::problem::{Case, Problem, Schema, Violation, method};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{balance, settle};
@@ -74,23 +77,13 @@ impl StructureProblem {
         let (mut structure, numbering) = assemble(&self.template, case, model).map_err(broken)?;
         if let Some(ratio) = &self.template.modal_damping {
             let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
-            let stiffness = crate::problem::structure::model::assemble::damping_stiffness(
-                &self.template,
-                &structure,
-            )
-            .into_owned();
-            if crate::problem::structure::model::damping::add_modal(
-                &mut structure,
-                &stiffness,
-                ratio,
-            )
-            .is_none()
-            {
+            let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
+            if damping::add_modal(&mut structure, &stiffness, ratio).is_none() {
                 return Err(self.no_modes(&structure, case));
             }
         }
         match structure.preload.load.is_empty() {
-            true => crate::problem::structure::model::massless::place(&mut structure),
+            true => massless::place(&mut structure),
             false => settle(&mut structure)?,
         }
         structure.press_at_start();
@@ -101,23 +94,18 @@ impl StructureProblem {
     }
 
     /// The steps of a case.
-    pub(super) fn computed_steps(
-        &self,
-        case: &Case,
-    ) -> Option<crate::problem::structure::metrics::computed_ground::Steps> {
+    pub(super) fn computed_steps(&self, case: &Case) -> Option<Steps> {
         let dt = case.at(self.schema.step)?;
         let last = usize::try_from(self.steps(case)).ok()?;
-        Some(crate::problem::structure::metrics::computed_ground::Steps { dt, last })
+        Some(Steps { dt, last })
     }
 
     /// Why a structure has no modes for its modal damping.
     fn no_modes(&self, structure: &Structure, case: &Case) -> Unsolvable {
         let method = self.method(case);
-        let fault = method.and_then(|method| {
-            crate::problem::structure::model::massless::fault(structure, &method)
-        });
+        let fault = method.and_then(|method| massless::fault(structure, &method));
         match fault {
-            _ if structure.len() > crate::problem::structure::model::damping::MOST_MODES => Unsolvable::NoModes,
+            _ if structure.len() > MOST_MODES => Unsolvable::NoModes,
             Some((node, why)) => {
                 let name = &structure.nodes[node].name;
                 Unsolvable::BrokenRules(format!("node {name} {why}"))
@@ -154,7 +142,7 @@ impl StructureProblem {
 
     /// Cost of one run by steps.
     pub(super) fn one_run_work(&self, case: &Case) -> u64 {
-        let numbering = crate::problem::structure::model::assemble::check(&self.template, case);
+        let numbering = assemble::check(&self.template, case);
         self.stepping_work(case, numbering.map_or(0, |numbering| numbering.nodes()))
     }
 
@@ -174,11 +162,7 @@ impl StructureProblem {
         numbers: &[Number],
     ) -> Result<Recorded, Unsolvable> {
         match self.against_rigid() {
-            true => exact_motion::exact(
-                &crate::problem::structure::motions::motion::rigid(structure)?,
-                times,
-                numbers,
-            ),
+            true => exact_motion::exact(&motion::rigid(structure)?, times, numbers),
             false => exact_motion::exact(structure, times, numbers),
         }
     }

@@ -196,7 +196,7 @@ fn the_lowest_mode_of_many_masses_keeps_its_period() {
     let w = 2.0 * libm::sin(0.5 * p);
     let shape: Vec<f64> = (1..=n).map(|i| libm::sin(p * i as f64)).collect();
     let s = s.moving(&shape, &vec![0.0; n]);
-    assert!(crate::exact::events::coordinates::modal::uses_modes(&s));
+    assert!(modal::uses_modes(&s));
     // Some 50 periods, without any event: one piece after another.
     let end = 100.0 * std::f64::consts::PI / w;
     let (state, summary) = last(&s, end);

@@ -1,16 +1,13 @@
 //! The motions of a case, and the values of its metrics.
 
+pub(super) mod compared;
 pub(crate) mod derived;
-pub(crate) mod diverge;
-mod exact_metrics;
 pub(crate) mod exact_motion;
-pub(crate) mod friction_limits;
 pub(crate) mod measured_metrics;
 pub(crate) mod metric_values;
 pub(crate) mod motion;
 pub(crate) mod observer;
 pub(crate) mod recorded;
-pub(crate) mod reference_error;
 pub(crate) mod solve;
 pub(crate) mod still;
 pub(crate) mod sweep;

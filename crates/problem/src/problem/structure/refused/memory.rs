@@ -2,6 +2,7 @@
 
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::given::node::Numbering;
+use crate::problem::structure::model::assemble;
 use crate::problem::structure::motions::motion::LANES;
 use crate::problem::structure::motions::sweep::Ready;
 use crate::problem::{Case, Problem, Violation};
@@ -52,8 +53,7 @@ impl StructureProblem {
 
     /// Reports a case whose whole history, of every node and contact, does not fit in memory.
     pub(crate) fn check_history(&self, case: &Case) -> Option<Violation> {
-        let numbering =
-            crate::problem::structure::model::assemble::check(&self.template, case).ok()?;
+        let numbering = assemble::check(&self.template, case).ok()?;
         let steps = self.steps(case) as f64;
         too_many(steps, self.of_history(&numbering), "in the whole history")
     }

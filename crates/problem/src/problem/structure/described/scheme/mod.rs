@@ -8,6 +8,7 @@ use crate::problem::Case;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::node::NodeRef;
 use crate::problem::structure::given::supports::Support;
+use crate::problem::structure::model::assemble::MOST_NODES;
 use crate::problem::structure::parts::along::Term;
 use crate::problem::structure::parts::contacts::law_named;
 use crate::problem::structure::parts::template::{Moved, Spring, SpringNumbers, Template};
@@ -89,11 +90,7 @@ impl<'a> Draft<'a> {
         };
         let mut parts: Vec<Part> = template.masses.iter().map(|own| part(&own.name)).collect();
         for bar in &template.bars {
-            let elements = bar.elements.whole(
-                case,
-                1,
-                crate::problem::structure::model::assemble::MOST_NODES,
-            );
+            let elements = bar.elements.whole(case, 1, MOST_NODES);
             parts.push(Part {
                 elements: Some(elements.ok()?),
                 ..part(&bar.name)

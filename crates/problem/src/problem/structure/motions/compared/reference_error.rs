@@ -1,8 +1,5 @@
 //! The errors of the exact motion of a case: by two tolerances, and by the convergence of the steps.
 
-use super::motion::{self, Recording};
-use super::recorded::{Motions, Recorded, distinct};
-use super::sweep::Ready;
 use crate::exact::adaptive::coarse_times;
 use crate::methods::Method;
 use crate::metrics::convergence::{
@@ -15,6 +12,9 @@ use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::metrics::reduction::Reduction;
 use crate::problem::structure::model::contact_duration;
+use crate::problem::structure::motions::motion::{self, Recording};
+use crate::problem::structure::motions::recorded::{Motions, Recorded, distinct};
+use crate::problem::structure::motions::sweep::Ready;
 use crate::system::structure::Structure;
 
 /// Steps times nodes up to which steps are halved more often than is needed to see an error twice: some seconds.

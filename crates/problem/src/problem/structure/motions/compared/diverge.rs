@@ -1,9 +1,5 @@
 //! Whether a change of 1e-10 in start and loads reaches 1 % of the motion.
 
-use super::motion::{self, Recording};
-use super::recorded::{Motions, Recorded, distinct};
-use super::still::Still;
-use super::sweep::Ready;
 use crate::metrics::structure as reduce;
 use crate::problem::Case;
 use crate::problem::structure::StructureProblem;
@@ -11,6 +7,10 @@ use crate::problem::structure::channels::channel::{Number, Quantity};
 use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::metrics::reduction::Reduction;
+use crate::problem::structure::motions::motion::{self, Recording};
+use crate::problem::structure::motions::recorded::{Motions, Recorded, distinct};
+use crate::problem::structure::motions::still::Still;
+use crate::problem::structure::motions::sweep::Ready;
 
 /// The share of the peak from which two motions are different ones.
 const DIFFERENT: f64 = 0.01;

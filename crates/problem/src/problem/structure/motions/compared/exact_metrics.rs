@@ -1,12 +1,11 @@
 //! Metrics of the exact motion of a case, with which computed ones are compared.
 
-use super::exact_motion;
-use super::recorded::{MetricContext, Motions, distinct};
-use super::sweep::Ready;
-use super::{metric_values, motion};
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::metrics::reduction::Reduction;
+use crate::problem::structure::motions::recorded::{MetricContext, Motions, distinct};
+use crate::problem::structure::motions::sweep::Ready;
+use crate::problem::structure::motions::{exact_motion, metric_values, motion};
 use crate::solve::Unsolvable;
 
 /// Reductions of a channel alone, which an exact motion has, too.
