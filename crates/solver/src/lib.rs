@@ -14,7 +14,9 @@
 
 mod solution;
 
-pub use slipgap_contact::contact::{ClippedLine, ContactKind, ContactLaw, LawFault};
+pub use slipgap_contact::contact::{
+    ClippedLine, ContactKind, ContactLaw, LawFault, Own, OwnAnswer, OwnLaw, OwnState,
+};
 pub use slipgap_motion::exact::events::{Event, EventKind, EventsFault, Phase};
 pub use slipgap_motion::solve::Unsolvable;
 pub use slipgap_system::methods::{

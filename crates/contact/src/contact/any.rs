@@ -223,7 +223,7 @@ macro_rules! laws {
 laws!(
     direct: DisplacementControl, VelocityControl, ImpactSpring;
     others: KelvinVoigt, Hertz, HertzDamp, HuntCrossley, Ye, Jankowski, Rigid,
-        Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre, Bilinear, GapYield, Restrainer, Viscous, Multilinear, HyperbolicGap, Pendulum, ImpactYield, Imk
+        Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre, Bilinear, GapYield, Restrainer, Viscous, Multilinear, HyperbolicGap, Pendulum, ImpactYield, Imk, Own
 );
 
 /// All laws by the names of studies: impacts, friction, links.

@@ -42,7 +42,9 @@ pub use laws::impact::{
     self, GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, ImpactSpring, ImpactYield,
     Jankowski, KelvinVoigt, Rigid, Ye,
 };
-pub use laws::link::{Bilinear, Imk, Multilinear, Restrainer, Viscous};
+pub use laws::link::{
+    Bilinear, Imk, Multilinear, Own, OwnAnswer, OwnLaw, OwnState, Restrainer, STATES, Viscous,
+};
 pub use laws::yielding::{Band, OneSided, Straight};
 pub use offers::{GivenNumbers, LawFault, number, numbers, offer};
 pub use series::in_series;
