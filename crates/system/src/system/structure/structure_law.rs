@@ -69,9 +69,12 @@ impl StructureLaw {
         StructureLaw { line: None, ..self }
     }
 
-    /// The law without compliance that it tends to, with its target of the coefficient of restitution or its limit; itself for a link
-    /// and for a law without a rigid form.
+    /// The law without compliance that it tends to, with its target of the coefficient of restitution or its limit; itself for a link,
+    /// for a law without a rigid form, and for one that is rigid.
     pub fn rigid_form(self) -> StructureLaw {
+        if self.is_rigid() {
+            return self;
+        }
         let has_form = self.law.properties().has_rigid_form();
         let line = match self.kind() {
             ContactKind::Impact if has_form => ClippedLine::Stop {

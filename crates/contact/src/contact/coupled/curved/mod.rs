@@ -22,6 +22,7 @@
 //! A law may also fall as long as its answer is one number that follows y without jumps: then J' < 0, and E'' is only larger. In
 //! steps such a law counts as level.
 
+mod laws;
 mod point;
 mod tangents;
 #[cfg(test)]
@@ -30,6 +31,9 @@ mod tests;
 mod tests_convex;
 #[cfg(test)]
 mod tests_plane;
+mod unique;
+
+pub use laws::{Directions, Laws};
 
 use super::Unsolved;
 use super::factor::Factor;
@@ -57,58 +61,6 @@ const EXCESS: f64 = 1.25;
 
 /// Largest 1/f' as part of a, at which the force still follows.
 const LEVEL: f64 = 1e30;
-
-/// The laws of the contacts over a step.
-pub trait Laws {
-    /// J(y): S of r' = y - a S, S = f(r'), where a is [`CurvedForces::flexibility`] of the contact.
-    fn answer(&self, contact: usize, y: f64) -> f64;
-
-    /// 1/f' where J(y) is `force`, from 0 to infinity: of the law, or of its chord over `width` to both sides of r'.
-    fn compliance(&self, contact: usize, y: f64, force: f64, width: f64) -> f64;
-
-    /// Bounds of the force.
-    fn bounds(&self, contact: usize) -> [f64; 2];
-
-    /// Whether this contact and the next one are the two components of a contact in a plane.
-    fn is_plane(&self, _contact: usize) -> bool {
-        false
-    }
-
-    /// J(y) of a contact in a plane: the gradient of a convex function, with slopes from 0 to 1/a in all directions.
-    fn answer_plane(&self, _contact: usize, _y: [f64; 2]) -> [f64; 2] {
-        [0.0; 2]
-    }
-
-    /// 1/f' of a contact in a plane where J(y) is `force`.
-    fn directions(&self, _contact: usize, _y: [f64; 2], _force: [f64; 2]) -> Directions {
-        Directions {
-            along: [1.0, 0.0],
-            slopes: [f64::INFINITY; 2],
-        }
-    }
-}
-
-/// The slopes of a law in a plane: 1/f' along a unit vector and across it.
-#[derive(Debug, Clone, Copy)]
-pub struct Directions {
-    /// The unit vector, in which most laws slide.
-    pub along: [f64; 2],
-    /// 1/f' along it, and across; infinite where the force does not follow.
-    pub slopes: [f64; 2],
-}
-
-impl Directions {
-    /// 1/f' as a symmetric matrix by its entries 11, 12 and 22, with both slopes up to `most`.
-    fn matrix(&self, most: f64) -> [f64; 3] {
-        let [g, across] = self.slopes.map(|g| g.clamp(0.0, most));
-        let [x, z] = self.along;
-        [
-            g * x * x + across * z * z,
-            (g - across) * x * z,
-            g * z * z + across * x * x,
-        ]
-    }
-}
 
 /// Minimises 1/2 S^T H S - S^T d + sum phi_i(S_i), step after step.
 #[derive(Debug, Clone)]
@@ -324,65 +276,5 @@ impl CurvedForces {
             let terms = point.terms[i] + answers.sum::<f64>();
             point.rest[i].abs() <= ROUND_OFF * terms
         })
-    }
-
-    /// Whether the forces are the only ones: contacts whose forces can change are not singular.
-    fn is_unique(&self, step: Numbers) -> bool {
-        if !self.singular {
-            return true;
-        }
-        let m = self.contacts;
-        let mut matrix = self.flexibility.clone();
-        let mut free = Vec::new();
-        let mut i = 0;
-        while i < m {
-            if step.laws.is_plane(i) {
-                // A motion that is given has the forces of the law.
-                if self.own[i] <= 0.0 {
-                    i += 2;
-                    continue;
-                }
-                let pair = |of: &[f64]| [of[i], of[i + 1]];
-                let (y, force) = (pair(&self.now.y), pair(&self.now.answer));
-                // In the directions of the law, so that no large 1/f' along hides what is left across.
-                let directions = step.laws.directions(i, y, force);
-                turn(&mut matrix, m, i, directions.along);
-                for (row, slope) in directions.slopes.into_iter().enumerate() {
-                    let (row, slope) = (i + row, slope.max(0.0));
-                    if slope < LEVEL * self.own[i] {
-                        free.push(row);
-                        matrix[row * m + row] += slope;
-                    }
-                }
-                i += 2;
-                continue;
-            }
-            let y = self.now.y[i];
-            let width = 10.0 * ROUND_OFF * self.now.terms[i];
-            let compliance = [y - width, y, y + width].map(|y| {
-                let force = step.laws.answer(i, y);
-                step.compliance(i, y, force, width)
-            });
-            let least = compliance.into_iter().fold(f64::INFINITY, f64::min);
-            if least < LEVEL * self.own[i] {
-                free.push(i);
-                matrix[i * m + i] += least;
-            }
-            i += 1;
-        }
-        Factor::new(m).compute(&Matrix::new(matrix, m), &free)
-    }
-}
-
-/// Turns the rows and columns i and i + 1 of a symmetric matrix to a unit vector and the direction across it.
-fn turn(matrix: &mut [f64], m: usize, i: usize, [x, z]: [f64; 2]) {
-    let turned = |first: f64, second: f64| (x * first + z * second, x * second - z * first);
-    for k in 0..m {
-        let (row, next) = (i * m + k, (i + 1) * m + k);
-        (matrix[row], matrix[next]) = turned(matrix[row], matrix[next]);
-    }
-    for k in 0..m {
-        let (column, next) = (k * m + i, k * m + i + 1);
-        (matrix[column], matrix[next]) = turned(matrix[column], matrix[next]);
     }
 }

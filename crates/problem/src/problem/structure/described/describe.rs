@@ -13,9 +13,6 @@ use crate::system::structure::{
 };
 use std::f64::consts::PI;
 
-/// Most lines of a list.
-pub(super) const MOST_LINES: usize = 12;
-
 /// Nodes and masses, natural periods without contacts and with elastic ones, contacts, and parts that nothing holds.
 /// Matrices have masses by direction, each with a line of its own.
 pub fn describe(

@@ -1,6 +1,7 @@
 //! Lists in the description of a case.
 
-use super::describe::MOST_LINES;
+/// Most lines of a list.
+const MOST_LINES: usize = 12;
 
 /// A number of things, such as `1 node` or `2 nodes`.
 pub(super) fn count(number: usize, what: &str) -> String {
