@@ -36,7 +36,7 @@ use table::cases::Cases;
 /// A case of `[F]` Fig. 5 with the time step pi/10; its rms error is 0.0245 |x0|:
 ///
 /// ```
-/// use slipgap_problem::problem::{self, Case, crate::problem::numbers::parameter::Value};
+/// use slipgap_problem::problem::{self, Case, numbers::parameter::Value};
 /// use std::f64::consts::PI;
 ///
 /// let problem = problem::find("friction-oscillator").expect("a problem");

@@ -5,8 +5,8 @@
 
 use super::{made_with, sample};
 use slipgap_contact::contact::{
-    ContactLaw, Flexibility, LAWS, StepFlexibility, StoredEnergy, VelocityControl, WhichLaw,
-    plane::slides_in_plane,
+    ContactLaw, Flexibility, LAWS, Own, OwnAnswer, OwnLaw, OwnState, StepFlexibility, StoredEnergy,
+    VelocityControl, WhichLaw, plane::slides_in_plane,
 };
 use slipgap_contact::lane::Lane;
 
@@ -113,6 +113,30 @@ fn properties(law: &ContactLaw) -> Vec<(&'static str, String)> {
     ]
 }
 
+/// A law of a user's program: a spring with a dashpot.
+#[derive(Debug)]
+struct Spring;
+
+static SPRING: Spring = Spring;
+
+impl OwnLaw for Spring {
+    fn answer(&self, _: [f64; 2], [r, rdot]: [f64; 2], _: f64, state: &OwnState) -> OwnAnswer {
+        OwnAnswer {
+            force: 2.0 * r + 0.5 * rdot,
+            slopes: [2.0, 0.5],
+            state: *state,
+        }
+    }
+
+    fn largest_stiffness(&self) -> f64 {
+        2.0
+    }
+
+    fn stored_energy(&self, r: f64, _: f64) -> f64 {
+        r * r
+    }
+}
+
 /// The laws of all names, and those that only other numbers of a name make.
 fn laws() -> Vec<(String, ContactLaw)> {
     let named = LAWS.iter().filter_map(|law| {
@@ -126,6 +150,7 @@ fn laws() -> Vec<(String, ContactLaw)> {
     };
     let viscous = ContactLaw::VelocityControl(viscous);
     laws.push(("velocity-control, constant".to_owned(), viscous));
+    laws.push(("own".to_owned(), ContactLaw::Own(Own(&SPRING))));
     laws
 }
 

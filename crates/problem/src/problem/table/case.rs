@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// In the bars of `[I]` the spring k_I = 10 has gamma = k_I L/(n E A) = 0.1 with 10 elements:
 ///
 /// ```
-/// use slipgap_problem::problem::{self, Case, parameter::Value};
+/// use slipgap_problem::problem::{self, Case, numbers::parameter::Value};
 ///
 /// let problem = problem::find("bar-impact").expect("a problem");
 /// let given = [

@@ -12,7 +12,7 @@ use std::borrow::Cow;
 /// The parameters that are not given have their defaults; `[F]` releases the mass at 12 Delta:
 ///
 /// ```
-/// use slipgap_problem::problem::{self, parameter::Value};
+/// use slipgap_problem::problem::{self, numbers::parameter::Value};
 ///
 /// let problem = problem::find("friction-oscillator").expect("a problem");
 /// let schema = problem.schema();
