@@ -10,7 +10,7 @@
 //! ([`crate::contact::Evolution`]; `contact`). Nothing of the methods of integration is used.
 //!
 //! A second integration with a tolerance of 1e-10, which stops at every third time, tells the error of both ([`COARSE`], [`coarse_times`]).
-//! Faults that both have, such as a wrong start, show in the convergence of the steps ([`crate::metrics::convergence`]).
+//! Faults that both have, such as a wrong start, show in the convergence of the steps (`metrics::convergence`).
 
 pub mod bars;
 mod contact;

@@ -2,7 +2,7 @@
 
 /// The laws of the contacts over a step.
 pub trait Laws {
-    /// J(y): S of r' = y - a S, S = f(r'), where a is [`CurvedForces::flexibility`] of the contact.
+    /// J(y): S of r' = y - a S, S = f(r'), where a is [`super::CurvedForces::flexibility`] of the contact.
     fn answer(&self, contact: usize, y: f64) -> f64;
 
     /// 1/f' where J(y) is `force`, from 0 to infinity: of the law, or of its chord over `width` to both sides of r'.

@@ -17,7 +17,7 @@ mod described;
 /// S(0) = (sigma1 + sigma2) rdot; with S(0) = 0 a method that uses S(0) would leave out half a step of this force, an impulse of
 /// dt S(0)/2, and the motion would be of first order. For g constant and sigma1 = sigma2 = 0 it is Dahl's model with n = 1.
 ///
-/// S rises with r(i+1) and rdot(i+1) if L_s = L_k. If g falls, a step has one root where [`super::Properties::has_one_root`] says so; problems
+/// S rises with r(i+1) and rdot(i+1) if L_s = L_k. If g falls, a step has one root where [`crate::contact::Properties::has_one_root`] says so; problems
 /// refuse other steps.
 ///
 /// The bristles store sigma0 z^2/2. The model then never gives energy if sigma2 >= sigma1 (L_s/L_k - 1) [Barabanov and Ortega
