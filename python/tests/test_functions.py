@@ -269,7 +269,7 @@ def test_recommend_of_a_study() -> None:
     study: dict[str, Any] = {
         "problem": "friction-oscillator",
         "parameters": {**FIG5, "dT": [0.2, 0.1, 0.05], "alpha": [0.1, 1]},
-        "recommend": {"over": ["dT", "alpha"], "within": {"rms_error": 0.02}},
+        "recommend": {"over": ["dT", "alpha"], "within": {"rms_error": 0.05}},
     }
     del study["parameters"]["problem"]
     found = slipgap.recommend(study, jobs=1)
@@ -280,8 +280,11 @@ def test_recommend_of_a_study() -> None:
     for candidate in found.front:
         own = candidate.parameters
         assert candidate.errors["rms_error"] == rows[own["dT"], own["alpha"]]
-    assert found.best is not None and found.best.errors["rms_error"] <= 0.02
+    assert found.best is not None and found.best.errors["rms_error"] <= 0.05
     assert [own.cost for own in found.front] == sorted(own.cost for own in found.front)
+    # The softening with alpha = 0.1 has an error of its own above 0.02, whatever the step.
+    hard = {**study, "recommend": {"over": ["dT", "alpha"], "within": {"rms_error": 0.02}}}
+    assert not slipgap.recommend(hard).reached
     with pytest.raises(slipgap.SlipgapError, match="recommend.over"):
         slipgap.recommend(study, set={"dT": 0.1})
     with pytest.raises(slipgap.SlipgapError, match="no key"):
