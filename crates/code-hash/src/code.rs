@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Group, LexError, TokenStream, TokenTree};
 ///
 /// # Errors
 /// The text is not a sequence of tokens of Rust.
-pub fn code(text: &str) -> Result<String, LexError> {
+pub(crate) fn code(text: &str) -> Result<String, LexError> {
     let tokens: TokenStream = text.parse()?;
     Ok(without_docs_and_tests(tokens).to_string())
 }

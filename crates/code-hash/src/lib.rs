@@ -4,19 +4,20 @@
 mod code;
 mod lock;
 
-pub use code::code;
-pub use lock::{NotLocked, locked};
-
+use code::code;
+use lock::locked;
 use std::error::Error;
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
-/// The hash of the code in `folders` of the crate at `root`, and of `crates` in the `Cargo.lock`, as 16 hexadecimal digits. Prints
-/// for cargo what the hash depends on.
+/// Prints for cargo the hash of the code in `folders` of the crate whose build script calls it, and of `crates` in the `Cargo.lock`, as
+/// 16 hexadecimal digits: the value of the environment variable `name` while the crate is compiled. Prints also what the hash
+/// depends on.
 ///
 /// # Errors
 /// A file that cannot be read or is not Rust; a crate that the `Cargo.lock` does not have.
-pub fn hash(root: &Path, folders: &[&str], crates: &[&str]) -> Result<String, Box<dyn Error>> {
+pub fn print(name: &str, folders: &[&str], crates: &[&str]) -> Result<(), Box<dyn Error>> {
+    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
     let mut texts = Vec::new();
     for folder in folders {
         println!("cargo::rerun-if-changed={folder}");
@@ -25,11 +26,13 @@ pub fn hash(root: &Path, folders: &[&str], crates: &[&str]) -> Result<String, Bo
             texts.push(tokens.map_err(|why| format!("{}: {why}", file.display()))?);
         }
     }
-    let lock = lock_file(root).ok_or("no Cargo.lock in the folder of the crate or above it")?;
+    let lock = lock_file(&root).ok_or("no Cargo.lock in the folder of the crate or above it")?;
     println!("cargo::rerun-if-changed={}", lock.display());
     let lines = locked(&fs::read_to_string(&lock)?, crates);
     texts.push(lines.map_err(|missing| format!("{missing} is not in {}", lock.display()))?);
-    Ok(format!("{:016x}", sum(texts.iter().map(String::as_str))))
+    let hash = sum(texts.iter().map(String::as_str));
+    println!("cargo::rustc-env={name}={hash:016x}");
+    Ok(())
 }
 
 /// The `Cargo.lock` of the crate or of its workspace. The package that cargo makes contains one.
@@ -42,7 +45,7 @@ fn lock_file(root: &Path) -> Option<PathBuf> {
 ///
 /// # Errors
 /// A folder that cannot be read.
-pub fn files(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+fn files(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     gather(folder, &mut files)?;
     files.sort();
@@ -69,7 +72,7 @@ fn gather(path: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
 }
 
 /// FNV-1a: it needs no dependency, and is the same everywhere.
-pub fn sum<'a>(texts: impl IntoIterator<Item = &'a str>) -> u64 {
+fn sum<'a>(texts: impl IntoIterator<Item = &'a str>) -> u64 {
     let bytes = texts.into_iter().flat_map(str::bytes);
     bytes.fold(0xcbf2_9ce4_8422_2325, |sum, byte| {
         (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)

@@ -1,26 +1,13 @@
 //! The lines of a `Cargo.lock` for crates and all on which they depend.
 
 use std::collections::BTreeSet;
-use std::fmt;
-
-/// A crate that a `Cargo.lock` does not have. Displayed as its name.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NotLocked(pub String);
-
-impl fmt::Display for NotLocked {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for NotLocked {}
 
 /// One line for each of `crates` and all crates on which they depend, by the text of a `Cargo.lock`: name, version and
 /// checksum. The registry is left out: the same crate may come from a mirror.
 ///
 /// # Errors
-/// A crate that is not in the text.
-pub fn locked(lock: &str, crates: &[&str]) -> Result<String, NotLocked> {
+/// The name of a crate that is not in the text.
+pub(crate) fn locked(lock: &str, crates: &[&str]) -> Result<String, String> {
     let packages: Vec<Package> = lock.split("[[package]]").skip(1).map(package).collect();
     let mut wanted: Vec<&str> = crates.to_vec();
     let (mut seen, mut lines) = (BTreeSet::new(), BTreeSet::new());
@@ -35,7 +22,7 @@ pub fn locked(lock: &str, crates: &[&str]) -> Result<String, NotLocked> {
             |p: &&Package| p.name == name && version.is_none_or(|version| p.version == version);
         let found: Vec<&Package> = packages.iter().filter(is).collect();
         if found.is_empty() {
-            return Err(NotLocked(dependency.to_owned()));
+            return Err(dependency.to_owned());
         }
         for package in found {
             lines.insert(format!(

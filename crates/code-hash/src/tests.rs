@@ -18,6 +18,12 @@ fn locked(lock: &str) -> String {
     super::locked(lock, &CRATES).unwrap()
 }
 
+/// A text without spaces and the commas at the ends of lists.
+fn tokens(text: &str) -> String {
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    text.replace(",)", ")")
+}
+
 /// What cargo writes for a crate.
 fn entry(name: &str, version: &str, dependencies: &[&str]) -> String {
     let list: String = dependencies
@@ -84,10 +90,7 @@ fn of_several_versions_the_one_that_is_used_counts() {
         + &entry("d", "1.0.0", &[]);
     let lines = super::locked(&lock, &["a"]).unwrap();
     assert_eq!(lines, "a 1.0.0 00ff\nb 2.0.0 00ff\nc 1.0.0 00ff\n");
-    assert_eq!(
-        super::locked(&lock, &["a", "x"]),
-        Err(super::NotLocked("x".into()))
-    );
+    assert_eq!(super::locked(&lock, &["a", "x"]), Err("x".to_owned()));
 }
 
 #[test]
@@ -148,10 +151,11 @@ fn every_part_of_the_solver_has_a_hash_of_its_code_and_no_test_counts() {
         let below: Vec<&str> = below.filter(|name| !name.starts_with("slipgap-")).collect();
         let script = text(&format!("crates/{part}/build.rs"));
         let named: Vec<String> = below.iter().map(|name| format!("\"{name}\"")).collect();
-        assert!(
-            script.contains(&format!("&[{}]", named.join(", "))),
-            "{script}"
+        let call = format!(
+            "print(\"SLIPGAP_CODE\", &[\"src\"], &[{}])",
+            named.join(", ")
         );
+        assert!(tokens(&script).contains(&tokens(&call)), "{script}");
         all.extend(below.into_iter().map(str::to_owned));
         // The keys of stores have it.
         let own = format!("slipgap_{part}::CODE_KEY");
