@@ -4,6 +4,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     slipgap_code_hash::print(
         "SLIPGAP_CODE",
         &["src"],
-        &["libm", "multiversion", "nalgebra", "zmij"],
+        &["libm", "multiversion", "nalgebra"],
     )
 }

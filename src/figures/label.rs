@@ -196,18 +196,24 @@ fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, usize)]) -> Str
     }
 }
 
+/// A value in markup, with this number of significant digits.
+pub fn value(value: Value, digits: usize) -> String {
+    match value {
+        Value::Number(x) => number::rounded(x, digits),
+        Value::Whole(n) => n.to_string(),
+        Value::Name(name) => markup::escape(name),
+    }
+}
+
 /// `symbol = value` in markup, with this number of significant digits; only the name for a choice.
 pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String {
     match value {
-        Value::Name(name) => markup::escape(name),
-        Value::Number(_) | Value::Whole(_) => {
+        Value::Name(_) => self::value(value, digits),
+        _ => {
             let unit = parameter.shown_unit.as_ref();
             let unit = unit.map_or(String::new(), |unit| format!(" {}", markup::escape(unit)));
-            format!(
-                "{} = {}{unit}",
-                parameter.symbol,
-                number::value(value, digits)
-            )
+            let value = self::value(value, digits);
+            format!("{} = {value}{unit}", parameter.symbol)
         }
     }
 }

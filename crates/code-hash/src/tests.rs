@@ -121,7 +121,8 @@ fn code_changes_the_hash_and_comments_documentation_and_tests_do_not() {
 }
 
 /// The crates that determine a result, each with its folders.
-const PARTS: [(&str, &[&str]); 4] = [
+const PARTS: [(&str, &[&str]); 5] = [
+    ("notation", &[]),
     ("contact", &["contact"]),
     ("system", &["methods", "system"]),
     ("motion", &["exact", "solve", "textbook"]),

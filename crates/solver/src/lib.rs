@@ -10,7 +10,7 @@
 //! approach. The names of this page stay; the crates below it (`slipgap-contact`, `slipgap-system`, `slipgap-motion`,
 //! `slipgap-problem`) may change theirs.
 //!
-//! Everything that determines a result is in those four crates, except the reader of structures: [`VERSION_KEYS`] has a hash of each.
+//! Everything that determines a result is in those four crates and in `slipgap-notation`, except the reader of structures: [`VERSION_KEYS`] has a hash of each.
 
 mod solution;
 
@@ -39,7 +39,8 @@ pub mod laws {
 
 /// Hashes of the code of all crates that determine a result. A change of it makes stored results outdated; a change of comments,
 /// documentation or tests does not change it.
-pub const VERSION_KEYS: [&str; 4] = [
+pub const VERSION_KEYS: [&str; 5] = [
+    slipgap_notation::CODE_KEY,
     slipgap_contact::CODE_KEY,
     slipgap_system::CODE_KEY,
     slipgap_motion::CODE_KEY,

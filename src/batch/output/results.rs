@@ -2,7 +2,7 @@
 
 use crate::batch::PartResult;
 use rayon::prelude::*;
-use slipgap_problem::problem::numbers::digits::{push_shortest, push_whole};
+use slipgap_notation::{push_shortest, push_whole};
 use slipgap_problem::problem::table::cases::{Cells, Column, NO_WHOLE, applies};
 use slipgap_study::Study;
 use std::io::{self, Write};

@@ -2,7 +2,9 @@
 
 use super::drawn;
 use crate::figures::{png, svg};
-use slipgap_drawing::style;
+use slipgap_drawing::colour_map::{Ridge, ridge};
+use slipgap_drawing::{style, text};
+use slipgap_problem::problem;
 use slipgap_study::{self, Study};
 
 const FIGURES: &str = r#"[
@@ -140,4 +142,17 @@ fn panels_that_show_one_case_say_which() {
     );
     let labels: Vec<_> = sheet.legend.iter().map(|e| e.label.as_str()).collect();
     assert_eq!(labels, ["exact", "computed", "zero"]);
+}
+
+#[test]
+fn every_label_of_a_ridge_fits_a_map() {
+    let room = 1.3 * style::SINGLE - 2.0 * style::EDGE - style::SAMPLE - style::SAMPLE_GAP;
+    for name in ["friction-oscillator", "bar-impact"] {
+        for parameter in problem::find(name).unwrap().parameters() {
+            for ridge in [Ridge::Least, Ridge::Greatest, Ridge::NearestToOne] {
+                let label = ridge::label(ridge, &parameter.symbol);
+                assert!(text::width(&label, style::LABEL) < room, "{label}");
+            }
+        }
+    }
 }

@@ -88,8 +88,6 @@ mod tests {
     use super::*;
     use crate::layout::sheet::Rect;
     use crate::layout::ticks;
-    use crate::text;
-    use slipgap_problem::problem;
 
     /// Three columns of five places each.
     fn values() -> Values {
@@ -149,18 +147,5 @@ mod tests {
                 vec![[4.0, 50.0], [5.0, 52.0]],
             ]
         );
-    }
-
-    #[test]
-    fn every_label_fits_a_map() {
-        let room = 1.3 * style::SINGLE - 2.0 * style::EDGE - style::SAMPLE - style::SAMPLE_GAP;
-        for name in ["friction-oscillator", "bar-impact"] {
-            for parameter in problem::find(name).unwrap().parameters() {
-                for ridge in [Ridge::Least, Ridge::Greatest, Ridge::NearestToOne] {
-                    let label = label(ridge, &parameter.symbol);
-                    assert!(text::width(&label, style::LABEL) < room, "{label}");
-                }
-            }
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! An axis: its range, scale and ticks, and the place of a value along it.
 
-pub use slipgap_problem::problem::numbers::parameter::Scale;
+pub use slipgap_notation::Scale;
 
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]

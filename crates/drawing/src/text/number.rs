@@ -1,6 +1,6 @@
 //! Numbers as figures write them: a minus sign, powers of ten, multiples of pi.
 
-use slipgap_problem::problem::numbers::parameter::{Value, shortest};
+use slipgap_notation::shortest;
 use std::collections::HashSet;
 use std::f64::consts::PI;
 
@@ -40,15 +40,6 @@ pub fn rounded(x: f64, digits: usize) -> String {
 /// A number in markup; multiples of pi as `2π`, `π/10`, `2π/3`.
 pub fn number(x: f64) -> String {
     of_pi(x).unwrap_or_else(|| plain(x))
-}
-
-/// A parameter's value in markup, rounded as by [`rounded`].
-pub fn value(value: Value, digits: usize) -> String {
-    match value {
-        Value::Number(x) => rounded(x, digits),
-        Value::Whole(n) => n.to_string(),
-        Value::Name(name) => crate::text::markup::escape(name),
-    }
 }
 
 /// A number in markup, in decimal form or as `3 × 10^−5^`.

@@ -11,7 +11,7 @@ mod side_by_side;
 pub mod structure;
 pub mod table;
 
-pub use crate::problem::numbers::text::{Text, escape, interned};
+pub use crate::problem::numbers::text::{Text, interned};
 pub use crate::problem::table::case::{Case, Violation};
 pub use crate::problem::table::schema::{
     Budget, Channel, Metric, Profile, Quantity, Schema, metric_of,
@@ -20,6 +20,7 @@ pub use crate::problem::table::solution::{
     HistoryColumn, Lines, MeasuredChannel, Snapshot, Solution,
 };
 pub use parameter_expression::{NotComputed, ParameterExpression, values_used};
+pub use slipgap_notation::escape;
 
 use crate::contact::ContactLaw;
 use crate::history::History;

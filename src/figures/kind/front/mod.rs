@@ -167,7 +167,7 @@ fn small_print(
     let among = |row: &usize| {
         let digits = label::digits(best, *row);
         let values = label::values(best, *row).into_iter().flatten();
-        let values: Vec<String> = values.map(|value| number::value(value, digits)).collect();
+        let values: Vec<String> = values.map(|value| label::value(value, digits)).collect();
         let is = match table[*row].kind {
             parameter::Kind::Choice(_) => ":",
             parameter::Kind::Number(_) | parameter::Kind::Whole { .. } => " =",

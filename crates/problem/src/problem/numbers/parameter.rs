@@ -1,20 +1,12 @@
 //! The table of parameters, with one row for each, for decoding, schema, columns, `explain` and the documentation.
 
-pub use super::digits::shortest;
 pub use crate::contact::number::Range;
+pub use slipgap_notation::{Scale, shortest};
 
-use super::text::{Text, escape, text};
+use super::text::{Text, text};
 use crate::contact::number::{Number, Usual, same};
+use slipgap_notation::escape;
 use std::fmt;
-
-/// How numbers are laid along an axis, of a figure or of a design.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
-    /// Evenly.
-    Linear,
-    /// By their logarithm; only positive numbers.
-    Log,
-}
 
 /// One parameter of a problem.
 #[derive(Debug, Clone)]

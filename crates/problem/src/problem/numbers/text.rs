@@ -29,15 +29,3 @@ pub fn interned(text: &str) -> &'static str {
     texts.insert(text);
     text
 }
-
-/// Plain text in the markup of `figures::markup` that shows it unchanged.
-pub fn escape(plain: &str) -> String {
-    let mut markup = String::new();
-    for c in plain.chars() {
-        if ['\\', '*', '_', '^'].contains(&c) {
-            markup.push('\\');
-        }
-        markup.push(c);
-    }
-    markup
-}
