@@ -73,13 +73,13 @@ pub mod calibrate;
 pub mod checks;
 pub mod claims;
 pub mod compare;
-pub mod figures;
 pub mod report;
 pub mod run;
 pub mod study_figures;
 pub mod warnings;
 
 pub use slipgap_contact::{contact, lane};
+pub use slipgap_figures as figures;
 pub use slipgap_motion::{exact, history, solve, textbook};
 pub use slipgap_problem::{
     metrics,

@@ -62,7 +62,13 @@ pub fn add(study: &Study, needed: &Needed, part: &mut PartResult, shown: &mut Sh
                 .collect()
         }
     };
-    shown.add(part, &rows, needed);
+    let PartResult {
+        cases,
+        metrics,
+        solutions,
+        ..
+    } = part;
+    shown.add(cases, metrics, solutions, &rows, needed);
 }
 
 /// Solves cases from the store again if a figure shows their histories.
@@ -232,7 +238,7 @@ mod tests {
                 let mut designs = DesignMetrics::new(&study);
                 let bar = indicatif::ProgressBar::hidden();
                 batch::run(&study, &bar, &RunOptions::METRICS, |mut part| {
-                    designs.add(&part);
+                    designs.add(part.first, &part.cases, &part.metrics);
                     add(&study, needed, &mut part, &mut shown);
                     Ok(())
                 })

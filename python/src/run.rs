@@ -180,7 +180,9 @@ impl<'a> Collector<'a> {
     fn add(&mut self, part: &PartResult) -> Result<(), Error> {
         self.warnings.add(part);
         self.reductions.add(part);
-        self.collected.designs.add(part);
+        self.collected
+            .designs
+            .add(part.first, &part.cases, &part.metrics);
         if let Some(ensembles) = &mut self.ensembles {
             ensembles.add(part);
         }

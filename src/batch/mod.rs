@@ -1,7 +1,6 @@
 //! Runs the cases of a study in parallel. No result depends on the order or on the number of threads.
 
 pub mod files;
-pub mod groups;
 pub mod output;
 pub mod parts;
 pub mod solve;
@@ -9,9 +8,8 @@ pub mod store;
 #[cfg(test)]
 mod tests;
 
-pub use groups::GroupResults;
-pub use groups::shown::{DrawnCase, Needed, ShownCases};
 pub use parts::shard::{Shard, ShardFault, shard_of};
+pub use slipgap_figures::{DrawnCase, GroupResults, Needed, ShownCases, groups};
 pub use solve::compute::{keep_memory, solution};
 pub use solve::computed::with_computed_columns;
 pub use solve::missing::{MissingParts, missing_parts};

@@ -117,7 +117,7 @@ fn section<'a>(
     let mut ensembles = EnsembleMetrics::new(study);
     batch::run(study, &bar, &options, |mut part| {
         tally.add(&part);
-        designs.add(&part);
+        designs.add(part.first, &part.cases, &part.metrics);
         warnings.add(&part);
         if let Some(ensembles) = &mut ensembles {
             ensembles.add(&part);

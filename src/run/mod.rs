@@ -158,7 +158,7 @@ pub fn run_study(
         observer.part(&part);
         warnings.add(&part);
         without_contact += cases_without_contact(&*study.problem, &part.metrics);
-        designs.add(&part);
+        designs.add(part.first, &part.cases, &part.metrics);
         reductions.add(&part);
         if let Some(ensembles) = &mut ensembles {
             ensembles.add(&part);

@@ -7,11 +7,7 @@ pub(super) mod words;
 use super::film::Film;
 use super::film::contact::Contact;
 use super::film::scene::{Bar, Link, Mover, Point, Scene};
-use crate::figures::scheme::nodes::places::Placed;
-use crate::figures::scheme::paint;
-use crate::figures::scheme::paint::links::LinkPlace;
-use crate::figures::scheme::paint::painter::Painter;
-use crate::figures::scheme::part::has_places;
+use crate::figures::scheme::{LinkPlace, Painter, Placed, has_places, with_places};
 use crate::history::History;
 use crate::problem::{Case, Problem};
 use motion::{Motion, node_of_bar};
@@ -47,7 +43,7 @@ pub fn film<'a>(
         .filter(|link| !link.name.is_empty())
         .map(|link| motion.contact(link.kind, &link.name, &limits))
         .collect();
-    let mut scene = paint::with_places(scheme, |painter, placed| {
+    let mut scene = with_places(scheme, |painter, placed| {
         let mut draft = Draft {
             painter: &painter,
             motion: &mut motion,

@@ -3,11 +3,7 @@
 use super::motion::Motion;
 use super::words::kind;
 use crate::animate::film::scene::{Link, Mover, Point, Scene};
-use crate::figures::scheme::mesh;
-use crate::figures::scheme::nodes::places::Placed;
-use crate::figures::scheme::paint::painter::Painter;
-use crate::figures::scheme::part::has_places;
-use crate::figures::scheme::symbols;
+use crate::figures::scheme::{self, Painter, Placed, has_places};
 use slipgap_problem::problem::structure::described::scheme::model::Model;
 use slipgap_problem::problem::structure::described::scheme::picture::{End, LinkKind, Place};
 
@@ -115,7 +111,7 @@ pub fn matrices(placed: &Placed, node: usize) -> Option<&str> {
 
 /// The nodes that are drawn, and the lines between them by their places in this list.
 fn drawn(model: &Model, places: &[Point]) -> (Vec<usize>, Vec<[usize; 2]>) {
-    let all = mesh::shown(model, places);
+    let all = scheme::shown(model, places);
     let step = all.len().div_ceil(2 * MOST).max(1);
     let lines: Vec<[usize; 2]> = all.into_iter().step_by(step).collect();
     let mut drawn: Vec<usize> = lines.iter().flatten().copied().collect();
@@ -158,7 +154,7 @@ fn ground(
         false => [0.0, dy.signum()],
     };
     let [x, y] = [x + TO_GROUND * away[0], y + TO_GROUND * away[1]];
-    let half = symbols::LONG / 2.0;
+    let half = scheme::LONG / 2.0;
     let ends = [-half, half].map(|along| [x + along * away[1].abs(), y + along * away[0].abs()]);
     (ends, away, Mover::default())
 }

@@ -22,7 +22,7 @@ pub struct Outcome {
 }
 
 /// The histories of some cases of a part, by row.
-pub(in crate::batch) type Solutions = BTreeMap<usize, Box<Solution>>;
+pub(crate) type Solutions = BTreeMap<usize, Box<Solution>>;
 
 /// The results of a part.
 #[derive(Debug)]
@@ -33,7 +33,7 @@ pub struct PartResult {
     pub cases: Cases,
     /// Their metrics.
     pub metrics: MetricTable,
-    pub(in crate::batch) solutions: Solutions,
+    pub(crate) solutions: Solutions,
     /// Whether the store had the part; if not, why.
     pub stored: Result<(), Miss>,
     /// Number of cases whose metrics come from the store: from this part, or from others.

@@ -154,7 +154,7 @@ fn drawn(study: &Study) {
     let mut designs = DesignMetrics::new(study);
     let run = batch::run(study, &ProgressBar::hidden(), &options, |mut part| {
         reductions.add(&part);
-        designs.add(&part);
+        designs.add(part.first, &part.cases, &part.metrics);
         cases += part.len() as u64;
         study_figures::add(study, &needed, &mut part, &mut shown);
         Ok(())

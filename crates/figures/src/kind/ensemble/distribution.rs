@@ -1,0 +1,166 @@
+//! Empirical distribution functions of metrics with their confidence bands, a panel for each metric.
+
+use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
+use crate::FigureData;
+use crate::column::has_place;
+use crate::kind::Draw;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
+use slipgap_drawing::style::{self, Stroke};
+use slipgap_statistics::empirical;
+use slipgap_study::Scale;
+use slipgap_study::kinds::Distribution;
+
+/// Most steps that are drawn of a function: a step is then lower than a line is wide.
+const MOST_STEPS: usize = 1000;
+
+/// Title of the vertical axis.
+const TITLE: &str = "part of the cases";
+
+/// What the bands are.
+const BANDS: &str = "Bands: contain the distribution function of independent cases everywhere with a probability of 95 % \
+                     (Dvoretzky, Kiefer and Wolfowitz; Massart).";
+
+impl Draw for Distribution {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
+        let look = data.look();
+        let (found, all) = ensembles(study, cases, self.by, None);
+        let height = if self.y.len() == 1 { 190.0 } else { 130.0 };
+        let [x_range, y_range] = figure.ranges;
+        let width = figure.width.unwrap_or(1.2 * style::SINGLE);
+        let y = limits::axis(
+            TITLE,
+            [0.0, 1.0].into_iter(),
+            Scale::Linear,
+            y_range,
+            height / 24.0,
+        );
+        let across = |metric: &usize| {
+            let values = found.iter().flat_map(|of| of.cases.iter());
+            let values = values.filter_map(|shown| shown.metric(*metric));
+            let title = &study.measures[*metric].symbol;
+            limits::axis(title, values, self.x_scale, x_range, width / 50.0)
+        };
+        let axes: Vec<Axis> = self.y.iter().map(across).collect();
+        // Each panel has its own horizontal axis.
+        let rows: Vec<f64> = axes.iter().map(|x| height + layout::below(x)).collect();
+        let grid = layout::grid(width, 1, &rows, std::slice::from_ref(&y), 4.0);
+        let mut sheet = Sheet {
+            width,
+            ..Sheet::default()
+        };
+        for (i, (metric, x)) in self.y.iter().zip(axes).enumerate() {
+            let mut frame = grid.frames[i][0];
+            frame.height = height;
+            let mut panel = Panel::new(frame, grid.margin, x, y.clone());
+            for (k, ensemble) in found.iter().enumerate() {
+                draw(&mut panel, ensemble, *metric, stroke(look, k));
+            }
+            sheet.panels.push(panel);
+        }
+        layout::letter_panels(&mut sheet.panels);
+        layout::left_out(&mut sheet, found.len(), all);
+        layout::finish(
+            &mut sheet,
+            vec![keys(look, &found, |_| None)],
+            figure.title.as_deref(),
+        );
+        layout::small_print(&mut sheet, &format!("{BANDS} {}", counts(&found)));
+        without_value(&mut sheet, study, cases, &self.y);
+        sheet
+    }
+}
+
+/// How many cases the functions have.
+fn counts(found: &[Ensemble]) -> String {
+    let counts = || found.iter().map(|of| of.cases.len());
+    match (counts().min(), counts().max()) {
+        (Some(least), Some(most)) if least < most => {
+            format!("Each function has {least} to {most} cases.")
+        }
+        (_, most) => format!("Each function has {} cases.", most.unwrap_or(0)),
+    }
+}
+
+/// Adds the function of an ensemble and its band.
+fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, stroke: Stroke) {
+    let values = ensemble
+        .cases
+        .iter()
+        .filter_map(|shown| shown.metric(metric));
+    let mut rising: Vec<f64> = values.collect();
+    rising.sort_unstable_by(f64::total_cmp);
+    if rising.is_empty() {
+        return;
+    }
+    let count = rising.len();
+    let steps = empirical::steps(&rising);
+    let scale = panel.x.scale;
+    let shown = thinned(&steps);
+    let low = steps
+        .iter()
+        .filter(|step| !has_place(scale, step[0]))
+        .map(|step| step[1]);
+    let start = low.fold(0.0, f64::max);
+    let shown: Vec<[f64; 2]> = shown
+        .into_iter()
+        .filter(|s| has_place(scale, s[0]))
+        .collect();
+    let line = staircase(panel.x.range, start, &shown);
+    let half = empirical::half_band(count);
+    let moved = |by: f64| -> Vec<[f64; 2]> {
+        line.iter()
+            .map(|[x, y]| [*x, (y + by).clamp(0.0, 1.0)])
+            .collect()
+    };
+    panel.bands.push(Band {
+        upper: moved(half),
+        lower: moved(-half),
+        stroke,
+    });
+    // The upper end of each step shows its values.
+    let marked = (0..shown.len()).map(|step| 2 * step + 2).collect();
+    panel.series.push(Series {
+        label: ensemble.label.clone(),
+        points: line,
+        stroke,
+        width: style::CASE_LINE,
+        marker: None,
+        marked,
+    });
+}
+
+/// A line from the left to the right end of an axis that rises at each step.
+fn staircase(ends: [f64; 2], start: f64, steps: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let first = steps.first().map_or(ends[0], |step| step[0].min(ends[0]));
+    let last = steps.last().map_or(ends[1], |step| step[0].max(ends[1]));
+    let (mut line, mut before) = (vec![[first, start]], start);
+    for [x, part] in steps {
+        line.extend([[*x, before], [*x, *part]]);
+        before = *part;
+    }
+    line.push([last, before]);
+    line
+}
+
+/// The steps, of many those that end on a new part of 1/1000, and the last.
+fn thinned(steps: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    if steps.len() <= MOST_STEPS {
+        return steps.to_vec();
+    }
+    let place = |step: &[f64; 2]| (step[1] * MOST_STEPS as f64).floor();
+    let mut before = 0.0;
+    let new = steps.iter().filter(|step| {
+        let place = place(step);
+        std::mem::replace(&mut before, place) < place
+    });
+    new.copied().collect()
+}

@@ -1,0 +1,282 @@
+//! The part of the cases in which a metric exceeds a limit, with intervals and a lognormal function.
+
+use super::ensembles::{Ensemble, ensembles, stroke, without_value};
+use crate::GroupResults;
+use crate::groups::fragility::FragilityCurve;
+use crate::groups::point::Probability;
+use crate::kind::Draw;
+use crate::{DrawnCase, FigureData};
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::points::Point;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::text::markup::plain;
+use slipgap_drawing::text::number;
+use slipgap_statistics::lognormal::Fragility as Function;
+use slipgap_study::kinds::{Fit, Fragility};
+use slipgap_study::{ColumnRef, Scale, Study};
+
+/// Points of a fitted curve.
+const POINTS: u32 = 200;
+
+/// Distance of the intervals of different curves at one value of x.
+const APART: f64 = 2.4 * style::MARKER;
+
+/// What points and intervals, and what curves are.
+fn words(fit: Fit) -> [&'static str; 2] {
+    match fit {
+        Fit::Likelihood => [
+            "Points: part of the cases, with 95 % intervals (Clopper and Pearson).",
+            "Curves: the lognormal function of the largest likelihood.",
+        ],
+        Fit::Incremental => [
+            "Points: part of the ensemble that has reached the limit, with 95 % intervals (Clopper and Pearson).",
+            "Curves: the lognormal function of the values at which it does; in brackets 95 % intervals.",
+        ],
+        Fit::Cloud => [
+            "Points: the cases, at 1 if they exceed.",
+            "Curves: the lognormal function of a line through the logarithms of the cases; in brackets 95 % intervals.",
+        ],
+    }
+}
+
+/// How points of several curves are drawn.
+const BESIDE: &str = "Points at the same value are drawn side by side.";
+
+impl Draw for Fragility {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            groups,
+            ..
+        } = *data;
+        let look = data.look();
+        let (found, all) = of_curves(self, study, cases);
+        let curves = curves(groups);
+        let height = 190.0;
+        let width = figure.width.unwrap_or(1.2 * style::SINGLE);
+        let [x_range, y_range] = figure.ranges;
+        let y_axis = limits::axis(
+            &title(self, study),
+            [0.0, 1.0].into_iter(),
+            Scale::Linear,
+            y_range,
+            height / 24.0,
+        );
+        let grid = layout::grid(width, 1, &[height], std::slice::from_ref(&y_axis), 4.0);
+        let places = found.iter().zip(curves);
+        let places = places.flat_map(|(_, curve)| drawn(curve)).map(|(at, _)| at);
+        let title = axis_title(self, study);
+        let x_axis = limits::axis(&title, places, self.x_scale, x_range, grid.width / 40.0);
+        let mut panel = Panel::new(grid.frames[0][0], grid.margin, x_axis, y_axis);
+        for (k, (ensemble, curve)) in found.iter().zip(curves).enumerate() {
+            if let Ok(fit) = &curve.fit {
+                let line = line(&panel, fit, stroke(look, k));
+                panel.series.push(line);
+            }
+            let shift = shift(k, found.len());
+            let (stroke, marker) = (stroke(look, k), Marker::of_case(k));
+            points(&mut panel, curve, shift, (stroke, marker), &ensemble.label);
+        }
+        let mut sheet = Sheet {
+            width,
+            panels: vec![panel],
+            ..Sheet::default()
+        };
+        layout::left_out(&mut sheet, found.len(), all);
+        let key = |(k, (ensemble, curve)): (usize, (&Ensemble, &FragilityCurve))| Key {
+            label: label(&ensemble.label, curve),
+            stroke: stroke(look, k),
+            width: curve.fit.map_or(0.0, |_| style::CASE_LINE),
+            marker: Some(Marker::of_case(k)),
+        };
+        let keys = found.iter().zip(curves).enumerate().map(key).collect();
+        layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+        let fitted = curves.iter().take(found.len()).any(|of| of.fit.is_ok());
+        let [points_are, curves_are] = words(self.fit);
+        let parts = [
+            Some(points_are),
+            fitted.then_some(curves_are),
+            (found.len() > 1).then_some(BESIDE),
+        ];
+        let parts: Vec<&str> = parts.into_iter().flatten().collect();
+        layout::small_print(&mut sheet, &parts.join(" "));
+        without_value(&mut sheet, study, cases, &[self.y]);
+        sheet
+    }
+
+    /// The numbers of cases at each point.
+    fn points(&self, data: &FigureData, sheet: &Sheet) -> Vec<Point> {
+        let FigureData {
+            study,
+            cases,
+            groups,
+            ..
+        } = *data;
+        let (found, _) = of_curves(self, study, cases);
+        let Some(panel) = sheet.panels.first() else {
+            return Vec::new();
+        };
+        let symbol = plain(&axis_title(self, study));
+        let mut points = Vec::new();
+        for (k, (ensemble, curve)) in found.iter().zip(curves(groups)).enumerate() {
+            let shift = shift(k, found.len());
+            let label = match ensemble.label.as_str() {
+                "" => String::new(),
+                label => format!("{}: ", plain(label)),
+            };
+            for point in &curve.points {
+                let Some(part) = point.probability else {
+                    continue;
+                };
+                let [x, y] = panel.place([point.at, part.value]);
+                let at = [x + shift, y];
+                let [low, high] = [part.low, part.high].map(number::short);
+                let x = number::plain_text(point.at);
+                let (exceeded, count) = (point.exceeded, point.count());
+                let text = format!(
+                    "{label}{symbol} = {x}, {exceeded} of {count} cases exceed, interval {low} to {high}"
+                );
+                if panel.frame.contains(at) {
+                    points.push(Point { at, text });
+                }
+            }
+        }
+        points
+    }
+}
+
+fn title(figure: &Fragility, study: &Study) -> String {
+    let above = study.measures[figure.y].above(&number::short(figure.limit));
+    format!("P({above})")
+}
+
+/// The curves that were computed for the figure.
+fn curves<'a>(groups: &'a GroupResults) -> &'a [FragilityCurve] {
+    match groups {
+        GroupResults::Fragility(curves) => curves,
+        GroupResults::None | GroupResults::Indices { .. } => &[],
+    }
+}
+
+/// The points of a curve that have a probability.
+fn drawn(curve: &FragilityCurve) -> impl Iterator<Item = (f64, Probability)> {
+    let points = curve.points.iter();
+    points.filter_map(|point| Some((point.at, point.probability?)))
+}
+
+/// How far the points of curve `k` of `count` are beside their place.
+fn shift(k: usize, count: usize) -> f64 {
+    APART * (k as f64 - 0.5 * (count as f64 - 1.0))
+}
+
+/// The fitted function over the whole axis.
+fn line(panel: &Panel, fit: &Function, stroke: Stroke) -> Series {
+    let place = |i: u32| panel.x.value(f64::from(i) / f64::from(POINTS));
+    let point = |i: u32| [place(i), fit.probability(place(i))];
+    Series {
+        label: String::new(),
+        points: (0..=POINTS).map(point).collect(),
+        stroke,
+        width: style::CASE_LINE,
+        marker: None,
+        marked: Vec::new(),
+    }
+}
+
+/// Adds the points of an ensemble with their intervals, `shift` beside their place.
+fn points(
+    panel: &mut Panel,
+    curve: &FragilityCurve,
+    shift: f64,
+    (stroke, marker): (Stroke, Marker),
+    label: &str,
+) {
+    let beside = |x: f64| {
+        let moved = panel.x.fraction(x) + shift / panel.frame.width;
+        if shift == 0.0 {
+            x
+        } else {
+            panel.x.value(moved)
+        }
+    };
+    let mut new: Vec<Series> = Vec::new();
+    for (at, part) in drawn(curve) {
+        let x = beside(at);
+        let ends = [part.low, part.high];
+        new.push(Series {
+            stroke: match stroke {
+                Stroke::Colour(_) => stroke,
+                _ => Stroke::Solid,
+            },
+            width: style::EXACT_LINE,
+            ..Series::rule(ends.map(|p| [x, p]))
+        });
+        // A point alone, so that no line joins it with the next.
+        new.push(Series {
+            label: label.into(),
+            points: vec![[x, part.value]],
+            stroke,
+            width: style::CASE_LINE,
+            marker: Some(marker),
+            marked: vec![0],
+        });
+    }
+    panel.series.extend(new);
+}
+
+/// The label of an ensemble with its fit.
+fn label(name: &str, curve: &FragilityCurve) -> String {
+    let fit = match &curve.fit {
+        Ok(fit) => {
+            let rounded = |x| number::rounded(x, 3);
+            let ends = |i: usize| match curve.intervals {
+                Some(intervals) => {
+                    let [low, high] = intervals[i].map(rounded);
+                    format!(" [{low}, {high}]")
+                }
+                None => String::new(),
+            };
+            let [median, dispersion] = [fit.median, fit.dispersion].map(rounded);
+            format!(
+                "median {median}{}, dispersion {dispersion}{}",
+                ends(0),
+                ends(1)
+            )
+        }
+        Err(why) => format!("no fit, {why}"),
+    };
+    match name {
+        "" => fit,
+        name => format!("{name}: {fit}"),
+    }
+}
+
+/// The ensembles of the curves, at most as many as are drawn, and the number of all.
+fn of_curves<'a, 'c>(
+    figure: &Fragility,
+    study: &Study,
+    cases: &'a [DrawnCase<'c>],
+) -> (Vec<Ensemble<'a, 'c>>, usize) {
+    match (figure.parameter(), figure.by) {
+        // Over a metric, all cases make one curve.
+        (None, None) => {
+            let label = String::new();
+            let cases = cases.iter().collect();
+            (vec![Ensemble { label, cases }], 1)
+        }
+        (x, by) => ensembles(study, cases, by, x),
+    }
+}
+
+/// The title of the horizontal axis.
+fn axis_title(figure: &Fragility, study: &Study) -> String {
+    match figure.x {
+        ColumnRef::Parameter(row) => study.problem.parameters()[row].title(),
+        ColumnRef::Metric(row) => study.measures[row].symbol.clone(),
+    }
+}

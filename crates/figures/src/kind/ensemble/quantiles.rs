@@ -1,0 +1,139 @@
+//! Quantiles of metrics over a parameter: the median as a line on a band, a panel for each metric.
+
+use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
+use crate::kind::Draw;
+use crate::{DrawnCase, FigureData};
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
+use slipgap_drawing::style::{self, Stroke};
+use slipgap_drawing::text::number;
+use slipgap_statistics::quantile::quantile;
+use slipgap_study::Scale;
+use slipgap_study::kinds::Quantiles;
+
+/// Most points of a curve that each have a marker.
+const MOST_MARKED: usize = 40;
+
+/// A value of x with the lower edge of the band, the median and the upper edge; not finite without values.
+type Point = (f64, [f64; 3]);
+
+impl Draw for Quantiles {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
+        let (found, all) = ensembles(study, cases, self.by, Some(self.x));
+        let points = |metric: &usize| -> Vec<Vec<Point>> {
+            let of = |ensemble: &Ensemble| points_of(self, ensemble, *metric);
+            found.iter().map(of).collect()
+        };
+        let panels: Vec<Vec<Vec<Point>>> = self.y.iter().map(points).collect();
+        let height = if self.y.len() == 1 { 190.0 } else { 130.0 };
+        let width = figure.width.unwrap_or(1.2 * style::SINGLE);
+        let [x_range, y_range] = figure.ranges;
+        let [x_scale, y_scale] = self.scales;
+        let up = |(metric, curves): (&usize, &Vec<Vec<Point>>)| {
+            let points = curves.iter().flatten();
+            let all = points.flat_map(|(x, of)| of.map(|y| [*x, y]));
+            let all: Vec<[f64; 2]> = all.collect();
+            let values = limits::heights(all.iter(), x_range).into_iter();
+            let title = &study.measures[*metric].symbol;
+            limits::axis(title, values, y_scale, y_range, height / 24.0)
+        };
+        let axes: Vec<Axis> = self.y.iter().zip(&panels).map(up).collect();
+        let grid = layout::grid(width, 1, &vec![height; self.y.len()], &axes, 4.0);
+        let places = panels.iter().flatten().flatten().map(|(x, _)| *x);
+        let title = &study.problem.parameters()[self.x].title();
+        let across = limits::axis(title, places, x_scale, x_range, grid.width / 40.0);
+        let longest = panels.iter().flatten().map(Vec::len).max().unwrap_or(0);
+        let look = data.look();
+        let marker = |k: usize| look.marker(k).filter(|_| longest <= MOST_MARKED);
+        let mut sheet = Sheet {
+            width,
+            ..Sheet::default()
+        };
+        let count = axes.len();
+        for (i, (curves, y)) in panels.iter().zip(axes).enumerate() {
+            let mut x = across.clone();
+            if i + 1 < count {
+                x.title.clear();
+                x.numbered = false;
+            }
+            let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
+            panel.zero =
+                y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
+            for (k, points) in curves.iter().enumerate() {
+                bands(&mut panel, points, stroke(look, k));
+                panel.series.push(Series {
+                    label: found[k].label.clone(),
+                    points: points
+                        .iter()
+                        .map(|(x, [_, median, _])| [*x, *median])
+                        .collect(),
+                    stroke: stroke(look, k),
+                    width: style::CASE_LINE,
+                    marker: marker(k),
+                    marked: (0..points.len()).collect(),
+                });
+            }
+            sheet.panels.push(panel);
+        }
+        layout::letter_panels(&mut sheet.panels);
+        layout::left_out(&mut sheet, found.len(), all);
+        let mut keys = keys(look, &found, marker);
+        keys.extend(guides::key(&sheet.panels, None));
+        layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+        layout::small_print(&mut sheet, &meaning(self));
+        without_value(&mut sheet, study, cases, &self.y);
+        sheet
+    }
+}
+
+/// What lines and bands are.
+fn meaning(figure: &Quantiles) -> String {
+    let [low, high] = figure
+        .band
+        .map(|p| number::plain(1e-9 * (1e11 * p).round()));
+    format!("Lines: medians. Bands: from the {low} % to the {high} % quantile of the cases.")
+}
+
+/// The points of a curve, by rising x.
+fn points_of(figure: &Quantiles, ensemble: &Ensemble, metric: usize) -> Vec<Point> {
+    let [low, high] = figure.band;
+    let point = |(x, cases): (f64, Vec<&DrawnCase>)| {
+        let values = cases.iter().filter_map(|shown| shown.metric(metric));
+        let mut values: Vec<f64> = values.collect();
+        values.sort_unstable_by(f64::total_cmp);
+        let of = |p| {
+            quantile(&values, p)
+                .filter(|y| y.is_finite())
+                .unwrap_or(f64::NAN)
+        };
+        (x, [of(low), of(0.5), of(high)])
+    };
+    ensemble.at_each(figure.x).into_iter().map(point).collect()
+}
+
+/// Adds the bands of a curve: one for each part without a gap.
+fn bands(panel: &mut Panel, points: &[Point], stroke: Stroke) {
+    let has_place = |(x, of): &Point| {
+        let mut ends = of.iter().map(|y| panel.place([*x, *y]));
+        ends.all(|place| place.iter().all(|v| v.is_finite()))
+    };
+    let parts = points.chunk_by(|a, b| has_place(a) == has_place(b));
+    let parts: Vec<&[Point]> = parts.filter(|part| has_place(&part[0])).collect();
+    for part in parts {
+        let edge = |which: usize| part.iter().map(|(x, of)| [*x, of[which]]).collect();
+        panel.bands.push(Band {
+            upper: edge(2),
+            lower: edge(0),
+            stroke,
+        });
+    }
+}

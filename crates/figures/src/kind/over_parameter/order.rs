@@ -1,0 +1,36 @@
+//! Curves that one numeric parameter distinguishes: their order by this number, and their strokes from dark to light.
+
+use crate::DrawnCase;
+use slipgap_drawing::style::{Marker, Stroke};
+
+/// The indices of the labels by rising number, if one numeric parameter distinguishes more curves than there are markers.
+pub fn order(
+    named: &[usize],
+    cases: &[DrawnCase],
+    indices: &[usize],
+    count: usize,
+) -> Option<Vec<usize>> {
+    let [row] = *named else {
+        return None;
+    };
+    if count <= Marker::KINDS {
+        return None;
+    }
+    let number = |index: usize| {
+        let first = indices.iter().position(|its| *its == index)?;
+        cases[first].number(row)
+    };
+    let numbers: Vec<f64> = (0..count).map(number).collect::<Option<_>>()?;
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|a, b| numbers[*a].total_cmp(&numbers[*b]));
+    Some(order)
+}
+
+/// The stroke of each curve by its place in the order.
+pub fn graded(order: &[usize]) -> Vec<Stroke> {
+    let mut strokes = vec![Stroke::Solid; order.len()];
+    for (place, index) in order.iter().enumerate() {
+        strokes[*index] = Stroke::graded(place, order.len());
+    }
+    strokes
+}

@@ -1,0 +1,128 @@
+//! Figures: a study's cases as sheets of panels, drawn as PNG, SVG and PDF in the same way. They compute no results.
+//!
+//! A `kind` makes a [`Sheet`] of the cases, which is plain data; `layout` has its panels, axes
+//! and legends, `colour_map` the parts of maps; `draw` draws the sheet; `text` sets its text.
+
+mod column;
+mod front;
+pub mod groups;
+mod hover;
+mod kind;
+mod label;
+mod measured;
+mod misfit;
+mod shown;
+#[cfg(test)]
+mod tests;
+
+pub use front::Front;
+pub use groups::GroupResults;
+pub use hover::with_hover;
+pub use kind::scheme;
+pub use measured::{MeasuredMotion, MeasuredPanel};
+pub use misfit::{MisfitCurve, MisfitPanel, Misfits};
+pub use shown::{DrawnCase, Needed, ShownCases};
+pub use slipgap_drawing::draw::base64;
+pub use slipgap_drawing::layout::sheet;
+pub use slipgap_drawing::style;
+pub use slipgap_drawing::text::markup;
+
+use sheet::Sheet;
+use slipgap_drawing::DrawingError;
+use slipgap_drawing::layout::{self, envelope};
+use slipgap_drawing::style::Look;
+use slipgap_study::error::Error;
+use slipgap_study::{Figure, Study};
+
+/// What a figure draws.
+#[derive(Debug, Clone, Copy)]
+pub struct FigureData<'a> {
+    /// The study.
+    pub study: &'a Study,
+    /// The figure.
+    pub figure: &'a Figure,
+    /// The cases that its filter chose.
+    pub cases: &'a [DrawnCase<'a>],
+    /// The results over groups of these cases.
+    pub groups: &'a GroupResults<'a>,
+    /// Whether curves have colours if the figure does not say.
+    pub colour: bool,
+}
+
+impl FigureData<'_> {
+    /// How the curves are told apart.
+    pub fn look(&self) -> Look {
+        Look {
+            colour: self.figure.colour.unwrap_or(self.colour),
+            markers: self.figure.markers,
+        }
+    }
+}
+
+/// See [`slipgap_drawing::png`].
+pub fn png(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, Error> {
+    slipgap_drawing::png(sheet, dpi).map_err(error)
+}
+
+/// See [`slipgap_drawing::svg`].
+pub fn svg(sheet: &Sheet, dpi: u32) -> Result<String, Error> {
+    slipgap_drawing::svg(sheet, dpi).map_err(error)
+}
+
+/// See [`slipgap_drawing::pdf`].
+pub fn pdf(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, Error> {
+    slipgap_drawing::pdf(sheet, dpi).map_err(error)
+}
+
+fn error(error: DrawingError) -> Error {
+    match error {
+        DrawingError::TooLarge(message) => Error::Usage(message),
+        DrawingError::Internal(message) => Error::Internal(message),
+    }
+}
+
+/// The sheet of a figure.
+pub fn sheet(data: &FigureData) -> Sheet {
+    let FigureData { study, figure, .. } = *data;
+    let kind = kind::of(&figure.kind);
+    let mut sheet = kind.sheet(data);
+    sheet.title = match &figure.title {
+        Some(title) => markup::plain(title),
+        None => study.title.clone(),
+    };
+    if kind.has_dense_curves() {
+        envelope::find(&mut sheet);
+    }
+    let own = Some(std::mem::take(&mut sheet.description));
+    let mut parts: Vec<String> = own.into_iter().filter(|text| !text.is_empty()).collect();
+    for entry in &sheet.legend {
+        let label = markup::plain(&entry.label);
+        match parts.last_mut() {
+            Some(before) if entry.continues() => *before += &format!(" {label}"),
+            _ => parts.push(label),
+        }
+    }
+    let bands = envelope::meaning(&sheet);
+    let over = taken_over(study, figure);
+    let notes = bands.into_iter().chain(over.as_deref());
+    let notes = notes.chain(figure.note.as_deref());
+    parts.extend(notes.map(markup::plain));
+    sheet.description = parts.join("; ");
+    if let Some(over) = &over {
+        layout::small_print(&mut sheet, over);
+    }
+    if let Some(note) = &figure.note {
+        layout::small_print(&mut sheet, note);
+    }
+    sheet
+}
+
+/// The remark on a figure of reductions, in markup: axis titles are too short for it.
+fn taken_over(study: &Study, figure: &Figure) -> Option<String> {
+    let rows = figure.kind.measures(&*study.problem).into_iter();
+    let reduction = { rows }.find_map(|row| study.reduction(row))?;
+    let table = study.problem.parameters();
+    let over = reduction.over.iter().map(|row| &*table[*row].symbol);
+    let over: Vec<&str> = over.collect();
+    Some(format!("Each value is taken over {}.", over.join(", ")))
+}
