@@ -134,17 +134,19 @@ python-test: ## the Python package: its functions, types, notebooks, and the sam
 	echo $(CURDIR)/python > $$($(python_env)/bin/python -c "import sysconfig; print(sysconfig.get_path('purelib'))")/slipgap.pth
 	$(python_env)/bin/pytest --quiet python/tests
 
-# The oldest C library that the wheel works with is that of manylinux 2.17. The linker of Zig, which comes from PyPI, knows it.
-# It compiles the library twice, because maturin has flags of its own, and takes some minutes.
+# The oldest C library that the wheel works with is that of manylinux 2.17. The linker of Zig, which comes from PyPI, knows it. The
+# program and the extension have the same linker and the same packages, so that cargo compiles once what both need.
 wheel_env = target/wheel
 wheel_target = x86_64-unknown-linux-gnu
-wheel_options = --release --locked
+wheel_options = --release --locked --target $(wheel_target)
+wheel: export CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_LINKER = $(CURDIR)/$(wheel_env)/linker
 wheel: ## a Python wheel for Linux with the program in it, in target/wheels, tested in a fresh environment
-	test -x $(wheel_env)/bin/cargo-zigbuild || { $(PYTHON) -m venv $(wheel_env) && $(wheel_env)/bin/pip install --quiet maturin ziglang cargo-zigbuild; }
-	. $(wheel_env)/bin/activate && cargo zigbuild $(wheel_options) --target $(wheel_target).2.17 --package slipgap --package slipgap-python --bin slipgap
+	test -x $(wheel_env)/bin/maturin || { $(PYTHON) -m venv $(wheel_env) && $(wheel_env)/bin/pip install --quiet maturin ziglang; }
+	printf '#!/bin/sh\nexec maturin zig cc -- -target x86_64-linux-gnu.2.17 "$$@"\n' > $(wheel_env)/linker && chmod +x $(wheel_env)/linker
+	. $(wheel_env)/bin/activate && cargo build $(wheel_options) --package slipgap --package slipgap-python --bin slipgap
 	mkdir -p python/slipgap._slipgap.data/scripts && cp target/$(wheel_target)/release/slipgap python/slipgap._slipgap.data/scripts/
 	rm -rf target/wheels
-	. $(wheel_env)/bin/activate && cd python && maturin build $(wheel_options) --zig --target $(wheel_target) --compatibility manylinux2014 --out ../target/wheels
+	. $(wheel_env)/bin/activate && cd python && maturin build $(wheel_options) --compatibility manylinux2014 --out ../target/wheels
 	rm -rf python/slipgap._slipgap.data target/wheel-test
 	$(PYTHON) -m venv target/wheel-test && target/wheel-test/bin/pip install --quiet target/wheels/*.whl
 	target/wheel-test/bin/python python/tests/wheel.py
