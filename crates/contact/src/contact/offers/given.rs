@@ -19,16 +19,6 @@ pub struct GivenNumbers<'a> {
 }
 
 impl GivenNumbers<'_> {
-    /// The first numbers in their order; `None` where one is not given.
-    #[inline(always)]
-    pub fn all<const N: usize>(&self) -> Option<[f64; N]> {
-        let mut all = [0.0; N];
-        for (slot, value) in all.iter_mut().zip(self.values) {
-            *slot = (*value)?;
-        }
-        (self.values.len() >= N).then_some(all)
-    }
-
     /// A number; `None` if it is not given.
     pub fn given(&self, key: &str) -> Option<f64> {
         let own = self.numbers.iter().zip(self.values);
@@ -105,11 +95,36 @@ impl GivenNumbers<'_> {
         }
     }
 
-    /// nu_min/nu and a of nu - (nu - nu_min) exp(-a |rdot|).
+    /// 1/k at S = 0, which is alpha in the oscillator.
+    ///
+    /// # Errors
+    /// As [`GivenNumbers::stiffness`].
+    pub fn compliance(&self) -> Result<f64, LawFault> {
+        match self.given("alpha") {
+            Some(alpha) => Ok(alpha),
+            None => Ok(1.0 / self.stiffness()?),
+        }
+    }
+
+    /// 1/c below this limit, which is beta over it in the oscillator.
+    ///
+    /// # Errors
+    /// As [`GivenNumbers::viscosity`].
+    pub fn fluidity(&self, limit: f64) -> Result<f64, LawFault> {
+        match self.given("beta") {
+            Some(beta) => Ok(beta / limit),
+            None => Ok(1.0 / self.viscosity(limit)?),
+        }
+    }
+
+    /// nu_min/nu, which is nu_ratio in the oscillator, and a of nu - (nu - nu_min) exp(-a |rdot|).
     ///
     /// # Errors
     /// Only one of both is given, or nu_min is above nu.
     pub fn bearing(&self) -> Result<[f64; 2], LawFault> {
+        if let Some(ratio) = self.given("nu_ratio") {
+            return Ok([ratio, self.need("nu_rate")?]);
+        }
         match (self.given("nu_min"), self.given("nu_rate")) {
             (None, None) => Ok([1.0, 0.0]),
             (Some(least), Some(rate)) => {

@@ -12,12 +12,12 @@ pub struct Offer {
     /// Words of other programs for it, without capitals and hyphens.
     pub also: &'static [&'static str],
     /// In the friction oscillator; `None` if it is not offered there.
-    pub oscillator: Option<InOscillator>,
+    pub oscillator: Option<In>,
     /// Between bars.
     pub bars: Option<In>,
     /// In structures. Those of the limit of friction are not among its numbers.
     pub structure: Option<In>,
-    /// The law of its numbers between bars or in structures, or the rule that they break.
+    /// The law of its numbers in any of them, or the rule that they break.
     pub form: fn(&GivenNumbers) -> Result<Form, LawFault>,
 }
 
@@ -47,10 +47,8 @@ impl Offer {
         self,
         meaning: &'static str,
         numbers: &'static [&'static Number],
-        law: fn(&GivenNumbers) -> Option<ContactLaw>,
     ) -> Offer {
-        let of = In { meaning, numbers };
-        let oscillator = Some(InOscillator { of, law });
+        let oscillator = Some(In { meaning, numbers });
         Offer { oscillator, ..self }
     }
 
@@ -82,15 +80,6 @@ pub struct In {
     pub meaning: &'static str,
     /// Its numbers.
     pub numbers: &'static [&'static Number],
-}
-
-/// A law in the friction oscillator, with the friction limit 1.
-#[derive(Debug, Clone, Copy)]
-pub struct InOscillator {
-    /// As in the other problems.
-    pub of: In,
-    /// The law of its numbers; `None` where one is missing.
-    pub law: fn(&GivenNumbers) -> Option<ContactLaw>,
 }
 
 /// A law of bars or structures, with what its numbers tell besides.
@@ -170,10 +159,7 @@ impl Offered {
     /// The law in a problem; `None` if it is not offered there.
     pub const fn at(&self, place: Place) -> Option<In> {
         match place {
-            Place::Oscillator => match self.offer.oscillator {
-                Some(own) => Some(own.of),
-                None => None,
-            },
+            Place::Oscillator => self.offer.oscillator,
             Place::Bars => self.offer.bars,
             Place::Structure => self.offer.structure,
         }
