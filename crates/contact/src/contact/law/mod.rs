@@ -13,4 +13,4 @@ pub use evolution::Evolution;
 pub use family::Family;
 pub use in_plane::{ElasticInPlane, InPlane};
 pub use kind::ContactKind;
-pub use line::ClippedLine;
+pub use line::{ClippedLine, GivenLaw};

@@ -70,8 +70,8 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
         }
         false => 0.0,
     };
-    let form = (own.form)(&given).ok()?;
-    Some((form.law.at_limit(LIMIT), force))
+    let law = (own.form)(&given).ok()?.given.law();
+    Some((law.at_limit(LIMIT), force))
 }
 
 /// Which law of `[F]` a case has.

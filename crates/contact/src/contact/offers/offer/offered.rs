@@ -2,7 +2,9 @@
 
 use crate::contact::number::Number;
 use crate::contact::numbers::structure;
-use crate::contact::{ClippedLine, ContactKind, ContactLaw, GivenNumbers, LawFault, WhichLaw};
+use crate::contact::{
+    ClippedLine, ContactKind, ContactLaw, GivenLaw, GivenNumbers, LawFault, WhichLaw,
+};
 
 /// A law by a name of studies: what pages and messages say of it, its numbers, and the law of these numbers.
 #[derive(Debug, Clone, Copy)]
@@ -86,10 +88,8 @@ pub struct In {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Form {
     /// The law; of friction its limit follows that of the contact.
-    pub law: ContactLaw,
-    /// The clipped line that it is.
-    pub line: Option<ClippedLine>,
-    /// The target of the coefficient of restitution of an impact; 1 without damping.
+    pub given: GivenLaw,
+    /// The target of the coefficient of restitution of an impact; 1 without damping, e of a rigid stop.
     pub restitution: f64,
     /// Of friction without compliance: the static limit over the kinetic one, >= 1.
     pub static_ratio: f64,
@@ -98,11 +98,17 @@ pub struct Form {
 impl Form {
     /// The form of a law.
     pub fn of(law: impl Into<ContactLaw>) -> Form {
-        let law = law.into();
+        Form::new(GivenLaw::Law(law.into()))
+    }
+
+    fn new(given: GivenLaw) -> Form {
+        let restitution = match given.line() {
+            Some(ClippedLine::Stop { restitution }) => restitution,
+            _ => 1.0,
+        };
         Form {
-            line: law.line(),
-            law,
-            restitution: 1.0,
+            given,
+            restitution,
             static_ratio: 1.0,
         }
     }
@@ -124,10 +130,7 @@ impl From<ContactLaw> for Form {
 
 impl From<ClippedLine> for Form {
     fn from(line: ClippedLine) -> Form {
-        Form {
-            line: Some(line),
-            ..Form::of(line.law())
-        }
+        Form::new(GivenLaw::Line(line))
     }
 }
 
