@@ -33,7 +33,8 @@ mod series;
 pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, WhichLaw};
 pub use coupled::{CoupledForces, RigidForces, Unsolved};
 pub use law::{
-    ClippedLine, ClosedForm, ContactKind, Described, Evolution, InPlane, Properties, element,
+    ClippedLine, ClosedForm, ContactKind, Described, ElasticInPlane, Evolution, Family, GivenLaw,
+    InPlane, Properties, element,
 };
 pub use laws::friction::{
     Bearing, BoucWen, Dahl, DisplacementControl, Lugre, Pendulum, Stribeck, Tanh, VelocityControl,

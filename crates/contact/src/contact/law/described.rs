@@ -1,7 +1,7 @@
 //! What the rest of the program asks of a law besides its step: everything but the list of laws stands in the file of the law.
 
 use super::element::Element;
-use super::{ClippedLine, ContactKind, Evolution, InPlane};
+use super::{ClippedLine, ContactKind, Evolution, Family, InPlane};
 use crate::contact::impact::RigidImpact;
 use crate::contact::offer::Offer;
 use crate::contact::{ContactLaw, StepFlexibility, StoredEnergy, Straight};
@@ -29,33 +29,43 @@ pub enum ClosedForm<W> {
     Driven(fn(&W, f64, f64) -> Option<f64>),
 }
 
-/// What the numbers of a contact tell. What most laws do not have, is the default; the table of all laws in `properties.txt` shows it.
+/// What the numbers of a contact tell. The default is the answer of the law's family, or what most laws do not have; the table of all
+/// laws in `properties.txt` shows it.
 pub trait Properties {
-    /// Those that tell one contact from another, each after its name.
-    fn shown(&self) -> Vec<(&'static str, f64)>;
+    /// The laws that it is like.
+    fn family(&self) -> Family {
+        Family::Alone
+    }
+
+    /// Numbers that tell one contact from another, each after its name.
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        self.family().shown()
+    }
 
     /// The largest dS/dr; of a law with delta^1.5 that at this overlap. A viscous law has none, rigid contact an infinite one.
-    fn largest_stiffness(&self, _overlap: f64) -> f64 {
-        0.0
+    fn largest_stiffness(&self, overlap: f64) -> f64 {
+        self.family().largest_stiffness(overlap)
     }
 
     /// dS/dr at rest: of an impact with this overlap, of friction with a limit at S = 0; 0 for a law that is not elastic there.
-    fn initial_stiffness(&self, _overlap: f64) -> f64 {
-        0.0
+    fn initial_stiffness(&self, overlap: f64) -> f64 {
+        self.family().initial_stiffness(overlap)
     }
 
     /// A displacement or velocity that shows the law in a figure: some widths of a friction law, the overlap of an impact law under
     /// a force of 1.
-    fn reach(&self) -> f64;
+    fn reach(&self) -> f64 {
+        self.family().reach()
+    }
 
     /// The bounds of S.
     fn bounds(&self) -> [f64; 2] {
-        [f64::NEG_INFINITY, f64::INFINITY]
+        self.family().bounds()
     }
 
     /// Whether figures draw the law over velocity: it depends on velocity alone, or its loop over velocity shows it better.
     fn over_velocity(&self) -> bool {
-        false
+        self.family().over_velocity()
     }
 
     /// Whether a step may have several roots.
@@ -70,9 +80,9 @@ pub trait Properties {
     }
 
     /// Whether Coulomb friction, or an impact without compliance, is what the law tends to: not of one that yields, or that has a
-    /// force besides.
+    /// force besides, nor of a link.
     fn has_rigid_form(&self) -> bool {
-        true
+        self.family().has_rigid_form()
     }
 
     /// Whether S has the closing speed of the first touch as a divisor.
@@ -87,13 +97,13 @@ pub trait Properties {
 
     /// Time for which two free masses touch, of 1/m = 1/m1 + 1/m2 and, where the time depends on it, the largest overlap; `None`
     /// without compliance, without this overlap, and for what is no impact.
-    fn touching_time(&self, _inverse_mass: f64, _overlap: Option<f64>) -> Option<f64> {
-        None
+    fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
+        self.family().touching_time(inverse_mass, overlap)
     }
 
     /// Whether S is not a function of the motion: it may have any value within bounds at rest.
     fn is_vertical(&self) -> bool {
-        false
+        self.family().is_vertical()
     }
 
     /// The clipped line that the law is.
@@ -103,7 +113,7 @@ pub trait Properties {
 
     /// How it acts in a plane; `None` for a law that does not slide in one.
     fn in_plane(&self) -> Option<InPlane> {
-        None
+        self.family().in_plane()
     }
 
     /// Its straight lines, if S follows r on such and its friction limit is constant.

@@ -1,9 +1,47 @@
 //! Laws that are a clipped line.
 
+use super::ContactKind;
 use crate::contact::{ContactLaw, DisplacementControl, ImpactSpring, Rigid, VelocityControl};
 
-/// A law whose S follows a line of the motion, within the bounds of an impact or of friction, with the number that it was made of: the
-/// reciprocal of a stiffness has other bits.
+/// A law as it is given: by the number of a clipped line, whose reciprocal has other bits, or by its own numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GivenLaw {
+    /// A clipped line.
+    Line(ClippedLine),
+    /// Any law.
+    Law(ContactLaw),
+}
+
+impl GivenLaw {
+    /// The law, of friction that is given as a line with the limit 0.
+    pub fn law(self) -> ContactLaw {
+        match self {
+            GivenLaw::Line(line) => line.law(),
+            GivenLaw::Law(law) => law,
+        }
+    }
+
+    /// What its contact can do.
+    pub fn kind(self) -> ContactKind {
+        match self {
+            GivenLaw::Line(ClippedLine::Spring { .. } | ClippedLine::Stop { .. }) => {
+                ContactKind::Impact
+            }
+            GivenLaw::Line(_) => ContactKind::Friction,
+            GivenLaw::Law(law) => law.kind(),
+        }
+    }
+
+    /// The clipped line that it is.
+    pub fn line(self) -> Option<ClippedLine> {
+        match self {
+            GivenLaw::Line(line) => Some(line),
+            GivenLaw::Law(law) => law.line(),
+        }
+    }
+}
+
+/// A law whose S follows a line of the motion, within the bounds of an impact or of friction, with the number that it is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ClippedLine {
     /// S = k min(r, 0) `[I (7)]`.

@@ -1,5 +1,17 @@
 //! The numbers that several laws have, in each problem. A number of one law alone may stand in the file of the law instead.
 
+/// Numbers of the oscillator, by their names in [`oscillator`].
+macro_rules! of_oscillator {
+    ($($number:ident),+) => { &[$(&oscillator::$number),+] };
+}
+
+/// Numbers of structures, by their names in [`structure`].
+macro_rules! of_structures {
+    ($($number:ident),+) => { &[$(&structure::$number),+] };
+}
+
+pub(in crate::contact) use {of_oscillator, of_structures};
+
 /// Of the friction oscillator, without dimension.
 pub mod oscillator {
     use crate::contact::number::{Number, Range, Usual};
@@ -127,7 +139,7 @@ pub mod structure {
     ];
 
     /// Of the limit, which every law of friction has.
-    pub const OF_LIMIT: [&Number; 4] = [&LIMIT, &NU, &N, &PRESSURE_EXPONENT];
+    pub(in crate::contact) const OF_LIMIT: [&Number; 4] = [&LIMIT, &NU, &N, &PRESSURE_EXPONENT];
 
     /// k
     pub const K: Number = Number::new(

@@ -19,7 +19,7 @@ impl PlaneLaw {
     pub fn bound(&self) -> f64 {
         match &self.form {
             Form::OfVelocity { .. } => f64::INFINITY,
-            Form::Elastic(own) => own.law.limit,
+            Form::Elastic(elastic) => elastic.own.law.limit,
             Form::BoucWen(law) => law.limit,
             Form::Lugre(law) => law.static_limit,
         }
@@ -30,7 +30,7 @@ impl PlaneLaw {
         match at_rest {
             Some(force) => {
                 let part = match &self.form {
-                    Form::Elastic(own) => own.rising[0],
+                    Form::Elastic(elastic) => elastic.own.rising[0],
                     _ => 1.0,
                 };
                 map(force, r, |s, r| (s - self.spring * r) / part)
@@ -43,7 +43,7 @@ impl PlaneLaw {
     pub fn rate(&self, z: Pair, rdot: Pair) -> Pair {
         match &self.form {
             Form::OfVelocity { .. } => [0.0; 2],
-            Form::Elastic(own) => rdot.map(|v| v / own.law.compliance),
+            Form::Elastic(elastic) => rdot.map(|v| v / elastic.own.law.compliance),
             Form::BoucWen(law) if law.limit <= 0.0 => [0.0; 2],
             Form::BoucWen(law) => {
                 let along = dot(z, rdot).max(0.0);
@@ -76,9 +76,9 @@ impl PlaneLaw {
                 };
                 self.follow(&trial, &PlaneMemory::default())
             }
-            Form::Elastic(own) => {
-                let z = cut(z, own.law.limit);
-                let part = coefficient(own.rising, length(rdot));
+            Form::Elastic(elastic) => {
+                let z = cut(z, elastic.own.law.limit);
+                let part = coefficient(elastic.own.rising, length(rdot));
                 map(r, z, |r, z| self.spring * r + part * z)
             }
             Form::BoucWen(law) => cut(z, law.limit),

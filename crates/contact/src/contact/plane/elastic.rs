@@ -13,19 +13,13 @@ use super::scalar::{along, running};
 use super::{PlaneMemory, PlaneStep, PlaneTrial};
 use crate::contact::laws::friction::pendulum::{coefficient, expected};
 use crate::contact::pair::{self, Pair, dot, length};
-use crate::contact::{AnyRunningLaw, DisplacementControl};
+use crate::contact::{AnyRunningLaw, ElasticInPlane};
 
 /// The law of friction with the step of its scalar form.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Elastic {
-    pub(super) law: DisplacementControl,
+    pub(super) own: ElasticInPlane,
     pub(super) step: AnyRunningLaw<1>,
-    /// Whether it has the force of its first loading from r = 0 on, as hardening has.
-    pub(super) from_zero: bool,
-    /// Stiffness of the spring beside the friction.
-    pub(super) spring: f64,
-    /// How the coefficient of friction rises with the speed.
-    pub(super) rising: [f64; 2],
 }
 
 impl Elastic {
@@ -38,20 +32,20 @@ impl Elastic {
         part: usize,
     ) -> (Pair, PlaneMemory) {
         let start = self.start(trial, memory, on);
-        let share = 1.0 / (1.0 + self.spring * on.h);
+        let share = 1.0 / (1.0 + self.own.spring * on.h);
         let [r, change] = [trial.displacement, trial.change];
-        let change = pair::map(change, r, |c, r| (c - self.spring * on.h * r) * share);
+        let change = pair::map(change, r, |c, r| (c - self.own.spring * on.h * r) * share);
         let free = PlaneTrial {
             force: start,
             change,
             ..*trial
         };
-        let direction = pair::map(start, change, |s, c| s + c / self.law.compliance);
+        let direction = pair::map(start, change, |s, c| s + c / self.own.law.compliance);
         let now = self.coefficient(trial, memory);
         let step = match now == 1.0 {
             true => self.step,
             false => {
-                let law = self.law.into();
+                let law = self.own.law.into();
                 running(&law, now * on.h * share, on)
             }
         };
@@ -59,13 +53,13 @@ impl Elastic {
         // S' = spring r' + friction with r' = r + change - h S'.
         let force = std::array::from_fn(|i| {
             let r = trial.displacement[i] + trial.change[i];
-            (self.spring * r + now * friction[i]) * share
+            (self.own.spring * r + now * friction[i]) * share
         });
         let end: Pair = std::array::from_fn(|i| {
-            start[i] + (trial.change[i] - on.h * force[i]) / self.law.compliance
+            start[i] + (trial.change[i] - on.h * force[i]) / self.own.law.compliance
         });
-        let beyond = length(end) - self.law.limit;
-        let slides = self.law.limit > 0.0 && beyond > 0.0;
+        let beyond = length(end) - self.own.law.limit;
+        let slides = self.own.law.limit > 0.0 && beyond > 0.0;
         let turn = match slides && memory.slides {
             true => turn(self.friction(trial, memory), friction, beyond),
             false => [0.0; 2],
@@ -87,7 +81,7 @@ impl Elastic {
         let speed = length(trial.velocity);
         // Without a step before, the length of it is 0.
         let before = if memory.dt > 0.0 { memory.speed } else { speed };
-        coefficient(self.rising, expected(speed, before))
+        coefficient(self.own.rising, expected(speed, before))
     }
 
     /// Friction from which the motion of a step leads to the trial force.
@@ -104,7 +98,7 @@ impl Elastic {
 
     /// Friction at the start of a step.
     fn friction(&self, trial: &PlaneTrial, memory: &PlaneMemory) -> Pair {
-        match (self.spring == 0.0, memory.begun) {
+        match (self.own.spring == 0.0, memory.begun) {
             (true, _) => trial.force,
             (false, true) => memory.friction,
             (false, false) => self.unbent(trial.displacement),
@@ -113,8 +107,8 @@ impl Elastic {
 
     /// Friction of a contact at r that nothing has moved yet.
     pub(super) fn unbent(&self, r: Pair) -> Pair {
-        match self.from_zero {
-            true => pair::cut(r.map(|r| r / self.law.compliance), self.law.limit),
+        match self.own.from_zero {
+            true => pair::cut(r.map(|r| r / self.own.law.compliance), self.own.law.limit),
             false => [0.0; 2],
         }
     }

@@ -19,7 +19,7 @@ pub use super::pair::{Pair, dot, length};
 
 use super::coupled::curved::Directions;
 use super::pair;
-use super::{AnyRunningLaw, ContactLaw, DisplacementControl, InPlane, Lugre};
+use super::{AnyRunningLaw, ContactLaw, InPlane, Lugre};
 use elastic::Elastic;
 use scalar::{along, running, scalar_slope};
 
@@ -126,24 +126,10 @@ impl PlaneLaw {
                 let step = running(law, on.h, &on);
                 (Form::OfVelocity { step, viscous }, 0.0)
             }
-            InPlane::Elastic {
-                compliance,
-                limit,
-                spring,
-                from_zero,
-                rising,
-            } => {
-                let law = DisplacementControl { compliance, limit };
-                let h = on.h / (1.0 + spring * on.h);
-                let step = running(&law.into(), h, &on);
-                let elastic = Elastic {
-                    law,
-                    step,
-                    from_zero,
-                    spring,
-                    rising,
-                };
-                (Form::Elastic(elastic), spring)
+            InPlane::Elastic(own) => {
+                let h = on.h / (1.0 + own.spring * on.h);
+                let step = running(&own.law.into(), h, &on);
+                (Form::Elastic(Elastic { own, step }), own.spring)
             }
             InPlane::BoucWen(own) => (Form::BoucWen(own), 0.0),
             InPlane::Lugre(own) => (Form::Lugre(own), 0.0),
@@ -178,7 +164,7 @@ impl PlaneLaw {
                 let force = along(*step, part, trial.rate, trial);
                 (force, *memory)
             }
-            Form::Elastic(own) => own.answer(trial, memory, on, part),
+            Form::Elastic(elastic) => elastic.answer(trial, memory, on, part),
             Form::BoucWen(law) => (bouc_wen::answer(law, on, trial), *memory),
             Form::Lugre(law) => lugre::answer(law, on, trial, memory),
         }
@@ -187,7 +173,7 @@ impl PlaneLaw {
     /// Friction of a contact at r that nothing has moved yet.
     fn unbent(&self, r: Pair) -> Pair {
         match &self.form {
-            Form::Elastic(own) => own.unbent(r),
+            Form::Elastic(elastic) => elastic.unbent(r),
             _ => [0.0; 2],
         }
     }
@@ -225,10 +211,10 @@ impl PlaneLaw {
                 (pair::unit(force), [pace * slope, pace * across])
             }
             _ if is_explicit => ([1.0, 0.0], [0.0; 2]),
-            Form::Elastic(own) => {
-                let law = &own.law;
-                let part = own.coefficient(&moved, memory);
-                let start = own.start(trial, memory, &self.on);
+            Form::Elastic(elastic) => {
+                let law = &elastic.own.law;
+                let part = elastic.coefficient(&moved, memory);
+                let start = elastic.start(trial, memory, &self.on);
                 let trial = pair::map(start, moved.change, |s, c| s + c / law.compliance);
                 let k = 1.0 / law.compliance;
                 let size = length(trial);

@@ -1,6 +1,7 @@
 //! Each law in a plane beside its scalar form, and in any direction.
 
 use super::*;
+use crate::contact::DisplacementControl;
 use crate::contact::coupled::tests::Random;
 use crate::contact::{
     Bearing, Bilinear, BoucWen, ContactResponse, Pendulum, Stribeck, Tanh, Trial, VelocityControl,

@@ -2,9 +2,9 @@
 
 use super::tables::{InitialSlip, SCHEMA, rows};
 use crate::contact::number::Number;
-use crate::contact::offer::{Place, most_numbers};
+use crate::contact::offer::{Form, Place, most_numbers};
 use crate::contact::{
-    ALL, ContactLaw, Described, DisplacementControl, GivenNumbers, LAWS, VelocityControl,
+    ALL, ContactLaw, Described, DisplacementControl, GivenNumbers, LAWS, LawFault, VelocityControl,
 };
 use crate::problem::Case;
 use std::sync::LazyLock;
@@ -15,7 +15,7 @@ const LIMIT: f64 = 1.0;
 /// A law of the oscillator.
 struct Own {
     name: &'static str,
-    law: fn(&GivenNumbers) -> Option<ContactLaw>,
+    form: fn(&GivenNumbers) -> Result<Form, LawFault>,
     numbers: &'static [&'static Number],
     /// The row of each.
     rows: Vec<usize>,
@@ -33,11 +33,11 @@ static OWN: LazyLock<Vec<Own>> = LazyLock::new(|| {
     };
     let own = LAWS.iter().filter_map(|law| {
         let offer = law.offer.oscillator?;
-        let rows = offer.of.numbers.iter().map(row);
+        let rows = offer.numbers.iter().map(row);
         Some(Own {
             name: law.offer.name,
-            law: offer.law,
-            numbers: offer.of.numbers,
+            form: law.offer.form,
+            numbers: offer.numbers,
             // All or none: a number without a row would have the value of the next one.
             rows: rows.collect::<Option<Vec<usize>>>()?,
             slips: !law.of_velocity,
@@ -54,14 +54,14 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
     let own = OWN.iter().find(is)?;
     let mut values = [None; MOST];
     for (value, row) in values.iter_mut().zip(&own.rows) {
-        *value = case.at(*row);
+        *value = Some(case.at(*row)?);
     }
     let given = GivenNumbers {
         law: own.name,
         numbers: own.numbers,
         values: &values[..own.rows.len()],
         table: &[],
-        others: &[],
+        others: &[("limit", LIMIT)],
     };
     let force = match own.slips {
         true => {
@@ -70,7 +70,8 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
         }
         false => 0.0,
     };
-    Some(((own.law)(&given)?, force))
+    let law = (own.form)(&given).ok()?.given.law();
+    Some((law.at_limit(LIMIT), force))
 }
 
 /// Which law of `[F]` a case has.

@@ -68,6 +68,6 @@ pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<Con
             ("impulses", f64::from(method.has_impulses())),
         ],
     };
-    let form = (offer.form)(&given).ok()?;
-    (form.law.kind() == ContactKind::Impact).then_some(form.law)
+    let law = (offer.form)(&given).ok()?.given.law();
+    (law.kind() == ContactKind::Impact).then_some(law)
 }

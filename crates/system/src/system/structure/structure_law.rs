@@ -3,14 +3,15 @@
 use super::{PressedBy, Signal};
 use crate::contact::offer::Form;
 use crate::contact::plane::slides_in_plane;
-use crate::contact::{ClippedLine, ContactKind, ContactLaw};
+use crate::contact::{ClippedLine, ContactKind, ContactLaw, GivenLaw};
 use std::sync::Arc;
 
 /// The law of a contact of a structure, with what the structure adds to it.
 #[derive(Debug, Clone)]
 pub struct StructureLaw {
-    law: ContactLaw,
-    line: Option<ClippedLine>,
+    given: GivenLaw,
+    /// Whether its force is found from its own answer although it is a line.
+    answers: bool,
     restitution: f64,
     limit: Option<Limit>,
     row: Option<PlaneRow>,
@@ -44,10 +45,10 @@ impl StructureLaw {
             limit.static_ratio = form.static_ratio;
         }
         StructureLaw {
-            law: form.law,
-            line: form.line,
+            given: form.given,
+            answers: false,
             restitution: form.restitution,
-            limit: limit.filter(|_| form.law.kind() == ContactKind::Friction),
+            limit: limit.filter(|_| form.given.kind() == ContactKind::Friction),
             row: None,
         }
     }
@@ -57,7 +58,7 @@ impl StructureLaw {
         let law = self.law(self.limit().map_or(0.0, |limit| limit.at(0.0)));
         slides_in_plane(&law).then(|| {
             [PlaneRow::First, PlaneRow::Second].map(|row| StructureLaw {
-                law,
+                given: GivenLaw::Law(law),
                 row: Some(row),
                 ..self.clone().from_its_answer()
             })
@@ -66,30 +67,26 @@ impl StructureLaw {
 
     /// The law without its line: its force is found from its own answer, as that of any other law.
     pub fn from_its_answer(self) -> StructureLaw {
-        StructureLaw { line: None, ..self }
+        StructureLaw {
+            answers: true,
+            ..self
+        }
     }
 
-    /// The law without compliance that it tends to, with its target of the coefficient of restitution or its limit; itself for a link,
-    /// for a law without a rigid form, and for one that is rigid.
+    /// The law without compliance that it tends to, with its target of the coefficient of restitution or its limit; itself for a law
+    /// without a rigid form, as a link.
     pub fn rigid_form(self) -> StructureLaw {
-        if self.is_rigid() {
-            return self;
-        }
-        let has_form = self.law.properties().has_rigid_form();
         let line = match self.kind() {
-            ContactKind::Impact if has_form => ClippedLine::Stop {
+            _ if !self.as_given().properties().has_rigid_form() => return self,
+            ContactKind::Impact => ClippedLine::Stop {
                 restitution: self.restitution,
             },
-            ContactKind::Friction if has_form => ClippedLine::Coulomb,
-            _ => return self,
+            ContactKind::Friction | ContactKind::Link => ClippedLine::Coulomb,
         };
-        let form = StructureLaw::new(line, self.limit);
-        match self.row {
-            Some(_) => StructureLaw {
-                row: self.row,
-                ..form.from_its_answer()
-            },
-            None => form,
+        StructureLaw {
+            given: GivenLaw::Line(line),
+            answers: self.row.is_some(),
+            ..self
         }
     }
 
@@ -100,27 +97,27 @@ impl StructureLaw {
 
     /// What the contact can do.
     pub fn kind(&self) -> ContactKind {
-        self.law.kind()
+        self.given.kind()
     }
 
     /// The clipped line that the law is over a step; `None` for a law whose force is found from its own answer.
     pub fn line(&self) -> Option<ClippedLine> {
-        self.line
+        self.given.line().filter(|_| !self.answers)
     }
 
     /// Whether the law is not a clipped line over a step.
     pub fn is_curved(&self) -> bool {
-        self.line.is_none()
+        self.line().is_none()
     }
 
     /// k of a clipped line that is a spring.
     pub fn spring(&self) -> Option<f64> {
-        self.line.and_then(ClippedLine::stiffness)
+        self.line().and_then(ClippedLine::stiffness)
     }
 
     /// Whether it is a rigid stop.
     pub fn is_stop(&self) -> bool {
-        matches!(self.line, Some(ClippedLine::Stop { .. }))
+        matches!(self.line(), Some(ClippedLine::Stop { .. }))
     }
 
     /// The friction limit; `None` for an impact and a link.
@@ -135,28 +132,27 @@ impl StructureLaw {
 
     /// Whether the law has no compliance: its force does not follow from its motion.
     pub fn is_rigid(&self) -> bool {
-        match self.line.or(self.law.line().filter(|_| self.row.is_some())) {
-            Some(line) => line.is_rigid(),
-            None => false,
-        }
+        // In a plane, too, where its answer is its own.
+        (!self.answers || self.row.is_some())
+            && self.given.line().is_some_and(ClippedLine::is_rigid)
     }
 
     /// Static limit over the kinetic one; 1 where both are the same, or where the law itself has both.
     pub fn static_ratio(&self) -> f64 {
-        match (self.line, &self.limit) {
+        match (self.line(), &self.limit) {
             (Some(ClippedLine::Coulomb), Some(limit)) => limit.static_ratio,
             _ => 1.0,
         }
     }
 
-    /// The law as it was given, of friction with the limit at rest.
-    pub fn as_given(&self) -> &ContactLaw {
-        &self.law
+    /// The law as it was given, of friction with the limit at rest, or 0 of one that was given as a line.
+    pub fn as_given(&self) -> ContactLaw {
+        self.given.law()
     }
 
     /// The law while the friction limit is this; only friction has one.
     pub fn law(&self, limit: f64) -> ContactLaw {
-        self.law.at_limit(limit)
+        self.as_given().at_limit(limit)
     }
 }
 

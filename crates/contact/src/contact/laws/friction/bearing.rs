@@ -21,7 +21,7 @@ pub struct Bearing {
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
     /// `nu_max |N| <N>`, >= 0; may change from step to step.
-    pub limit: Lane<L>,
+    limit: Lane<L>,
     ratio: Lane<L>,
     rate: Lane<L>,
     /// Flexibilities for S(i) and S(i+1).
@@ -58,32 +58,16 @@ impl Described for Bearing {
 }
 
 impl Properties for Bearing {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("c =", 1.0 / self.compliance)]
+    fn family(&self) -> Family {
+        Family::Viscous(self.compliance, self.limit)
     }
 
     fn reach(&self) -> f64 {
         4.0 * (self.compliance * self.limit + 1.0 / self.rate)
     }
 
-    fn bounds(&self) -> [f64; 2] {
-        [-self.limit, self.limit]
-    }
-
-    fn over_velocity(&self) -> bool {
-        true
-    }
-
     fn corner(&self, rdot: f64) -> f64 {
         self.sliding(rdot.abs()) - rdot.abs() / self.compliance
-    }
-
-    fn is_vertical(&self) -> bool {
-        self.compliance == 0.0
-    }
-
-    fn in_plane(&self) -> Option<InPlane> {
-        Some(InPlane::OfVelocity { viscous: None })
     }
 }
 

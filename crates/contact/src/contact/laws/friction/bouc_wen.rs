@@ -31,55 +31,30 @@ pub struct BoucWen {
 
 /// The model over a step.
 #[derive(Debug, Clone, Copy)]
-pub struct Step<const L: usize> {
-    /// `nu |N| <N>`, >= 0; may change from step to step.
-    pub limit: Lane<L>,
-    stiffness: Lane<L>,
-    exponent: Lane<L>,
-    /// Flexibilities for S(i) and S(i+1).
-    h: [Lane<L>; 2],
-    /// Whether n = 1 or 2 in some lanes, and in all.
-    closed: [bool; 2],
-}
+pub struct Step<const L: usize>(Hysteresis<L>);
 
-impl Hysteresis for BoucWen {
-    fn compliance(&self) -> f64 {
-        self.compliance
-    }
-
-    fn limit(&self) -> f64 {
-        self.limit
+impl StoredEnergy for BoucWen {
+    fn stored_energy(&self, _: f64, s: f64) -> f64 {
+        0.5 * self.compliance * s * s
     }
 }
 
 impl Described for BoucWen {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "bouc-wen";
-    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-        Ok(Form::of(BoucWen {
-            compliance: 1.0 / given.stiffness()?,
-            limit: given.limit(),
-            exponent: given.need("exponent")?,
-        }))
-    })
-    .in_oscillator(
-        "hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
-        &[&oscillator::ALPHA, &oscillator::EXPONENT],
+    const OFFERS: &'static [Offer] = &[hysteresis::offer(
+        Self::NAME,
         |given| {
-            let [compliance, exponent] = given.all()?;
-            Some(
-                BoucWen {
-                    compliance,
-                    limit: 1.0,
-                    exponent,
-                }
-                .into(),
-            )
+            Ok(Form::of(BoucWen {
+                compliance: given.compliance()?,
+                limit: given.limit(),
+                exponent: given.need("exponent")?,
+            }))
         },
-    )
-    .in_structures(
-        "friction, hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
-        &[&structure::K, &structure::R_E, &structure::EXPONENT],
+        [
+            "hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
+            "friction, hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
+        ],
     )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let u = velocity * time / (law.compliance * law.limit);
@@ -92,24 +67,12 @@ impl Described for BoucWen {
 }
 
 impl Properties for BoucWen {
+    fn family(&self) -> Family {
+        Family::Elastic(self.compliance, self.limit)
+    }
+
     fn shown(&self) -> Vec<(&'static str, f64)> {
         vec![("k =", 1.0 / self.compliance), ("exponent", self.exponent)]
-    }
-
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        1.0 / self.compliance
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        hysteresis::initial_stiffness(self)
-    }
-
-    fn reach(&self) -> f64 {
-        hysteresis::reach(self)
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        [-self.limit, self.limit]
     }
 
     fn unbent_force(&self, _: f64) -> Option<f64> {
@@ -134,14 +97,8 @@ impl Law for BoucWen {
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
-        let closed = |law: &BoucWen| law.exponent == 1.0 || law.exponent == 2.0;
-        Step {
-            limit: lanes(laws, |law| law.limit),
-            stiffness: lanes(laws, |law| 1.0 / law.compliance),
-            exponent: lanes(laws, |law| law.exponent),
-            h: [on.start.h, on.end.h],
-            closed: [laws.iter().any(closed), laws.iter().all(closed)],
-        }
+        let numbers = |law: &Self| [law.compliance, law.limit, law.exponent];
+        Step(Hysteresis::new(laws, numbers, |n| n == 1.0 || n == 2.0, on))
     }
 }
 
@@ -175,18 +132,18 @@ impl<const L: usize> StepLaw<L> for Step<L> {
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
         let zero = Lane::splat(0.0);
-        let motion = Motion::new(trial, self.limit, self.stiffness, self.h);
-        let Motion { along: z, w, .. } = motion;
+        let Step(own) = self;
+        let motion = own.motion(trial);
         // u + c (z(u) - z(0)) = w, elastic up to z = 0.
-        let c = self.stiffness * self.h[1];
+        let Motion { along: z, w, c, .. } = motion;
         let below = (-z).larger(zero);
         let elastic = w.zip(c, |w, c| w / (1.0 + c)).smaller(below);
         let z = z.larger(zero);
         let w = w.zip(c, |w, _| w) - below - c * below;
         let w = w.larger(zero);
         let mut grown = zero;
-        if self.closed[0] {
-            let one = self.exponent.map(|n| if n == 1.0 { 1.0 } else { 2.0 });
+        if own.closed[0] {
+            let one = own.exponent.map(|n| if n == 1.0 { 1.0 } else { 2.0 });
             let far = z.map(|z| 1.0 - z);
             // For n = 2: tanh is a quotient in exp(-2 u).
             let d = z.zip(one, |z, one| {
@@ -199,9 +156,9 @@ impl<const L: usize> StepLaw<L> for Step<L> {
             let m = saturation::root(one * c * far, d, one * w);
             grown = far * m.zip(d, |m, d| m / (1.0 + d - d * m));
         }
-        if !self.closed[1] {
+        if !own.closed[1] {
             for l in 0..L {
-                let n = self.exponent.0[l];
+                let n = own.exponent.0[l];
                 if n != 1.0 && n != 2.0 {
                     grown.0[l] = midpoint(n, z.0[l], c.0[l], w.0[l]);
                 }

@@ -27,55 +27,30 @@ pub struct Dahl {
 
 /// The model over a step.
 #[derive(Debug, Clone, Copy)]
-pub struct Step<const L: usize> {
-    /// `nu |N| <N>`, >= 0; may change from step to step.
-    pub limit: Lane<L>,
-    stiffness: Lane<L>,
-    exponent: Lane<L>,
-    /// Flexibilities for S(i) and S(i+1).
-    h: [Lane<L>; 2],
-    /// Whether n = 1 in some lanes, and in all.
-    exponential: [bool; 2],
-}
+pub struct Step<const L: usize>(Hysteresis<L>);
 
-impl Hysteresis for Dahl {
-    fn compliance(&self) -> f64 {
-        self.compliance
-    }
-
-    fn limit(&self) -> f64 {
-        self.limit
+impl StoredEnergy for Dahl {
+    fn stored_energy(&self, _: f64, s: f64) -> f64 {
+        0.5 * self.compliance * s * s
     }
 }
 
 impl Described for Dahl {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "dahl";
-    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-        Ok(Form::of(Dahl {
-            compliance: 1.0 / given.stiffness()?,
-            limit: given.limit(),
-            exponent: given.need("exponent")?,
-        }))
-    })
-    .in_oscillator(
-        "hysteretic, its stiffness falls towards the friction limit (Dahl 1968)",
-        &[&oscillator::ALPHA, &oscillator::EXPONENT],
+    const OFFERS: &'static [Offer] = &[hysteresis::offer(
+        Self::NAME,
         |given| {
-            let [compliance, exponent] = given.all()?;
-            Some(
-                Dahl {
-                    compliance,
-                    limit: 1.0,
-                    exponent,
-                }
-                .into(),
-            )
+            Ok(Form::of(Dahl {
+                compliance: given.compliance()?,
+                limit: given.limit(),
+                exponent: given.need("exponent")?,
+            }))
         },
-    )
-    .in_structures(
-        "friction, hysteretic, its stiffness falls towards the limit (Dahl 1968)",
-        &[&structure::K, &structure::R_E, &structure::EXPONENT],
+        [
+            "hysteretic, its stiffness falls towards the friction limit (Dahl 1968)",
+            "friction, hysteretic, its stiffness falls towards the limit (Dahl 1968)",
+        ],
     )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let z = velocity * time / (law.compliance * law.limit);
@@ -89,6 +64,10 @@ impl Described for Dahl {
 }
 
 impl Properties for Dahl {
+    fn family(&self) -> Family {
+        Family::Elastic(self.compliance, self.limit)
+    }
+
     fn shown(&self) -> Vec<(&'static str, f64)> {
         vec![("k =", 1.0 / self.compliance), ("exponent", self.exponent)]
     }
@@ -96,18 +75,6 @@ impl Properties for Dahl {
     fn largest_stiffness(&self, _: f64) -> f64 {
         // Unloading from the limit.
         libm::pow(2.0, self.exponent) / self.compliance
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        hysteresis::initial_stiffness(self)
-    }
-
-    fn reach(&self) -> f64 {
-        hysteresis::reach(self)
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        [-self.limit, self.limit]
     }
 
     fn unbent_force(&self, _: f64) -> Option<f64> {
@@ -128,16 +95,8 @@ impl Law for Dahl {
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
-        Step {
-            limit: lanes(laws, |law| law.limit),
-            stiffness: lanes(laws, |law| 1.0 / law.compliance),
-            exponent: lanes(laws, |law| law.exponent),
-            h: [on.start.h, on.end.h],
-            exponential: [
-                laws.iter().any(|law| law.exponent == 1.0),
-                laws.iter().all(|law| law.exponent == 1.0),
-            ],
-        }
+        let numbers = |law: &Self| [law.compliance, law.limit, law.exponent];
+        Step(Hysteresis::new(laws, numbers, |n| n == 1.0, on))
     }
 }
 
@@ -167,19 +126,20 @@ impl<const L: usize> StepLaw<L> for Step<L> {
 
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
-        let motion = Motion::new(trial, self.limit, self.stiffness, self.h);
-        let Motion { along, w, .. } = motion;
-        let q = along.map(|along| 1.0 - along);
+        let Step(own) = self;
+        let motion = own.motion(trial);
         // z + c (q(0) - q(z)) = w
-        let c = self.stiffness * self.h[1];
+        let Motion { along, w, c, .. } = motion;
+        let q = along.map(|along| 1.0 - along);
         let mut less = Lane::splat(0.0);
-        if self.exponential[0] {
+        if own.closed[0] {
             less = q * saturation::root(c * q, less, w);
         }
-        if !self.exponential[1] {
+        if !own.closed[1] {
             for l in 0..L {
-                if self.exponent.0[l] != 1.0 {
-                    less.0[l] = power_step(self.exponent.0[l], q.0[l], c.0[l], w.0[l]);
+                let n = own.exponent.0[l];
+                if n != 1.0 {
+                    less.0[l] = power_step(n, q.0[l], c.0[l], w.0[l]);
                 }
             }
         }

@@ -1,6 +1,5 @@
 //! The displacement-control model of friction.
 
-use super::hysteresis::{self, Hysteresis};
 use crate::contact::element::{DisplacementFriction, Element};
 use crate::contact::prelude::*;
 
@@ -17,19 +16,15 @@ pub struct DisplacementControl {
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
     /// `nu |N| <N>`, >= 0; may change from step to step.
-    pub limit: Lane<L>,
+    pub(in crate::contact) limit: Lane<L>,
     /// S(i+1) of the elastic element for a unit of change and for a unit of S(i).
     by_change: Lane<L>,
     by_force: Lane<L>,
 }
 
-impl Hysteresis for DisplacementControl {
-    fn compliance(&self) -> f64 {
-        self.compliance
-    }
-
-    fn limit(&self) -> f64 {
-        self.limit
+impl StoredEnergy for DisplacementControl {
+    fn stored_energy(&self, _: f64, s: f64) -> f64 {
+        0.5 * self.compliance * s * s
     }
 }
 
@@ -37,21 +32,22 @@ impl Described for DisplacementControl {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "displacement-control";
     const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-        let stiffness = given.stiffness()?;
-        Ok(ClippedLine::Elastic { stiffness }.into())
+        let limit = given.limit();
+        Ok(match given.given("alpha") {
+            Some(compliance) => Form::of(DisplacementControl { compliance, limit }),
+            None => ClippedLine::Elastic {
+                stiffness: given.stiffness()?,
+            }
+            .into(),
+        })
     })
     .in_oscillator(
         "elastic up to the displacement r^E, then sliding at the friction limit [F (9)]",
         &[&oscillator::ALPHA],
-        |given| {
-            let [compliance] = given.all()?;
-            let limit = 1.0;
-            Some(DisplacementControl { compliance, limit }.into())
-        },
     )
     .in_structures(
         "friction, elastic up to the displacement r^E, then sliding at the limit [F (9)]",
-        &[&structure::K, &structure::R_E],
+        of_structures![K, R_E],
     )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         Some((velocity * time / law.compliance).min(law.limit))
@@ -59,24 +55,8 @@ impl Described for DisplacementControl {
 }
 
 impl Properties for DisplacementControl {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("k =", 1.0 / self.compliance)]
-    }
-
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        1.0 / self.compliance
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        hysteresis::initial_stiffness(self)
-    }
-
-    fn reach(&self) -> f64 {
-        hysteresis::reach(self)
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        [-self.limit, self.limit]
+    fn family(&self) -> Family {
+        Family::Elastic(self.compliance, self.limit)
     }
 
     fn evolution(&self) -> Option<&dyn Evolution> {
@@ -96,13 +76,7 @@ impl Properties for DisplacementControl {
     }
 
     fn in_plane(&self) -> Option<InPlane> {
-        Some(InPlane::Elastic {
-            compliance: self.compliance,
-            limit: self.limit,
-            spring: 0.0,
-            from_zero: false,
-            rising: [1.0, 0.0],
-        })
+        Some(InPlane::Elastic((*self).into()))
     }
 }
 

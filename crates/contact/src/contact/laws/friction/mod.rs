@@ -20,3 +20,11 @@ pub use pendulum::Pendulum;
 pub use stribeck::Stribeck;
 pub use tanh::Tanh;
 pub use velocity_control::VelocityControl;
+
+/// The static limit of a law with another kinetic one, to which it stays in proportion.
+fn in_proportion(static_limit: f64, kinetic: f64, limit: f64) -> f64 {
+    match kinetic > 0.0 {
+        true => static_limit / kinetic * limit,
+        false => limit,
+    }
+}

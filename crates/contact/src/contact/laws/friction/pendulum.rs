@@ -1,5 +1,6 @@
 //! The friction pendulum.
 
+use super::DisplacementControl;
 use crate::contact::laws::yielding::band::Band;
 use crate::contact::prelude::*;
 use crate::contact::saturation::rise;
@@ -147,22 +148,17 @@ impl Properties for Pendulum {
         }
     }
 
-    fn has_rigid_form(&self) -> bool {
-        false
-    }
-
     fn evolution(&self) -> Option<&dyn Evolution> {
         Some(self)
     }
 
     fn in_plane(&self) -> Option<InPlane> {
-        Some(InPlane::Elastic {
-            compliance: self.compliance,
-            limit: self.limit,
+        let [compliance, limit] = [self.compliance, self.limit];
+        Some(InPlane::Elastic(ElasticInPlane {
             spring: self.stiffness(),
-            from_zero: false,
             rising: self.rising,
-        })
+            ..DisplacementControl { compliance, limit }.into()
+        }))
     }
 
     fn straight(&self) -> Option<Straight> {

@@ -1,5 +1,6 @@
 //! Friction that falls from a static to a kinetic limit with velocity.
 
+use super::in_proportion;
 use crate::contact::prelude::*;
 use crate::contact::saturation::rise;
 
@@ -70,7 +71,7 @@ impl Described for Stribeck {
         let stribeck_velocity = given.need("stribeck_velocity")?;
         Ok(Form::of(Stribeck {
             // rdot^E is that of the static limit.
-            compliance: 1.0 / given.viscosity(static_limit)?,
+            compliance: given.fluidity(static_limit)?,
             limit,
             static_limit,
             stribeck_velocity,
@@ -78,41 +79,23 @@ impl Described for Stribeck {
     })
         .in_oscillator(
             "velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises",
-            &[&oscillator::BETA, &oscillator::STATIC_RATIO, &oscillator::STRIBECK_VELOCITY],
-            |given| {
-                let [width, static_limit, stribeck_velocity] = given.all()?;
-                Some(Stribeck {
-                    // rdot^E is that of the static limit.
-                    compliance: width / static_limit,
-                    limit: 1.0,
-                    static_limit,
-                    stribeck_velocity,
-                }.into())
-            },
+            of_oscillator![BETA, STATIC_RATIO, STRIBECK_VELOCITY],
         )
         .in_structures(
             "friction, viscous up to the static limit, which falls to the kinetic one with rdot (Stribeck 1902)",
-            &[&structure::C, &structure::RDOT_E, &structure::STATIC_RATIO, &structure::STRIBECK_VELOCITY],
+            of_structures![C, RDOT_E, STATIC_RATIO, STRIBECK_VELOCITY],
         )];
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)));
 }
 
 impl Properties for Stribeck {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("c =", 1.0 / self.compliance)]
+    fn family(&self) -> Family {
+        Family::Viscous(self.compliance, self.static_limit)
     }
 
     fn reach(&self) -> f64 {
         2.0 * self.compliance * self.static_limit + 3.0 * self.stribeck_velocity
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        [-self.static_limit, self.static_limit]
-    }
-
-    fn over_velocity(&self) -> bool {
-        true
     }
 
     fn falls(&self) -> bool {
@@ -126,28 +109,15 @@ impl Properties for Stribeck {
     fn corner(&self, rdot: f64) -> f64 {
         rdot.abs() - self.compliance * self.static_limit
     }
-
-    fn is_vertical(&self) -> bool {
-        self.compliance == 0.0
-    }
-
-    fn in_plane(&self) -> Option<InPlane> {
-        Some(InPlane::OfVelocity { viscous: None })
-    }
 }
 
 impl Law for Stribeck {
     type Step<const L: usize> = Step<L>;
 
     fn at_limit(self, limit: f64) -> Self {
-        // The static limit stays in proportion.
-        let static_limit = match self.limit > 0.0 {
-            true => self.static_limit / self.limit * limit,
-            false => limit,
-        };
         Stribeck {
             limit,
-            static_limit,
+            static_limit: in_proportion(self.static_limit, self.limit, limit),
             ..self
         }
     }

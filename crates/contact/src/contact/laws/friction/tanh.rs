@@ -24,7 +24,7 @@ pub struct Tanh {
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
     /// `nu_max |N| <N>`, >= 0; may change from step to step.
-    pub limit: Lane<L>,
+    limit: Lane<L>,
     compliance: Lane<L>,
     ratio: Lane<L>,
     rate: Lane<L>,
@@ -58,7 +58,7 @@ impl Described for Tanh {
         let limit = given.limit();
         let [ratio, rate] = given.bearing()?;
         Ok(Form::of(Tanh {
-            compliance: 1.0 / given.viscosity(limit)?,
+            compliance: given.fluidity(limit)?,
             limit,
             ratio,
             rate,
@@ -66,60 +66,19 @@ impl Described for Tanh {
     })
     .in_oscillator(
         "nu N tanh(rdot/rdot^E), without corners (Andersson, Soderberg and Bjorklund 2007)",
-        &[
-            &oscillator::BETA,
-            &oscillator::NU_RATIO,
-            &oscillator::NU_RATE,
-        ],
-        |given| {
-            let [compliance, ratio, rate] = given.all()?;
-            Some(
-                Tanh {
-                    compliance,
-                    limit: 1.0,
-                    ratio,
-                    rate,
-                }
-                .into(),
-            )
-        },
+        of_oscillator![BETA, NU_RATIO, NU_RATE],
     )
     .in_structures(
         "friction, limit times tanh(rdot/rdot^E)",
-        &[
-            &structure::C,
-            &structure::RDOT_E,
-            &structure::NU_MIN,
-            &structure::NU_RATE,
-        ],
+        of_structures![C, RDOT_E, NU_MIN, NU_RATE],
     )];
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)[0]));
 }
 
 impl Properties for Tanh {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("c =", 1.0 / self.compliance)]
-    }
-
-    fn reach(&self) -> f64 {
-        4.0 * self.compliance * self.limit
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        [-self.limit, self.limit]
-    }
-
-    fn over_velocity(&self) -> bool {
-        true
-    }
-
-    fn is_vertical(&self) -> bool {
-        self.compliance == 0.0
-    }
-
-    fn in_plane(&self) -> Option<InPlane> {
-        Some(InPlane::OfVelocity { viscous: None })
+    fn family(&self) -> Family {
+        Family::Viscous(self.compliance, self.limit)
     }
 }
 

@@ -22,7 +22,7 @@ impl VelocityControl {
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
     /// `nu |N| <N>`, >= 0; may change from step to step.
-    pub limit: Lane<L>,
+    limit: Lane<L>,
     /// S(i+1) of the viscous element for a unit of rdot, and for a unit of -S(i).
     by_rate: Lane<L>,
     by_force: Lane<L>,
@@ -36,46 +36,39 @@ impl Described for VelocityControl {
     const OF_VELOCITY: bool = true;
     const OFFERS: &'static [Offer] = &[
         Offer::new(Self::NAME, |given| {
-            let viscosity = given.viscosity(given.limit())?;
-            let [ratio, rate] = given.bearing()?;
-            if ratio == 1.0 {
-                return Ok(ClippedLine::Viscous { viscosity }.into());
-            }
-            let law = with_ratio(1.0 / viscosity, given.limit(), [ratio, rate]);
-            Ok(Form::of(law))
+            let limit = given.limit();
+            let compliance = given.fluidity(limit)?;
+            Ok(match (given.bearing()?, given.given("beta")) {
+                ([ratio, rate], _) if ratio != 1.0 => Form::of(Bearing {
+                    compliance,
+                    limit,
+                    ratio,
+                    rate,
+                }),
+                (_, Some(_)) => Form::of(VelocityControl { compliance, limit }),
+                (_, None) => {
+                    let viscosity = given.viscosity(limit)?;
+                    ClippedLine::Viscous { viscosity }.into()
+                }
+            })
         })
         .in_oscillator(
             "viscous up to the velocity rdot^E, then at the friction limit [F (16)]",
-            &[
-                &oscillator::BETA,
-                &oscillator::NU_RATIO,
-                &oscillator::NU_RATE,
-            ],
-            |given| {
-                let [compliance, ratio, rate] = given.all()?;
-                Some(with_ratio(compliance, 1.0, [ratio, rate]))
-            },
+            of_oscillator![BETA, NU_RATIO, NU_RATE],
         )
         .in_structures(
             "friction, viscous up to the velocity rdot^E, then at the limit [F (16)]",
-            &[
-                &structure::C,
-                &structure::RDOT_E,
-                &structure::NU_MIN,
-                &structure::NU_RATE,
-            ],
+            of_structures![C, RDOT_E, NU_MIN, NU_RATE],
         ),
         Offer::new(VelocityControl::RIGID_NAME, |given| {
-            let static_ratio = given.need("static_ratio")?;
             Ok(Form {
-                static_ratio,
+                static_ratio: given.given("static_ratio").unwrap_or(1.0),
                 ..ClippedLine::Coulomb.into()
             })
         })
         .in_oscillator(
             "without compliance: sticks below the friction limit, slides at it",
             &[],
-            |_| Some(with_ratio(0.0, 1.0, [1.0, 0.0])),
         )
         .in_structures(
             "friction without compliance: sticks below the static limit, slides at the limit",
@@ -87,8 +80,8 @@ impl Described for VelocityControl {
 }
 
 impl Properties for VelocityControl {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("c =", 1.0 / self.compliance)]
+    fn family(&self) -> Family {
+        Family::Viscous(self.compliance, self.limit)
     }
 
     fn reach(&self) -> f64 {
@@ -98,22 +91,10 @@ impl Properties for VelocityControl {
         }
     }
 
-    fn bounds(&self) -> [f64; 2] {
-        [-self.limit, self.limit]
-    }
-
-    fn over_velocity(&self) -> bool {
-        true
-    }
-
     /// In the papers the normal force of a closed contact is negative.
     fn element(&self, _: f64, _: f64) -> Option<Box<dyn Element>> {
         let element = VelocityFriction::new(1.0 / self.compliance, self.limit, -1.0);
         Some(Box::new(element))
-    }
-
-    fn is_vertical(&self) -> bool {
-        self.compliance == 0.0
     }
 
     fn line(&self) -> Option<ClippedLine> {
@@ -159,20 +140,6 @@ impl Law for VelocityControl {
             [1.1 * reach, limit],
         ];
         (points, vec![2, 3])
-    }
-}
-
-/// The law with nu_min/nu and the rate of the coefficient: that of a bearing if they matter.
-fn with_ratio(compliance: f64, limit: f64, [ratio, rate]: [f64; 2]) -> ContactLaw {
-    match ratio == 1.0 {
-        true => VelocityControl { compliance, limit }.into(),
-        false => Bearing {
-            compliance,
-            limit,
-            ratio,
-            rate,
-        }
-        .into(),
     }
 }
 

@@ -4,7 +4,6 @@ use super::loop_of;
 use super::yielding::Yielding;
 use crate::contact::laws::yielding::one_sided::{self, HARDENING, OneSided};
 use crate::contact::prelude::*;
-use std::f64::consts::PI;
 
 /// A stop behind a gap that yields: F = -S over the overlap d = -r is elastic with k up to Fy, then hardens with eta k, and unloads with
 /// k. A shear key, a column of soil; OpenSees has it as `ElasticPPGap`, with the same numbers.
@@ -88,16 +87,12 @@ impl Described for GapYield {
 }
 
 impl Properties for GapYield {
+    fn family(&self) -> Family {
+        Family::Yielding(self.stiffness)
+    }
+
     fn shown(&self) -> Vec<(&'static str, f64)> {
         vec![("k =", self.stiffness), ("Fy =", self.yield_force)]
-    }
-
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        self.stiffness
-    }
-
-    fn initial_stiffness(&self, overlap: f64) -> f64 {
-        if overlap > 0.0 { self.stiffness } else { 0.0 }
     }
 
     fn reach(&self) -> f64 {
@@ -106,15 +101,6 @@ impl Properties for GapYield {
 
     fn bounds(&self) -> [f64; 2] {
         [-self.spring().most(), 0.0]
-    }
-
-    /// That of the spring; with yielding it is longer.
-    fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
-        Some(PI / (self.stiffness * inverse_mass).sqrt())
-    }
-
-    fn has_rigid_form(&self) -> bool {
-        false
     }
 
     fn straight(&self) -> Option<Straight> {

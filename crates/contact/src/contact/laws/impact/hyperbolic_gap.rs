@@ -2,10 +2,10 @@
 
 use super::hertz::POINTS;
 use super::rigid_impact::integral;
-use super::{PUSHES, RigidImpact, loop_of, resisting};
+use super::{RigidImpact, loop_of, resisting};
 use crate::contact::prelude::*;
 use libm::{log1p, sqrt};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 /// Backfill behind an abutment: F = -S over the overlap d = -r follows a hyperbola of the passive pressure (Duncan and Mokwa 2001),
 /// and unloads and reloads with k_u:
@@ -169,12 +169,12 @@ impl Described for HyperbolicGap {
 }
 
 impl Properties for HyperbolicGap {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("k =", self.stiffness), ("Fult =", self.ultimate)]
+    fn family(&self) -> Family {
+        Family::Yielding(self.unloading)
     }
 
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        self.unloading
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("k =", self.stiffness), ("Fult =", self.ultimate)]
     }
 
     fn initial_stiffness(&self, overlap: f64) -> f64 {
@@ -189,19 +189,6 @@ impl Properties for HyperbolicGap {
 
     fn reach(&self) -> f64 {
         2.0 * self.ultimate / self.stiffness
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        PUSHES
-    }
-
-    /// That of the steepest spring; along the hyperbola it is longer.
-    fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
-        Some(PI / (self.unloading * inverse_mass).sqrt())
-    }
-
-    fn has_rigid_form(&self) -> bool {
-        false
     }
 }
 

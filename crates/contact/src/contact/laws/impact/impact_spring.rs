@@ -1,9 +1,8 @@
 //! The impact spring.
 
-use super::{PUSHES, RigidImpact, stop};
+use super::{RigidImpact, stop};
 use crate::contact::element::{Element, ImpactElement};
 use crate::contact::prelude::*;
-use std::f64::consts::PI;
 
 /// Impact spring `[I (7), (8)]`, `S = k_I <r> r`: it pushes while r < 0 and never pulls (the paper does not print the last r).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +52,7 @@ impl Described for ImpactSpring {
         })
         .in_structures(
             "closes when r reaches 0; a spring k [I (7)], or rigid with restitution e",
-            &[&structure::K, &structure::E],
+            of_structures![K, E],
         ),
         Offer::new(Self::NAME, |given| {
             let stiffness = given.need("k")?;
@@ -69,28 +68,8 @@ impl Described for ImpactSpring {
 }
 
 impl Properties for ImpactSpring {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("k =", self.stiffness)]
-    }
-
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        self.stiffness
-    }
-
-    fn initial_stiffness(&self, overlap: f64) -> f64 {
-        if overlap > 0.0 { self.stiffness } else { 0.0 }
-    }
-
-    fn reach(&self) -> f64 {
-        1.0 / self.stiffness
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        PUSHES
-    }
-
-    fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
-        Some(PI / (self.stiffness * inverse_mass).sqrt())
+    fn family(&self) -> Family {
+        Family::Spring(self.stiffness)
     }
 
     fn element(&self, _: f64, _: f64) -> Option<Box<dyn Element>> {

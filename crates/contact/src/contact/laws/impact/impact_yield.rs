@@ -1,10 +1,9 @@
 //! The bilinear law of impact with yielding.
 
 use super::yielding::Yielding;
-use super::{PUSHES, loop_of, resisting};
+use super::{loop_of, resisting};
 use crate::contact::laws::yielding::band::{self, Band};
 use crate::contact::prelude::*;
-use std::f64::consts::PI;
 
 /// Bilinear law of impact that yields (Muthukumar and DesRoches 2006): F = -S over the overlap d = -r rises with k1 up to the overlap
 /// delta_y, then with k2 < k1. It unloads with k1 by the width delta_y, then along k2 d, and ends at d = 0.
@@ -104,33 +103,16 @@ impl Described for ImpactYield {
 }
 
 impl Properties for ImpactYield {
+    fn family(&self) -> Family {
+        Family::Yielding(self.stiffness)
+    }
+
     fn shown(&self) -> Vec<(&'static str, f64)> {
         vec![("k1 =", self.stiffness), ("k2 =", self.hardening)]
     }
 
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        self.stiffness
-    }
-
-    fn initial_stiffness(&self, overlap: f64) -> f64 {
-        if overlap > 0.0 { self.stiffness } else { 0.0 }
-    }
-
     fn reach(&self) -> f64 {
         10.0 * self.yield_overlap
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        PUSHES
-    }
-
-    /// That of the spring k1; with yielding it is longer.
-    fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
-        Some(PI / (self.stiffness * inverse_mass).sqrt())
-    }
-
-    fn has_rigid_form(&self) -> bool {
-        false
     }
 
     /// S = -F falls to the line where F yields.

@@ -2,7 +2,7 @@
 
 use super::collision::Linear;
 use super::hertz::POINTS;
-use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
+use super::{Free, RigidImpact, loop_of, resisting};
 use crate::contact::ImpactSpring;
 use crate::contact::prelude::*;
 use libm::{log, sqrt};
@@ -75,11 +75,7 @@ impl Described for KelvinVoigt {
     )
     .in_structures(
         "impact with the spring k and a dashpot that do not pull (Anagnostopoulos 1988)",
-        &[
-            &structure::K,
-            &structure::RESTITUTION,
-            &structure::COLLIDING_MASS,
-        ],
+        of_structures![K, RESTITUTION, COLLIDING_MASS],
     )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
         RigidImpact::linear(law.stiffness, law.ratio(mass), mass, speed)
@@ -87,24 +83,12 @@ impl Described for KelvinVoigt {
 }
 
 impl Properties for KelvinVoigt {
+    fn family(&self) -> Family {
+        Family::Spring(self.stiffness)
+    }
+
     fn shown(&self) -> Vec<(&'static str, f64)> {
         vec![("k =", self.stiffness), ("c =", self.damping)]
-    }
-
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        self.stiffness
-    }
-
-    fn initial_stiffness(&self, overlap: f64) -> f64 {
-        if overlap > 0.0 { self.stiffness } else { 0.0 }
-    }
-
-    fn reach(&self) -> f64 {
-        1.0 / self.stiffness
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        PUSHES
     }
 
     /// With xi = c/(2 m omega), omega = sqrt(k/m): delta is e^(-xi omega t) sin(omega_d t), omega_d = omega sqrt(1 - xi^2), and

@@ -86,12 +86,12 @@ impl Properties for Rigid {
         f64::INFINITY
     }
 
-    fn reach(&self) -> f64 {
-        1.0
-    }
-
     fn bounds(&self) -> [f64; 2] {
         PUSHES
+    }
+
+    fn has_rigid_form(&self) -> bool {
+        true
     }
 
     fn is_vertical(&self) -> bool {

@@ -1,5 +1,6 @@
 //! A yielding part with kinematic hardening.
 
+use crate::contact::DisplacementControl;
 use crate::contact::laws::yielding::band::{self, Band};
 use crate::contact::prelude::*;
 
@@ -87,16 +88,12 @@ impl Described for Bilinear {
 }
 
 impl Properties for Bilinear {
+    fn family(&self) -> Family {
+        Family::Link(self.stiffness)
+    }
+
     fn shown(&self) -> Vec<(&'static str, f64)> {
         vec![("k1 =", self.stiffness), ("Fy =", self.yield_force)]
-    }
-
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        self.stiffness
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        self.stiffness
     }
 
     fn reach(&self) -> f64 {
@@ -120,14 +117,13 @@ impl Properties for Bilinear {
     }
 
     fn in_plane(&self) -> Option<InPlane> {
-        let Band { bounds, .. } = self.band();
-        Some(InPlane::Elastic {
-            compliance: 1.0 / (self.stiffness - self.hardening),
-            limit: bounds[1],
+        let [_, limit] = self.band().bounds;
+        let compliance = 1.0 / (self.stiffness - self.hardening);
+        Some(InPlane::Elastic(ElasticInPlane {
             spring: self.hardening,
             from_zero: true,
-            rising: [1.0, 0.0],
-        })
+            ..DisplacementControl { compliance, limit }.into()
+        }))
     }
 
     fn straight(&self) -> Option<Straight> {

@@ -79,20 +79,8 @@ impl Described for Own {
 }
 
 impl Properties for Own {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        Vec::new()
-    }
-
     fn largest_stiffness(&self, _: f64) -> f64 {
         self.0.largest_stiffness()
-    }
-
-    fn reach(&self) -> f64 {
-        1.0
-    }
-
-    fn has_rigid_form(&self) -> bool {
-        false
     }
 
     fn only_in_steps(&self) -> Option<&'static str> {

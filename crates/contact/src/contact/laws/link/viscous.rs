@@ -84,10 +84,6 @@ impl Properties for Viscous {
         vec![("c =", self.viscosity), ("a =", self.exponent)]
     }
 
-    fn reach(&self) -> f64 {
-        1.0
-    }
-
     fn over_velocity(&self) -> bool {
         true
     }

@@ -3,6 +3,6 @@
 mod offered;
 mod table;
 
-pub use offered::{Form, In, InOscillator, Offer, Offered, Place};
+pub use offered::{Form, In, Offer, Offered, Place};
 pub use table::{Which, most_numbers, names, number_of};
 pub(in crate::contact) use table::{collect, count};

@@ -2,7 +2,9 @@
 
 use crate::contact::number::Number;
 use crate::contact::numbers::structure;
-use crate::contact::{ClippedLine, ContactKind, ContactLaw, GivenNumbers, LawFault, WhichLaw};
+use crate::contact::{
+    ClippedLine, ContactKind, ContactLaw, GivenLaw, GivenNumbers, LawFault, WhichLaw,
+};
 
 /// A law by a name of studies: what pages and messages say of it, its numbers, and the law of these numbers.
 #[derive(Debug, Clone, Copy)]
@@ -12,18 +14,18 @@ pub struct Offer {
     /// Words of other programs for it, without capitals and hyphens.
     pub also: &'static [&'static str],
     /// In the friction oscillator; `None` if it is not offered there.
-    pub oscillator: Option<InOscillator>,
+    pub oscillator: Option<In>,
     /// Between bars.
     pub bars: Option<In>,
     /// In structures. Those of the limit of friction are not among its numbers.
     pub structure: Option<In>,
-    /// The law of its numbers between bars or in structures, or the rule that they break.
+    /// The law of its numbers in any of them, or the rule that they break.
     pub form: fn(&GivenNumbers) -> Result<Form, LawFault>,
 }
 
 impl Offer {
     /// A law that no problem offers yet.
-    pub const fn new(
+    pub(in crate::contact) const fn new(
         name: &'static str,
         form: fn(&GivenNumbers) -> Result<Form, LawFault>,
     ) -> Offer {
@@ -38,24 +40,22 @@ impl Offer {
     }
 
     /// With words of other programs.
-    pub const fn also(self, also: &'static [&'static str]) -> Offer {
+    pub(in crate::contact) const fn also(self, also: &'static [&'static str]) -> Offer {
         Offer { also, ..self }
     }
 
     /// Offered in the friction oscillator.
-    pub const fn in_oscillator(
+    pub(in crate::contact) const fn in_oscillator(
         self,
         meaning: &'static str,
         numbers: &'static [&'static Number],
-        law: fn(&GivenNumbers) -> Option<ContactLaw>,
     ) -> Offer {
-        let of = In { meaning, numbers };
-        let oscillator = Some(InOscillator { of, law });
+        let oscillator = Some(In { meaning, numbers });
         Offer { oscillator, ..self }
     }
 
     /// Offered between bars.
-    pub const fn between_bars(
+    pub(in crate::contact) const fn between_bars(
         self,
         meaning: &'static str,
         numbers: &'static [&'static Number],
@@ -65,7 +65,7 @@ impl Offer {
     }
 
     /// Offered in structures.
-    pub const fn in_structures(
+    pub(in crate::contact) const fn in_structures(
         self,
         meaning: &'static str,
         numbers: &'static [&'static Number],
@@ -84,23 +84,12 @@ pub struct In {
     pub numbers: &'static [&'static Number],
 }
 
-/// A law in the friction oscillator, with the friction limit 1.
-#[derive(Debug, Clone, Copy)]
-pub struct InOscillator {
-    /// As in the other problems.
-    pub of: In,
-    /// The law of its numbers; `None` where one is missing.
-    pub law: fn(&GivenNumbers) -> Option<ContactLaw>,
-}
-
 /// A law of bars or structures, with what its numbers tell besides.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Form {
     /// The law; of friction its limit follows that of the contact.
-    pub law: ContactLaw,
-    /// The clipped line that it is.
-    pub line: Option<ClippedLine>,
-    /// The target of the coefficient of restitution of an impact; 1 without damping.
+    pub given: GivenLaw,
+    /// The target of the coefficient of restitution of an impact; 1 without damping, e of a rigid stop.
     pub restitution: f64,
     /// Of friction without compliance: the static limit over the kinetic one, >= 1.
     pub static_ratio: f64,
@@ -109,11 +98,17 @@ pub struct Form {
 impl Form {
     /// The form of a law.
     pub fn of(law: impl Into<ContactLaw>) -> Form {
-        let law = law.into();
+        Form::new(GivenLaw::Law(law.into()))
+    }
+
+    fn new(given: GivenLaw) -> Form {
+        let restitution = match given.line() {
+            Some(ClippedLine::Stop { restitution }) => restitution,
+            _ => 1.0,
+        };
         Form {
-            line: law.line(),
-            law,
-            restitution: 1.0,
+            given,
+            restitution,
             static_ratio: 1.0,
         }
     }
@@ -135,10 +130,7 @@ impl From<ContactLaw> for Form {
 
 impl From<ClippedLine> for Form {
     fn from(line: ClippedLine) -> Form {
-        Form {
-            line: Some(line),
-            ..Form::of(line.law())
-        }
+        Form::new(GivenLaw::Line(line))
     }
 }
 
@@ -170,10 +162,7 @@ impl Offered {
     /// The law in a problem; `None` if it is not offered there.
     pub const fn at(&self, place: Place) -> Option<In> {
         match place {
-            Place::Oscillator => match self.offer.oscillator {
-                Some(own) => Some(own.of),
-                None => None,
-            },
+            Place::Oscillator => self.offer.oscillator,
             Place::Bars => self.offer.bars,
             Place::Structure => self.offer.structure,
         }

@@ -233,7 +233,7 @@ fn law(relation: &StructureLaw) -> String {
             format!("{} c = {}", own.name(), short(viscosity))
         }
         _ if relation.is_rigid() => "Coulomb friction".to_owned(),
-        _ => curved(own),
+        _ => curved(&own),
     };
     let plane = relation.row().map_or("", |_| " in a plane");
     let limit = relation.limit().map(|own| format!(", {}", limit(own)));

@@ -5,7 +5,7 @@ use crate::contact::prelude::*;
 
 impl StoredEnergy for Lugre {
     /// That of the bristles if they alone make S; with damping S does not tell z, and the energy of the bristles counts as
-    /// dissipated until they give it back ([`Lugre::bristle_energy`]).
+    /// dissipated until they give it back.
     fn stored_energy(&self, _: f64, s: f64) -> f64 {
         if self.sigma1 == 0.0 && self.sigma2 == 0.0 {
             self.bristle_energy(s)
@@ -36,34 +36,11 @@ impl Described for Lugre {
     })
         .in_oscillator(
             "bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
-            &[
-                &oscillator::SIGMA0,
-                &oscillator::SIGMA1,
-                &oscillator::SIGMA2,
-                &oscillator::STATIC_RATIO,
-                &oscillator::STRIBECK_VELOCITY,
-            ],
-            |given| {
-                let [sigma0, sigma1, sigma2, static_limit, stribeck_velocity] = given.all()?;
-                Some(Lugre {
-                    sigma0,
-                    sigma1,
-                    sigma2,
-                    limit: 1.0,
-                    static_limit,
-                    stribeck_velocity,
-                }.into())
-            },
+            of_oscillator![SIGMA0, SIGMA1, SIGMA2, STATIC_RATIO, STRIBECK_VELOCITY],
         )
         .in_structures(
             "friction, bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
-            &[
-                &structure::SIGMA0,
-                &structure::SIGMA1,
-                &structure::SIGMA2,
-                &structure::STATIC_RATIO,
-                &structure::STRIBECK_VELOCITY,
-            ],
+            of_structures![SIGMA0, SIGMA1, SIGMA2, STATIC_RATIO, STRIBECK_VELOCITY],
         )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let [g, _] = law.strength(velocity);
@@ -88,6 +65,10 @@ impl Properties for Lugre {
 
     fn reach(&self) -> f64 {
         (4.0 * self.static_limit / self.sigma0).max(1.0)
+    }
+
+    fn has_rigid_form(&self) -> bool {
+        true
     }
 
     fn over_velocity(&self) -> bool {

@@ -1,5 +1,6 @@
 //! The LuGre model of friction.
 
+use super::in_proportion;
 use crate::contact::prelude::*;
 use crate::contact::saturation::{self, rise};
 mod described;
@@ -79,7 +80,7 @@ pub struct Step<const L: usize> {
 
 impl Lugre {
     /// Energy of the bristles under their force sigma0 z.
-    pub fn bristle_energy(&self, force: f64) -> f64 {
+    pub(in crate::contact) fn bristle_energy(&self, force: f64) -> f64 {
         0.5 * force * force / self.sigma0
     }
 
@@ -116,14 +117,9 @@ impl Law for Lugre {
     type Step<const L: usize> = Step<L>;
 
     fn at_limit(self, limit: f64) -> Self {
-        // The static limit stays in proportion.
-        let static_limit = match self.limit > 0.0 {
-            true => self.static_limit / self.limit * limit,
-            false => limit,
-        };
         Lugre {
             limit,
-            static_limit,
+            static_limit: in_proportion(self.static_limit, self.limit, limit),
             ..self
         }
     }

@@ -8,7 +8,7 @@ use prelude::*;
 pub(in crate::contact) mod prelude {
     pub(in crate::contact) use super::{Step, cycle};
     pub(in crate::contact) use crate::contact::impact::{
-        ClosingSpeed, Free, Hertz, PUSHES, RigidImpact, hertz, loop_of, resisting,
+        ClosingSpeed, Free, Hertz, RigidImpact, hertz, loop_of, resisting,
     };
     pub(in crate::contact) use crate::contact::prelude::*;
 }
@@ -79,7 +79,7 @@ macro_rules! damped_hertz {
                 )
                 .in_structures(
                     $meaning,
-                    &[&structure::K_H, &structure::RESTITUTION],
+                    of_structures![K_H, RESTITUTION],
                 )];
             const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
                 RigidImpact::hertz(law.stiffness, law.damping, mass, speed)
@@ -87,24 +87,8 @@ macro_rules! damped_hertz {
         }
 
         impl Properties for $law {
-            fn shown(&self) -> Vec<(&'static str, f64)> {
-                vec![("k_h =", self.stiffness)]
-            }
-
-            fn largest_stiffness(&self, overlap: f64) -> f64 {
-                hertz::steepest(self.stiffness, overlap)
-            }
-
-            fn initial_stiffness(&self, overlap: f64) -> f64 {
-                if overlap > 0.0 { hertz::steepest(self.stiffness, overlap) } else { 0.0 }
-            }
-
-            fn reach(&self) -> f64 {
-                hertz::reach(self.stiffness)
-            }
-
-            fn bounds(&self) -> [f64; 2] {
-                PUSHES
+            fn family(&self) -> Family {
+                Family::Hertz(self.stiffness)
             }
 
             fn undamped(&self) -> Option<ContactLaw> {
@@ -114,10 +98,6 @@ macro_rules! damped_hertz {
 
             fn divides_by_closing_speed(&self) -> bool {
                 true
-            }
-
-            fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
-                hertz::touching_time(self.stiffness, inverse_mass, overlap?)
             }
         }
 
@@ -143,7 +123,7 @@ macro_rules! damped_hertz {
 pub(in crate::contact) use damped_hertz;
 
 /// A collision of two rigid masses up to the overlap `reach`.
-pub fn cycle(stiffness: f64, damping: f64, reach: f64) -> Cycle {
+pub(in crate::contact) fn cycle(stiffness: f64, damping: f64, reach: f64) -> Cycle {
     let collision = DampedHertz { damping };
     let branch = |closing: bool| {
         (0..=hertz::POINTS).map(move |i| {

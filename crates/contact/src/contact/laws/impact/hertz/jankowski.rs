@@ -4,7 +4,7 @@ use super::newton::newton;
 use super::{Hertz, POINTS, bound, conservative_force, push, stored_energy};
 use crate::contact::impact::collision::HertzDashpot;
 use crate::contact::impact::hertz;
-use crate::contact::impact::{Free, PUSHES, RigidImpact, loop_of, resisting};
+use crate::contact::impact::{Free, RigidImpact, loop_of, resisting};
 use crate::contact::prelude::*;
 use libm::sqrt;
 use std::f64::consts::PI;
@@ -70,11 +70,7 @@ impl Described for Jankowski {
     )
     .in_structures(
         "hertz with a dashpot while approaching (Jankowski 2005, 2006)",
-        &[
-            &structure::K_H,
-            &structure::RESTITUTION,
-            &structure::COLLIDING_MASS,
-        ],
+        of_structures![K_H, RESTITUTION, COLLIDING_MASS],
     )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
         RigidImpact::dashpot(law.stiffness, law.ratio(mass), mass, speed)
@@ -82,32 +78,8 @@ impl Described for Jankowski {
 }
 
 impl Properties for Jankowski {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("k_h =", self.stiffness)]
-    }
-
-    fn largest_stiffness(&self, overlap: f64) -> f64 {
-        hertz::steepest(self.stiffness, overlap)
-    }
-
-    fn initial_stiffness(&self, overlap: f64) -> f64 {
-        if overlap > 0.0 {
-            hertz::steepest(self.stiffness, overlap)
-        } else {
-            0.0
-        }
-    }
-
-    fn reach(&self) -> f64 {
-        hertz::reach(self.stiffness)
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        PUSHES
-    }
-
-    fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
-        hertz::touching_time(self.stiffness, inverse_mass, overlap?)
+    fn family(&self) -> Family {
+        Family::Hertz(self.stiffness)
     }
 
     fn undamped(&self) -> Option<ContactLaw> {

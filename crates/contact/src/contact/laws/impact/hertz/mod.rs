@@ -12,7 +12,7 @@ pub use hunt_crossley::HuntCrossley;
 pub use jankowski::Jankowski;
 pub use ye::Ye;
 
-use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
+use super::{Free, RigidImpact, loop_of, resisting};
 use crate::contact::prelude::*;
 use newton::{above_cube_root, above_fifth_root, newton};
 
@@ -156,32 +156,8 @@ impl Described for Hertz {
 }
 
 impl Properties for Hertz {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("k_h =", self.stiffness)]
-    }
-
-    fn largest_stiffness(&self, overlap: f64) -> f64 {
-        steepest(self.stiffness, overlap)
-    }
-
-    fn initial_stiffness(&self, overlap: f64) -> f64 {
-        if overlap > 0.0 {
-            steepest(self.stiffness, overlap)
-        } else {
-            0.0
-        }
-    }
-
-    fn reach(&self) -> f64 {
-        reach(self.stiffness)
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        PUSHES
-    }
-
-    fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
-        touching_time(self.stiffness, inverse_mass, overlap?)
+    fn family(&self) -> Family {
+        Family::Hertz(self.stiffness)
     }
 }
 

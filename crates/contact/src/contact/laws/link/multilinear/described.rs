@@ -29,16 +29,8 @@ impl Described for Multilinear {
 }
 
 impl Properties for Multilinear {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("k =", self.largest_stiffness(0.0))]
-    }
-
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        self.stiffness + self.yielding()
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        self.largest_stiffness(0.0)
+    fn family(&self) -> Family {
+        Family::Link(self.stiffness + self.yielding())
     }
 
     /// Twice the last bend.

@@ -61,7 +61,7 @@ pub fn of(law: &StructureLaw) -> Option<Lines> {
     let own = match law.limit() {
         Some(limit) if limit.varying.is_none() => law.law(limit.constant),
         Some(_) => return None,
-        None => *law.as_given(),
+        None => law.as_given(),
     };
     match own
         .properties()
