@@ -226,7 +226,8 @@ pub(super) const BUDGET: Rows<usize> =
     metric_of(&METRICS, "regularisation_error")..metric_of(&METRICS, "step_share") + 1;
 
 /// Row of the error of the reference, the last one.
-pub(super) const REFERENCE_ERROR: usize = metric_of(&METRICS, "reference_error");
+pub(super) const REFERENCE_ERRORS: Rows<usize> =
+    metric_of(&METRICS, "reference_error")..METRICS.len();
 
 /// Rows of what the method takes and costs, and of its amplification.
 pub(super) const LOSSES_AND_COST: Rows<usize> =

@@ -11,11 +11,12 @@ mod single_pass;
 mod snapshot;
 mod tables;
 
-use super::side_by_side::{Form, selected, sweep_cases};
+use super::preset::Between;
+use super::side_by_side::{Form, of_rows, selected, sweep_cases};
 use super::{Case, Problem, Schema, Snapshot, Solution, Violation, method};
-use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::lane::Lane;
+use crate::metrics::budget::{Norm, parts};
 use crate::metrics::convergence::FEWEST_HALVED;
 use crate::metrics::impact::{Energy, Track};
 use crate::metrics::{self, cells};
@@ -36,14 +37,6 @@ use tables::{
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
 pub struct BarImpact;
-
-impl BarImpact {
-    /// The system of a completed case, ready to be solved.
-    pub fn system(&self, case: &Case) -> Result<System, Unsolvable> {
-        let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
-        Ok(own.system())
-    }
-}
 
 impl Problem for BarImpact {
     fn schema(&self) -> &Arc<Schema> {
@@ -107,8 +100,8 @@ impl Problem for BarImpact {
         judge(&own, &run, wanted)
     }
 
-    fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
-        ImpactCase::new(case).map(|own| own.scaled.law)
+    fn system(&self, case: &Case) -> Option<System> {
+        ImpactCase::new(case).map(|own| own.system())
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
@@ -185,29 +178,27 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     let warnings = case.warnings(|metric| own[metric].0[0]);
     let wants = |rows: Range<usize>| wanted.iter().any(|row| rows.contains(row));
     let (with_parts, with_error) = (wants(BUDGET), wants(REFERENCE_ERRORS));
-    let motions = (with_parts || with_error)
-        .then(|| budget::references(&case.scaled, &computed.time, with_error))
+    let between = (with_parts || with_error)
+        .then(|| budget::between(case, &computed.time, with_error))
         .flatten();
-    let parts = motions.as_ref().filter(|_| with_parts).map(|own| {
-        let [bars, mesh] = &own.motions;
-        metrics::impact::budget(track, &sampled, bars, mesh)
-    });
-    let errors = motions.as_ref().and_then(|own| {
-        let coarse = own.coarse.as_ref()?;
-        Some(budget::reference_errors(
-            case,
-            &computed,
-            &own.motions,
-            coarse,
-        ))
-    });
-    let reference = wants(REFERENCE).then(|| metrics::impact::reference(&wave, &sampled));
+    let norm = Norm {
+        channels: 2,
+        size: 1.0,
+        sum: &|channel, value| sampled.mean(channel, |i, e| Lane([value(i, e)])).0[0],
+        count: 1.0,
+    };
+    let parts = |own: &Between| parts(&own.motions, &computed, &norm);
+    let errors = |own: &Between| own.errors(&case.preset(), &computed, &norm);
+    let reference = wants(REFERENCE).then(|| metrics::impact::reference(&wave, &sampled).to_vec());
     let metrics = cells(own)
         .into_iter()
-        .chain(parts.unwrap_or([None; BUDGET.end - BUDGET.start]))
-        .chain(reference.unwrap_or([None; REFERENCE.end - REFERENCE.start]))
+        .chain(of_rows(
+            BUDGET,
+            between.as_ref().filter(|_| with_parts).map(parts),
+        ))
+        .chain(of_rows(REFERENCE, reference))
         .chain(selected(LOSSES_AND_COST, taken(case, run), wanted))
-        .chain(errors.unwrap_or([None; REFERENCE_ERRORS.end - REFERENCE_ERRORS.start]))
+        .chain(of_rows(REFERENCE_ERRORS, between.as_ref().map(errors)))
         .collect();
     Ok(Solution {
         computed,
