@@ -49,10 +49,13 @@ pub struct Halved {
     pub resolved: bool,
 }
 
-/// The norm of the difference of an exact motion and the same at [`coarse_times`].
-pub fn difference(motion: &[f64], coarse: &[f64]) -> f64 {
+/// The norm over `size` of the difference of an exact motion and the same at [`coarse_times`].
+pub fn difference(motion: &[f64], coarse: &[f64], size: f64) -> f64 {
     let same = coarse_times(motion);
-    let differences = same.iter().zip(coarse).map(|(own, coarse)| own - coarse);
+    let differences = same
+        .iter()
+        .zip(coarse)
+        .map(|(own, coarse)| (own - coarse) / size);
     let squares: f64 = differences.map(|error| error * error).sum();
     (squares / coarse.len() as f64).sqrt()
 }

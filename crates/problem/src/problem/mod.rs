@@ -27,6 +27,7 @@ use crate::history::History;
 use crate::metrics::steps;
 use crate::solve::{MetricTable, Unsolvable, Warning};
 use crate::system::System;
+use crate::system::structure::Structure;
 use numbers::parameter::Parameter;
 use numbers::unit::Dimension;
 use std::sync::{Arc, LazyLock};
@@ -165,7 +166,12 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn system(&self, _case: &Case) -> Option<System> {
         None
     }
-    /// The law of its contact.
+    /// The structure of a completed case; of a textbook problem its modes are masses that the contact joins. `None` if it cannot be
+    /// solved, and for a textbook problem with contact nodes without mass.
+    fn structure(&self, case: &Case) -> Option<Structure> {
+        preset::structure(&self.system(case)?)
+    }
+    /// The law of the contact of a textbook problem.
     fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
         self.system(case).map(|own| own.law)
     }

@@ -3,12 +3,13 @@
 
 use crate::exact::adaptive;
 use crate::history::History;
-use crate::metrics::budget::Norm;
+use crate::metrics::budget::{Norm, parts};
 use crate::metrics::convergence::{Halved, Referred, difference, reference_errors};
 use crate::metrics::structure::peak;
 use crate::solve::{self, ContactTrack};
 use crate::system::System;
 use crate::system::structure::{Contact, Limit, Node, Preload, Structure, StructureLaw, Symmetric};
+use std::ops::Range;
 
 /// The friction limit of a textbook problem, its unit of force.
 const LIMIT: f64 = 1.0;
@@ -91,6 +92,30 @@ impl Preset {
         Some(states.into_iter().collect())
     }
 
+    /// The parts of the error of a motion in the first rows, and the errors of the references in the second ones; those without a value
+    /// that are not `wanted` or not known. `between` gives the motions, with coarse ones if their errors are wanted.
+    pub fn budget(
+        &self,
+        rows: [Range<usize>; 2],
+        wanted: &[usize],
+        (computed, norm): (&History, &Norm),
+        between: impl FnOnce(bool) -> Option<Between>,
+    ) -> [Vec<Option<f64>>; 2] {
+        let wants = |rows: &Range<usize>| wanted.iter().any(|row| rows.contains(row));
+        let [with_parts, with_errors] = rows.each_ref().map(wants);
+        let mut values = rows.map(|rows| vec![None; rows.len()]);
+        let own = (with_parts || with_errors).then(|| between(with_errors));
+        if let Some(own) = own.flatten() {
+            if with_parts {
+                values[0] = parts(&own.motions, computed, norm);
+            }
+            if !own.coarse.is_empty() {
+                values[1] = own.errors(self, computed, norm);
+            }
+        }
+        values
+    }
+
     /// The first channels with steps of dt/2^k, at the steps of dt.
     fn halved(&self, halvings: u32, channels: usize) -> Option<Vec<Vec<f64>>> {
         let every = 1_u64 << halvings;
@@ -133,18 +158,16 @@ impl Between {
         })
     }
 
-    /// The errors of the motions: against the coarse ones, and of the last one as the convergence of the `computed` motion shows it. None
-    /// of motions in closed form.
+    /// The errors of the motions: against the coarse ones, and of the last one as the convergence of the `computed` motion shows it.
     pub fn errors(&self, preset: &Preset, computed: &History, norm: &Norm) -> Vec<Option<f64>> {
         let (channels, size) = (norm.channels, norm.size);
-        if self.coarse.is_empty() {
-            return vec![None; channels];
-        }
         let over = |channel: &[f64]| -> Vec<f64> { channel.iter().map(|x| x / size).collect() };
         let referred = |channel: usize| {
             let own = |motion: &History| over(motion.channel(channel));
             let pairs = self.motions.iter().zip(&self.coarse);
-            let estimates = pairs.map(|(fine, coarse)| difference(&own(fine), &own(coarse)));
+            let estimates = pairs.map(|(fine, coarse)| {
+                difference(fine.channel(channel), coarse.channel(channel), size)
+            });
             Referred {
                 estimate: estimates.fold(0.0, f64::max),
                 exact: self.motions.last().map(own).unwrap_or_default(),

@@ -52,12 +52,3 @@ pub(super) fn selected<const N: usize>(
     let values = rows.zip(values);
     values.map(|(row, value)| value.filter(|x| x.is_finite() && wanted.contains(&row)))
 }
-
-/// The values of metrics in these rows; those that are not known without a value.
-pub(super) fn of_rows(
-    rows: Range<usize>,
-    values: Option<Vec<Option<f64>>>,
-) -> impl Iterator<Item = Option<f64>> {
-    let values = values.unwrap_or_default().into_iter();
-    values.chain(std::iter::repeat(None)).take(rows.len())
-}

@@ -6,14 +6,13 @@ mod reference;
 mod tables;
 
 use super::method::{self, step_rules};
-use super::preset::Between;
-use super::side_by_side::{Form, of_rows, selected, sweep_cases};
+use super::side_by_side::{Form, selected, sweep_cases};
 use super::{Case, Problem, Schema, Solution, Violation, time_rules};
 use crate::exact::coulomb::Coulomb;
 use crate::history::History;
 use crate::lane::Lane;
 use crate::methods::ContactWork;
-use crate::metrics::budget::{Norm, parts};
+use crate::metrics::budget::Norm;
 use crate::metrics::friction::{work_by_energy, work_by_steps};
 use crate::metrics::{self, cells};
 use crate::problem::table::cases::Cases;
@@ -125,11 +124,6 @@ impl FrictionOscillator {
         let x: Vec<_> = computed.displacement().iter().map(|x| Lane([*x])).collect();
         let own = metrics::friction::evaluate(&x, Lane([work]), &case.exact_at_steps());
         let exact = coulomb(case.x0, &computed.time);
-        let with_error = wanted.iter().any(|row| REFERENCE_ERRORS.contains(row));
-        let with_parts = wanted.iter().any(|row| BUDGET.contains(row));
-        let between = (with_parts || with_error)
-            .then(|| reference::between(case, &computed.time, with_error))
-            .flatten();
         let steps = exact.displacement().iter().enumerate();
         let norm = Norm {
             channels: 1,
@@ -137,16 +131,16 @@ impl FrictionOscillator {
             sum: &|_, value| steps.clone().map(|(i, e)| value(i, *e)).sum(),
             count: computed.len() as f64,
         };
-        let parts = |own: &Between| parts(&own.motions, &computed, &norm);
-        let errors = |own: &Between| own.errors(&case.preset(), &computed, &norm);
+        let rows = [BUDGET, REFERENCE_ERRORS];
+        let of = (&computed, &norm);
+        let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
+            reference::between(case, &computed.time, with_errors)
+        });
         let metrics = cells(own)
             .into_iter()
-            .chain(of_rows(
-                BUDGET,
-                between.as_ref().filter(|_| with_parts).map(parts),
-            ))
+            .chain(parts)
             .chain(selected(LOSSES_AND_COST, taken(case, track), wanted))
-            .chain(of_rows(REFERENCE_ERRORS, between.as_ref().map(errors)))
+            .chain(errors)
             .collect();
         Ok(Solution {
             computed,

@@ -11,12 +11,11 @@ mod single_pass;
 mod snapshot;
 mod tables;
 
-use super::preset::Between;
-use super::side_by_side::{Form, of_rows, selected, sweep_cases};
+use super::side_by_side::{Form, selected, sweep_cases};
 use super::{Case, Problem, Schema, Snapshot, Solution, Violation, method};
 use crate::history::History;
 use crate::lane::Lane;
-use crate::metrics::budget::{Norm, parts};
+use crate::metrics::budget::Norm;
 use crate::metrics::convergence::FEWEST_HALVED;
 use crate::metrics::impact::{Energy, Track};
 use crate::metrics::{self, cells};
@@ -28,7 +27,6 @@ use crate::system::System;
 use case::{ImpactCase, LANES};
 use scaled::Scaled;
 use scales::Scales;
-use std::ops::Range;
 use std::sync::Arc;
 use tables::{
     BUDGET, LOSSES_AND_COST, METHOD, MassMatrix, REFERENCE, REFERENCE_ERRORS, SCHEMA, rows,
@@ -176,29 +174,24 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     let exact = wave.history(&computed.time);
     let own = metrics::impact::evaluate(track, energy, Lane([run.restitution]), &sampled);
     let warnings = case.warnings(|metric| own[metric].0[0]);
-    let wants = |rows: Range<usize>| wanted.iter().any(|row| rows.contains(row));
-    let (with_parts, with_error) = (wants(BUDGET), wants(REFERENCE_ERRORS));
-    let between = (with_parts || with_error)
-        .then(|| budget::between(case, &computed.time, with_error))
-        .flatten();
     let norm = Norm {
         channels: 2,
         size: 1.0,
         sum: &|channel, value| sampled.mean(channel, |i, e| Lane([value(i, e)])).0[0],
         count: 1.0,
     };
-    let parts = |own: &Between| parts(&own.motions, &computed, &norm);
-    let errors = |own: &Between| own.errors(&case.preset(), &computed, &norm);
-    let reference = wants(REFERENCE).then(|| metrics::impact::reference(&wave, &sampled).to_vec());
+    let rows = [BUDGET, REFERENCE_ERRORS];
+    let of = (&computed, &norm);
+    let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
+        budget::between(case, &computed.time, with_errors)
+    });
+    let reference = metrics::impact::reference(&wave, &sampled);
     let metrics = cells(own)
         .into_iter()
-        .chain(of_rows(
-            BUDGET,
-            between.as_ref().filter(|_| with_parts).map(parts),
-        ))
-        .chain(of_rows(REFERENCE, reference))
+        .chain(parts)
+        .chain(selected(REFERENCE, reference, wanted))
         .chain(selected(LOSSES_AND_COST, taken(case, run), wanted))
-        .chain(of_rows(REFERENCE_ERRORS, between.as_ref().map(errors)))
+        .chain(errors)
         .collect();
     Ok(Solution {
         computed,

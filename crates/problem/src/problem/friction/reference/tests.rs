@@ -42,11 +42,8 @@ fn a_wrong_force_at_release_is_seen() {
             };
             let found = own.errors(&case.preset(), &computed, &norm)[0].unwrap();
             let motion = own.motions.pop().unwrap();
-            let of = |motion: &History| -> Vec<f64> {
-                let x = motion.displacement().iter();
-                x.map(|x| x / case.x0.abs()).collect()
-            };
-            let by_tolerance = difference(&of(&motion), &of(&own.coarse[0]));
+            let coarse = own.coarse[0].displacement();
+            let by_tolerance = difference(motion.displacement(), coarse, case.x0.abs());
             (motion, found, by_tolerance)
         };
         let (right, found, by_tolerance) = of(&case);

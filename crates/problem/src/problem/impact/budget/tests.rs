@@ -44,7 +44,8 @@ fn a_mesh_that_starts_at_another_gap_is_seen() {
             let found = own.errors(&case.preset(), &computed, &norm);
             let by_tolerance = [0, 1].map(|channel| {
                 let pairs = own.motions.iter().zip(&own.coarse);
-                let each = pairs.map(|(a, b)| difference(a.channel(channel), b.channel(channel)));
+                let each =
+                    pairs.map(|(a, b)| difference(a.channel(channel), b.channel(channel), 1.0));
                 each.fold(0.0, f64::max)
             });
             let mesh = own.motions[1].clone();

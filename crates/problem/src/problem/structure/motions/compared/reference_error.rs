@@ -80,7 +80,7 @@ impl Stepped<'_> {
             let own = of(exact, channel);
             let terms = channel.numbers(self.numbering);
             Referred {
-                estimate: difference(&own, &of(coarse, channel)),
+                estimate: difference(&own, &of(coarse, channel), 1.0),
                 exact: own,
                 computed: of(computed, channel),
                 size: terms.map(|term| reduce::peak(computed.of(term))).sum(),
