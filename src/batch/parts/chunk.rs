@@ -98,13 +98,7 @@ pub fn parts(study: &Study, index: u64) -> Vec<Part> {
     let len = len(study);
     let from = index * len;
     let (first, cases) = study.columns(from, (from + len).min(study.raw_len()));
-    let mut shown = cases.shown();
-    // A case that breaks a rule is not solved, and its number of steps may be meaningless.
-    let work = (0..cases.len()).map(|row| match cases.may_be_solved(row) {
-        true => study.work(shown.at(row)),
-        false => 0,
-    });
-    let ranges = split_by_work(work);
+    let ranges = split_by_work(study.costs(&cases));
     let chunk = Arc::new(cases);
     let part = |(rows, work): (Range<usize>, u64)| Part {
         start: from + rows.start as u64,

@@ -67,6 +67,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn work(&self, case: &Case) -> u64 {
         self.steps(case)
     }
+    /// Rows of the parameters that alone decide the cost of a case and of the references of its metrics; `None` if others may.
+    fn cost_rows(&self, _wanted: &[usize]) -> Option<[usize; 2]> {
+        None
+    }
     /// Cost of the references of the metrics in these rows, in the same unit.
     fn reference_work(&self, _case: &Case, _wanted: &[usize]) -> u64 {
         0

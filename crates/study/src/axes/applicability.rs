@@ -71,7 +71,7 @@ pub(super) fn check_applicability(
 fn names(draft: &BlockDraft, governor: &str, table: &[Parameter]) -> Option<Vec<&'static str>> {
     let row = table.iter().position(|p| p.name == governor)?;
     let values: Vec<Value> = match draft.get(row) {
-        Some(given) => given.values.iter().map(|(value, _)| *value).collect(),
+        Some(given) => given.values.iter().collect(),
         None => match &table[row].default {
             Default::Is(value) => vec![*value],
             Default::Required | Default::Follows(_) => return None,

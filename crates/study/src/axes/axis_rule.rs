@@ -1,11 +1,13 @@
 //! Axes given by a rule instead of a list. The ends of an axis are the given numbers to the bit.
 
+use crate::cases::axis::values::Values;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::within;
 use slipgap_problem::metrics::SLACK;
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, Value};
+use std::sync::Arc;
 
 /// The rules, each with the meaning of its three numbers.
 pub(crate) const RULES: [(&str, &str); 3] = [
@@ -43,7 +45,7 @@ pub(crate) fn values(
     path: &str,
     parameter: &Parameter,
     faults: &mut Faults,
-) -> Option<Vec<Value>> {
+) -> Option<Values> {
     let names = RULES.map(|rule| rule.0);
     let before = faults.count();
     let object = Object::open(node, path, &names, faults)?;
@@ -103,42 +105,49 @@ pub(crate) fn values(
         Rule::Range if (a + i * c - b).abs() <= SLACK * (b - a).abs() => b,
         Rule::Range => a + i * c,
     };
-    let points = (0..count as u64).map(|i| point(i as f64));
+    let points = (0..count as usize).map(|i| point(i as f64));
     to_values(points, &member.node, &path, parameter, faults)
 }
 
 /// The points as values of the parameter.
 fn to_values(
-    points: impl Iterator<Item = f64>,
+    points: impl ExactSizeIterator<Item = f64>,
     node: &Node,
     path: &str,
     parameter: &Parameter,
     faults: &mut Faults,
-) -> Option<Vec<Value>> {
+) -> Option<Values> {
+    let mut refuse = |x: f64| {
+        let allowed = match parameter.kind {
+            Kind::Number(range) => range.to_string(),
+            Kind::Whole { min, max } => format!("a whole number from {min} to {max}"),
+            Kind::Choice(_) => "a name or a list of names".into(),
+        };
+        let x = Value::Number(x);
+        faults.add(node.at, path, format!("must be {allowed}, got {x}"));
+        None
+    };
+    let (min, max) = match parameter.kind {
+        Kind::Number(range) => {
+            let numbers: Arc<[f64]> = points.collect();
+            let mut all = numbers.iter();
+            return match all.find(|x| !(x.is_finite() && range.contains(**x))) {
+                Some(x) => refuse(*x),
+                None => Some(Values::Numbers(numbers)),
+            };
+        }
+        Kind::Whole { min, max } => (min as f64, max as f64),
+        // No number is a name.
+        Kind::Choice(_) => (f64::INFINITY, 0.0),
+    };
     let mut values = Vec::new();
     for x in points {
-        let value = match parameter.kind {
-            Kind::Number(range) => (x.is_finite() && range.contains(x)).then_some(Value::Number(x)),
-            Kind::Whole { min, max } => {
-                let whole = x.round();
-                let inside = whole >= min as f64 && whole <= max as f64;
-                inside.then_some(Value::Whole(whole as u64))
-            }
-            Kind::Choice(_) => None,
-        };
-        let Some(value) = value else {
-            let allowed = match parameter.kind {
-                Kind::Number(range) => range.to_string(),
-                Kind::Whole { min, max } => format!("a whole number from {min} to {max}"),
-                Kind::Choice(_) => "a name or a list of names".into(),
-            };
-            let x = Value::Number(x);
-            faults.add(node.at, path, format!("must be {allowed}, got {x}"));
-            return None;
-        };
-        if !matches!(value, Value::Whole(_)) || values.last() != Some(&value) {
-            values.push(value);
+        let whole = x.round();
+        if !(whole >= min && whole <= max) {
+            return refuse(x);
         }
+        values.push(Value::Whole(whole as u64));
     }
-    Some(values)
+    values.dedup();
+    Some(Values::Listed(values))
 }

@@ -5,7 +5,6 @@ use crate::cases::axis::design::Design;
 use crate::cases::axis::group::{Axis, AxisGroup};
 use crate::cases::axis::values::{Sampled, Values};
 use slipgap_problem::problem::expression::Formula;
-use slipgap_problem::problem::numbers::parameter::Value;
 
 /// A parameter that a block gives, with the place of every value.
 pub(crate) struct ParameterDraft {
@@ -14,8 +13,10 @@ pub(crate) struct ParameterDraft {
     pub path: String,
     /// Offset of the value in the text.
     pub at: usize,
-    /// Values with their offsets; none if one of them is faulty.
-    pub values: Vec<(Value, usize)>,
+    /// None if one of them is faulty.
+    pub values: Values,
+    /// Their offsets, if each has one of its own.
+    pub places: Vec<usize>,
     /// Whether the value is a list.
     pub list: bool,
     /// Whether the value is a list or a rule.
@@ -83,7 +84,7 @@ impl BlockDraft {
             parameter: given.parameter,
             values: match &given.sampled {
                 Some(sampled) => Values::Sampled(sampled.clone()),
-                None => given.values.iter().map(|(value, _)| *value).collect(),
+                None => given.values.clone(),
             },
         };
         let group = |members: Vec<usize>| AxisGroup {

@@ -4,6 +4,7 @@ use super::applicability::check_applicability;
 use super::axis_rule;
 use super::draft::{BlockDraft, ParameterDraft};
 use super::interval::Interval;
+use crate::cases::axis::values::Values;
 use crate::source::faults::{Faults, in_words, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
@@ -91,7 +92,8 @@ fn axis(
         parameter,
         path,
         at: node.at,
-        values: Vec::new(),
+        values: Values::default(),
+        places: Vec::new(),
         list: matches!(node.tree, Tree::List(_)),
         axis: matches!(node.tree, Tree::List(_) | Tree::Object(_)),
         formula: None,
@@ -104,30 +106,24 @@ fn axis(
             faults.must_be(node, path, "a value or a non-empty list");
         }
         Tree::List(items) => {
-            for (i, item) in items.iter().enumerate() {
-                let path = format!("{path}[{i}]");
-                let value = value(item, &path, row, faults);
-                given.values.extend(value.map(|value| (value, item.at)));
-            }
+            let values = items.iter().enumerate();
+            let values =
+                values.filter_map(|(i, item)| value(item, &format!("{path}[{i}]"), row, faults));
+            given.values = values.collect();
+            given.places = items.iter().map(|item| item.at).collect();
         }
         Tree::Object(_) if Interval::is_interval(node) => {
             given.interval = Interval::decode(node, path, row, faults);
         }
         Tree::Object(_) => {
-            let values = axis_rule::values(node, path, row, faults)
-                .into_iter()
-                .flatten();
-            given.values.extend(values.map(|value| (value, node.at)));
+            given.values = axis_rule::values(node, path, row, faults).unwrap_or_default();
         }
         Tree::Text(text) if !matches!(row.kind, Kind::Choice(_)) => {
             match Formula::number(text, table) {
                 Ok(formula) if !formula.uses().is_empty() => {
                     given.formula = Some((formula, text.clone()));
                 }
-                Ok(_) => {
-                    let value = value(node, path, row, faults);
-                    given.values.extend(value.map(|value| (value, node.at)));
-                }
+                Ok(_) => given.values = value(node, path, row, faults).into_iter().collect(),
                 Err(fault) => {
                     let what = with_unit(text, Some(row)).unwrap_or_else(|| in_words(&fault));
                     faults.add(node.at, path, format!("{}: {what}", quoted(text)));
@@ -135,12 +131,11 @@ fn axis(
             }
         }
         Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            let value = value(node, path, row, faults);
-            given.values.extend(value.map(|value| (value, node.at)));
+            given.values = value(node, path, row, faults).into_iter().collect();
         }
     }
     if faults.count() > before {
-        given.values.clear();
+        given.values = Values::default();
     }
     given
 }

@@ -3,8 +3,10 @@
 use crate::cases::axis::design::Design;
 use crate::cases::axis::group::{Axis, AxisGroup};
 use crate::cases::formulas::derived::{Condition, Derived};
-use slipgap_problem::problem::numbers::parameter::{Default, Value};
+use crate::cases::representative::independent;
+use slipgap_problem::problem::numbers::parameter::{Default, Parameter, Value};
 use slipgap_problem::problem::{Case, Problem};
+use std::ops::Range;
 use std::sync::OnceLock;
 
 /// A block: all combinations of its groups of axes in file order, the last group fastest; the derived parameters; and the
@@ -44,6 +46,8 @@ pub(crate) enum CaseCounts {
 pub(crate) struct Shared {
     values: Vec<Option<Value>>,
     varying: Vec<usize>,
+    /// See [`Block::is_complete`].
+    complete: bool,
 }
 
 impl Block {
@@ -109,6 +113,39 @@ impl Block {
         (shared.values.clone(), changing.collect())
     }
 
+    /// Whether all combinations are cases that break no rule, and no value follows from others.
+    pub(super) fn is_complete(&self, problem: &dyn Problem) -> bool {
+        let shared = self.shared.get_or_init(|| self.shared(problem));
+        shared.as_ref().is_some_and(|shared| shared.complete)
+    }
+
+    /// The values of a parameter with an axis in these combinations, and how many have each of them one after the other.
+    pub(super) fn runs(
+        &self,
+        row: usize,
+        raws: Range<u64>,
+    ) -> impl Iterator<Item = (Value, usize)> + '_ {
+        let mut axes = self.groups.iter().zip(1..).flat_map(|(group, after)| {
+            let axes = group.axes.iter();
+            axes.map(move |axis| (axis, after))
+        });
+        let axis = axes.find(|(axis, _)| axis.parameter == row);
+        axis.into_iter().flat_map(move |(axis, after)| {
+            let lens = self.groups[after..].iter().map(AxisGroup::len);
+            let each: u64 = lens.product();
+            let (len, mut rest) = (axis.values.len(), raws.end - raws.start);
+            let mut position = (raws.start / each) as usize % len;
+            let mut left = each - raws.start % each;
+            std::iter::from_fn(move || {
+                let count = left.min(rest);
+                let value = (count > 0).then(|| axis.values.at(position))?;
+                (left, rest) = (each, rest - count);
+                position = if position + 1 == len { 0 } else { position + 1 };
+                Some((value, count as usize))
+            })
+        })
+    }
+
     /// The values that all combinations share; `None` for a block with expressions, or with an axis of names that decide
     /// which other parameters apply.
     fn shared(&self, problem: &dyn Problem) -> Option<Shared> {
@@ -127,9 +164,14 @@ impl Block {
         }
         let mut case = Case::new(problem.schema());
         self.fill(&mut case, &vec![0; self.groups.len()], 0);
+        let follows = |p: &Parameter| matches!(p.default, Default::Follows(_));
         Some(Shared {
             values: case.values,
             varying,
+            // The rules of a structure have expressions, which can have any value between the ends of an axis.
+            complete: independent(self)
+                && !problem.schema().described
+                && !table.iter().any(follows),
         })
     }
 

@@ -77,6 +77,19 @@ impl Study {
         steps.saturating_add(references)
     }
 
+    /// The cost of each of these cases; 0 of a case that breaks a rule, which may have any number of steps.
+    pub fn costs<'a>(&'a self, cases: &'a Cases) -> impl Iterator<Item = u64> + 'a {
+        let deciding = self.problem.cost_rows(&self.metrics);
+        let same = deciding.and_then(|rows| cases.common(rows.into_iter()));
+        let same = same.map(|case| self.work(&case));
+        let mut shown = cases.shown();
+        (0..cases.len()).map(move |row| match (cases.may_be_solved(row), same) {
+            (true, Some(same)) => same,
+            (true, None) => self.work(shown.at(row)),
+            (false, _) => 0,
+        })
+    }
+
     /// Rows of the parameters that are columns of tables, in the order of the problem's table.
     pub fn parameter_columns(&self) -> Vec<usize> {
         let table = self.problem.parameters().iter().enumerate();
@@ -150,6 +163,12 @@ impl Study {
             let (start, uncounted, mut next) = (raws.start, block.is_uncounted(), number);
             let (like, changing) = block.alike(&*self.problem);
             let mut alike = cases.alike(&like, &changing);
+            if block.is_complete(&*self.problem) {
+                let offset = number - *first.get_or_insert(number);
+                let count = (raws.end - raws.start) as usize;
+                alike.extend(offset, count, |row| block.runs(row, raws.clone()));
+                continue;
+            }
             for raw in raws {
                 let met = block.put_and_test(&*self.problem, raw, &mut case);
                 if !met.unwrap_or(uncounted) {

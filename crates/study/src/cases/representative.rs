@@ -6,7 +6,6 @@ use crate::Study;
 use crate::cases::axis::group::{Axis, AxisGroup};
 use crate::cases::axis::values::Values;
 use slipgap_problem::problem::Case;
-use slipgap_problem::problem::numbers::parameter::Value;
 
 /// Larger blocks are tested only at the ends of their axes.
 pub(crate) const MOST_TESTED: u64 = 1_000_000;
@@ -48,7 +47,7 @@ pub(crate) fn all_positions(block: &Block) -> Vec<Vec<usize>> {
 /// and that some case breaks is broken there.
 pub(crate) fn ends(block: &Block) -> Vec<Vec<usize>> {
     let of_axis = |axis: &Axis| -> Vec<usize> {
-        let numbers: Vec<f64> = axis.values.iter().filter_map(Value::as_f64).collect();
+        let numbers = axis.values.numbers();
         if numbers.len() < axis.values.len() {
             return first_of_each(&axis.values);
         }
@@ -68,8 +67,10 @@ pub(crate) fn ends(block: &Block) -> Vec<Vec<usize>> {
 
 fn first_of_each(values: &Values) -> Vec<usize> {
     let names = distinct(values.iter());
-    let first = |value: &Value| values.iter().position(|v| v == *value);
-    names.iter().filter_map(first).collect()
+    names
+        .iter()
+        .filter_map(|name| values.iter().position(|value| value == *name))
+        .collect()
 }
 
 /// The block with only some positions of each group. Tables of formulas are dropped unless all positions remain.

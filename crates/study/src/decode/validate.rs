@@ -113,7 +113,7 @@ fn place(
         true => format!("{}[{position}]", given.path),
         false => given.path.clone(),
     };
-    let at = given.values.get(position).map_or(given.at, |value| value.1);
+    let at = given.places.get(position).copied().unwrap_or(given.at);
     (at, path)
 }
 

@@ -110,7 +110,7 @@ impl Ranges<'_> {
 
     fn of_parameter(&self, row: usize, depth: usize) -> Option<[f64; 2]> {
         let given = self.draft.get(row)?;
-        let values = given.values.iter().filter_map(|(value, _)| value.as_f64());
+        let values = given.values.iter().filter_map(Value::as_f64);
         let values = values.map(|x| [x, x]);
         let interval = given.interval.map(|own| own.ends());
         let formula = given.formula.as_ref();

@@ -43,14 +43,16 @@ impl Problem for FrictionOscillator {
         OscillatorCase::new(case).map_or(rules, |own| step_rules("dT", &own.system(), 0.0))
     }
 
+    fn cost_rows(&self, wanted: &[usize]) -> Option<[usize; 2]> {
+        (!needs_reference(wanted)).then_some([rows::DT, rows::DURATION])
+    }
+
     fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
-        let needs = |row: &usize| BUDGET.contains(row) || REFERENCE_ERRORS.contains(row);
-        let budget = wanted.iter().any(needs);
         let in_closed_form = || {
             let law = OscillatorCase::new(case).map(|own| own.law);
             law.is_none_or(|law| reference::in_closed_form(&law))
         };
-        match budget {
+        match needs_reference(wanted) {
             // Measured: 0.4 us for the motion with a law of the papers at a step.
             true if in_closed_form() => self.steps(case).saturating_mul(200),
             // The evaluations of 12 stages, and a third of that for the error.
@@ -149,6 +151,12 @@ impl FrictionOscillator {
             warnings: Warnings::NONE,
         })
     }
+}
+
+/// Whether one of these metrics needs the motion with the law of the case.
+fn needs_reference(wanted: &[usize]) -> bool {
+    let needs = |row: &usize| BUDGET.contains(row) || REFERENCE_ERRORS.contains(row);
+    wanted.iter().any(needs)
 }
 
 /// Numerical dissipation over the energy at t = 0, the cost, and the amplification of the method.

@@ -36,22 +36,22 @@ impl Cases {
         for (column, value) in self.columns.iter_mut().zip(&case.values) {
             column.push(self.len, *value, 1);
         }
-        self.count(offset, refused);
+        self.count(offset, 1, refused);
     }
 
-    /// Counts a case whose values are in the columns or will be.
-    fn count(&mut self, offset: u64, refused: Option<String>) {
+    /// Counts consecutive cases whose values are in the columns or will be, and why the first of them cannot be solved, if so.
+    fn count(&mut self, offset: u64, count: usize, refused: Option<String>) {
         let row = self.len as u64;
         if offset != row && self.offsets.is_none() {
             self.offsets = Some((0..row).collect());
         }
         if let Some(offsets) = &mut self.offsets {
-            offsets.push(offset);
+            offsets.extend(offset..offset + count as u64);
         }
         if let Some(why) = refused {
             self.refused.insert(self.len, why);
         }
-        self.len += 1;
+        self.len += count;
     }
 
     /// To add cases that differ only in the rows `changing` of the table; the others have the values of `like`.
@@ -103,7 +103,7 @@ impl Cases {
         }
         for row in rows {
             let offset = self.offset(row) - self.offset(start);
-            some.count(offset, self.refused.get(&row).cloned());
+            some.count(offset, 1, self.refused.get(&row).cloned());
         }
         some
     }
@@ -119,9 +119,7 @@ impl Cases {
             .len
             .checked_sub(1)
             .map_or(0, |last| self.offset(last) + 1);
-        for place in 0..rows.len() as u64 {
-            self.count(next + place, None);
-        }
+        self.count(next, rows.len(), None);
     }
 
     /// Number of cases.
@@ -191,7 +189,26 @@ impl Alike<'_> {
         for row in self.changing {
             self.cases.columns[*row].push(len, case.values[*row], 1);
         }
-        self.cases.count(offset, refused);
+        self.cases.count(offset, 1, refused);
+    }
+
+    /// Adds consecutive cases, the number of the first of which is `offset` above that of the first of all. `runs` gives the values of a
+    /// row, and how many cases have each.
+    pub fn extend<R: Iterator<Item = (Value, usize)>>(
+        &mut self,
+        offset: u64,
+        count: usize,
+        runs: impl Fn(usize) -> R,
+    ) {
+        for row in self.changing {
+            let mut len = self.cases.len;
+            let column = &mut self.cases.columns[*row];
+            runs(*row).for_each(|(value, count)| {
+                column.push(len, Some(value), count);
+                len += count;
+            });
+        }
+        self.cases.count(offset, count, None);
     }
 }
 

@@ -1,13 +1,17 @@
-//! The values of an axis: a list, or points of a design, each computed when it is needed.
+//! The values of an axis: a list, numbers of a rule, or points of a design, each computed when it is needed.
 
 use super::design::Coordinates;
 use slipgap_problem::problem::numbers::parameter::Value;
+use std::borrow::Cow;
+use std::sync::Arc;
 
 /// The values of an axis.
 #[derive(Debug, Clone)]
 pub enum Values {
     /// As the study gives them.
     Listed(Vec<Value>),
+    /// Numbers that a rule gives, often very many.
+    Numbers(Arc<[f64]>),
     /// As a design samples them.
     Sampled(Sampled),
 }
@@ -54,6 +58,7 @@ impl Values {
     pub fn len(&self) -> usize {
         match self {
             Values::Listed(values) => values.len(),
+            Values::Numbers(numbers) => numbers.len(),
             Values::Sampled(sampled) => sampled.points as usize,
         }
     }
@@ -67,6 +72,7 @@ impl Values {
     pub fn at(&self, position: usize) -> Value {
         match self {
             Values::Listed(values) => values[position],
+            Values::Numbers(numbers) => Value::Number(numbers[position]),
             Values::Sampled(sampled) => {
                 let u = sampled.coordinates.at(position as u64);
                 sampled.distribution.at(u)
@@ -74,9 +80,23 @@ impl Values {
         }
     }
 
+    /// The values that are numbers, in order.
+    pub(crate) fn numbers(&self) -> Cow<'_, [f64]> {
+        match self {
+            Values::Numbers(numbers) => Cow::Borrowed(numbers),
+            others => others.iter().filter_map(Value::as_f64).collect(),
+        }
+    }
+
     /// All values in order.
     pub fn iter(&self) -> impl Iterator<Item = Value> + '_ {
         (0..self.len()).map(|position| self.at(position))
+    }
+}
+
+impl Default for Values {
+    fn default() -> Values {
+        Values::Listed(Vec::new())
     }
 }
 
