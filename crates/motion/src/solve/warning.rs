@@ -45,28 +45,28 @@ macro_rules! warnings {
 warnings! {
     ShortContact "short-contact"
         "have an impact that touches for fewer than 6 steps at the stiffness it reaches: too few for its force, take a smaller dt"
-        "Two free masses of the nodes of an impact that touches would touch for fewer than 6 steps, with delta^1.5 at the stiffness of the largest overlap; of bars `contact_steps` is shorter.",
+        "Two free masses of the nodes of an impact would touch for fewer than 6 steps, with delta^1.5 at the stiffness of the largest overlap; of bars `contact_steps` is shorter.",
     ContactGain "contact-gain"
         "have a contact whose work is negative by more than 1 % of the largest energy: it makes energy, and peaks may be far too high; take a smaller dt"
-        "Up to some step, the work of a contact and what it stored at t = 0 are negative by more than 1 % of the largest energy.",
+        "The work of a contact and what it stored at t = 0 fall below -1 % of the largest energy.",
     BarGain "bar-gain"
         "have bars that gain more than 1 % of their energy; take a smaller dt or a softer contact"
         "`energy_drift_max` or `energy_drift_final` of the bars is above 1 %.",
     AlternatingForce "alternating-force"
         "have metrics of the force of a friction contact that alternates from step to step; displacements and work are good, these metrics are not"
-        "A metric uses the force of a friction contact that resists velocity, and over 6 steps its change alternates by more than 1 % of its peak.",
+        "A metric uses the force of a friction contact whose change over 6 steps alternates by more than 1 % of its peak.",
     UnheldPart "unheld-part"
         "have a part that nothing holds (a rigid-body mode): without contact and load it moves on freely"
-        "Neither springs nor contacts that are elastic at t = 0 nor friction connect a part with the ground; without loads, one with a start velocity or an impact may move freely.",
+        "No spring, elastic contact or friction connects a part with the ground; without loads, one with a start velocity or an impact may be free.",
     RecordPeak "record-peak"
         "have a record with a peak above 2 g or below 1e-4 g: look at its unit and its scale"
-        "With `units`, a ground acceleration times its scale, which is not 0, has a peak above 2 g or below 1e-4 g.",
+        "With `units`, a ground acceleration times its scale has a peak above 2 g or below 1e-4 g.",
     DeepOverlap "deep-overlap"
         "have an impact that overlaps by more than its gap: it is soft, look at the units of k and of the masses"
-        "With `units`, the largest overlap of an impact that does not yield is larger than its gap > 0 and than half of what r rises above the gap.",
+        "With `units`, the largest overlap of an impact that does not yield is above its gap > 0 and half of what r rises above the gap.",
     SpringMass "spring-mass"
         "have a spring whose `mass` is not that of its nodes"
-        "`mass` of a spring with a period is 1 % or more below the mass of its node (of two, m1 m2/(m1 + m2)), or above that of all nodes that springs and bars connect with it; rows of matrices are left out.",
+        "`mass` of a spring is 1 % or more below that of its node (of two, m1 m2/(m1 + m2)), or above that of all nodes connected with it.",
     DampingRatio "damping-ratio"
         "have a damping ratio above 1: 0.05 is 5 %"
         "`ratio` of a spring or `modal_damping` is above 1.",
@@ -75,34 +75,34 @@ warnings! {
         "`nu` of a contact is above 2.",
     CollidingMass "colliding-mass"
         "have an impact whose `colliding_mass` is far from m1 m2/(m1 + m2): its restitution is another one"
-        "`colliding_mass` is below half of m1 m2/(m1 + m2) of the nodes of the contact, or above twice that of all that springs and bars connect with them; rows of matrices are left out.",
+        "`colliding_mass` is below half of m1 m2/(m1 + m2) of its nodes, or above twice that of all connected with them.",
     MatrixPeriods "matrix-periods"
         "have matrices whose longest period is below 0.05 s or above 10 s: M and K may be exchanged, or not be in `units`"
-        "With `units`, the longest natural period of a structure with matrices, without contacts, is below 0.05 s or above 10 s.",
+        "With `units`, the longest period of a structure with matrices, without contacts, is below 0.05 s or above 10 s.",
     IdleGravity "idle-gravity"
         "have `gravity` in a direction in which no node moves"
         "`gravity` other than 0 has a direction that no mass, bar or row of matrices has.",
     FrictionDirections "friction-directions"
         "have two friction contacts of different directions between the same bodies, whose limit is a square: give one contact with \"plane\", whose limit is a disc"
-        "Two friction contacts act in different directions between the same masses, nodes of matrices or supports, or between the ground and two equal masses: together they resist up to 1.41 times the limit.",
+        "Two friction contacts in different directions between the same nodes, or the ground and two equal masses, resist up to 1.41 times the limit.",
     WaveSpeed "wave-speed"
         "have a bar with a wave speed below 500 m/s or above 8000 m/s: look at the units of EA, mass and length"
-        "With `units`, sqrt(EA L/mass) of a bar is below 500 m/s or, with several elements, above 8000 m/s; steel has 5000 m/s, concrete 3500 m/s.",
+        "With `units`, sqrt(EA L/mass) of a bar is below 500 m/s or, with several elements, above 8000 m/s.",
     MotionCut "motion-cut"
         "have a recorded or scaled motion of which less than 95 % is computed: the rest lies after `duration` or between steps"
-        "The accelerations at the steps up to `duration` have less than 95 % of the peak, the Arias intensity or the target spectrum of a recorded motion, or of the target of another motion; or the file of a support has a larger displacement than the steps.",
+        "The steps up to `duration` have less than 95 % of the peak, Arias intensity or target spectrum of a record, or of the target of another motion; or the file of a support has a larger displacement.",
     EndsInContact "ends-in-contact"
         "end while the bars touch; `contact_duration` and `contact_steps` are undefined: take a longer `duration`"
         "The bars of bar-impact touch at the last step.",
     Restitution "restitution"
         "have an impact whose law gives a restitution that is not its target"
-        "A note: two rigid bodies of `colliding_mass`, or of the masses of the nodes, part with a restitution that differs from `restitution` by more than 0.05.",
+        "A note: two rigid bodies with the masses of the contact part with a restitution that differs from `restitution` by more than 0.05.",
     NeverSlides "never-slides"
         "have friction that never slides: look at the units of N or of the limit"
-        "The force of a friction contact is below 95 % of its limit (of nu_min N, if it has nu_min) at every step, in every case of the study.",
+        "In every case the force of a friction contact is below 95 % of its limit (of nu_min N, if it has nu_min) at every step.",
     NoContact "no-contact"
         "have no contact before `duration`; their contact metrics are undefined or 0"
-        "No impact touches before `duration`, in every case of the study: a gap that stays open in some cases is a result.",
+        "In no case an impact touches before `duration`.",
     CheckNotMet "check-not-met"
         "do not meet a check; `slipgap check` lists all checks"
         "A check of the study is not met.",

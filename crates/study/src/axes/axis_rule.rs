@@ -17,10 +17,7 @@ pub(crate) const RULES: [(&str, &str); 3] = [
         "geomspace",
         "[a, b, n]: n numbers from a to b, with the same ratio between neighbours",
     ),
-    (
-        "range",
-        "[a, b, step]: a, a + step, ... up to b; b is included if it is a whole number of steps from a",
-    ),
+    ("range", "[a, b, step]: a, a + step, ... up to b"),
 ];
 
 /// A rule, in the order of [`RULES`].

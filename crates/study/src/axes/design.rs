@@ -19,7 +19,7 @@ pub(crate) const KEYS: [(&str, &str); 3] = [
     ),
     (
         "seed",
-        "a whole number that selects the sequence of random numbers; if left out, 0",
+        "a whole number, which selects the random numbers; default 0",
     ),
 ];
 
@@ -32,7 +32,7 @@ pub(crate) const KINDS: [(&str, &str); 3] = [
     ("sobol", "the Sobol' sequence, shifted at random"),
     (
         "saltelli",
-        "n (k + 2) points from which Sobol' indices of every metric are estimated",
+        "n (k + 2) points, for Sobol' indices of every metric",
     ),
 ];
 

@@ -15,12 +15,12 @@ use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, short
 pub(crate) const KEYS: [(&str, &str); 3] = [
     (
         MINIMISE,
-        "the metric that the best values make smallest, such as \"rms_error(deck.u, measured)\"; arithmetic, too",
+        "the metric to make smallest, such as \"rms_error(deck.u, measured)\"; arithmetic, too",
     ),
-    ("seed", "seed of the search; 1 if left out"),
+    ("seed", "seed of the search; default 1"),
     (
         "cases",
-        "cases for each alternative, of which the search takes three quarters and profiles the rest; 20000 if left out",
+        "cases for each alternative, three quarters of them for the search; default 20000",
     ),
 ];
 

@@ -15,11 +15,11 @@ use slipgap_problem::problem::numbers::parameter::Range;
 pub(crate) const KEYS: [(&str, &str); 2] = [
     (
         "over",
-        "the parameters to choose, such as [\"law\", \"dt\", \"n\"]; cases that differ only in these, and in what changes with them, are candidates for the same physical case",
+        "the parameters to choose, such as [\"law\", \"dt\", \"n\"]; cases that differ only in these, and in what changes with them, are one physical case",
     ),
     (
         WITHIN,
-        "the metrics to keep, each with its tolerance, as in {\"peak(gap.S)\": 0.02}: an error such as rms_error(a) is at most this, any other metric differs by at most this part from that of the exact or finest motion",
+        "the metrics to keep, each with its tolerance, as in {\"peak(gap.S)\": 0.02}: the largest error, or the largest relative difference from the exact or finest motion",
     ),
 ];
 

@@ -91,18 +91,9 @@ pub(crate) fn blocks(
 
 /// The keys of a block in addition to `parameters`, each with its meaning.
 pub(crate) const BLOCK_KEYS: [(&str, &str); 3] = [
-    (
-        "zip",
-        "groups of axes that advance together: one case for each position, not for each combination",
-    ),
-    (
-        "when",
-        "a condition, as in \"dt <= 0.5/n\"; only combinations that meet it become cases; names are written in single quotes",
-    ),
-    (
-        "design",
-        "points that fill the ranges of all parameters given as uniform or loguniform",
-    ),
+    ("zip", "groups of axes that advance together"),
+    ("when", "a condition that cases meet, as in \"dt <= 0.5/n\""),
+    ("design", "points that fill the ranges of parameters"),
 ];
 
 /// The draft of a block: the parameters at `node` and the other keys of `object`.

@@ -24,7 +24,7 @@ pub(crate) const KEYS: [(&str, &str); 17] = [
     ),
     (
         "metrics",
-        "metrics in addition to the default ones, each a column of results.csv: a name, arithmetic such as \"max(a3 - a2)/h\", a ratio such as \"peak(gap.S) relative to gamma = 1\", or an object that names one, such as {\"drift\": \"max(a3 - a2)/h\"}",
+        "metrics in addition to the default ones: names, arithmetic, ratios such as \"peak(gap.S) relative to gamma = 1\", or objects that name one, such as {\"drift\": \"max(a3 - a2)/h\"}",
     ),
     reduction::decode::KEY,
     (
@@ -42,11 +42,11 @@ pub(crate) const KEYS: [(&str, &str); 17] = [
     ),
     (
         "calibrate",
-        "free parameters with their ranges and the metric to minimise, for `slipgap calibrate`",
+        "ranges of free parameters and the metric to minimise, for `slipgap calibrate`",
     ),
     (
         "recommend",
-        "the parameters to choose and the metrics to keep within tolerances, for `slipgap recommend`",
+        "choices and the metrics that they must keep, for `slipgap recommend`",
     ),
     ("figures", "figures to draw"),
     ("checks", "limits that `slipgap check` tests"),

@@ -11,7 +11,7 @@ use slipgap_problem::problem::Problem;
 pub(crate) const KEYS: [(&str, &str); 3] = [
     (
         "length",
-        "name of the unit of length, as in mm: 1 to 16 letters, digits and µ, first a letter or µ",
+        "name of the unit of length, as in mm: 1 to 16 letters, digits and µ",
     ),
     ("force", "name of the unit of force, as in kN"),
     ("time", "name of the unit of time, as in ms"),

@@ -52,7 +52,7 @@ pub(super) fn problem_page(problem: &dyn Problem) -> String {
     let schema = problem.schema();
     let mut text = format!(
         "# Study files: {name}\n\n`\"problem\": \"{name}\"`: {}. \
-         [study-files.md](study-files.md) has the keys of all problems and the parameters of the method, [scope.md](scope.md) symbols, \
+         [study-files.md](study-files.md) has the keys of all problems and methods, [scope.md](scope.md) symbols, \
          [laws-and-methods.md](laws-and-methods.md) the laws.\n\n## Parameters\n\n",
         schema.meaning
     );

@@ -7,7 +7,7 @@ use slipgap_problem::problem::structure::channels::channel::{
 };
 use slipgap_problem::problem::structure::metrics::reduction::{REDUCTIONS, of_measured};
 use slipgap_problem::problem::structure::parts::contacts::NAMES;
-use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
+use slipgap_problem::problem::structure::tables::schema::{FIXED, NAME};
 
 /// Name of the page.
 pub(super) const PAGE: &str = NAME;
@@ -22,13 +22,13 @@ pub(super) fn reference() -> String {
     };
     let sections = [
         format!(
-            "# Study files: {NAME}\n\nKeys, channels and metrics of a study with `\"problem\": \"{NAME}\"`: {MEANING}. \
+            "# Study files: {NAME}\n\nKeys, channels and metrics of a study with `\"problem\": \"{NAME}\"`. \
              [study-files.md](study-files.md) has the keys of all problems, [structures.md](structures.md) the equations, \
              [laws-and-methods.md](laws-and-methods.md) the laws, [parts.md](parts.md) examples."
         ),
         keys(
             "Parameters have free names, except these two and those of the method. Every number in `structure` may be an \
-             expression of parameters; `law`, `record` and the files of `matrices` may be the name of one with names as values.",
+             expression of parameters; `law`, `record` and the files of `matrices` may be the name of one.",
             &FIXED,
         ),
         keys("## The keys of `structure`", keys::STRUCTURE),
@@ -48,7 +48,7 @@ pub(super) fn reference() -> String {
             ],
         ),
         "## Contacts".into(),
-        format!("The laws are {}.", code(&laws)),
+        format!("The laws are {} (below: imk is both).", code(&laws)),
         keys("A contact has:", &keys::CONTACT),
         objects(
             "`N` may be one of:",
@@ -80,12 +80,11 @@ pub(super) fn reference() -> String {
             ],
         ),
         keys(
-            "Files as an axis, under `record`, `file` of `measured`, or a parameter that chooses one of these; those with the same text for `*` \
-             go together:",
+            "Files as an axis, under `record`, `file`, or a parameter that chooses one; those with the same text for `*` go together:",
             keys::FILES,
         ),
         keys(
-            "A support has the keys of a function of time, its acceleration in x, or `x`, `y` and `z`, each with them, and:",
+            "A support has the keys of a function of time (its acceleration in x), or `x`, `y` and `z` with these, and:",
             keys::SUPPORT,
         ),
         objects(
@@ -94,7 +93,7 @@ pub(super) fn reference() -> String {
         ),
         "## Measurements".into(),
         keys(
-            "The key `measured` of the study, beside `structure` ([calibrate.md](calibrate.md)):",
+            "The key `measured` of the study ([calibrate.md](calibrate.md)):",
             keys::MEASURED,
         ),
         objects(
@@ -103,8 +102,8 @@ pub(super) fn reference() -> String {
         ),
         "## Channels".into(),
         keys(
-            "Channels are the following, and sums and differences of one dimension, such as `g1.right - p2`. Figures draw them and \
-             `error(CHANNEL)`, computed minus exact. `NODE.` and one of these; a support has u, v and a:",
+            "Sums and differences of one dimension, such as `g1.right - p2`, are channels, too. Figures draw them and \
+             `error(CHANNEL)`, computed minus exact. `NODE.` and one of these (a support has u, v and a):",
             &OF_NODES,
         ),
         keys("`CONTACT.` and one of:", &QUANTITIES),
@@ -114,21 +113,18 @@ pub(super) fn reference() -> String {
             &[OF_GROUND, OF_BASE].concat(),
         ),
         keys(
-            "Energies of the whole structure, of the motion relative to the ground or to the motion of supports; the exact motion has \
-             none:",
+            "Energies, of the motion relative to the ground or to the motion of supports; the exact motion has none:",
             &OF_ENERGY,
         ),
         "## Metrics".into(),
         keys(
-            "`metrics` lists reductions of a channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`, and measures of \
-             the ground, with several directions as `ground.y.pga`. c is computed, e exact (`contacts_reference`), g the exact motion of \
-             the softened laws.",
+            "Of a channel or a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`, and of the ground, with several directions as \
+             `ground.y.pga`. c is computed, e exact (`contacts_reference`), g the exact motion of the softened laws.",
             &REDUCTIONS,
         ),
         keys(
-            "`NAME(CHANNEL, measured)` compares with a column of `measured`, `loop_distance(CHANNEL, CHANNEL, measured)` with two, at the \
-             measured times, straight between the steps. These of the reductions above may have `measured`; m is measured, W the energy \
-             of a cycle:",
+            "`NAME(CHANNEL, measured)` compares with a column m of `measured` at the measured times, straight between the steps, \
+             `loop_distance(CHANNEL, CHANNEL, measured)` with two. So do these; W is the energy of a cycle:",
             &of_measured(),
         ),
     ];

@@ -126,7 +126,7 @@ pub(crate) static COMMON: [Key; 6] = [
         "width",
         Takes::Width,
         false,
-        "width in mm, 70 to 400, such as 90 for a column and 190 for a page; letters keep their size",
+        "width in mm, 70 to 400; letters keep their size",
     ),
     key(
         "where",
@@ -144,7 +144,7 @@ pub(super) const X: Key = key(
     "parameter along the horizontal axis",
 );
 pub(super) const METRICS: Key = key("y", Takes::Metrics, true, "metrics, one panel each");
-pub(super) const BY_OTHERS: Key = key(
+pub(super) const BY: Key = key(
     "by",
     Takes::Parameter,
     false,
@@ -155,18 +155,6 @@ pub(super) const IN_UNITS: Key = key(
     Takes::InUnits,
     false,
     "true: axes in the units of the study",
-);
-pub(super) const BY: Key = key(
-    "by",
-    Takes::Parameter,
-    false,
-    "parameter with one line style for each value; if left out, all that vary",
-);
-pub(super) const BY_OUTSIDE: Key = key(
-    "by",
-    Takes::Parameter,
-    false,
-    "parameter with one line style for each value; if left out, all outside of the ensemble that vary",
 );
 pub(super) const PANELS: Key = key(
     "panels",
@@ -196,13 +184,13 @@ pub(super) const Y_RANGE: Key = key(
     "y_range",
     Takes::Range,
     false,
-    "first and last value of the vertical axis, for one quantity in y",
+    "first and last value of the vertical axis",
 );
 pub(super) const COLOUR: Key = key(
     "colour",
     Takes::Switch,
     false,
-    "true: unbroken curves in colours for any colour vision; false: black with dashes and markers; if left out, colour with --colour, in reports and notebooks",
+    "true: unbroken curves in colours; false: black with dashes and markers; if left out, --colour decides",
 );
 pub(super) const MARKERS: Key = key(
     "markers",

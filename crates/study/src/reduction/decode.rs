@@ -18,7 +18,7 @@ const FORM: &str =
 /// The key with its meaning.
 pub(crate) const KEY: (&str, &str) = (
     "reductions",
-    "metrics reduced over parameters, each a text such as \"least rms_error over alpha\"; figures and checks use it like a metric",
+    "metrics reduced over parameters, such as \"least rms_error over alpha\"",
 );
 
 /// The parts of the text of a reduction.

@@ -33,7 +33,7 @@ pub(super) const DESCRIPTION: Description = Description {
         range: Range::FromHalfToOne,
         default: 0.5,
         tried: &[0.5, 1.0],
-        meaning: "theta of the Moreau-Jean method; no numerical damping at 1/2",
+        meaning: "theta of Moreau-Jean; no numerical damping at 1/2",
     }],
     method: |numbers| match *numbers {
         [theta] => Some(Method::MoreauJean(MoreauJean { theta })),

@@ -8,19 +8,19 @@ pub mod oscillator {
     pub const ALPHA: Number = Number::new(
         ["alpha", "*α*", "1"],
         Range::Positive,
-        "elastic displacement before sliding, alpha = r^E/Delta [F (22)]; of bouc-wen and dahl that of the stiffness at S = 0",
+        "elastic displacement before sliding, alpha = r^E/Delta [F (22)]; of bouc-wen and dahl by the stiffness at S = 0",
     );
     /// beta
     pub const BETA: Number = Number::new(
         ["beta", "*β*", "1"],
         Range::Positive,
-        "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]; of tanh that of its slope at rdot = 0",
+        "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]; of tanh by the slope at rdot = 0",
     );
     /// n
     pub const EXPONENT: Number = Number::new(
         ["exponent", "*n*", "1"],
         Range::AtLeastOne,
-        "exponent of the hysteretic laws",
+        "exponent n of the law",
     )
     .usually(Usual::Is(1.0));
     /// sigma0
@@ -54,14 +54,14 @@ pub mod oscillator {
     pub const STRIBECK_VELOCITY: Number = Number::new(
         ["stribeck_velocity", "*v*_S_/(*ω*_n_Δ)", "1"],
         Range::Positive,
-        "velocity over which the limit falls to the kinetic one, over omega_n Delta",
+        "velocity over which the limit falls, over omega_n Delta",
     )
     .usually(Usual::Is(1.0));
     /// nu_min/nu
     pub const NU_RATIO: Number = Number::new(
         ["nu_ratio", "*ν*_min_/*ν*", "1"],
         Range::Fraction,
-        "nu_min/nu_max, coefficient of friction at rest over that at high velocity (Constantinou et al. 1990)",
+        "coefficient of friction at rest over that at high velocity (Constantinou et al. 1990)",
     )
     .usually(Usual::Is(1.0));
     /// a
@@ -90,7 +90,7 @@ pub mod bars {
     pub const RESTITUTION: Number = Number::new(
         ["restitution", "*e*", "1"],
         Range::UpToOne,
-        "target of the restitution of two rigid bodies, > 0; of rigid with moreau-jean that of the ends of the bars",
+        "target of the restitution of two rigid bodies, > 0; of rigid that of the ends of the bars",
     )
     .usually(Usual::Follows("1, or 0 for rigid"));
 }
@@ -133,26 +133,26 @@ pub mod structure {
     pub const K: Number = Number::new(
         ["k", "*k*", "force/length"],
         Range::Positive,
-        "stiffness of an impact, of {friction} below the limit, and of other laws before they yield or bend",
+        "stiffness before the law slides, yields or bends",
     );
     /// k_h
     pub const K_H: Number = Number::new(
         ["k_h", "*k*_h_", "force/length^1.5"],
         Range::Positive,
-        "{laws}: k_h of k_h delta^1.5, delta = -r",
+        "k_h of k_h delta^1.5, delta = -r",
     );
     /// Target of the coefficient of restitution.
     pub const RESTITUTION: Number = Number::new(
         ["restitution", "*e*", "1"],
         Range::Fraction,
-        "target of the restitution of a damped law of impact, > 0 and <= 1; 1 (no damping) if left out",
+        "target of the restitution of a damped law of impact, > 0 and <= 1; default 1",
     )
     .usually(Usual::Is(1.0));
     /// m
     pub const COLLIDING_MASS: Number = Number::new(
         ["colliding_mass", "*m*", "mass"],
         Range::Positive,
-        "m1 m2/(m1 + m2) of the bodies, for the dashpots of {laws}",
+        "{laws}: m1 m2/(m1 + m2) of the bodies",
     );
     /// e
     pub const E: Number = Number::new(
@@ -165,27 +165,27 @@ pub mod structure {
     pub const C: Number = Number::new(
         ["c", "*c*", "force/velocity"],
         Range::Positive,
-        "viscosity of {friction} at rdot = 0; of viscous, c of c abs(rdot)^a",
+        "viscosity at rdot = 0; of viscous, c of c abs(rdot)^a",
     );
     /// r^E
     pub const R_E: Number = Number::new(
         ["rE", "*r*^E^", "length"],
         Range::Positive,
-        "instead of k = limit at rest/r^E; k does not change with N",
+        "instead of k = limit at rest/r^E",
     )
     .instead_of("k");
     /// rdot^E
     pub const RDOT_E: Number = Number::new(
         ["rdotE", "*ṙ*^E^", "length/time"],
         Range::Positive,
-        "instead of c = limit at rest/rdot^E, of stribeck the static limit; c does not change with N",
+        "instead of c = limit at rest/rdot^E (of stribeck the static limit)",
     )
     .instead_of("c");
     /// n
     pub const EXPONENT: Number = Number::new(
         ["exponent", "*n*", "1"],
         Range::AtLeastOne,
-        "exponent of {laws}, >= 1; 1 if left out",
+        "{laws}: exponent, >= 1; default 1",
     )
     .usually(Usual::Is(1.0));
     /// sigma0
@@ -198,21 +198,21 @@ pub mod structure {
     pub const SIGMA1: Number = Number::new(
         ["sigma1", "*σ*_1_", "force/velocity"],
         Range::NotNegative,
-        "{laws}: damping of the bristles; 0 if left out",
+        "{laws}: damping of the bristles; default 0",
     )
     .usually(Usual::Is(0.0));
     /// sigma2
     pub const SIGMA2: Number = Number::new(
         ["sigma2", "*σ*_2_", "force/velocity"],
         Range::NotNegative,
-        "{laws}: viscosity of the sliding contact; 0 if left out",
+        "{laws}: viscosity of the sliding contact; default 0",
     )
     .usually(Usual::Is(0.0));
     /// L_s/L_k
     pub const STATIC_RATIO: Number = Number::new(
         ["static_ratio", "*ν*_s_/*ν*", "1"],
         Range::AtLeastOne,
-        "{laws}: static limit over the kinetic one, >= 1; 1 if left out",
+        "{laws}: static limit over the kinetic one, >= 1; default 1",
     )
     .usually(Usual::Is(1.0));
     /// v_S
@@ -225,7 +225,7 @@ pub mod structure {
     pub const LIMIT: Number = Number::new(
         ["limit", "*νN*", "force"],
         Range::NotNegative,
-        "friction limit, instead of nu and N; of coulomb, stribeck and lugre the kinetic one",
+        "friction limit (the kinetic one), instead of nu and N",
     );
     /// nu
     pub const NU: Number = Number::new(
@@ -243,7 +243,7 @@ pub mod structure {
     pub const NU_MIN: Number = Number::new(
         ["nu_min", "*ν*_min_", "1"],
         Range::Positive,
-        "{laws}: coefficient of friction at rest; nu - (nu - nu_min) exp(-nu_rate |rdot|) when sliding",
+        "{laws}: coefficient nu - (nu - nu_min) exp(-nu_rate |rdot|)",
     )
     .usually(Usual::Follows("nu"));
     /// a
@@ -257,25 +257,21 @@ pub mod structure {
     pub const PRESSURE_EXPONENT: Number = Number::new(
         ["pressure_exponent", "*p*", "1"],
         Range::UpToOne,
-        "p from 0 to 1: nu is multiplied by (N/N at rest)^(-p); 0 if left out",
+        "p from 0 to 1: nu is multiplied by (N/N at rest)^(-p); default 0",
     )
     .usually(Usual::Is(0.0));
     /// k1
     pub const K1: Number = Number::new(
         ["k1", "*k*_1_", "force/length"],
         Range::Positive,
-        "stiffness of {laws} before yielding",
+        "{laws}: stiffness before yielding",
     );
     /// k2
     pub const K2: Number = Number::new(
         ["k2", "*k*_2_", "force/length"],
         Range::Any,
-        "stiffness of {laws} after yielding, at most k1; of impact-yield > 0",
+        "{laws}: stiffness after yielding, at most k1; of impact-yield > 0",
     );
     /// Fy
-    pub const FY: Number = Number::new(
-        ["Fy", "*F*_y_", "force"],
-        Range::Positive,
-        "yield force of {laws}",
-    );
+    pub const FY: Number = Number::new(["Fy", "*F*_y_", "force"], Range::Positive, "yield force");
 }

@@ -17,11 +17,11 @@ use std::sync::{Arc, LazyLock};
 choice! {
     /// Slip of the friction element at release ([F] does not specify it).
     pub(super) enum InitialSlip {
-        Unloaded = "unloaded": "r^S(0) = x0, no friction force at release",
+        Unloaded = "unloaded": "r^S(0) = x0, no force",
         Pulled = "pulled":
-            "r^S(0) = x0 - sign(x0) r^E, friction as after pulling the mass to x0 by hand",
+            "r^S(0) = x0 - sign(x0) r^E, as after pulling the mass to x0 by hand",
         Sliding = "sliding":
-            "r^S(0) = x0 + sign(x0) r^E, friction as just after release in [F (19)]",
+            "r^S(0) = x0 + sign(x0) r^E, as in [F (19)]",
     }
 }
 
@@ -68,7 +68,7 @@ static PARAMETERS: [Parameter; 15] = [
         InitialSlip::KIND,
         Default::Is(Value::Name("unloaded")),
         ("law", law_names!(Oscillator, Which::Hysteretic)),
-        "slip of the friction element at release",
+        "slip at release",
     ),
     of(
         &number::EXPONENT,
@@ -156,11 +156,11 @@ pub(super) static METRICS: [Metric; 19] = [
     Metric::new(["max_error", "max. error", "1"], "max abs(c - e) / abs(x0)"),
     Metric::new(
         ["peak_error", "peak error", "1"],
-        "largest error of a peak, over abs(x0); the computed peak k is the extreme value from (k - 1/2) pi to (k + 1/2) pi, k = 1..m; needs duration >= (m + 1/2) pi, m >= 1",
+        "largest error of a peak, over abs(x0); the computed peak k = 1..m is the extreme from (k - 1/2) pi to (k + 1/2) pi; needs duration >= (m + 1/2) pi",
     ),
     Metric::new(
         ["rest_error", "rest error", "1"],
-        "abs(c - e) / abs(x0) at the last step; needs duration >= m pi, the time from which the exact solution rests",
+        "abs(c - e) / abs(x0) at the last step; needs duration >= m pi, when the exact motion rests",
     ),
     Metric::new(
         ["residual_motion", "residual motion", "1"],
@@ -184,40 +184,40 @@ pub(super) static METRICS: [Metric; 19] = [
     ),
     Metric::selected(
         ["regularisation_error", "regularisation error", "1"],
-        "error of the softened law alone: rms_error with g instead of c; g is the exact motion with the softened law in continuous time, a closed form for the laws of [F], else integrated",
+        "error of the softened law alone: rms_error with g instead of c; g is the motion with the softened law in continuous time",
     ),
     Metric::selected(
         ["step_error", "step error", "1"],
-        "error of the time step alone: rms_error with g instead of e; g is the exact motion with the softened law in continuous time, a closed form for the laws of [F], else integrated",
+        "error of the time step alone: rms_error with g instead of e; g is the motion with the softened law in continuous time",
     ),
     Metric::selected(
         ["regularisation_share", "regularisation share", "1"],
-        "share of the softened law in the error: sum (g - e) (c - e) / sum (c - e)^2; below 0 or above 1 where the errors of law and step have opposite signs",
+        "share of the law in the error: sum (g - e) (c - e) / sum (c - e)^2; outside 0..1 law and step have opposite signs",
     ),
     Metric::selected(
         ["step_share", "step share", "1"],
-        "share of the time step in the error: sum (c - g) (c - e) / sum (c - e)^2; the two shares add up to 1",
+        "share of the step in the error: sum (c - g) (c - e) / sum (c - e)^2",
     ),
     Metric::selected(
         ["numerical_dissipation", "numerical dissipation", "1"],
-        "energy that the method takes up to the last step, over the energy at t = 0; below 0 where it adds energy; round-off for average-acceleration",
+        "energy that the method takes, over the energy at t = 0; below 0 where it adds some",
     ),
     Metric::selected(["cost", "cost", "1"], "steps times sub-steps of the method"),
     Metric::selected(
         ["spectral_radius", "spectral radius", "1"],
-        "largest magnitude of the eigenvalues of a step without friction, from the closed form of the method",
+        "largest magnitude of the eigenvalues of a step without friction",
     ),
     Metric::selected(
         ["period_elongation", "period elongation", "1"],
-        "(T - T_0)/T_0 of the period without friction, from the closed form of the method; undefined if the step does not oscillate",
+        "(T - T_0)/T_0 of the period without friction; undefined if the step does not oscillate",
     ),
     Metric::selected(
         ["numerical_damping", "numerical damping ratio", "1"],
-        "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction, from the closed form of the method; undefined if the step does not oscillate",
+        "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction; undefined if the step does not oscillate",
     ),
     Metric::selected(
         ["reference_error", "reference error", "1"],
-        "estimated error of an integrated g: rms_error of g with a tolerance of 1e-10 against g with 1e-12, or the part of step_error that the convergence of the steps dT to dT/64 does not explain, if that is larger; empty for the laws of [F]",
+        "estimated error of an integrated g (docs/scope.md); empty for the laws of [F]",
     ),
 ];
 

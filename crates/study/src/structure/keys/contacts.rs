@@ -16,15 +16,15 @@ pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
         ),
         (
             "pairs",
-            "instead of between: CSV file with lines of a name and cells dof:factor, one for each contact NAME.LINE",
+            "instead of between: CSV file with a line for each contact NAME.LINE: a name and cells dof:factor",
         ),
         (
             "plane",
-            "instead of between: nodes I and J of each of two directions, of friction in a plane; [\"ground\", \"ground\"] holds one",
+            "instead of between: nodes I and J of both directions of friction in a plane; [\"ground\", \"ground\"] holds one",
         ),
         (
             "directions",
-            "two of x, y and z: with between, friction in a plane between nodes with both directions, as a.x and a.y",
+            "two of x, y and z: with between, friction in a plane",
         ),
         ("gap", "r at rest"),
     ];
@@ -86,5 +86,5 @@ pub(crate) const WEIGHT: Keys = &[
 /// The key of a normal force that other parts have.
 pub(crate) const PRESSING: Keys = &[(
     "contact",
-    "name of an impact contact or of a spring, or a list of names: N is the sum of max(-S, 0), with their S at the start of each step",
+    "name of an impact contact or of a spring, or a list: N is the sum of max(-S, 0) at the start of each step",
 )];

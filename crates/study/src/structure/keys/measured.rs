@@ -6,19 +6,16 @@ use super::Keys;
 pub(crate) const MEASURED: Keys = &[
     (
         "file",
-        "CSV file with a line of names above its columns, its path relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis",
+        "CSV file with a line of names above its columns, a parameter that chooses it, or {\"files\": ...} as an axis",
     ),
     (
         "time",
         "name of the column of times, or an object with its unit",
     ),
-    (
-        "columns",
-        "for each measured channel the name of its column, or an object with its unit",
-    ),
+    ("columns", "for each measured channel its column"),
     (
         "delay",
-        "time of the file at t = 0 of the motion; 0 if left out",
+        "time of the file at t = 0 of the motion; default 0",
     ),
 ];
 
@@ -34,5 +31,5 @@ pub(crate) const COLUMN: Keys = &[
 /// The key with its meaning.
 pub(crate) const KEY: (&str, &str) = (
     "measured",
-    "measured channels of a study of structures, with which its metrics compare, as in rms_error(deck.u, measured)",
+    "measured channels of a structure, for metrics such as rms_error(deck.u, measured)",
 );

@@ -79,7 +79,7 @@ pub(crate) const STATIC: Keys = &[GRAVITY];
 /// The key of gravity.
 pub(crate) const GRAVITY: (&str, &str) = (
     "gravity",
-    "acceleration of all masses: a number in y, or an object with x, y and z; -9.81 in y is weight",
+    "acceleration of all masses: a number in y, as -9.81, or an object with x, y and z",
 );
 
 /// Keys of a start.

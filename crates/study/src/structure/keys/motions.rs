@@ -27,14 +27,14 @@ pub(crate) const IMPOSED_BY_FILE: Keys = &[
     ),
     (
         "column",
-        "name of the column of displacements, or an object with its unit; u is the column less its first number",
+        "that of displacements; u is the column less its first number",
     ),
 ];
 
 /// The key of imposed displacements.
 pub(crate) const DISPLACEMENT: (&str, &str) = (
     "displacement",
-    "instead of an acceleration, here or under a direction: points t, u with a cubic between them that turns only there",
+    "instead of an acceleration: points t, u with a cubic between them that turns only there",
 );
 
 /// Keys of a support besides those of a function, or of the directions.
@@ -53,7 +53,7 @@ pub(crate) const FUNCTION: Keys = &[
     ("table", "straight lines between points, constant beyond"),
     (
         "record",
-        "file of a recorded acceleration, relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis",
+        "file of a recorded acceleration, a parameter that chooses it, or {\"files\": ...} as an axis",
     ),
     ("pulse", "a pulse of acceleration"),
     (
@@ -80,12 +80,12 @@ pub(crate) const FUNCTION: Keys = &[
     ),
     (
         "start",
-        "time that becomes t = 0; this and the keys below not of a sine",
+        "time that becomes t = 0; this and what follows not of a sine",
     ),
     ("end", "time at which it ends; 0 after"),
     (
         "baseline",
-        "what is removed: \"none\"; \"mean\" of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
+        "what is removed: \"none\"; \"mean\" of the points; \"linear\", the mean slope of the velocity",
     ),
     ("scale_to", "strength of the motion from start to end"),
     ("delay", "time by which all is later; 0 before"),
@@ -123,7 +123,7 @@ pub(crate) const PULSE: Keys = &[
 ];
 
 /// Meaning of `sampled`. The last sample is at the end also where the end is no multiple.
-const SAMPLED: &str = "time between samples, straight between, the last one at the end; then 0";
+const SAMPLED: &str = "time between samples, straight between";
 
 /// Keys of `ricker`.
 pub(crate) const RICKER: Keys = &[
@@ -145,7 +145,7 @@ pub(crate) const SYNTHETIC: Keys = &[
     ("seed", "a whole number from 0 to 4294967295"),
     (
         "omega",
-        "circular frequency of the ground filter in rad/s; 15.6 (firm ground) if left out",
+        "circular frequency of the ground filter in rad/s; default 15.6, firm ground",
     ),
 ];
 

@@ -15,17 +15,17 @@ const DIRECTION: (&str, &str) = (
 pub(crate) const MATRICES: Keys = &[
     (
         "M",
-        "file of the mass matrix, its content, or a parameter that chooses it; so for K and C",
+        "file of the mass matrix, or a parameter that chooses it; so for K and C",
     ),
     ("K", "file of the stiffness matrix"),
     ("C", "file of the damping matrix, if there is one"),
     (
         "dofs",
-        "CSV file with the header node,direction, if wanted support and X,Y,Z, and a row for each row of the matrices; or a list of [node, direction] or [node, direction, X, Y, Z]",
+        "CSV file with the header node,direction, if wanted support and X,Y,Z, and a line for each row of the matrices; or a list of [node, direction, X, Y, Z]",
     ),
     (
         "ties",
-        "CSV file with lines node,direction and cells dof:factor, or its content: tied dofs as sums of rows, named as nodes are",
+        "CSV file with lines of node, direction and cells dof:factor: tied dofs as sums of rows",
     ),
     (
         "reduce",
@@ -35,10 +35,10 @@ pub(crate) const MATRICES: Keys = &[
 
 /// Keys of `reduce`, of which one is given.
 pub(crate) const REDUCE: Keys = &[
-    ("modes", "number of modes; all if there are fewer"),
+    ("modes", "number of modes"),
     (
         "up_to",
-        "the modes up to this frequency in cycles per unit of time",
+        "those up to this frequency in cycles per unit of time",
     ),
 ];
 
@@ -74,7 +74,7 @@ pub(crate) const SPRING: Keys = &[
     DIRECTION,
     (
         "directions",
-        "two of x, y and z: a spring in each between nodes with both, as a.x and a.y; numbers may be lists of two",
+        "two of x, y and z: a spring in each; numbers may be lists of two",
     ),
 ];
 

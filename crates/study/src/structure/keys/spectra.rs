@@ -15,19 +15,16 @@ pub(crate) const SCALE_TO: Keys = &[
     ("to", "the longer period of \"spectrum\""),
     (
         "ratio",
-        "damping ratio of \"Sa\" and \"spectrum\"; 0.05 if left out",
+        "damping ratio of \"Sa\" and \"spectrum\"; default 0.05",
     ),
-    (
-        "unit",
-        "unit of the accelerations, as of a record; that of the study if left out",
-    ),
+    ("unit", "unit of the accelerations"),
 ];
 
 /// Keys of a target spectrum: one of these, or those of a table.
 pub(crate) const SPECTRUM: Keys = &[
     (
         "EN 1998-1",
-        "elastic response spectrum of EN 1998-1:2004, (3.2) to (3.6)",
+        "elastic response spectrum, EN 1998-1:2004, (3.2) to (3.6)",
     ),
     ("ASCE 7", "design response spectrum of ASCE 7-16, 11.4.6"),
 ];

@@ -150,7 +150,7 @@ pub(in crate::structure) fn parameters(
 /// The key of names for figures, with its meaning.
 pub(crate) const SHOWN: (&str, &str) = (
     "names",
-    "name and, if wanted, unit of parameters of a structure in figures, as in {\"gap\": [\"width of the gap\", \"m\"]}",
+    "name and unit of parameters of a structure in figures, as in {\"gap\": [\"width of the gap\", \"m\"]}",
 );
 
 /// Gives parameters the names and units that figures write.

@@ -65,7 +65,7 @@ pub(in crate::contact) fn expected(speed: f64, before: f64) -> f64 {
 const RADIUS: Number = Number::new(
     ["R", "*R*", "length"],
     Range::Positive,
-    "radius of {laws}, whose restoring force is (N/R) r; it needs nu and N",
+    "{laws}: radius; the restoring force is (N/R) r; it needs nu and N",
 );
 
 impl Pendulum {

@@ -55,20 +55,20 @@ pub struct Left<const L: usize>(Lane<L>);
 const F_ULT: Number = Number::new(
     ["Fult", "*F*_ult_", "force"],
     Range::Positive,
-    "ultimate passive force of {laws}",
+    "{laws}: ultimate passive force",
 );
 /// R_f
 const R_F: Number = Number::new(
     ["Rf", "*R*_f_", "1"],
     Range::Fraction,
-    "failure ratio of {laws}: Fult over the force that the hyperbola tends to, > 0 and <= 1; 0.7 if left out",
+    "{laws}: failure ratio, Fult over the force that the hyperbola tends to, > 0 and <= 1; default 0.7",
 )
 .usually(Usual::Is(0.7));
 /// k_u
 const K_UNLOADING: Number = Number::new(
     ["k_unloading", "*k*_u_", "force/length"],
     Range::Positive,
-    "stiffness of {laws} on unloading and reloading, at least k",
+    "{laws}: stiffness on unloading and reloading, at least k",
 )
 .usually(Usual::Follows("k"));
 

@@ -40,7 +40,7 @@ pub struct Step<const L: usize> {
 const DELTA_Y: Number = Number::new(
     ["delta_y", "*δ*_y_", "length"],
     Range::Positive,
-    "overlap at which {laws} yields",
+    "{laws}: overlap of yielding",
 );
 
 impl ImpactYield {

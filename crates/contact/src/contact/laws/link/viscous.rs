@@ -38,7 +38,7 @@ pub struct Step<const L: usize> {
 const A: Number = Number::new(
     ["a", "*a*", "1"],
     Range::FromTenthToTwo,
-    "exponent of {laws}, S = c abs(rdot)^a sgn rdot, from 0.1 to 2; c has the unit force over velocity^a",
+    "{laws}: exponent of S = c abs(rdot)^a sgn rdot, from 0.1 to 2",
 );
 
 impl Viscous {

@@ -7,39 +7,36 @@ use std::ops::Range as Rows;
 pub(super) static METRICS: [Metric; 33] = [
     Metric::new(
         ["contact_duration", "contact duration/*T*_I_", "T_I"],
-        "time from the first zero of r (falling) to the last (rising), with r straight between steps; undefined without contact, and if the bars touch at the end",
+        "time from the first zero of r to the last, straight between steps; undefined if the bars touch at the end and, as other metrics of the contact, without contact",
     ),
     Metric::new(
         ["contact_steps", "contact in whole steps/*T*_I_", "T_I"],
-        "contact_duration in whole steps: first step with r >= 0 after the last with r < 0, minus last step with r >= 0 before the first with r < 0",
+        "contact_duration in whole steps: from the last one before the contact to the first after it",
     ),
     Metric::new(
         ["separations", "separations", "1"],
-        "number of openings that close again, both within 0.9 exact contact durations after the exact first touch; undefined without contact",
+        "number of openings that close again within 0.9 exact contact durations after the exact first touch",
     ),
     Metric::new(
         ["max_overlap", "max. overlap/(*cT*_I_/2)", "c T_I/2"],
-        "max(-r); undefined without contact",
+        "max(-r)",
     ),
     Metric::new(
         ["rdot_oscillation", "rms of *ṙ*/*c* in contact", "c"],
-        "root mean square of c - e of rdot from 0.3 to 0.9 exact contact durations after the exact first touch; undefined without contact",
+        "root mean square of c - e of rdot from 0.3 to 0.9 exact contact durations after the exact first touch",
     ),
-    Metric::new(
-        ["peak_force", "peak of *F*/*F*_0_", "F0"],
-        "max force; undefined without contact",
-    ),
+    Metric::new(["peak_force", "peak of *F*/*F*_0_", "F0"], "max force"),
     Metric::new(
         ["impulse_error", "impulse error", "1"],
-        "impulse (trapezoidal rule) over the exact impulse, minus 1; needs a duration beyond the exact separation",
+        "impulse over the exact impulse, minus 1; needs a duration beyond the exact separation",
     ),
     Metric::new(
         ["restitution", "restitution", "1"],
-        "relative velocity of the mass centres at the end, over c; undefined without contact",
+        "relative velocity of the mass centres at the end, over c",
     ),
     Metric::new(
         ["energy_drift_max", "max. energy drift", "1"],
-        "(E - E_0)/E_0 of the largest magnitude; E is the energy of bars and spring in the frame of the common mass centre, with what the damping of the contact and of the method has taken",
+        "(E - E_0)/E_0 of the largest magnitude; E is the energy of bars and spring relative to the mass centre, with what damping and the method took",
     ),
     Metric::new(
         ["energy_drift_final", "final energy drift", "1"],
@@ -47,11 +44,11 @@ pub(super) static METRICS: [Metric; 33] = [
     ),
     Metric::new(
         ["rms_error_r", "rms error of *r*/(*cT*_I_/2)", "c T_I/2"],
-        "sqrt(1/duration times the integral of (c - e)^2) of r, trapezoidal rule",
+        "sqrt(1/duration times the integral of (c - e)^2) of r",
     ),
     Metric::new(
         ["rms_error_rdot", "rms error of *ṙ*/*c*", "c"],
-        "sqrt(1/duration times the integral of (c - e)^2) of rdot, trapezoidal rule; at a jump of e, each side has its own limit",
+        "sqrt(1/duration times the integral of (c - e)^2) of rdot",
     ),
     Metric::selected(
         [
@@ -59,7 +56,7 @@ pub(super) static METRICS: [Metric; 33] = [
             "regularisation error of *r*/(*cT*_I_/2)",
             "c T_I/2",
         ],
-        "error of the softened law alone: rms_error_r of continuous bars with the law, compared with e; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
+        "error of the softened law alone: rms_error_r of continuous bars with the law, compared with e; docs/scope.md says when",
     ),
     Metric::selected(
         [
@@ -67,27 +64,27 @@ pub(super) static METRICS: [Metric; 33] = [
             "regularisation error of *ṙ*/*c*",
             "c",
         ],
-        "error of the softened law alone: rms_error_rdot of continuous bars with the law, compared with e; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
+        "error of the softened law alone: rms_error_rdot of continuous bars with the law, compared with e; docs/scope.md says when",
     ),
     Metric::selected(
         ["mesh_error_r", "mesh error of *r*/(*cT*_I_/2)", "c T_I/2"],
-        "error of the mesh alone: rms_error_r of the elements in continuous time, compared with continuous bars with the law; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
+        "error of the mesh alone: rms_error_r of the elements in continuous time, compared with continuous bars with the law",
     ),
     Metric::selected(
         ["mesh_error_rdot", "mesh error of *ṙ*/*c*", "c"],
-        "error of the mesh alone: rms_error_rdot of the elements in continuous time, compared with continuous bars with the law; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
+        "error of the mesh alone: rms_error_rdot of the elements in continuous time, compared with continuous bars with the law",
     ),
     Metric::selected(
         ["step_error_r", "step error of *r*/(*cT*_I_/2)", "c T_I/2"],
-        "error of the time step alone: rms_error_r of c, compared with the elements in continuous time; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
+        "error of the time step alone: rms_error_r of c, compared with the elements in continuous time",
     ),
     Metric::selected(
         ["step_error_rdot", "step error of *ṙ*/*c*", "c"],
-        "error of the time step alone: rms_error_rdot of c, compared with the elements in continuous time; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
+        "error of the time step alone: rms_error_rdot of c, compared with the elements in continuous time",
     ),
     Metric::selected(
         ["regularisation_share_r", "regularisation share of *r*", "1"],
-        "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
+        "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; outside 0..1 parts have opposite signs",
     ),
     Metric::selected(
         [
@@ -95,23 +92,23 @@ pub(super) static METRICS: [Metric; 33] = [
             "regularisation share of *ṙ*",
             "1",
         ],
-        "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
+        "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; outside 0..1 parts have opposite signs",
     ),
     Metric::selected(
         ["mesh_share_r", "mesh share of *r*", "1"],
-        "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
+        "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; outside 0..1 parts have opposite signs",
     ),
     Metric::selected(
         ["mesh_share_rdot", "mesh share of *ṙ*", "1"],
-        "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
+        "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; outside 0..1 parts have opposite signs",
     ),
     Metric::selected(
         ["step_share_r", "step share of *r*", "1"],
-        "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
+        "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; outside 0..1 parts have opposite signs",
     ),
     Metric::selected(
         ["step_share_rdot", "step share of *ṙ*", "1"],
-        "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
+        "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; outside 0..1 parts have opposite signs",
     ),
     Metric::selected(
         [
@@ -131,15 +128,15 @@ pub(super) static METRICS: [Metric; 33] = [
     ),
     Metric::selected(
         ["contact_dissipation", "contact dissipation", "1"],
-        "energy that the damping of the contact takes up to the last step, over E_0",
+        "energy that the damping of the contact takes, over E_0",
     ),
     Metric::selected(
         ["numerical_dissipation", "numerical dissipation", "1"],
-        "energy that the method takes up to the last step, over E_0; below 0 where it adds energy; round-off for average-acceleration",
+        "energy that the method takes, over E_0; below 0 where it adds some",
     ),
     Metric::selected(
         ["energy_lost", "energy lost", "1"],
-        "energy of bars and spring that is gone at the last step, over E_0: contact_dissipation plus numerical_dissipation minus energy_drift_final",
+        "contact_dissipation plus numerical_dissipation minus energy_drift_final",
     ),
     Metric::selected(
         ["cost", "cost", "1"],
@@ -147,11 +144,11 @@ pub(super) static METRICS: [Metric; 33] = [
     ),
     Metric::selected(
         ["reference_error_r", "reference error of *r*", "1"],
-        "estimated error of the integrated motions between the exact and the computed one: the rms of r with a tolerance of 1e-10 less r with 1e-12, or the part of step_error_r that the convergence of the steps dt to dt/64 does not explain, if that is larger; empty for the impact spring",
+        "estimated error of the integrated motions between the exact and the computed one (docs/scope.md); empty for the impact spring",
     ),
     Metric::selected(
         ["reference_error_rdot", "reference error of *ṙ*", "1"],
-        "estimated error of the integrated motions between the exact and the computed one: the rms of rdot with a tolerance of 1e-10 less rdot with 1e-12, or the part of step_error_rdot that the convergence of the steps dt to dt/64 does not explain, if that is larger; empty for the impact spring",
+        "estimated error of the integrated motions between the exact and the computed one (docs/scope.md); empty for the impact spring",
     ),
 ];
 

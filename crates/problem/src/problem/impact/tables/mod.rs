@@ -104,9 +104,7 @@ pub(in crate::problem::impact) const METHOD: usize =
 pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
     Arc::new(Schema {
         name: Borrowed("bar-impact"),
-        meaning: Borrowed(
-            "longitudinal impact of two uniform bars, or of a bar on a wall, with an impact spring [I]",
-        ),
+        meaning: Borrowed("longitudinal impact of two uniform bars, or of a bar on a wall [I]"),
         described: false,
         parameters: Owned(own().chain(method::PARAMETERS.iter().cloned()).collect()),
         metrics: Borrowed(&METRICS),

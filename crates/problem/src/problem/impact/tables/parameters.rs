@@ -10,7 +10,7 @@ choice! {
     pub enum MassMatrix {
         Lumped = "lumped": "half of an element at each node",
         Consistent = "consistent": "from the shape functions",
-        MasslessContact = "massless-contact": "lumped, but that of a contact node at its neighbour",
+        MasslessContact = "massless-contact": "lumped, that of a contact node at its neighbour",
     }
 }
 
@@ -51,7 +51,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         ["gamma", "*γ*", "1"],
         POSITIVE,
         Default::Follows(Borrowed("from k_I; one of the two is given")),
-        "stiffness of the impact spring over that of an element, k_I L/(n E A) of the left bar [I (16)]",
+        "stiffness of the spring over that of an element of the left bar, k_I L/(n E A) [I (16)]",
     ),
     Parameter::new(
         ["k_I", "*k*_I_", "force/length"],
@@ -69,7 +69,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         ["dt", "Δ*t*/*T*_I_", "T_I"],
         POSITIVE,
         Default::Required,
-        "time step, over the contact duration T_I = 2 L/C0 of the left bar; at most duration",
+        "time step; at most duration",
     ),
     Parameter::new(
         ["duration", "*t*_end_/*T*_I_", "T_I"],
@@ -81,7 +81,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         ["gap", "gap/(*cT*_I_/2)", "c T_I/2"],
         Kind::Number(Range::NotNegative),
         is(0.0),
-        "distance of the facing ends at t = 0; at 0 they touch",
+        "distance of the facing ends at t = 0",
     ),
     Parameter::new(
         ["mass", "mass", "1"],
@@ -105,7 +105,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         ["rho", "*ρ*", "mass/length^3"],
         POSITIVE,
         is(0.01),
-        "density of the left bar ([I] prints 0.1, but its T_I = 0.2 needs 0.01)",
+        "density of the left bar",
     ),
     Parameter::new(
         ["L", "*L*", "length"],
@@ -117,7 +117,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         ["V0", "*V*_0_", "length/time"],
         Kind::Number(Range::Any),
         is(0.1),
-        "velocity of the left bar at t = 0, positive to the right; the bars must close",
+        "velocity of the left bar at t = 0, positive to the right",
     ),
     Parameter::new(
         ["right", "right", "1"],

@@ -3,15 +3,15 @@
 use crate::Scale;
 use crate::figure::checker::Checker;
 use crate::figure::ensembles;
-use crate::figure::keys::{BY_OUTSIDE, COLOUR, METRICS, X_RANGE, X_SCALE, Y_RANGE};
+use crate::figure::keys::{BY, COLOUR, METRICS, X_RANGE, X_SCALE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use slipgap_problem::problem::Problem;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "distribution",
     needs: Needs::Ensemble,
-    meaning: "distribution functions of metrics over the ensemble, each with a band that contains the function of independent cases 95 times in 100",
-    keys: &[METRICS, BY_OUTSIDE, X_SCALE, X_RANGE, Y_RANGE, COLOUR],
+    meaning: "distribution functions of metrics over the ensemble, with 95 % bands for independent cases",
+    keys: &[METRICS, BY, X_SCALE, X_RANGE, Y_RANGE, COLOUR],
     decode: |values, _| {
         Some(FigureKind::Distribution(Distribution {
             y: values.rows("y")?,

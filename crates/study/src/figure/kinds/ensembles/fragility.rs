@@ -3,7 +3,7 @@
 use crate::figure::checker::Checker;
 use crate::figure::choice::Fit;
 use crate::figure::ensembles;
-use crate::figure::keys::{BY_OUTSIDE, COLOUR, Takes, X_RANGE, X_SCALE, Y_RANGE, key};
+use crate::figure::keys::{BY, COLOUR, Takes, X_RANGE, X_SCALE, Y_RANGE, key};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::{ColumnRef, Scale};
 use slipgap_problem::problem::Problem;
@@ -11,28 +11,28 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "fragility",
     needs: Needs::Ensemble,
-    meaning: "part of the ensemble in which a metric exceeds a limit, over a parameter such as the scale of records, with 95 % intervals and a lognormal function; or, over a measure such as ground.Sa(T1), the function by incremental scaling or of a cloud",
+    meaning: "part of the ensemble in which a metric exceeds a limit, with 95 % intervals and a lognormal function",
     keys: &[
         key(
             "x",
             Takes::Column,
             true,
-            "parameter along the horizontal axis, not of the ensemble; with the fit incremental or cloud also a metric, such as ground.Sa(1)",
+            "parameter along the horizontal axis, not of the ensemble, such as the scale of records; of the other fits also a metric, such as ground.Sa(1)",
         ),
         key("y", Takes::Metric, true, "metric"),
         key(
             "limit",
             Takes::Number,
             true,
-            "a case exceeds the limit if its metric is greater",
+            "a case exceeds it if its metric is greater",
         ),
         key(
             "fit",
             Takes::Fit,
             false,
-            "likelihood: of the parts that exceed at each x (if left out); incremental: of the x at which each member reaches the limit, straight between its cases; cloud: from a line through ln y over ln x",
+            "likelihood (if left out): of the parts that exceed at each x; incremental: of the x at which each member reaches the limit; cloud: from a line through ln y over ln x",
         ),
-        BY_OUTSIDE,
+        BY,
         X_SCALE,
         X_RANGE,
         Y_RANGE,

@@ -4,7 +4,7 @@ use crate::Scale;
 use crate::figure::checker::Checker;
 use crate::figure::ensembles;
 use crate::figure::keys::{
-    BY_OUTSIDE, COLOUR, MARKERS, METRICS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
+    BY, COLOUR, MARKERS, METRICS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
 };
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use slipgap_problem::problem::Problem;
@@ -16,16 +16,16 @@ const USUAL: [f64; 2] = [0.16, 0.84];
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "quantiles",
     needs: Needs::Ensemble,
-    meaning: "metrics over a parameter, each as the median of the ensemble and a band between two quantiles",
+    meaning: "metrics over a parameter, as the median of the ensemble and a band between two quantiles",
     keys: &[
         X,
         METRICS,
-        BY_OUTSIDE,
+        BY,
         key(
             "band",
             Takes::Probabilities,
             false,
-            "probabilities at its edges; if left out, [0.16, 0.84]",
+            "probabilities at its edges; default [0.16, 0.84]",
         ),
         X_SCALE,
         Y_SCALE,

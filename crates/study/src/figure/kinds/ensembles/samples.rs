@@ -10,7 +10,7 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "samples",
     needs: Needs::Nothing,
-    meaning: "every pair of at most 8 parameters that a design samples, a dot for each case; a metric is the colour and the last row",
+    meaning: "every pair of at most 8 sampled parameters, a dot for each case; a metric is the colour and the last row",
     keys: &[
         key(
             "y",

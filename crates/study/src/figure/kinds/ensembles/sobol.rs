@@ -9,7 +9,7 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "sobol",
     needs: Needs::Nothing,
-    meaning: "Sobol' indices of a saltelli design as bars, with the middle 95 % of bootstrap samples",
+    meaning: "Sobol' indices of a saltelli design, with the middle 95 % of bootstrap samples",
     keys: &[METRICS],
     decode: |values, _| {
         Some(FigureKind::Sobol(Sobol {

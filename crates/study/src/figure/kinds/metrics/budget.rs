@@ -10,7 +10,7 @@ use slipgap_problem::problem::{self, Problem};
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "budget",
     needs: Needs::Nothing,
-    meaning: "the error and its parts over a parameter on logarithmic scales, with the slope where a curve is straight",
+    meaning: "the error and its parts over a parameter on logarithmic scales, with the slope",
     keys: &[
         X,
         key("y", Takes::Budgets, false, "quantities; if left out, all"),

@@ -3,7 +3,7 @@
 use super::metric;
 use crate::Scale;
 use crate::figure::checker::Checker;
-use crate::figure::keys::{BY_OTHERS, COLOUR, MARKERS, METRICS, Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{BY, COLOUR, MARKERS, METRICS, Takes, X_RANGE, Y_RANGE, key};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::sampled;
 use slipgap_problem::problem::Problem;
@@ -11,7 +11,7 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "convergence",
     needs: Needs::Nothing,
-    meaning: "errors over the time step on logarithmic scales, with the observed order where a curve is straight",
+    meaning: "errors over the time step on logarithmic scales, with the observed order",
     keys: &[
         key(
             "x",
@@ -20,7 +20,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "parameter along the horizontal axis; if left out, the time step",
         ),
         METRICS,
-        BY_OTHERS,
+        BY,
         X_RANGE,
         Y_RANGE,
         COLOUR,

@@ -14,7 +14,7 @@ const MOST_LINES: usize = 12;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "front",
     needs: Needs::Nothing,
-    meaning: "two metrics of which less is better: for each value of a parameter a line through the cases that no other surpasses in one metric without being worse in the other; those of all are on a light band",
+    meaning: "two metrics of which less is better: for each value of a parameter a line through the cases than which no other is better in both; those of all are on a light band",
     keys: &[
         key(
             "x",
@@ -32,13 +32,13 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "by",
             Takes::Parameters,
             true,
-            "parameters, one panel each, with one line for each value; at most 12 values",
+            "parameters, one panel each, with one line for each of at most 12 values",
         ),
         key(
             "mean_over",
             Takes::Parameter,
             false,
-            "parameter over which x is averaged by the mean, y by the root mean square",
+            "parameter over which x has the mean, y the root mean square",
         ),
         key(
             "x_scale",

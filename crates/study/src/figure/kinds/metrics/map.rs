@@ -11,7 +11,7 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "map",
     needs: Needs::Nothing,
-    meaning: "one metric over two parameters as filled contours; hatched where empty",
+    meaning: "one metric over two parameters as filled contours, hatched where empty",
     keys: &[
         X,
         key(
@@ -33,7 +33,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             "z_range",
             Takes::Range,
             false,
-            "values at both ends of the colour bar, as in [0.001, 1]",
+            "ends of the colour bar, as in [0.001, 1]",
         ),
         key(
             "marks",

@@ -3,7 +3,7 @@
 use crate::Scale;
 use crate::figure::checker::Checker;
 use crate::figure::keys::{
-    BY_OTHERS, COLOUR, MARKERS, METRICS, PANELS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
+    BY, COLOUR, MARKERS, METRICS, PANELS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
 };
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::{sampled, vary};
@@ -16,7 +16,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     keys: &[
         X,
         METRICS,
-        BY_OTHERS,
+        BY,
         PANELS,
         key(
             "checks",

@@ -9,7 +9,7 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "scatter",
     needs: Needs::Nothing,
-    meaning: "one column of the results over another, one dot for each case; more than 2000 dots become one image in SVG and PDF",
+    meaning: "one column of the results over another, a dot for each case",
     keys: &[
         key(
             "x",

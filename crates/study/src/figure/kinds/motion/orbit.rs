@@ -8,7 +8,7 @@ use crate::figure::kinds::{Curve, Decoded, FigureKind, Kind, Needs};
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "orbit",
     needs: Needs::Structure,
-    meaning: "the path of a contact in a plane with equal scales: r.1 and r.2, or S.1 and S.2 with the disc of its largest limit; at most 8 cases in a panel",
+    meaning: "the path of a contact in a plane: r.1 and r.2, or S.1 and S.2 with the disc of its largest limit; at most 8 cases in a panel",
     keys: &[
         key(
             "x",

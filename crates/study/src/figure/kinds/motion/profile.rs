@@ -14,12 +14,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     meaning: "quantities along the structure at given times; at most 6 cases",
     keys: &[
         key("y", Takes::Profiles, false, "quantities; if left out, all"),
-        key(
-            "times",
-            Takes::Times,
-            true,
-            "times in the unit of the problem, one row of panels each; at most the duration of every case",
-        ),
+        key("times", Takes::Times, true, "times, one row of panels each"),
         X_RANGE,
         Y_RANGE,
         COLOUR,

@@ -20,25 +20,25 @@ const MOST_CASES: usize = 1000;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "spectrum",
     needs: Needs::Structure,
-    meaning: "elastic response spectra of the whole ground motions of the cases, also after `duration`; one curve for each motion and damping ratio",
+    meaning: "elastic response spectra of the whole ground motions, one curve for each motion and damping ratio",
     keys: &[
         key(
             "y",
             Takes::Ordinates,
             true,
-            "displacement, pseudo-velocity or pseudo-acceleration, or several of them, one panel each",
+            "displacement, pseudo-velocity, pseudo-acceleration, one panel each",
         ),
         key(
             "damping",
             Takes::Ratios,
             false,
-            "damping ratios; if left out, 0.05",
+            "damping ratios; default 0.05",
         ),
         key(
             "periods",
             Takes::Periods,
             false,
-            "first and last period, at least 0.001; if left out, [0.05, 5]",
+            "first and last period, at least 0.001; default [0.05, 5]",
         ),
         COLOUR,
         MARKERS,

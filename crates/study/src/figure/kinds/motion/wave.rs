@@ -11,13 +11,13 @@ const MOST_ROWS: u64 = 300;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "wave",
     needs: Needs::Profiles,
-    meaning: "one case over place and time, as shades with a colour bar: the computed motion and the exact one",
+    meaning: "one case over place and time, as shades: the computed motion and the exact one",
     keys: &[
         key(
             "y",
             Takes::Profile,
             false,
-            "quantity along the structure; if left out, the last one of the problem",
+            "quantity; if left out, the last one",
         ),
         X_RANGE,
         key(

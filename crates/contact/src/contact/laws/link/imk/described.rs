@@ -6,28 +6,28 @@ use crate::contact::prelude::*;
 const TO_CAP: Number = Number::new(
     ["Up", "*U*_p_", "length"],
     Range::Positive,
-    "plastic deflection of {laws} from the yield point to the cap",
+    "imk: plastic deflection from the yield point to the cap",
 );
 const TO_ZERO: Number = Number::new(
     ["Upc", "*U*_pc_", "length"],
     Range::Positive,
-    "deflection of {laws} from the cap to no force",
+    "imk: deflection from the cap to no force",
 );
 const ULTIMATE: Number = Number::new(
     ["Uu", "*U*_u_", "length"],
     Range::Positive,
-    "deflection at which {laws} fail; never if left out",
+    "imk: deflection of failure; never if left out",
 )
 .usually(Usual::Follows("it does not fail by its deflection"));
 const CAP: Number = Number::new(
     ["Fcap_ratio", "*F*_cap_/*F*_y_", "1"],
     Range::AtLeastOne,
-    "force of {laws} at the cap over Fy",
+    "imk: force at the cap over Fy",
 );
 const RESIDUAL: Number = Number::new(
     ["Fres_ratio", "*F*_res_/*F*_y_", "1"],
     Range::UpToOne,
-    "residual force of {laws} over Fy; 0 if left out",
+    "imk: residual force over Fy; default 0",
 )
 .usually(Usual::Is(0.0));
 
@@ -64,7 +64,7 @@ const fn lambda(names: [&'static str; 2], meaning: &'static str) -> Number {
 }
 const LAMBDA_S: Number = lambda(
     ["lambda_S", "*λ*_S_"],
-    "energy over Fy that {laws} take by which their strength degrades; it does not if left out",
+    "imk: energy over Fy by which the strength degrades; it does not if left out",
 );
 const LAMBDA_C: Number = lambda(
     ["lambda_C", "*λ*_C_"],
@@ -84,7 +84,7 @@ const fn exponent(names: [&'static str; 2]) -> Number {
     Number::new(
         [key, symbol, "1"],
         Range::Positive,
-        "exponent of this degradation; 1 if left out",
+        "exponent of this degradation; default 1",
     )
     .usually(Usual::Is(1.0))
 }
@@ -99,22 +99,19 @@ const fn damage(names: [&'static str; 2], meaning: &'static str) -> Number {
 }
 const D_POSITIVE: Number = damage(
     ["D_positive", "*D*^+^"],
-    "part of the degradation of {laws} that acts for r > 0, from 0 to 1; 1 if left out",
+    "imk: part of the degradation for r > 0, from 0 to 1; default 1",
 );
-const D_NEGATIVE: Number = damage(
-    ["D_negative", "*D*^−^"],
-    "the same for r < 0; 1 if left out",
-);
+const D_NEGATIVE: Number = damage(["D_negative", "*D*^−^"], "the same for r < 0; default 1");
 
 const KAPPA_F: Number = Number::new(
     ["kappa_F", "*κ*_F_", "1"],
     Range::UpToOne,
-    "{laws}: slope to the point of pinching over that to the peak, from 0 to 1",
+    "slope to the point of pinching over that to the peak, from 0 to 1",
 );
 const KAPPA_D: Number = Number::new(
     ["kappa_D", "*κ*_D_", "1"],
     Range::UpToOne,
-    "{laws}: 1 - its deflection over the plastic part of that of the peak, from 0 to 1",
+    "1 - its deflection over the plastic part of that of the peak, from 0 to 1",
 );
 
 /// Those of both offers.

@@ -7,7 +7,7 @@ use crate::contact::prelude::*;
 const TABLE: Number = Number::new(
     ["table", "*S*(*r*)", "force"],
     Range::Any,
-    "{laws}: r and S of its first loading, r rising; with r > 0 alone it is symmetric; the last line goes on",
+    "{laws}: r and S of its first loading, r rising; with r > 0 alone it is symmetric; the last line continues",
 );
 
 impl Described for Multilinear {

@@ -11,28 +11,25 @@ const MOST_NAMES: usize = 50;
 pub const OF_NODES: [(&str, &str); 4] = [
     (
         "u",
-        "displacement: relative to the ground, absolute with supports that move; NODE alone is the same",
+        "displacement relative to the ground, absolute with supports that move; NODE alone is the same",
     ),
     ("v", "velocity, relative as u"),
     (
         "a",
-        "acceleration, relative as u, by the equation of motion: M a = p - C v - K u - B S; not of a node without mass",
+        "acceleration, relative as u; not of a node without mass",
     ),
-    (
-        "a_abs",
-        "absolute acceleration: that of u and of the ground in the direction of the node",
-    ),
+    ("a_abs", "absolute acceleration"),
 ];
 
 /// Channels of springs and bars.
 pub const OF_SPRINGS: [(&str, &str); 2] = [
     (
         "SPRING.S",
-        "force k e + c e' of a spring with a name, positive where its extension e is; without Rayleigh and modal damping",
+        "force of a spring with a name, positive in tension; without Rayleigh and modal damping",
     ),
     (
         "BAR.3.S",
-        "force of an element of a bar, from 1 at the left end on, positive in tension",
+        "the same of an element of a bar, from 1 at the left end on",
     ),
 ];
 
@@ -52,7 +49,7 @@ pub const OF_GROUND: [(&str, &str); 2] = [
 pub const OF_BASE: [(&str, &str); 2] = [
     (
         "base",
-        "force of the ground and of all supports on the structure, by springs, dashpots and contacts: masses times absolute accelerations less the loads; of several directions base.y",
+        "force of the ground and of all supports on the structure; of several directions base.y",
     ),
     (
         "base.SUPPORT",
@@ -70,15 +67,12 @@ pub const OF_ENERGY: [(&str, &str); 6] = [
     ("energy.damping", "energy that C dissipated since t = 0"),
     (
         "energy.contacts",
-        "energy that all contacts dissipated since t = 0; CONTACT.dissipated is that of one",
+        "energy that all contacts dissipated since t = 0",
     ),
-    (
-        "energy.method",
-        "energy that the method of integration took; round-off for average-acceleration",
-    ),
+    ("energy.method", "energy that the method took"),
     (
         "energy.input",
-        "energy at t = 0 and the work of loads, ground and supports since; the sum of the five others",
+        "energy at t = 0 and the work of loads, ground and supports since: the sum of the five others",
     ),
 ];
 
