@@ -1,4 +1,4 @@
-"""Two elastic blocks of plane-stress elements that meet along a face, by an independent program: docs/findings-blocks.md.
+"""Two elastic blocks of plane-stress elements that meet along a face, by an independent program: docs/findings.md.
 
     python3 blocks.py            prints the table of studies/structure-blocks.json; needs numpy and scipy
 

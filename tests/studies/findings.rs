@@ -285,7 +285,7 @@ fn a_disturbance_grows_a_thousand_times_more_in_the_force_than_in_r() {
 
 #[test]
 fn a_small_change_grows_with_every_impact_and_the_step_decides_by_how_much() {
-    // docs/evidence-structures.md, section 3: short bridge, k = 100 EA/L, twenty records.
+    // docs/findings-structures.md, question 3: short bridge, k = 100 EA/L, twenty records.
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(root.join("studies/bridges-divergence.json")).unwrap();
     let mut study: serde_json::Value = serde_json::from_str(&text).unwrap();
