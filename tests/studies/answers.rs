@@ -173,3 +173,19 @@ fn creep_of_softened_friction() {
         "{least} {largest}"
     );
 }
+
+#[test]
+fn an_answer_has_at_most_150_words_besides_its_block() {
+    let mut answers = 0;
+    for answer in PAGE.split("\n## ").skip(1) {
+        answers += 1;
+        let outside = answer.split("```").step_by(2);
+        let lines = outside.flat_map(str::lines);
+        let words = lines.filter(|line| !line.starts_with("<!--"));
+        let count: usize = words.map(|line| line.split_whitespace().count()).sum();
+        assert!(count <= 150, "{count} words: {answer}");
+        assert!(answer.contains("```"), "no block: {answer}");
+    }
+    assert_eq!(answers, 10);
+    assert!(PAGE.split_whitespace().count() <= 1500);
+}
