@@ -151,6 +151,52 @@ fn medians_of_samples() {
 }
 
 #[test]
+fn restitution_of_laws() {
+    says(
+        "For 0.5 `kelvin-voigt` gives 0.55, `hertz-damp` 0.73; from 0.05 to 0.95 `jankowski` misses by at most 0.009, `ye` by 0.045",
+    );
+    let rows = table("laws-restitution/results.csv");
+    for (law, given) in [("kelvin-voigt", 0.55), ("hertz-damp", 0.73)] {
+        let found = numbers(
+            &rows,
+            "last(gap.rdot)",
+            &[("law", law), ("restitution", "0.5"), ("k", "1")],
+        );
+        assert!((found[0] - given).abs() < 0.005, "{law}: {found:?}");
+    }
+    let rows = table("claims/literature-restitution/results.csv");
+    for (law, most) in [("jankowski", 0.009), ("ye", 0.045)] {
+        let missed = numbers(&rows, "last(gap.rdot - target.v)", &[("law", law)]);
+        let largest = missed.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        assert!(
+            largest <= most + 0.0005 && largest > 0.9 * most,
+            "{law}: {largest}"
+        );
+    }
+}
+
+#[test]
+fn speed_is_that_of_the_page_of_speed() {
+    says("10⁷ collisions of bars (n = 10, 300 steps) take 18 s of one processor");
+    says("9 to 126 degrees of freedom 125 to 342 ns");
+    let speed = include_str!("../../docs/performance.md");
+    let row = speed
+        .lines()
+        .find(|line| line.starts_with("| bars, n = 10, 300 steps |"));
+    let microseconds: f64 = row
+        .unwrap()
+        .split('|')
+        .nth(4)
+        .unwrap()
+        .trim()
+        .parse()
+        .unwrap();
+    assert!((10.0 * microseconds - 18.0).abs() < 2.0, "{microseconds}");
+    assert!(speed.contains("freedom | 9 | 36 | 66 | 126 |"));
+    assert!(speed.contains("side by side | 125 | 163 | 240 | 342 |"));
+}
+
+#[test]
 fn creep_of_softened_friction() {
     says("computed drifts are 0.96 to 1.02 of that, in earthquakes, too");
     let rows = table("friction-creep/results.csv");
