@@ -174,6 +174,7 @@ pages! {
     benches "benches/README.md",
     contributing "CONTRIBUTING.md",
     python "python/README.md",
+    answers "docs/answers.md",
     benchmarks "docs/benchmarks.md",
     calibrate "docs/calibrate.md",
     clusters "docs/clusters.md",

@@ -4,6 +4,7 @@
 mod common;
 
 mod advice;
+mod answers;
 mod bad_studies;
 mod every_case;
 mod findings;
