@@ -62,7 +62,7 @@ impl Described for Lugre {
                 &structure::SIGMA1,
                 &structure::SIGMA2,
                 &structure::STATIC_RATIO,
-                &structure::STRIBECK_VELOCITY,
+                &structure::STRIBECK_VELOCITY_OF_STATIC,
             ],
         )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
