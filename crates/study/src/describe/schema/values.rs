@@ -134,7 +134,7 @@ pub(in crate::describe) fn allowed(parameter: &Parameter) -> String {
 pub(super) fn value(parameter: &Parameter) -> Json {
     match parameter.kind {
         Kind::Number(range) => number(range),
-        Kind::Whole { min, max } => whole(min.into(), max.into()),
+        Kind::Whole { min, max } => whole(min, max),
         Kind::Choice(choices) => names(choices.iter().copied()),
     }
 }

@@ -55,6 +55,22 @@ pub(in crate::structure) fn scaled(
     function(&object, node.at, path, reader, faults)
 }
 
+/// The same; nothing moves in place of a function with a fault, so that only the fault itself has a message.
+fn known(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Scaled {
+    let none = || Scaled {
+        source: Source::new(
+            Kind::Table {
+                t: Vec::new(),
+                f: Vec::new(),
+            },
+            (node.at, path.to_owned()),
+        ),
+        scale: None,
+        shape: Box::default(),
+    };
+    scaled(node, path, reader, faults).unwrap_or_else(none)
+}
+
 /// The accelerations of the ground: one in x, or one for each key x, y and z.
 pub(in crate::structure) fn ground(
     object: &Object,
@@ -75,11 +91,7 @@ pub(in crate::structure) fn ground(
         _ => false,
     };
     if !by_directions {
-        let ground = scaled(node, &path, reader, faults);
-        return ground
-            .map(|ground| (Direction::X, ground))
-            .into_iter()
-            .collect();
+        return vec![(Direction::X, known(node, &path, reader, faults))];
     }
     let Some(object) = open(node, &path, GROUND, faults) else {
         return Vec::new();
@@ -87,7 +99,7 @@ pub(in crate::structure) fn ground(
     let one = |direction: Direction| {
         let node = object.get(direction.name())?;
         let path = object.path(direction.name());
-        Some((direction, scaled(node, &path, reader, faults)?))
+        Some((direction, known(node, &path, reader, faults)))
     };
     Direction::TRANSLATIONS
         .into_iter()
