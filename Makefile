@@ -121,7 +121,7 @@ schema: ## write schema/study.json, which editors read, and docs/study-files*.md
 
 PYTHON = python3
 python_env = target/python
-python_tools = pytest mypy numpy pandas polars pyarrow duckdb scipy matplotlib tqdm nbclient nbformat ipykernel
+python_tools = pytest mypy numpy pandas polars pyarrow duckdb scipy matplotlib tqdm nbclient nbformat ipykernel jsonschema
 
 # The extension is built for development, as `maturin develop` does, but with the library that the other tests have compiled.
 # SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.

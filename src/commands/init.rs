@@ -20,15 +20,19 @@ pub struct InitArgs {
     /// Name of the study, without .json
     #[arg(value_parser = name)]
     name: String,
-    /// Problem of the study
+    /// Problem of the study: friction-oscillator, bar-impact or structure
     #[arg(long, value_parser = problem)]
-    problem: &'static str,
+    problem: Option<&'static str>,
 }
 
 impl InitArgs {
     /// Writes the study; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        init(&self.name, self.problem)
+        let problem = self.problem.ok_or_else(|| {
+            let names: Vec<&str> = problem::names().collect();
+            Error::Usage(format!("missing: --problem; one of {}", names.join(", ")))
+        })?;
+        init(&self.name, problem)
     }
 }
 

@@ -27,6 +27,7 @@ use crate::batch::store::key::SOLVER_VERSION;
 use drawing::glyphs::Glyphs;
 use index::Index;
 use std::io::{self, Write};
+use text::POLICY;
 
 const STYLE: &str = include_str!("page/report.css");
 
@@ -64,7 +65,7 @@ pub fn write(out: &mut impl Write, sections: &mut [Section]) -> io::Result<()> {
     };
     write!(
         out,
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{POLICY}\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>slipgap report</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n\
          <h1>slipgap report</h1>\n<p class=\"facts\">slipgap {}, solver {SOLVER_VERSION}, {studies} \

@@ -1,5 +1,9 @@
 //! Texts of the page: escaped text of a user, and verdicts.
 
+/// A page needs nothing beside itself, and loads nothing.
+pub const POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; \
+     style-src 'unsafe-inline'; img-src data:\">";
+
 /// The text as HTML, in elements and in quoted attributes.
 pub fn escape(text: &str) -> String {
     printable(text)

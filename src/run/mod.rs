@@ -16,7 +16,7 @@ mod unsolved;
 pub use ensembles::{indices, without_value};
 pub use merge::merge_study;
 pub use observer::Observer;
-pub use source::{Source, check_printable, file_name};
+pub use source::{Source, check_printable, file_name, found};
 pub use tally::{Tally, cases_run};
 pub use unsolved::UnsolvedCases;
 

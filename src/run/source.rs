@@ -23,6 +23,7 @@ impl Source {
     /// # Errors
     /// A name that no folder can have, a file that cannot be read, and all faults of the study.
     pub fn read(file: &Path, settings: &[Setting], limit: u64) -> Result<Source, Error> {
+        let file = &found(file);
         let name = file_name(file)?;
         check_printable(file)?;
         let input = Input::of_file(file)?.with(settings);
@@ -67,6 +68,18 @@ impl Source {
     pub fn line(&self, what: &str) -> String {
         format!("{}: {what}", self.file.display())
     }
+}
+
+/// The file that a person means by `slide`: this one, `slide.json`, or `studies/slide.json`; the first one that exists.
+pub fn found(file: &Path) -> PathBuf {
+    let with_ending = match file.extension() {
+        Some(ending) if ending == "json" => file.to_owned(),
+        Some(_) | None => PathBuf::from(format!("{}.json", file.display())),
+    };
+    let in_studies = Path::new("studies").join(&with_ending);
+    let candidates = [file.to_owned(), with_ending, in_studies];
+    let existing = candidates.into_iter().find(|path| path.exists());
+    existing.unwrap_or_else(|| file.to_owned())
 }
 
 /// The name of the folder of results of a study file: its own name without `.json`.

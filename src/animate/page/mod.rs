@@ -3,7 +3,7 @@
 use super::film::numbers::digits;
 use super::film::{Film, scene, thin, trace};
 use super::unit;
-use crate::report::text::escape;
+use crate::report::text::{POLICY, escape};
 use crate::study::Study;
 use crate::study::error::Error;
 use serde_json::{Value, json};
@@ -94,6 +94,7 @@ pub fn page(
     let mut rest = HTML;
     // In the order of the page, so that no text of a study is taken for a mark.
     for (mark, text) in [
+        ("{policy}", POLICY),
         ("{title}", &*title),
         ("{css}", CSS),
         ("{title}", &*title),

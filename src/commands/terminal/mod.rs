@@ -1,6 +1,7 @@
 //! Output on the terminal: results to stdout, notes and errors to stderr.
 
 mod duration;
+mod metrics;
 mod observer;
 pub mod progress;
 mod studies;

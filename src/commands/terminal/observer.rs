@@ -1,10 +1,13 @@
 //! Shows a run on the terminal.
 
+use super::metrics::Metrics;
 use super::studies::Studies;
 use super::{note, progress};
 use indicatif::ProgressBar;
+use slipgap::batch::PartResult;
 use slipgap::batch::solve::work_progress::WorkProgress;
 use slipgap::run::{Observer, Source};
+use std::io::{IsTerminal, stdout};
 use std::sync::Arc;
 
 /// Number of cases from which the indices of a design take seconds.
@@ -15,6 +18,8 @@ pub struct Terminal {
     studies: Studies,
     /// The work of the current study.
     work: Arc<WorkProgress>,
+    /// Those of the current study, which are shown to a person.
+    metrics: Metrics,
 }
 
 impl Terminal {
@@ -23,6 +28,7 @@ impl Terminal {
         Terminal {
             studies: Studies::new(sources),
             work: Arc::new(WorkProgress::new(0.0)),
+            metrics: Metrics::default(),
         }
     }
 
@@ -39,7 +45,15 @@ impl Observer for Terminal {
         let all = studies.estimate().map(|all| (all, studies.outputs()));
         let (bar, work) = progress::bar_with_store(&studies.name(source), study, all);
         self.work = work.clone();
+        self.metrics = match stdout().is_terminal() {
+            true => Metrics::of(source),
+            false => Metrics::default(),
+        };
         (bar, work)
+    }
+
+    fn part(&mut self, part: &PartResult) {
+        self.metrics.add(part);
     }
 
     fn end_cases(&mut self, source: &Source, bar: &ProgressBar, summary: &str) {
@@ -54,6 +68,8 @@ impl Observer for Terminal {
             &self.studies.name(source),
             &(summary.to_owned() + &left),
         );
+        let table = self.metrics.text();
+        table.lines().for_each(note);
     }
 
     fn begin_indices(&mut self, source: &Source, estimates: usize) -> ProgressBar {

@@ -6,4 +6,5 @@ mod checks;
 mod claims;
 mod claims_near;
 mod compare;
+mod helpful;
 mod usage;

@@ -21,6 +21,9 @@ use crate::Study;
 use crate::computed::metrics_of;
 use slipgap_problem::problem::Case;
 
+/// Most values of an axis that is looked at for repeated ones.
+const LONGEST_LIST: usize = 1000;
+
 /// Free parameters of a study and the metric that their best values minimise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibrate {
@@ -46,8 +49,8 @@ pub struct Free {
 }
 
 impl Study {
-    /// What was done to input files that the study does not ask for, what may be a mistake, and that its free parameters are not searched
-    /// here, in words.
+    /// What was done to input files that the study does not ask for, what may be a mistake, such as a value twice in an axis, and that its
+    /// free parameters are not searched here, in words.
     pub fn notes(&self) -> Vec<String> {
         let table = self.problem.parameters();
         let names = self.calibrate.iter().flat_map(|own| &own.free);
@@ -58,7 +61,35 @@ impl Study {
                 names.join(", ")
             )
         });
-        self.problem.notes().iter().cloned().chain(free).collect()
+        let notes = self.problem.notes().iter().cloned();
+        notes.chain(self.repeated_values()).chain(free).collect()
+    }
+
+    /// The axes of their own with a value twice, whose cases are computed twice.
+    fn repeated_values(&self) -> Vec<String> {
+        let groups = self.blocks.iter().flat_map(|block| &block.groups);
+        let alone = groups.filter_map(|group| match &group.axes[..] {
+            [axis] => Some(axis),
+            _ => None,
+        });
+        let mut notes: Vec<String> = Vec::new();
+        for axis in alone {
+            // Longer ones are by rule.
+            if axis.values.len() > LONGEST_LIST {
+                continue;
+            }
+            let mut texts: Vec<String> =
+                axis.values.iter().map(|value| value.to_string()).collect();
+            texts.sort_unstable();
+            if let Some(twice) = texts.windows(2).find(|pair| pair[0] == pair[1]) {
+                let name = &self.problem.parameters()[axis.parameter].name;
+                let note = format!("{name} has the value {} twice: its cases repeat", twice[0]);
+                if !notes.contains(&note) {
+                    notes.push(note);
+                }
+            }
+        }
+        notes
     }
 
     /// The value of a measure in a case from its metrics, in the order of the problem's table; `None` if it is undefined.

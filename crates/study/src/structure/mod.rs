@@ -21,7 +21,7 @@ use super::source::object::Object;
 use super::source::tree::Node;
 use super::value;
 use crate::structure::reading::reader::{Reader, named, open};
-use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE};
+use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE, range};
 use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::structure::StructureProblem;
 use slipgap_problem::problem::structure::channels::names::Names;
@@ -119,7 +119,7 @@ pub(super) fn problem(
         modal_damping: reader.optional(
             &object,
             "modal_damping",
-            slipgap_problem::problem::numbers::parameter::Range::NotNegative,
+            range(STRUCTURE, "modal_damping"),
             faults,
         ),
         damping_stiffness: damping_stiffness(&object, faults).unwrap_or_default(),

@@ -1,7 +1,7 @@
 //! Masses, bars, springs, damping and start of a structure.
 
 use super::contacts::plane;
-use super::keys::{BAR, GRAVITY, GROUND, MASS, RAYLEIGH, START};
+use super::keys::{BAR, GRAVITY, GROUND, MASS, RAYLEIGH, START, range};
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
@@ -39,7 +39,7 @@ pub(super) fn masses(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Ve
         let (mass, direction) = match &node.tree {
             Tree::Object(_) => {
                 let object = open(node, path, MASS, faults)?;
-                let mass = reader.needed(&object, MASS, "mass", Range::NotNegative, faults);
+                let mass = reader.needed(&object, MASS, "mass", faults);
                 let direction = match name.split_once('.') {
                     Some((_, direction)) => Direction::named(direction),
                     None => reader.direction(&object, faults),
@@ -47,7 +47,7 @@ pub(super) fn masses(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Ve
                 (mass, direction)
             }
             _ => {
-                let mass = reader.amount(node, path, Range::NotNegative, faults);
+                let mass = reader.amount(node, path, range(MASS, "mass"), faults);
                 (mass, Some(Direction::X))
             }
         };
@@ -64,11 +64,11 @@ pub(super) fn masses(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Ve
 pub(super) fn bars(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Bar> {
     let mut bar = |(name, node, path): &Part| {
         let object = open(node, path, BAR, faults)?;
-        let mut need = |key| reader.needed(&object, BAR, key, Range::Positive, faults);
+        let mut need = |key| reader.needed(&object, BAR, key, faults);
         let (length, stiffness) = (need("L"), need("EA"));
         let (mass, elements) = (need("mass"), need("n"));
         let damping = "stiffness_damping";
-        let stiffness_damping = reader.optional(&object, damping, Range::NotNegative, faults);
+        let stiffness_damping = reader.optional(&object, damping, range(BAR, damping), faults);
         let direction = reader.direction(&object, faults);
         Some(Bar {
             name: name.clone(),
@@ -110,7 +110,10 @@ pub(super) fn rayleigh(
 ) -> Option<[Option<Amount>; 2]> {
     let node = object.get("rayleigh")?;
     let object = open(node, &object.path("rayleigh"), RAYLEIGH, faults)?;
-    Some(["mass", "stiffness"].map(|key| reader.optional(&object, key, Range::NotNegative, faults)))
+    Some(
+        ["mass", "stiffness"]
+            .map(|key| reader.optional(&object, key, range(RAYLEIGH, key), faults)),
+    )
 }
 
 /// The static loads, by the names of what they act on, and gravity.

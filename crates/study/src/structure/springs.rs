@@ -1,13 +1,12 @@
 //! Springs and dashpots.
 
 use super::contacts::plane;
-use super::keys::SPRING;
+use super::keys::{SPRING, range};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
-use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
 use slipgap_problem::problem::structure::parts::template::{Spring, SpringNumbers};
 
@@ -81,7 +80,8 @@ fn numbers(
         object.fault("give k and c, or mass, period and ratio, not both", faults);
         return None;
     }
-    let optional = |key: &str, range: Range, faults: &mut Faults| {
+    let optional = |key: &str, faults: &mut Faults| {
+        let range = range(SPRING, key);
         let (node, path) = (object.get(key)?, object.path(key));
         match (&node.tree, place) {
             (Tree::List(items), Some(place)) => reader.amount(
@@ -93,22 +93,22 @@ fn numbers(
             _ => reader.amount(node, &path, range, faults),
         }
     };
-    let needed = |key: &str, range: Range, faults: &mut Faults| {
+    let needed = |key: &str, faults: &mut Faults| {
         let what = SPRING.iter().find(|known| known.0 == key);
         object.need(key, what.map_or("", |known| known.1), faults)?;
-        optional(key, range, faults)
+        optional(key, faults)
     };
     if by_period {
-        let mut need = |key| needed(key, Range::Positive, faults);
+        let mut need = |key| needed(key, faults);
         let (mass, period) = (need("mass"), need("period"));
-        let ratio = optional("ratio", Range::NotNegative, faults);
+        let ratio = optional("ratio", faults);
         return Some(SpringNumbers::Period {
             mass: mass?,
             period: period?,
             ratio,
         });
     }
-    let c = optional("c", Range::NotNegative, faults);
+    let c = optional("c", faults);
     let k = match (object.get("k"), &c) {
         // A dashpot alone.
         (None, Some(c)) => Some(zero(c)),
@@ -116,7 +116,7 @@ fn numbers(
             object.fault("missing: k and c, or mass, period and ratio", faults);
             None
         }
-        (Some(_), _) => needed("k", Range::Any, faults),
+        (Some(_), _) => needed("k", faults),
     };
     Some(SpringNumbers::Stiffness { k: k?, c })
 }

@@ -4,7 +4,7 @@ use crate::commands::terminal::note;
 use slipgap::batch::output;
 use slipgap::error::Error;
 pub use slipgap::run::Source;
-use slipgap::run::{check_printable, file_name, files};
+use slipgap::run::{check_printable, file_name, files, found};
 use slipgap::study::{self, Input, Setting};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -85,6 +85,7 @@ fn find_named(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
         let message = "no folder studies here; name a study file or a folder, or write a first study by `slipgap init`";
         return Err(Error::Usage(message.into()));
     }
+    let path = &found(path);
     if !path.is_dir() {
         return Ok(vec![(path.to_owned(), file_name(path)?)]);
     }

@@ -233,6 +233,9 @@ pub mod structure {
         Range::Positive,
         "{laws}: velocity v_S over which the limit falls to the kinetic one",
     );
+    /// v_S of a law that does without a static limit.
+    pub const STRIBECK_VELOCITY_OF_STATIC: Number =
+        STRIBECK_VELOCITY.usually(Usual::Follows("needed with static_ratio"));
     /// L
     pub const LIMIT: Number = Number::new(
         ["limit", "*νN*", "force"],

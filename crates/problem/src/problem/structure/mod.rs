@@ -26,6 +26,7 @@ use crate::system::structure::Structure;
 use described::{describe, ground, scheme};
 use given::{short, signal_cache};
 use metrics::units::UnitNames;
+pub use model::assemble::MOST_NODES;
 use model::assemble::{self, Model, assemble};
 use motions::compared::friction_limits;
 use motions::motion;

@@ -3,7 +3,7 @@
 use super::parts::{pair, several, width};
 use serde_json::{Map, Value as Json, json};
 
-use super::values::{names, number, object, ratio, refer, value};
+use super::values::{constant, names, number, object, ratio, refer, value};
 use crate::decode::checks;
 use crate::figure::decoded_value::MARKS;
 use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
@@ -147,7 +147,7 @@ pub(super) fn check(problem: &dyn Problem) -> Json {
         let mut schema = match key {
             "metric" => refer(&name_of(problem, "column")),
             "where" => refer(&name_of(problem, key)),
-            _ => number(Range::Any),
+            _ => constant(),
         };
         schema["description"] = meaning.into();
         properties.insert(key.into(), schema);

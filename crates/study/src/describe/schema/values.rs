@@ -4,6 +4,7 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::axes::axis_rule::RULES;
 use crate::axes::interval::INTERVALS;
+use slipgap_problem::problem::expression::{CONSTANTS, FUNCTIONS};
 use slipgap_problem::problem::numbers::parameter::{
     Condition, Default, Kind, Parameter, Range, Value,
 };
@@ -133,12 +134,14 @@ pub(in crate::describe) fn allowed(parameter: &Parameter) -> String {
 pub(super) fn value(parameter: &Parameter) -> Json {
     match parameter.kind {
         Kind::Number(range) => number(range),
-        Kind::Whole { min, max } => json!({ "anyOf": [
-            { "type": "integer", "minimum": min, "maximum": max },
-            expression(),
-        ] }),
+        Kind::Whole { min, max } => whole(min, max),
         Kind::Choice(choices) => names(choices.iter().copied()),
     }
+}
+
+/// A whole number, or an expression.
+pub(super) fn whole(min: u64, max: u64) -> Json {
+    json!({ "anyOf": [{ "type": "integer", "minimum": min, "maximum": max }, refer(EXPRESSION)] })
 }
 
 /// A number in a range, or an expression.
@@ -211,9 +214,20 @@ pub(super) fn ratio() -> Json {
 pub(super) fn expression() -> Json {
     json!({
         "type": "string",
-        "pattern": "[0-9A-Za-z]",
+        "pattern": "^(?! *[-+]?[0-9]+,[0-9]+ *$).*[0-9A-Za-z]",
         "description": "an expression: numbers, + - * / ^ ( ), pi, e, sqrt and other functions; the value of a parameter may also name other parameters",
     })
+}
+
+/// A number, or an expression without parameters.
+pub(super) fn constant() -> Json {
+    let functions = FUNCTIONS.iter().map(|own| own.0);
+    let words: Vec<&str> = CONSTANTS.into_iter().chain(functions).collect();
+    let text = json!({
+        "type": "string",
+        "pattern": format!("^([-+*/^(),. 0-9E]|{})+$", words.join("|")),
+    });
+    json!({ "anyOf": [{ "type": "number" }, text] })
 }
 
 /// One of several names. Editors that support `enumDescriptions` show the meanings.

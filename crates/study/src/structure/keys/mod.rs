@@ -4,6 +4,7 @@ mod contacts;
 mod measured;
 mod motions;
 mod parts;
+mod ranges;
 mod spectra;
 
 pub(crate) use contacts::{CONTACT, LAW_TABLE, LISTS, NORMAL_TABLE, PART, PRESSING, WEIGHT};
@@ -13,6 +14,7 @@ pub(crate) use motions::{
     PULSE, RICKER, SINE, SUPPORT, SYNTHETIC, TABLE,
 };
 pub(crate) use parts::{BAR, MASS, MATRICES, RAYLEIGH, REDUCE, SPRING};
+pub(crate) use ranges::range;
 pub(crate) use spectra::{ASCE_7, EN_1998, SCALE_TO, SPECTRUM, TARGET_TABLE};
 
 /// Keys with their meanings.

@@ -1,7 +1,7 @@
 //! Matrices of other programs: the files of M, K and C, and the names of their rows.
 
 pub(super) mod rows;
-use super::keys::{MATRICES, REDUCE};
+use super::keys::{MATRICES, REDUCE, range};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::Tree;
@@ -11,7 +11,6 @@ use crate::structure::reading::reader::Part;
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
 use slipgap_problem::problem::interned;
-use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::channels::channel::Term;
 use slipgap_problem::problem::structure::given::rows::Rows;
 use slipgap_problem::problem::structure::metrics::{metric::StructureMetric, reduction::Reduction};
@@ -55,10 +54,10 @@ pub(super) fn modes(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec
         let reduce = open(node, &object.path("reduce"), REDUCE, faults)?;
         match (reduce.get("modes"), reduce.get("up_to")) {
             (Some(_), None) => reader
-                .optional(&reduce, "modes", Range::NotNegative, faults)
+                .optional(&reduce, "modes", range(REDUCE, "modes"), faults)
                 .map(Modes::Number),
             (None, Some(_)) => reader
-                .optional(&reduce, "up_to", Range::Positive, faults)
+                .optional(&reduce, "up_to", range(REDUCE, "up_to"), faults)
                 .map(Modes::UpTo),
             (Some(_), Some(_)) => {
                 reduce.fault("give modes or up_to, not both", faults);

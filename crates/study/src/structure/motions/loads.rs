@@ -8,6 +8,7 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::{
     COSINE, FUNCTION, FUNCTIONS, GROUND, LOAD_AT, PULSE, RICKER, SINE, SYNTHETIC, TABLE, names,
+    range,
 };
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
@@ -54,6 +55,22 @@ pub(in crate::structure) fn scaled(
     function(&object, node.at, path, reader, faults)
 }
 
+/// The same; nothing moves in place of a function with a fault, so that only the fault itself has a message.
+fn known(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Scaled {
+    let none = || Scaled {
+        source: Source::new(
+            Kind::Table {
+                t: Vec::new(),
+                f: Vec::new(),
+            },
+            (node.at, path.to_owned()),
+        ),
+        scale: None,
+        shape: Box::default(),
+    };
+    scaled(node, path, reader, faults).unwrap_or_else(none)
+}
+
 /// The accelerations of the ground: one in x, or one for each key x, y and z.
 pub(in crate::structure) fn ground(
     object: &Object,
@@ -74,11 +91,7 @@ pub(in crate::structure) fn ground(
         _ => false,
     };
     if !by_directions {
-        let ground = scaled(node, &path, reader, faults);
-        return ground
-            .map(|ground| (Direction::X, ground))
-            .into_iter()
-            .collect();
+        return vec![(Direction::X, known(node, &path, reader, faults))];
     }
     let Some(object) = open(node, &path, GROUND, faults) else {
         return Vec::new();
@@ -86,7 +99,7 @@ pub(in crate::structure) fn ground(
     let one = |direction: Direction| {
         let node = object.get(direction.name())?;
         let path = object.path(direction.name());
-        Some((direction, scaled(node, &path, reader, faults)?))
+        Some((direction, known(node, &path, reader, faults)))
     };
     Direction::TRANSLATIONS
         .into_iter()
@@ -154,7 +167,7 @@ pub(in crate::structure) fn function(
 
 fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
     let object = open(node, path, SINE, faults)?;
-    let mut need = |key| reader.needed(&object, SINE, key, Range::Any, faults);
+    let mut need = |key| reader.needed(&object, SINE, key, faults);
     let (amplitude, omega) = (need("amplitude"), need("omega"));
     Some(Kind::Sine {
         amplitude: amplitude?,
@@ -172,15 +185,9 @@ fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Optio
     let path = object.path(&member.key);
     if member.key == "ricker" {
         let object = open(&member.node, &path, RICKER, faults)?;
-        let mut need = |key, range| reader.needed(&object, RICKER, key, range, faults);
-        let (amplitude, frequency) = (
-            need("amplitude", Range::Any),
-            need("frequency", Range::Positive),
-        );
-        let (at, sampled) = (
-            need("at", Range::Positive),
-            need("sampled", Range::Positive),
-        );
+        let mut need = |key| reader.needed(&object, RICKER, key, faults);
+        let (amplitude, frequency) = (need("amplitude"), need("frequency"));
+        let (at, sampled) = (need("at"), need("sampled"));
         return Some(Kind::Ricker {
             amplitude: amplitude?,
             frequency: frequency?,
@@ -189,12 +196,9 @@ fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Optio
         });
     }
     let object = open(&member.node, &path, COSINE, faults)?;
-    let mut need = |key, range| reader.needed(&object, COSINE, key, range, faults);
-    let amplitude = need("amplitude", Range::Any);
-    let (period, sampled) = (
-        need("period", Range::Positive),
-        need("sampled", Range::Positive),
-    );
+    let mut need = |key| reader.needed(&object, COSINE, key, faults);
+    let amplitude = need("amplitude");
+    let (period, sampled) = (need("period"), need("sampled"));
     Some(Kind::Cosine {
         amplitude: amplitude?,
         period: period?,
@@ -205,7 +209,7 @@ fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Optio
 /// A seed, plain or in an object with the frequency of the ground filter.
 fn synthetic(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
     let Tree::Object(_) = &node.tree else {
-        let seed = reader.amount(node, path, Range::NotNegative, faults);
+        let seed = reader.amount(node, path, range(SYNTHETIC, "seed"), faults);
         return Some(Kind::Synthetic {
             seed: whole(seed?, faults)?,
             omega: None,
@@ -213,9 +217,9 @@ fn synthetic(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> O
     };
     let object = open(node, path, SYNTHETIC, faults)?;
     let before = faults.count();
-    let seed = reader.needed(&object, SYNTHETIC, "seed", Range::NotNegative, faults);
+    let seed = reader.needed(&object, SYNTHETIC, "seed", faults);
     let seed = seed.and_then(|seed| whole(seed, faults));
-    let omega = reader.optional(&object, "omega", Range::Positive, faults);
+    let omega = reader.optional(&object, "omega", range(SYNTHETIC, "omega"), faults);
     let complete = faults.count() == before;
     Some(Kind::Synthetic { seed: seed?, omega }).filter(|_| complete)
 }

@@ -3,6 +3,7 @@
 use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::source::tree::Node;
+use crate::structure::keys::{FUNCTION, range};
 use crate::structure::reading::files::bytes;
 use crate::structure::reading::reader::Reader;
 use crate::value::{name, number};
@@ -75,7 +76,7 @@ fn reading(function: &Object, faults: &mut Faults) -> Option<Reading> {
     };
     let (column, component) = (whole("column"), whole("component"));
     let dt = function.get("dt");
-    let dt = dt.and_then(|node| number(node, &function.path("dt"), Range::Positive, faults));
+    let dt = dt.and_then(|node| number(node, &function.path("dt"), range(FUNCTION, "dt"), faults));
     (faults.count() == before).then_some(Reading {
         mean,
         column,

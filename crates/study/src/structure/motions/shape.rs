@@ -4,10 +4,11 @@ use super::table::table;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::Node;
-use crate::structure::keys::{ASCE_7, EN_1998, Keys, SCALE_TO, SPECTRUM, TARGET_TABLE, names};
+use crate::structure::keys::{
+    ASCE_7, EN_1998, FUNCTION, Keys, SCALE_TO, SPECTRUM, TARGET_TABLE, names, range,
+};
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::name;
-use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::Amount;
 use slipgap_problem::problem::structure::given::scale_to::{Goal, ScaleTo, TargetSpectrum};
 use slipgap_problem::problem::structure::given::shape::Shape;
@@ -21,7 +22,7 @@ pub(in crate::structure) fn shape(
     faults: &mut Faults,
 ) -> Option<Box<Shape>> {
     let before = faults.count();
-    let mut time = |key| reader.optional(object, key, Range::NotNegative, faults);
+    let mut time = |key| reader.optional(object, key, range(FUNCTION, key), faults);
     let mut shape = Box::<Shape>::default();
     shape.start = time("start");
     shape.end = time("end");
@@ -79,7 +80,7 @@ fn scale_to(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Op
             Unit::ALL[place].in_m_s2() / reader.metre
         }
     };
-    let mut need = |key| reader.needed(&object, SCALE_TO, key, Range::Positive, faults);
+    let mut need = |key| reader.needed(&object, SCALE_TO, key, faults);
     let goal = match goal {
         "pga" => Goal::PeakAcceleration(need("pga")?),
         "Sa" => {
@@ -109,7 +110,7 @@ fn scale_to(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Op
 /// The damping ratio, if there is one.
 fn ratio(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Option<Amount>> {
     let before = faults.count();
-    let ratio = reader.optional(object, "ratio", Range::UpToOne, faults);
+    let ratio = reader.optional(object, "ratio", range(SCALE_TO, "ratio"), faults);
     (faults.count() == before).then_some(ratio)
 }
 
@@ -135,7 +136,7 @@ fn target(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Opti
         let object = open(node, &path, keys, faults)?;
         let values = keys
             .iter()
-            .map(|key| reader.needed(&object, keys, key.0, Range::Positive, faults));
+            .map(|key| reader.needed(&object, keys, key.0, faults));
         // All are read, so that every fault is reported.
         let values: Vec<Option<Amount>> = values.collect();
         values.into_iter().collect::<Option<Vec<Amount>>>()

@@ -7,13 +7,12 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::{
-    DISPLACEMENT, FUNCTION, GROUND, IMPOSED, IMPOSED_BY_FILE, SUPPORT, names,
+    DISPLACEMENT, FUNCTION, GROUND, IMPOSED, IMPOSED_BY_FILE, SUPPORT, names, range,
 };
 use crate::structure::measured::{column, test};
 use crate::structure::reading::given::member;
 use crate::structure::reading::reader::Part;
 use crate::structure::reading::reader::{Reader, open};
-use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::channels::measured::Test;
 use slipgap_problem::problem::structure::given::amount::Amount;
@@ -111,7 +110,7 @@ fn support(
         let course = course(&object, node.at, path, reader, faults)?;
         let delay = match &course {
             Course::Displacement(..) => {
-                reader.optional(&object, "delay", Range::NotNegative, faults)
+                reader.optional(&object, "delay", range(SUPPORT, "delay"), faults)
             }
             Course::Acceleration(_) => None,
         };
@@ -122,7 +121,7 @@ fn support(
         faults.add(member.at, &join(path, &member.key), message);
         return None;
     }
-    let delay = reader.optional(&object, "delay", Range::NotNegative, faults);
+    let delay = reader.optional(&object, "delay", range(SUPPORT, "delay"), faults);
     let baseline = baseline(&object, faults).unwrap_or_default();
     let one = |(direction, given): (Direction, bool)| {
         let node = object.get(direction.name()).filter(|_| given)?;

@@ -2,6 +2,7 @@
 
 use super::labels::{is_label, labels, report_texts_of_tables};
 use crate::source::faults::{Faults, quoted};
+use crate::source::hint::nearest;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::KEY;
@@ -226,8 +227,13 @@ pub(in crate::structure) fn report_unused(
         let own = given.iter().find(|(member, _)| member.key == named.name);
         if let Some((member, path)) = own {
             let name = quoted(&named.name);
+            let rows = (0..parameters.len()).filter(|other| is_used(*other));
+            let others: Vec<&str> = rows.map(|other| &*parameters[other].name).collect();
+            let hint = nearest(&named.name, &others)
+                .map(|near| format!(", did you mean {}?", quoted(near)))
+                .unwrap_or_default();
             let message = format!(
-                "{name} is not used: no part of the structure and no expression contains it; a label of the cases is allowed as a \
+                "{name} is not used{hint}: no part of the structure and no expression contains it; a label of the cases is allowed as a \
                  list in a \"zip\" with a parameter that is used"
             );
             faults.add(member.at, path, message);

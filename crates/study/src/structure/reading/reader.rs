@@ -3,7 +3,7 @@
 use crate::source::faults::{Faults, in_words, quoted, unknown};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::structure::keys::{Keys, names};
+use crate::structure::keys::{Keys, names, range};
 use crate::value::{name, number, with_unit};
 use slipgap_problem::problem::ParameterExpression;
 use slipgap_problem::problem::expression::Formula;
@@ -94,12 +94,11 @@ impl Reader<'_> {
         object: &Object,
         keys: Keys,
         key: &str,
-        range: Range,
         faults: &mut Faults,
     ) -> Option<Amount> {
         let what = keys.iter().find(|known| known.0 == key);
         let node = object.need(key, what.map_or("", |known| known.1), faults)?;
-        self.amount(node, &object.path(key), range, faults)
+        self.amount(node, &object.path(key), range(keys, key), faults)
     }
 
     /// The nodes of which the motion of a name at a place of the study is the sum, each with its factor.

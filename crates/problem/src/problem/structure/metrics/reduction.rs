@@ -108,6 +108,20 @@ pub const ERRORS: [Reduction; 7] = [
     Reduction::MeshError,
 ];
 
+/// What stands in the brackets behind a reduction, in words; `None` without brackets.
+pub fn in_brackets(name: &str) -> Option<&'static str> {
+    let place = REDUCTIONS.iter().position(|known| known.0 == name)?;
+    match ALL[place].1 {
+        Takes::Nothing | Takes::Ground => None,
+        Takes::Channel | Takes::ChannelOrMeasured => Some("NODE"),
+        Takes::MeasuredChannel => Some("NODE, measured"),
+        Takes::Contact | Takes::ContactOrMeasured => Some("CONTACT"),
+        Takes::MeasuredLoop => Some("NODE, CONTACT.S, measured"),
+        Takes::ChannelAndThreshold => Some("NODE, 0.01"),
+        Takes::GroundAndOscillator => Some("1"),
+    }
+}
+
 impl Reduction {
     /// Whether it is the size of a difference of two motions, of a contact in a plane that of a vector.
     pub fn is_of_difference(self) -> bool {

@@ -1,22 +1,28 @@
 //! The schema of studies of structures, whose parameters, channels and metrics have free names.
 
+mod contacts;
 mod motions;
 mod results;
+mod rules;
+mod springs;
 
-use motions::{contact_value, function_value, support};
+use motions::{by_directions, function, load, support};
 use results::{check, figure, metric};
+use rules::{all_numbers, any, described, named, one_of, parts_by_name};
+use springs::{bar, mass, spring};
 
 use crate::describe::schema::parts::{
     block_keys, calibrate, computed, listed_metrics, reduction, several,
 };
-use crate::describe::schema::values::{INTERVAL, RULE, expression, names, number, object, refer};
+use crate::describe::schema::values::{
+    self, INTERVAL, RULE, expression, names, number, object, refer,
+};
 use crate::figure::kinds::KINDS;
-use crate::structure::keys::{self, Keys};
+use crate::structure::keys;
 use serde_json::{Map, Value as Json, json};
 use slipgap_problem::problem::method::PARAMETERS;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
-use slipgap_system::system::structure::Direction;
 
 /// The rules for studies of structures.
 pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
@@ -25,16 +31,10 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
         definitions.insert(name.clone(), schema);
         refer(&name)
     };
-    let function = define("function", described(keys::FUNCTION, function_value, &[]));
-    let mut of_laws = |what: &str, keys: Keys| {
-        let mut one = described(keys, |key| contact_value(key, &function), &[]);
-        let relations = ["law"].into_iter().chain(keys::LISTS.map(|list| list.0));
-        let relations = relations.map(|key| json!({ "required": [key] }));
-        one["oneOf"] = relations.collect();
-        define(what, one)
-    };
-    let contact = of_laws("contact", &keys::CONTACT);
-    of_laws(PART, &keys::PART);
+    let function = define("function", function());
+    let part = format!("{NAME}.part");
+    let contact = define("contact", contacts::contact(&function, &part));
+    define("part", contacts::in_list(&function, &part));
     let parameters = define("parameters", parameters());
     let structure = define("structure", structure(&function, &contact));
     let metric = define("metric", metric());
@@ -65,79 +65,24 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
     })
 }
 
-/// What a list of laws consists of.
-const PART: &str = "part";
-
-/// The name of its definition.
-fn part() -> String {
-    format!("{NAME}.{PART}")
-}
-
-/// An object with these keys; `value` gives the schema of each.
-fn described(keys: Keys, value: impl Fn(&str) -> Json, required: &[&str]) -> Json {
-    let mut properties = Map::new();
-    for (key, meaning) in keys {
-        let mut schema = value(key);
-        if let Json::Object(schema) = &mut schema {
-            schema.insert("description".into(), (*meaning).into());
-        }
-        properties.insert((*key).into(), schema);
-    }
-    object(properties, required)
-}
-
-/// An object with free names as keys.
-fn named(one: Json) -> Json {
-    json!({ "type": "object", "additionalProperties": one, "properties": { "//": { "description": "a remark" } } })
-}
-
-fn any() -> Json {
-    number(Range::Any)
-}
-
+/// The step and the duration, those of the method, and others with free names.
 fn parameters() -> Json {
-    let mut schema = named(axis_values());
+    let mut schema = values::parameters(&PARAMETERS, "");
+    schema["additionalProperties"] = axis_values();
     for (name, meaning) in FIXED {
-        let mut value = axis_values();
-        value["description"] = meaning.into();
-        schema["properties"][name] = value;
+        let one = number(Range::Positive);
+        let list = json!({ "type": "array", "minItems": 1, "items": one });
+        schema["properties"][name] = json!({
+            "anyOf": [one, list, refer(RULE), refer(INTERVAL)],
+            "description": meaning,
+        });
     }
-    for parameter in PARAMETERS.iter() {
-        let mut value = axis_values();
-        value["description"] = parameter.meaning.as_ref().into();
-        schema["properties"][parameter.name.as_ref()] = value;
-    }
+    schema["required"] = json!(FIXED.map(|fixed| fixed.0));
     schema
-}
-
-fn between() -> Json {
-    json!({ "type": "array", "minItems": 2, "maxItems": 2, "items": { "type": "string" } })
-}
-
-/// Nodes with their factors.
-fn along() -> Json {
-    json!({ "type": "object", "minProperties": 1, "additionalProperties": any() })
-}
-
-fn direction() -> Json {
-    json!({ "enum": Direction::TRANSLATIONS.map(Direction::name), "default": Direction::X.name() })
-}
-
-/// Numbers, but a direction under its key.
-fn moving(keys: Keys, required: &[&str]) -> Json {
-    let value = |key: &str| match key {
-        "direction" => direction(),
-        _ => any(),
-    };
-    described(keys, value, required)
 }
 
 fn numbers() -> Json {
     json!({ "type": "array", "minItems": 1, "items": any() })
-}
-
-fn all_numbers(keys: Keys, required: &[&str]) -> Json {
-    described(keys, |_| any(), required)
 }
 
 /// Adds the properties of a schema to those of another one.
@@ -149,24 +94,15 @@ fn add_properties(schema: &mut Json, more: &Json) {
 }
 
 fn structure(function: &Json, contact: &Json) -> Json {
-    let load = || {
-        let mut schema = described(keys::FUNCTION, function_value, &["at"]);
-        schema["properties"]["at"] = json!({ "type": "string", "description": keys::LOAD_AT.1 });
-        schema
-    };
     let value = |key: &str| match key {
         "units" => json!({ "type": "string" }),
-        "masses" => {
-            let object = moving(keys::MASS, &["mass"]);
-            named(json!({ "anyOf": [any(), object] }))
-        }
-        "bars" => named(moving(keys::BAR, &["L", "EA", "mass", "n"])),
+        "masses" => parts_by_name(mass()),
+        "bars" => parts_by_name(bar()),
         "matrices" => {
             let value = |key: &str| match key {
                 "reduce" => {
                     let mut reduce = all_numbers(keys::REDUCE, &[]);
-                    reduce["minProperties"] = 1.into();
-                    reduce["maxProperties"] = 1.into();
+                    reduce["oneOf"] = one_of(&keys::names(keys::REDUCE))["oneOf"].take();
                     reduce
                 }
                 "dofs" => {
@@ -175,27 +111,14 @@ fn structure(function: &Json, contact: &Json) -> Json {
                 }
                 _ => json!({ "type": "string" }),
             };
-            named(described(keys::MATRICES, value, &["M", "K", "dofs"]))
+            parts_by_name(described(keys::MATRICES, value, &["M", "K", "dofs"]))
         }
-        "springs" => {
-            let spring = |key: &str| match key {
-                "between" => between(),
-                "along" => along(),
-                "direction" => direction(),
-                "name" => json!({ "type": "string", "pattern": "^[A-Za-z_][A-Za-z0-9_]*$" }),
-                _ => any(),
-            };
-            let spring = described(keys::SPRING, spring, &[]);
-            json!({ "type": "array", "items": spring })
-        }
+        "springs" => json!({ "type": "array", "items": spring() }),
         "rayleigh" => all_numbers(keys::RAYLEIGH, &[]),
-        "contacts" => named(contact.clone()),
+        "contacts" => parts_by_name(contact.clone()),
         "loads" => json!({ "type": "array", "items": load() }),
-        "ground" => {
-            let directions = described(keys::GROUND, |_| function.clone(), &[]);
-            json!({ "anyOf": [function.clone(), directions] })
-        }
-        "supports" => named(support(function)),
+        "ground" => json!({ "anyOf": [function, by_directions(function)] }),
+        "supports" => parts_by_name(support(function)),
         "static" => {
             let gravity = json!({ "anyOf": [any(), all_numbers(keys::GROUND, &[])] });
             let mut loads = named(any());
@@ -208,7 +131,7 @@ fn structure(function: &Json, contact: &Json) -> Json {
             let [first, ..] = keys::DAMPING_STIFFNESSES;
             json!({ "enum": keys::DAMPING_STIFFNESSES, "default": first })
         }
-        _ => any(),
+        _ => number(keys::range(keys::STRUCTURE, key)),
     };
     described(keys::STRUCTURE, value, &[])
 }

@@ -1,43 +1,91 @@
-//! The schema of contacts, supports and functions of time.
+//! The schema of loads, supports and functions of time.
 
-use super::{
-    add_properties, all_numbers, along, any, between, column, described, files, numbers, part,
-};
-use crate::describe::schema::values::{names, number, refer};
-use crate::structure::keys::{self};
+use super::rules::{all_numbers, described, one_of};
+use super::{add_properties, column, files, numbers};
+use crate::describe::schema::values::{number, whole};
+use crate::structure::keys::{self, FUNCTION, FUNCTIONS};
 use serde_json::{Value as Json, json};
-use slipgap_problem::problem::numbers::parameter::Range;
-use slipgap_problem::problem::structure::parts::contacts::NAMES;
 use slipgap_system::system::loads::Unit;
 use slipgap_system::system::loads::record::Mean;
 use slipgap_system::system::structure::Baseline;
 
-pub(super) fn function_value(key: &str) -> Json {
+/// Keys of a function with points.
+const OF_POINTS: [&str; 5] = ["start", "end", "baseline", "scale_to", "delay"];
+
+/// Keys of a record.
+const OF_RECORD: [&str; 5] = ["unit", "mean", "column", "dt", "component"];
+
+/// Most seeds of synthetic motions.
+const SEEDS: u64 = u32::MAX as u64;
+
+/// A function of time: exactly one kind, with the keys of this kind.
+pub(super) fn function() -> Json {
+    let mut schema = described(FUNCTION, function_value, &[]);
+    let kinds = keys::names(&FUNCTION[..FUNCTIONS]);
+    schema["oneOf"] = one_of(&kinds)["oneOf"].take();
+    schema["dependencies"] = dependencies();
+    schema
+}
+
+/// What a key of a function needs or excludes.
+fn dependencies() -> Json {
+    let points = OF_POINTS.map(|key| json!({ "required": [key] }));
+    let mut all = json!({ "sine": { "not": { "anyOf": points } } });
+    for key in OF_RECORD {
+        all[key] = json!(["record"]);
+    }
+    all
+}
+
+/// A load: a function with its node.
+pub(super) fn load() -> Json {
+    let mut schema = function();
+    schema["properties"]["at"] = json!({ "type": "string", "description": keys::LOAD_AT.1 });
+    schema["required"] = json!(["at"]);
+    schema
+}
+
+/// A function in each direction.
+pub(super) fn by_directions(function: &Json) -> Json {
+    let mut schema = described(keys::GROUND, |_| function.clone(), &[]);
+    schema["anyOf"] = one_of(&keys::names(keys::GROUND))["oneOf"].take();
+    schema
+}
+
+fn function_value(key: &str) -> Json {
     match key {
         "sine" => all_numbers(keys::SINE, &["amplitude", "omega"]),
         "table" => described(keys::TABLE, |_| numbers(), &["t", "f"]),
         "record" => json!({ "anyOf": [{ "type": "string" }, files()] }),
         "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
         "mean" => json!({ "enum": Mean::ALL.map(Mean::name) }),
-        "column" | "component" => json!({ "type": "integer", "minimum": 1 }),
-        "dt" => number(Range::Positive),
+        "column" | "component" => json!({ "type": "integer", "minimum": 1, "maximum": 1_000_000 }),
         "baseline" => json!({ "enum": Baseline::ALL.map(Baseline::name) }),
         "scale_to" => scale_to(),
-        "pulse" => described(
-            keys::PULSE,
-            |key| match key {
-                "ricker" => all_numbers(keys::RICKER, &keys::names(keys::RICKER)),
-                _ => all_numbers(keys::COSINE, &keys::names(keys::COSINE)),
-            },
-            &[],
-        ),
-        "synthetic" => json!({ "anyOf": [all_numbers(keys::SYNTHETIC, &["seed"]), any()] }),
-        _ => any(),
+        "pulse" => pulse(),
+        "synthetic" => {
+            let seed = whole(0, SEEDS);
+            let mut object = all_numbers(keys::SYNTHETIC, &["seed"]);
+            object["properties"]["seed"]["anyOf"] = seed["anyOf"].clone();
+            json!({ "anyOf": [object, seed] })
+        }
+        _ => number(keys::range(FUNCTION, key)),
     }
 }
 
+/// A pulse of one form.
+fn pulse() -> Json {
+    let form = |key: &str| match key {
+        "ricker" => all_numbers(keys::RICKER, &keys::names(keys::RICKER)),
+        _ => all_numbers(keys::COSINE, &keys::names(keys::COSINE)),
+    };
+    let mut schema = described(keys::PULSE, form, &[]);
+    schema["oneOf"] = one_of(&keys::names(keys::PULSE))["oneOf"].take();
+    schema
+}
+
 /// The strength of a motion.
-pub(super) fn scale_to() -> Json {
+fn scale_to() -> Json {
     let mut spectrum = described(
         keys::SPECTRUM,
         |key| match key {
@@ -50,58 +98,43 @@ pub(super) fn scale_to() -> Json {
         &mut spectrum,
         &described(keys::TARGET_TABLE, |_| numbers(), &[]),
     );
-    described(
-        keys::SCALE_TO,
-        |key| match key {
-            "spectrum" => spectrum.clone(),
-            "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
-            _ => any(),
-        },
-        &[],
-    )
-}
-
-pub(super) fn contact_value(key: &str, function: &Json) -> Json {
-    match key {
-        "law" => {
-            json!({ "anyOf": [names(NAMES.iter().copied()), { "type": "string" }] })
-        }
-        "between" => between(),
-        "along" => along(),
-        "pairs" => json!({ "type": "string" }),
-        "N" => {
-            let table = described(keys::NORMAL_TABLE, |_| numbers(), &["t", "N"]);
-            let value = |key: &str| match key {
-                "vertical" => function.clone(),
-                _ => any(),
-            };
-            let weight = described(keys::WEIGHT, value, &["weight", "vertical"]);
-            let pressing = described(
-                keys::PRESSING,
-                |_| json!({ "anyOf": [{ "type": "string" }, { "type": "array", "minItems": 1, "items": { "type": "string" } }] }),
-                &["contact"],
-            );
-            json!({ "anyOf": [any(), table, weight, pressing] })
-        }
-        "series" | "parallel" => {
-            json!({ "type": "array", "minItems": 2, "items": refer(&part()) })
-        }
-        "table" => described(keys::LAW_TABLE, |_| numbers(), &["r", "S"]),
-        _ => any(),
-    }
+    let value = |key: &str| match key {
+        "spectrum" => spectrum.clone(),
+        "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
+        _ => number(keys::range(keys::SCALE_TO, key)),
+    };
+    let mut schema = described(keys::SCALE_TO, value, &[]);
+    schema["oneOf"] = one_of(&keys::names(&keys::SCALE_TO[..3]))["oneOf"].take();
+    schema["dependencies"] = json!({
+        "T": ["Sa"],
+        "Sa": ["T"],
+        "from": ["spectrum"],
+        "to": ["spectrum"],
+        "spectrum": ["from", "to"],
+        "ratio": { "not": { "required": ["pga"] } },
+    });
+    schema
 }
 
 /// A support: a function of time in x, or one in each direction, with its delay.
 pub(super) fn support(function: &Json) -> Json {
-    let mut schema = described(keys::FUNCTION, function_value, &[]);
+    let mut schema = described(FUNCTION, function_value, &[]);
+    schema["dependencies"] = dependencies();
+    let mut kinds = keys::names(&FUNCTION[..FUNCTIONS]);
+    kinds.push(keys::DISPLACEMENT.0);
+    let mut courses = one_of(&kinds)["oneOf"].take();
     let course = json!({ "anyOf": [function, all_of_displacement()] });
-    let directions = described(keys::GROUND, |_| course.clone(), &[]);
+    let directions = by_directions(&course);
+    if let Some(courses) = courses.as_array_mut() {
+        courses.push(json!({ "anyOf": directions["anyOf"] }));
+    }
+    schema["oneOf"] = courses;
     let own = described(
         keys::SUPPORT,
         |key| match key {
             "baseline" => json!({ "enum": Baseline::ALL.map(Baseline::name) }),
             "displacement" => imposed(),
-            _ => any(),
+            _ => number(keys::range(keys::SUPPORT, key)),
         },
         &[],
     );
@@ -112,7 +145,7 @@ pub(super) fn support(function: &Json) -> Json {
 }
 
 /// Imposed displacements under their key.
-pub(super) fn all_of_displacement() -> Json {
+fn all_of_displacement() -> Json {
     described(
         &[keys::DISPLACEMENT],
         |_| imposed(),
@@ -120,7 +153,7 @@ pub(super) fn all_of_displacement() -> Json {
     )
 }
 
-pub(super) fn imposed() -> Json {
+fn imposed() -> Json {
     let file = |key: &str| match key {
         "file" => json!({ "type": "string" }),
         _ => column(),

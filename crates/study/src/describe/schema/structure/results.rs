@@ -1,25 +1,39 @@
 //! The schema of metrics, checks and figures of structures.
 
-use super::{any, described};
+use super::rules::{any, described};
 use crate::decode::checks;
 use crate::describe::schema::figures::{of_any_problem, rules};
 use crate::describe::schema::parts::several;
+use crate::describe::schema::values::constant;
 use crate::figure::keys::Takes;
 use crate::figure::kinds::{Kind, Needs};
 use serde_json::{Value as Json, json};
 use slipgap_problem::problem::structure::metrics::ground::PREFIX;
-use slipgap_problem::problem::structure::metrics::reduction::REDUCTIONS;
+use slipgap_problem::problem::structure::metrics::reduction::{REDUCTIONS, in_brackets};
 
 /// The name of a metric.
 pub(super) fn metric() -> Json {
-    let one = |name: &str| match name.strip_prefix(PREFIX) {
-        Some(measure) => format!("ground\\.([xyz]\\.)?{measure}"),
+    let one = |name: &str| {
+        let own = match name.strip_prefix(PREFIX) {
+            Some(measure) => format!("ground\\.([xyz]\\.)?{measure}"),
+            None => name.to_owned(),
+        };
+        match in_brackets(name) {
+            Some(_) => own + " *\\(.+\\)",
+            None => own,
+        }
+    };
+    let example = |name: &str| match in_brackets(name) {
+        Some(inside) => format!("{name}({inside})"),
         None => name.to_owned(),
     };
     let all: Vec<String> = REDUCTIONS.iter().map(|known| one(known.0)).collect();
+    // Editors offer them as completions.
+    let examples: Vec<String> = REDUCTIONS.iter().map(|known| example(known.0)).collect();
     json!({
         "type": "string",
-        "pattern": format!("^({})( *\\(.+\\))?$", all.join("|")),
+        "pattern": format!("^({})$", all.join("|")),
+        "examples": examples,
         "description": "a reduction of a channel, such as peak(g1.right - p2) or impacts(gap12), or a measure of the ground, such as ground.pga or, of several directions, ground.y.pga",
     })
 }
@@ -28,7 +42,7 @@ pub(super) fn check(metric: &Json) -> Json {
     let value = |key: &str| match key {
         "metric" => metric.clone(),
         "where" => json!({ "type": "object" }),
-        _ => any(),
+        _ => constant(),
     };
     let mut schema = described(&checks::KEYS, value, &["metric"]);
     schema["anyOf"] = json!([{ "required": ["min"] }, { "required": ["max"] }]);

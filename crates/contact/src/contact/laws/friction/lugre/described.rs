@@ -40,7 +40,7 @@ impl Described for Lugre {
         )
         .in_structures(
             "friction, bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
-            of_structures![SIGMA0, SIGMA1, SIGMA2, STATIC_RATIO, STRIBECK_VELOCITY],
+            of_structures![SIGMA0, SIGMA1, SIGMA2, STATIC_RATIO, STRIBECK_VELOCITY_OF_STATIC],
         )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let [g, _] = law.strength(velocity);

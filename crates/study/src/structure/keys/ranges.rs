@@ -1,0 +1,40 @@
+//! The ranges of the numbers under the keys, for decoding and schema.
+
+use super::{
+    ASCE_7, BAR, COSINE, EN_1998, FUNCTION, Keys, MASS, RAYLEIGH, REDUCE, RICKER, SCALE_TO, SPRING,
+    STRUCTURE, SUPPORT, SYNTHETIC, WEIGHT,
+};
+use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative, Positive, UpToOne};
+
+/// The keys whose numbers are not free, by tables.
+const RANGES: [(Keys, Range, &[&str]); 18] = [
+    (STRUCTURE, NotNegative, &["modal_damping"]),
+    (MASS, NotNegative, &["mass"]),
+    (BAR, Positive, &["L", "EA", "mass", "n"]),
+    (BAR, NotNegative, &["stiffness_damping"]),
+    (SPRING, Positive, &["mass", "period"]),
+    (SPRING, NotNegative, &["c", "ratio"]),
+    (RAYLEIGH, NotNegative, &["mass", "stiffness"]),
+    (REDUCE, NotNegative, &["modes"]),
+    (REDUCE, Positive, &["up_to"]),
+    (WEIGHT, Positive, &["weight"]),
+    (FUNCTION, Positive, &["dt"]),
+    (FUNCTION, NotNegative, &["start", "end", "delay"]),
+    (SUPPORT, NotNegative, &["delay"]),
+    (RICKER, Positive, &["frequency", "at", "sampled"]),
+    (COSINE, Positive, &["period", "sampled"]),
+    (SYNTHETIC, NotNegative, &["seed"]),
+    (SYNTHETIC, Positive, &["omega"]),
+    (SCALE_TO, UpToOne, &["ratio"]),
+];
+
+/// The range of the number under a key of a table.
+pub(crate) fn range(keys: Keys, key: &str) -> Range {
+    let all_above_zero = [SCALE_TO, EN_1998, ASCE_7].contains(&keys);
+    let mut own = RANGES.iter().filter(|row| row.0 == keys);
+    match own.find(|row| row.2.contains(&key)) {
+        Some(row) => row.1,
+        None if all_above_zero => Positive,
+        None => Range::Any,
+    }
+}

@@ -1,0 +1,83 @@
+"""The schema of studies accepts what ships, and refuses what the program refuses."""
+
+import copy
+import json
+import subprocess
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from mistakes import GOOD, MISTAKES, ONLY_THE_PROGRAM, STRUCTURE
+
+ROOT = Path(__file__).resolve().parents[2]
+SCHEMA = jsonschema.Draft7Validator(json.loads((ROOT / "schema" / "study.json").read_text()))
+
+
+def shipped() -> list[Path]:
+    return sorted((ROOT / "studies").glob("*.json")) + sorted((ROOT / "docs" / "maps").glob("*.json"))
+
+
+@pytest.mark.parametrize("study", shipped(), ids=lambda file: str(file.stem))
+def test_shipped_studies_are_valid(study: Path) -> None:
+    assert [fault.message for fault in SCHEMA.iter_errors(json.loads(study.read_text()))] == []
+
+
+def refused(program: str, study: Any, folder: Path) -> bool:
+    (folder / "study.json").write_text(json.dumps(study))
+    done = subprocess.run([program, "explain", folder / "study.json"], capture_output=True)
+    assert done.returncode in (0, 2), done.stderr
+    return done.returncode == 2
+
+
+def test_good_studies_are_valid(program: str, tmp_path: Path) -> None:
+    for study in GOOD:
+        assert SCHEMA.is_valid(study) and not refused(program, study, tmp_path)
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_mistakes_are_refused_by_both(name: str, program: str, tmp_path: Path) -> None:
+    study = MISTAKES[name]
+    assert refused(program, study, tmp_path)
+    assert SCHEMA.is_valid(study) == (name in ONLY_THE_PROGRAM)
+
+
+def laws() -> list[tuple[str, list[str]]]:
+    """The laws of structures, each with the keys of its numbers."""
+    contact = SCHEMA.schema["definitions"]["structure.contact"]
+    rules = [rule for rule in contact["allOf"] if "if" in rule]
+    common = set.intersection(*(set(rule["then"]["propertyNames"]["enum"]) for rule in rules))
+    keys = [sorted(set(rule["then"]["propertyNames"]["enum"]) - common) for rule in rules]
+    return [(rule["if"]["properties"]["law"]["const"], own) for rule, own in zip(rules, keys)]
+
+
+VALUES: dict[str, Any] = {
+    "table": {"r": [0, 1], "S": [0, 1]},
+    "nu": 0.2,
+    "nu_min": 0.1,
+    "static_ratio": 1.2,
+    "restitution": 0.5,
+    "e": 0.5,
+    "hardening": 0.1,
+    "exponent": 1.5,
+}
+
+
+@pytest.mark.parametrize(("law", "keys"), laws(), ids=[law for law, _ in laws()])
+def test_the_numbers_of_laws_are_those_of_the_program(
+    law: str, keys: list[str], program: str, tmp_path: Path
+) -> None:
+    """What the schema refuses, the program refuses, for every choice of few keys of a law."""
+    most = 3 if len(keys) < 12 else 2
+    chosen = [own for count in range(most + 1) for own in combinations(keys, count)]
+    valid = 0
+    for own in chosen:
+        study = copy.deepcopy(STRUCTURE)
+        contact = {"law": law, "between": ["ground", "a"]}
+        study["structure"]["contacts"]["gap"] = contact | {key: VALUES.get(key, 1) for key in own}
+        if SCHEMA.is_valid(study):
+            valid += 1
+        else:
+            assert refused(program, study, tmp_path), own
+    assert valid > 0 or most < 3
