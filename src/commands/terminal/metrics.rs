@@ -2,8 +2,7 @@
 
 use super::table;
 use slipgap::batch::PartResult;
-use slipgap::problem::numbers::digits::shortest;
-use slipgap::problem::numbers::parameter::Value;
+use slipgap::problem::numbers::parameter::{Value, shortest};
 use slipgap::run::Source;
 
 /// Most cases that are shown, each in a column.

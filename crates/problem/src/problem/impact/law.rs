@@ -18,7 +18,7 @@ static OWN: LazyLock<Vec<Own>> = LazyLock::new(|| Own::all(Place::Bars, &SCHEMA.
 static RIGID: LazyLock<Vec<&str>> = LazyLock::new(|| {
     let is_vertical = |own: &&Own| {
         let law = form(own, |_, _| Some(1.0), [1.0; 3]);
-        law.is_some_and(|form| form.law.properties().is_vertical())
+        law.is_some_and(|form| form.given.law().properties().is_vertical())
     };
     let rigid = OWN.iter().filter(is_vertical);
     rigid.map(|own| own.offered.offer.name).collect()
