@@ -69,7 +69,7 @@ fn run_parts(
     // The number of parts at a time grows: the first results come soon, and later no thread waits often for the others.
     // Memory does not grow with the number of cases.
     let threads = rayon::current_num_threads();
-    let largest = parts::chunk::parts_at_a_time(study, (4 * threads).max(16));
+    let largest = parts::chunk::parts_at_a_time(study, 4 * threads);
     let mut window = threads;
     let mut finished = Vec::new();
     loop {

@@ -70,10 +70,15 @@ pub(in crate::batch) fn compute_rows(
 ) -> Result<(MetricTable, Solutions), Error> {
     let table = study.problem.metrics();
     let lanes = lanes_possible(study, options);
+    // Only figures show histories.
+    let drawn = study
+        .figures
+        .iter()
+        .any(|figure| figure.kind.draws_histories());
     let mut shown = cases.shown();
     let (in_lanes, single): (Vec<u32>, Vec<u32>) = rows
         .iter()
-        .partition(|row| lanes && !(options.keep_history)(shown.at(**row as usize)));
+        .partition(|row| lanes && !(drawn && (options.keep_history)(shown.at(**row as usize))));
     let slice = match rayon::current_num_threads() {
         1 if work <= LONGEST_SWEEP => cases.len().max(1),
         1 => (LONGEST_SWEEP / work * rows.len() as f64).max(FEWEST_CASES as f64) as usize,

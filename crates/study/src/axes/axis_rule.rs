@@ -1,5 +1,6 @@
 //! Axes given by a rule instead of a list. The ends of an axis are the given numbers to the bit.
 
+use super::powers::Powers;
 use crate::cases::axis::values::Values;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
@@ -95,13 +96,13 @@ pub(crate) fn values(
     if count > MOST {
         return refuse(2, &format!("gives {count} values; allowed: at most {MOST}"));
     }
-    let steps = count - 1.0;
+    let (steps, powers) = (count - 1.0, Powers::of(b / a));
     let point = |i: f64| match rule {
         Rule::Linspace if i == steps => b,
         Rule::Linspace => a + (b - a) * (i / steps),
         Rule::Geomspace if i == steps => b,
         Rule::Geomspace if i == 0.0 => a,
-        Rule::Geomspace => a * libm::pow(b / a, i / steps),
+        Rule::Geomspace => a * powers.at(i / steps),
         Rule::Range if (a + i * c - b).abs() <= SLACK * (b - a).abs() => b,
         Rule::Range => a + i * c,
     };

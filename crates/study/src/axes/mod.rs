@@ -6,4 +6,5 @@ pub(super) mod design;
 pub(super) mod draft;
 pub(super) mod interval;
 pub(super) mod parameters;
+mod powers;
 pub(super) mod zip;
