@@ -3,8 +3,11 @@
 # Tests run in a build that stops at an overflow. What computes all studies runs the release build, which is compiled once, without what
 # only tests need.
 
-debug = $(or $(CARGO_TARGET_DIR),target)/debug
-released = SLIPGAP_PROGRAM=$(abspath $(or $(CARGO_TARGET_DIR),target))/release/slipgap
+built = $(or $(CARGO_TARGET_DIR),target)
+debug = $(built)/debug
+released = SLIPGAP_PROGRAM=$(abspath $(built))/release/slipgap
+# Where `make fresh` and `make test` run all studies. `make test` does not compute again what `make figures` has computed.
+fresh = $(built)/tmp/fresh
 
 .PHONY: help figures report test lint fresh licences schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel
 
@@ -23,6 +26,7 @@ report: ## one page about all studies, figures/report.html: tables to sort and f
 test: ## check results and verdicts against recorded values, run all tests
 	cargo build --release --locked
 	cargo build --locked --workspace --examples
+	mkdir -p $(fresh) && cp -R figures/. $(fresh)
 	$(released) cargo test --locked --workspace --test shipped -- --ignored --test-threads 1
 	for example in one_case sweep figure own_metric; do $(debug)/examples/$$example > target/$$example.txt || exit 1; done
 	cargo test --locked --workspace
