@@ -3,8 +3,11 @@
 # Tests run in a build that stops at an overflow. What computes all studies runs the release build, which is compiled once, without what
 # only tests need.
 
-debug = $(or $(CARGO_TARGET_DIR),target)/debug
-released = SLIPGAP_PROGRAM=$(abspath $(or $(CARGO_TARGET_DIR),target))/release/slipgap
+built = $(or $(CARGO_TARGET_DIR),target)
+debug = $(built)/debug
+released = SLIPGAP_PROGRAM=$(abspath $(built))/release/slipgap
+# Where `make fresh` and `make test` run all studies. `make test` does not compute again what `make figures` has computed.
+fresh = $(built)/tmp/fresh
 
 .PHONY: help figures report test lint fresh licences schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel
 
@@ -23,14 +26,15 @@ report: ## one page about all studies, figures/report.html: tables to sort and f
 test: ## check results and verdicts against recorded values, run all tests
 	cargo build --release --locked
 	cargo build --locked --workspace --examples
+	mkdir -p $(fresh) && cp -R figures/. $(fresh)
 	$(released) cargo test --locked --workspace --test shipped -- --ignored --test-threads 1
 	for example in one_case sweep figure own_metric; do $(debug)/examples/$$example > target/$$example.txt || exit 1; done
 	cargo test --locked --workspace
 
+# All packages at once, so that each crate is checked once. As an extension, the Python package is checked without Python, too.
 lint: ## formatting, clippy and documentation without warnings
 	cargo fmt --all --check
-	cargo clippy --locked --all-targets -- -D warnings
-	cargo clippy --locked --package slipgap-guard -- -D warnings
+	PYO3_BUILD_EXTENSION_MODULE=1 cargo clippy --locked --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
 
 fresh: ## compare committed tables, pictures and schema with what is written now
@@ -95,7 +99,7 @@ changed_batch = -f 'src/batch/**' -f 'crates/statistics/src/**' -f 'src/compare/
 noticed_batch = --test command_line
 changed_study = -f 'crates/study/src/**' -e 'crates/study/src/describe/**'
 noticed_study = --test studies --test command_line
-changed_figures = -f 'src/figures/**' -f 'crates/drawing/src/**'
+changed_figures = -f 'crates/figures/src/**' -f 'crates/drawing/src/**'
 noticed_figures = --test report
 changed_claims = -f 'validation/src/**' -f src/checks.rs
 noticed_claims = --test command_line --test studies
@@ -128,7 +132,6 @@ python_tools = pytest mypy numpy pandas polars pyarrow duckdb scipy matplotlib t
 python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
 	test -x $(python_env)/bin/pytest || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
 	$(python_env)/bin/pip install --quiet openseespy || echo "no openseespy: the export of its models is not tested"
-	cargo clippy --locked --package slipgap-python -- -D warnings
 	PYO3_BUILD_EXTENSION_MODULE=1 cargo build --locked --workspace --lib --bins --tests
 	cp $(debug)/lib_slipgap.so python/slipgap/_slipgap.abi3.so
 	echo $(CURDIR)/python > $$($(python_env)/bin/python -c "import sysconfig; print(sysconfig.get_path('purelib'))")/slipgap.pth

@@ -25,7 +25,7 @@
 //! ```
 //!
 //! The modules from top to bottom; each uses only those below it: [`animate`], [`report`], [`claims`], [`compare`], [`calibrate`], [`run`], [`warnings`],
-//! [`checks`], [`study_figures`], [`figures`], [`batch`] with the store. Below them are crates, whose modules are named here, too: [`recommend`],
+//! [`checks`], [`study_figures`], [`batch`] with the store. Below them are crates, whose modules are named here, too: [`recommend`], [`figures`],
 //! [`study`] with [`error`], the solver with [`problem`], [`metrics`], [`solve`], [`textbook`], [`exact`], [`system`], [`methods`],
 //! [`contact`], [`expression`], [`lane`] and [`history`], and [`statistics`]. [`textbook`] has the papers' matrices and iteration,
 //! which the fast form is tested against. Who needs the solver alone uses `slipgap-solver`.

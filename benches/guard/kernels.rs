@@ -1,6 +1,7 @@
 //! The instructions of sweeps without what is around them, and their speed beside cases one at a time.
 
 use crate::count::{instructions, is_near};
+use rayon::prelude::*;
 use slipgap::problem::Case;
 use slipgap::study::{Study, parse};
 use std::hint::black_box;
@@ -105,14 +106,16 @@ pub fn sweep(name: &str, times: u64) {
 /// Whether the instructions of all sweeps are near the recorded ones.
 pub fn are_near() -> bool {
     let own = std::env::current_exe().expect("this program has a path");
-    let mut near = true;
-    for (name, text, recorded) in SWEEPS.into_iter().chain(OTHERS) {
+    let all: Vec<(&str, &str, u64)> = SWEEPS.into_iter().chain(OTHERS).collect();
+    let count = |(name, text, _): &(&str, &str, u64)| {
         // Both counts contain the work before the sweeps.
         let [one, three] = ["1", "3"].map(|times| instructions(&own, [name, times]));
-        let each = (three - one) as f64 / 2.0 / study(text).len() as f64;
-        near &= is_near(name, each, recorded);
-    }
-    near
+        (three - one) as f64 / 2.0 / study(text).len() as f64
+    };
+    let counts: Vec<f64> = all.par_iter().map(count).collect();
+    let near = all.iter().zip(counts);
+    let near = near.map(|((name, _, recorded), each)| is_near(name, each, *recorded));
+    !near.collect::<Vec<_>>().contains(&false)
 }
 
 /// Whether lanes are faster than single cases by the ratio, if the processor has AVX-512.

@@ -1,6 +1,7 @@
 //! The instructions of whole runs, from the study file to the store and to results.csv.
 
 use crate::count::{instructions, is_near};
+use rayon::prelude::*;
 use std::fs;
 use std::path::Path;
 
@@ -72,13 +73,15 @@ const RUNS: [Run; 5] = [
 
 /// Whether the instructions of all runs are near the recorded ones.
 pub fn are_near() -> bool {
-    let near = RUNS.map(|run| {
+    let count = |run: &Run| {
         let [few, many] = run.cases.map(|cases| run.instructions(cases));
         let [first, second] = run.cases;
-        let each = (many - few) as f64 / (second - first) as f64;
-        is_near(run.name, each, run.recorded)
-    });
-    !near.contains(&false)
+        (many - few) as f64 / (second - first) as f64
+    };
+    let counts: Vec<f64> = RUNS.par_iter().map(count).collect();
+    let near = RUNS.iter().zip(counts);
+    let near = near.map(|(run, each)| is_near(run.name, each, run.recorded));
+    !near.collect::<Vec<_>>().contains(&false)
 }
 
 impl Run {

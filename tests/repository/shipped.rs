@@ -19,7 +19,8 @@ fn slipgap(words: &[&str]) -> (String, String) {
     (out, err)
 }
 
-/// The folder in which `make fresh` computed all studies. If this version did, its stores are used; those of another version are not.
+/// The folder in which `make fresh` computed all studies, and to which `make test` copies what `make figures` computed. Stores of this
+/// version are used, those of another version are not.
 const FRESH: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/fresh");
 
 #[test]

@@ -1,4 +1,5 @@
-//! Figures: a study's cases as sheets of panels, drawn as PNG, SVG and PDF in the same way. They compute no results.
+//! Figures: a study's cases as sheets of panels, drawn as PNG, SVG and PDF in the same way. They compute no results but
+//! those over groups of cases ([`groups`]), which tables have, too.
 //!
 //! A `kind` makes a [`Sheet`] of the cases, which is plain data; `layout` has its panels, axes
 //! and legends, `colour_map` the parts of maps; `draw` draws the sheet; `text` sets its text.
