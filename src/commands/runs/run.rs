@@ -40,17 +40,18 @@ pub struct RunArgs {
 impl RunArgs {
     /// Runs the studies; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        let studies = self.studies.read()?;
-        if let Some(shard) = self.shard {
-            return self.jobs.run(|| shard::run(&studies, &self.out, shard));
-        }
         let options = OutputOptions {
             histories: self.histories,
             fail_fast: self.fail_fast,
             ..self.output.options()
         };
-        self.jobs
-            .run(|| run(&studies, &self.out, &options, &self.output))
+        self.jobs.run(|| {
+            let studies = self.studies.read()?;
+            match self.shard {
+                Some(shard) => shard::run(&studies, &self.out, shard),
+                None => run(&studies, &self.out, &options, &self.output),
+            }
+        })
     }
 }
 

@@ -137,7 +137,7 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
             let solved = range.clone().filter(|l| finite[*l]);
             if range.len() >= SHARED {
                 let all = C::metrics(&lanes, &self.motion, reference);
-                table.set_lanes(&rows, solved.clone(), all.as_ref());
+                table.set_lanes(&rows, range, all.as_ref(), &finite);
                 for l in solved {
                     table.warn(rows[l], lanes[l].warnings(|i| all.as_ref()[i].0[l]));
                 }

@@ -3,6 +3,7 @@
 use super::{Unsolvable, Warnings};
 use crate::lane::Lane;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// The metrics of many cases, column by column, why some have none, and the warnings of others.
 ///
@@ -111,19 +112,23 @@ impl MetricTable {
         }
     }
 
-    /// Sets the metrics of the cases in some lanes, each in its row, at most as many as there are columns.
+    /// Sets the metrics of the cases in some lanes, each in its row, at most as many as there are columns; those of cases that are not
+    /// solved are undefined.
     #[inline]
     pub fn set_lanes<const L: usize>(
         &mut self,
         rows: &[usize; L],
-        lanes: impl Iterator<Item = usize> + Clone,
+        lanes: Range<usize>,
         metrics: &[Lane<L>],
+        solved: &[bool; L],
     ) {
         let len = self.len;
+        let zero = solved.map(|solved| if solved { 0.0 } else { f64::NAN });
         for (metric, x) in metrics.iter().take(self.width).enumerate() {
             let column = &mut self.metrics[metric * len..(metric + 1) * len];
             for lane in lanes.clone() {
-                column[rows[lane]] = finite_or_nan(x.0[lane]);
+                let x = x.0[lane];
+                column[rows[lane]] = x + zero[lane] * x;
             }
         }
     }
@@ -251,7 +256,7 @@ mod tests {
         let mut table = MetricTable::new(3, 2);
         table.set(1, [10.0, 11.0, 12.0].into_iter());
         let lanes = [Lane([20.0, 0.0, f64::INFINITY]), Lane([21.0, 1.0, 9.0])];
-        table.set_lanes(&[2, 0, 1], 0..2, &lanes);
+        table.set_lanes(&[2, 0, 1], 0..2, &lanes, &[true; 3]);
         assert_eq!(table.numbers(0), Some(&[0.0, 10.0, 20.0][..]));
         assert_eq!(table.numbers(1), Some(&[1.0, 11.0, 21.0][..]));
         assert_eq!(table.numbers(2), None);

@@ -6,6 +6,7 @@ use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::within;
+use rayon::prelude::*;
 use slipgap_problem::metrics::SLACK;
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, Value};
 use std::sync::Arc;
@@ -35,6 +36,9 @@ enum Rule {
 }
 
 const ALL: [Rule; 3] = [Rule::Linspace, Rule::Geomspace, Rule::Range];
+
+/// Fewest values of an axis that are worth several threads.
+const FEW: f64 = 1e4;
 
 /// Most values of an axis.
 const MOST: f64 = 1e6;
@@ -106,13 +110,18 @@ pub(crate) fn values(
         Rule::Range if (a + i * c - b).abs() <= SLACK * (b - a).abs() => b,
         Rule::Range => a + i * c,
     };
-    let points = (0..count as usize).map(|i| point(i as f64));
+    let positions = 0..count as usize;
+    // Powers of a million numbers are a noticeable part of a run.
+    let points: Vec<f64> = match count {
+        FEW.. => positions.into_par_iter().map(|i| point(i as f64)).collect(),
+        _ => positions.map(|i| point(i as f64)).collect(),
+    };
     to_values(points, &member.node, &path, parameter, faults)
 }
 
 /// The points as values of the parameter.
 fn to_values(
-    points: impl ExactSizeIterator<Item = f64>,
+    points: Vec<f64>,
     node: &Node,
     path: &str,
     parameter: &Parameter,
@@ -130,11 +139,10 @@ fn to_values(
     };
     let (min, max) = match parameter.kind {
         Kind::Number(range) => {
-            let numbers: Arc<[f64]> = points.collect();
-            let mut all = numbers.iter();
-            return match all.find(|x| !(x.is_finite() && range.contains(**x))) {
+            let outside = |x: &&f64| !(x.is_finite() && range.contains(**x));
+            return match points.iter().find(outside) {
                 Some(x) => refuse(*x),
-                None => Some(Values::Numbers(numbers)),
+                None => Some(Values::Numbers(Arc::new(points))),
             };
         }
         Kind::Whole { min, max } => (min as f64, max as f64),

@@ -3,7 +3,6 @@
 use crate::cases::axis::design::Design;
 use crate::cases::axis::group::{Axis, AxisGroup};
 use crate::cases::formulas::derived::{Condition, Derived};
-use crate::cases::representative::independent;
 use slipgap_problem::problem::numbers::parameter::{Default, Parameter, Value};
 use slipgap_problem::problem::{Case, Problem};
 use std::ops::Range;
@@ -113,35 +112,40 @@ impl Block {
         (shared.values.clone(), changing.collect())
     }
 
+    /// Whether the axes are independent of each other. A rule that holds at all their ends then holds everywhere.
+    pub(crate) fn is_independent(&self) -> bool {
+        let single = |group: &AxisGroup| group.axes.len() == 1;
+        self.derived.is_empty() && self.when.is_none() && self.groups.iter().all(single)
+    }
+
     /// Whether all combinations are cases that break no rule, and no value follows from others.
     pub(super) fn is_complete(&self, problem: &dyn Problem) -> bool {
         let shared = self.shared.get_or_init(|| self.shared(problem));
         shared.as_ref().is_some_and(|shared| shared.complete)
     }
 
-    /// The values of a parameter with an axis in these combinations, and how many have each of them one after the other.
+    /// The parameters that vary in the block, as rows, with their values in these combinations and how many of these have each value one
+    /// after the other.
     pub(super) fn runs(
         &self,
-        row: usize,
         raws: Range<u64>,
-    ) -> impl Iterator<Item = (Value, usize)> + '_ {
-        let mut axes = self.groups.iter().zip(1..).flat_map(|(group, after)| {
-            let axes = group.axes.iter();
-            axes.map(move |axis| (axis, after))
-        });
-        let axis = axes.find(|(axis, _)| axis.parameter == row);
-        axis.into_iter().flat_map(move |(axis, after)| {
-            let lens = self.groups[after..].iter().map(AxisGroup::len);
-            let each: u64 = lens.product();
-            let (len, mut rest) = (axis.values.len(), raws.end - raws.start);
-            let mut position = (raws.start / each) as usize % len;
-            let mut left = each - raws.start % each;
-            std::iter::from_fn(move || {
-                let count = left.min(rest);
-                let value = (count > 0).then(|| axis.values.at(position))?;
-                (left, rest) = (each, rest - count);
-                position = if position + 1 == len { 0 } else { position + 1 };
-                Some((value, count as usize))
+    ) -> impl Iterator<Item = (usize, impl Iterator<Item = (Value, usize)>)> {
+        let varying = self.groups.iter().zip(1..).filter(|own| own.0.len() > 1);
+        varying.flat_map(move |(group, after)| {
+            let each: u64 = self.groups[after..].iter().map(AxisGroup::len).product();
+            let (start, all) = (raws.start, raws.end - raws.start);
+            group.axes.iter().map(move |axis| {
+                let (len, mut rest) = (axis.values.len(), all);
+                let mut position = (start / each) as usize % len;
+                let mut left = each - start % each;
+                let run = move || {
+                    let count = left.min(rest);
+                    let value = (count > 0).then(|| axis.values.at(position))?;
+                    (left, rest) = (each, rest - count);
+                    position = if position + 1 == len { 0 } else { position + 1 };
+                    Some((value, count as usize))
+                };
+                (axis.parameter, std::iter::from_fn(run))
             })
         })
     }
@@ -169,7 +173,7 @@ impl Block {
             values: case.values,
             varying,
             // The rules of a structure have expressions, which can have any value between the ends of an axis.
-            complete: independent(self)
+            complete: self.is_independent()
                 && !problem.schema().described
                 && !table.iter().any(follows),
         })

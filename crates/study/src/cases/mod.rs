@@ -166,7 +166,7 @@ impl Study {
             if block.is_complete(&*self.problem) {
                 let offset = number - *first.get_or_insert(number);
                 let count = (raws.end - raws.start) as usize;
-                alike.extend(offset, count, |row| block.runs(row, raws.clone()));
+                alike.extend(offset, count, block.runs(raws));
                 continue;
             }
             for raw in raws {

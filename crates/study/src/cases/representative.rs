@@ -18,7 +18,7 @@ impl Study {
     /// dependent axes.
     pub fn representative_cases(&self) -> impl Iterator<Item = Case> + '_ {
         self.blocks.iter().flat_map(|block| {
-            let positions = match block.raw_len() <= MOST_LISTED && !independent(block) {
+            let positions = match block.raw_len() <= MOST_LISTED && !block.is_independent() {
                 true => all_positions(block),
                 false => ends(block),
             };
@@ -29,12 +29,6 @@ impl Study {
             completed.collect::<Vec<_>>()
         })
     }
-}
-
-/// Whether the axes are independent of each other. A rule that holds at all their ends then holds everywhere.
-pub(crate) fn independent(block: &Block) -> bool {
-    let single = |group: &AxisGroup| group.axes.len() == 1;
-    block.derived.is_empty() && block.when.is_none() && block.groups.iter().all(single)
 }
 
 /// All positions of every group.
@@ -51,10 +45,11 @@ pub(crate) fn ends(block: &Block) -> Vec<Vec<usize>> {
         if numbers.len() < axis.values.len() {
             return first_of_each(&axis.values);
         }
-        let by_size = |a: &usize, b: &usize| numbers[*a].total_cmp(&numbers[*b]);
-        let smallest = (0..numbers.len()).min_by(by_size);
-        let largest = (0..numbers.len()).max_by(by_size);
-        smallest.into_iter().chain(largest).collect()
+        let all = || numbers.iter().enumerate();
+        let smallest = all().min_by(|a, b| a.1.total_cmp(b.1));
+        let largest = all().max_by(|a, b| a.1.total_cmp(b.1));
+        let both = smallest.into_iter().chain(largest);
+        both.map(|(position, _)| position).collect()
     };
     let of_group = |group: &AxisGroup| {
         let mut positions: Vec<usize> = group.axes.iter().flat_map(of_axis).collect();

@@ -2,7 +2,7 @@
 
 use crate::Block;
 use crate::axes::draft::BlockDraft;
-use crate::cases::representative::{MOST_TESTED, all_positions, ends, independent, restricted};
+use crate::cases::representative::{MOST_TESTED, all_positions, ends, restricted};
 use crate::source::faults::Faults;
 use slipgap_problem::problem::{Case, Problem, Violation};
 use std::collections::HashSet;
@@ -55,7 +55,7 @@ pub(crate) fn validate(
     block: &Block,
     faults: &mut Faults,
 ) {
-    if independent(block) {
+    if block.is_independent() {
         let at_ends = restricted(block, &ends(block));
         if violations(problem, draft, &at_ends).next().is_none() {
             return;

@@ -147,12 +147,7 @@ impl<const L: usize> ModeState<L> {
     /// One step under S(i) + S(i+1); returns the predictor.
     #[inline(always)]
     fn step(&mut self, force_sum: Lane<L>) -> Lane<L> {
-        self.advance(self.predictor - self.compliance * force_sum)
-    }
-
-    /// The same with the next W.
-    #[inline(always)]
-    fn advance(&mut self, w: Lane<L>) -> Lane<L> {
+        let w = self.predictor - self.compliance * force_sum;
         self.p = self.p + w;
         self.predictor = w - self.stiffness * self.p;
         self.predictor
@@ -236,18 +231,14 @@ impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
         let force = law.force(0, &trial);
         let force_sum = before.force + force;
         let increment = self.predictor - self.compliance * force_sum;
-        let predictor = match self.modes.as_mut() {
-            // It has the increment of the contact.
-            [only] => only.advance(increment),
-            [first, others @ ..] => {
-                let mut sum = first.step(force_sum);
-                for mode in others {
-                    sum = sum + mode.step(force_sum);
-                }
-                sum
+        // From the first mode on, not from zero, so that a structure of one mode needs no sum.
+        let mut predictor = Lane::splat(0.0);
+        if let [first, others @ ..] = self.modes.as_mut() {
+            predictor = first.step(force_sum);
+            for mode in others {
+                predictor = predictor + mode.step(force_sum);
             }
-            [] => increment,
-        };
+        }
         self.contact = ContactState {
             displacement: before.displacement + (self.increment + increment) * 0.5,
             velocity: increment * self.rate,

@@ -192,21 +192,20 @@ impl Alike<'_> {
         self.cases.count(offset, 1, refused);
     }
 
-    /// Adds consecutive cases, the number of the first of which is `offset` above that of the first of all. `runs` gives the values of a
-    /// row, and how many cases have each.
+    /// Adds consecutive cases, the number of the first of which is `offset` above that of the first of all. Each row that changes comes
+    /// with its values, and how many cases have each.
     pub fn extend<R: Iterator<Item = (Value, usize)>>(
         &mut self,
         offset: u64,
         count: usize,
-        runs: impl Fn(usize) -> R,
+        rows: impl Iterator<Item = (usize, R)>,
     ) {
-        for row in self.changing {
-            let mut len = self.cases.len;
-            let column = &mut self.cases.columns[*row];
-            runs(*row).for_each(|(value, count)| {
+        for (row, values) in rows {
+            let (mut len, column) = (self.cases.len, &mut self.cases.columns[row]);
+            for (value, count) in values {
                 column.push(len, Some(value), count);
                 len += count;
-            });
+            }
         }
         self.cases.count(offset, count, None);
     }

@@ -77,6 +77,7 @@ impl Cells {
     }
 
     /// Adds `count` cases with this value. A value of another kind does not occur.
+    #[inline]
     fn push(&mut self, value: Option<Value>, count: usize) {
         match self {
             Cells::Numbers(numbers) => {
@@ -84,7 +85,11 @@ impl Cells {
                     Some(Value::Number(x)) => x,
                     _ => NO_NUMBER,
                 };
-                numbers.extend(std::iter::repeat_n(x, count));
+                // On most axes a value is that of one case.
+                match count {
+                    1 => numbers.push(x),
+                    _ => numbers.extend(std::iter::repeat_n(x, count)),
+                }
             }
             Cells::Whole(numbers) => {
                 let n = match value {

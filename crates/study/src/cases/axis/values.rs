@@ -11,7 +11,7 @@ pub enum Values {
     /// As the study gives them.
     Listed(Vec<Value>),
     /// Numbers that a rule gives, often very many.
-    Numbers(Arc<[f64]>),
+    Numbers(Arc<Vec<f64>>),
     /// As a design samples them.
     Sampled(Sampled),
 }
