@@ -22,7 +22,7 @@ def run(*command: object) -> str:
 def test_strict_types() -> None:
     pytest.importorskip("mypy")
     run("mypy", "--strict", "--ignore-missing-imports", "-p", "slipgap")
-    run("mypy", "--strict", "--ignore-missing-imports", *sorted(HERE.glob("*.py")))
+    run("mypy", "--strict", "--ignore-missing-imports", *sorted(HERE.rglob("*.py")))
 
 
 def test_stubs_are_those_of_the_module() -> None:
