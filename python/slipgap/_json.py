@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Mapping
-from functools import cache
 from hashlib import sha256
 from os import PathLike, fspath
 from pathlib import Path
@@ -75,14 +74,14 @@ def _measured(study: Mapping[str, Any]) -> dict[str, Any]:
     return {**study, "measured": {**given, "file": str(file), "time": "t", "columns": columns}}
 
 
-@cache
-def _files() -> TemporaryDirectory[str]:
-    """The folder of such files, which the end of Python removes."""
-    return TemporaryDirectory(prefix="slipgap-")
+_folders: list[TemporaryDirectory[str]] = []
 
 
 def _folder() -> Path:
-    return Path(_files().name)
+    """The folder of such files, which the end of Python removes."""
+    if not _folders:
+        _folders.append(TemporaryDirectory(prefix="slipgap-"))
+    return Path(_folders[0].name)
 
 
 def keep_beside(study: dict[str, Any], path: Path) -> dict[str, Any]:

@@ -19,13 +19,11 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-    Channel = NDArray[numpy.float64]
-
 EXACT, MEASURED = "_exact", "_measured"
 """What names of columns of the exact motion and of a measurement end with, as in the files of ``run --histories``."""
 
 
-class Channels(Mapping[str, "Channel"]):
+class Channels(Mapping[str, "NDArray[numpy.float64]"]):
     """Time and channels by name: arrays of shape (N + 1,) that cannot be written.
 
     Iteration has the columns of a history. Of a study of a structure there is any other channel that its figures may draw, such as
@@ -39,7 +37,7 @@ class Channels(Mapping[str, "Channel"]):
         self._part = part
         self._solution = solution
 
-    def __getitem__(self, name: str) -> Channel:
+    def __getitem__(self, name: str) -> NDArray[numpy.float64]:
         if name not in self._arrays:
             array = self._solution._more(name, self._part)
             if array is None:
@@ -69,33 +67,29 @@ class Solution:
     have the units of their study. A study with units has further columns in these units.
     """
 
-    def __init__(self, own: _slipgap.Solution | Mapping[str, Any], study: Study | None = None) -> None:
-        self._own = own
+    __slots__ = ("_found", "_known", "_own", "_saved")
+
+    def __init__(self, own: _slipgap.Solution | dict[str, Any], study: Study | None = None) -> None:
+        # What was pickled has no compiled solution.
+        self._saved = own if isinstance(own, dict) else None
+        self._own = None if isinstance(own, dict) else own
         self._known = study
         # Channels beyond the columns of a history, by part and name.
-        self._found: dict[tuple[str, str], Channel] = {}
-        self._parts: dict[str, Any] = {}
+        self._found: dict[tuple[str, str], NDArray[numpy.float64]] = {}
 
     def _part(self, name: str) -> Any:
-        """What the compiled solution has under a name, kept."""
-        if name not in self._parts:
-            own = self._own
-            self._parts[name] = own[name] if isinstance(own, Mapping) else getattr(own, name)
-        return self._parts[name]
+        """What the compiled solution has under a name."""
+        return getattr(self._own, name) if self._saved is None else self._saved[name]
 
     @property
     def _study(self) -> Study | None:
         """The study of the case; None for a dict of parameters."""
-        own = self._own
-        if self._known is None and isinstance(own, _slipgap.Solution) and own.source is not None:
-            self._known = Study._of(*own.source)
+        if self._known is None and self._own is not None and self._own.source is not None:
+            self._known = Study._of(*self._own.source)
         return self._known
 
     def _arrays(self, part: str) -> Channels:
-        given = self._part(part)
-        if not isinstance(given, Channels):
-            given = self._parts[part] = Channels(given, part, self)
-        return given
+        return Channels(self._part(part), part, self)
 
     @property
     def problem(self) -> str:
@@ -108,7 +102,7 @@ class Solution:
         return int(self._part("case_number"))
 
     @property
-    def time(self) -> Channel:
+    def time(self) -> NDArray[numpy.float64]:
         """The times of the steps, of shape (N + 1,)."""
         return next(iter(self.channels.values()))
 
@@ -143,15 +137,14 @@ class Solution:
         """Units by channel, of those whose unit is known."""
         return dict(self._part("units"))
 
-    def _more(self, name: str, part: str) -> Channel | None:
+    def _more(self, name: str, part: str) -> NDArray[numpy.float64] | None:
         """A channel that the study could draw; None without such a study."""
         known = self._found.get((part, name))
         if known is not None or part == "measured" or self._study is None:
             return known
         if self._study.get("problem") != "structure":
             return None
-        own = self._own
-        if isinstance(own, _slipgap.Solution) and (found := _in(own, name, part)) is not None:
+        if self._own is not None and (found := _in(self._own, name, part)) is not None:
             return found
         figure = {"name": "channel", "kind": "history", "y": [name]}
         drawn = self._study.replace(figures=[figure], checks=None)
@@ -214,9 +207,9 @@ class Solution:
         return html.solution(self)
 
 
-def _in(own: _slipgap.Solution, name: str, part: str) -> Channel | None:
-    """A channel of a solution that is not only a column of its history, with the blanks of the program."""
+def _in(own: _slipgap.Solution, name: str, part: str) -> NDArray[numpy.float64] | None:
+    """A channel of a solution that is not only a column of its history, also with other blanks."""
     plain = " ".join(name.replace("-", " - ").replace("+", " + ").split())
     all_channels = {**getattr(own, part), **own.drawn(part == "references")}
-    column = next((known for known in (plain, f"{plain}.u") if known in all_channels), None)
+    column = next((known for known in (name, plain, f"{plain}.u") if known in all_channels), None)
     return None if column is None else all_channels[column]
