@@ -10,6 +10,7 @@ from ._frames import library
 if TYPE_CHECKING:
     import xarray
 
+    from ._study import Study
     from ._table import Table
 
 CASE = "case"
@@ -48,13 +49,13 @@ def dataset(
     table: Table,
     parameters: Sequence[str],
     metrics: Sequence[str],
-    study: Mapping[str, Any],
+    study: Study,
     attributes: Mapping[str, Any],
 ) -> xarray.Dataset:
     """What ``Results.to_xarray`` returns."""
     make = library("xarray", "to_xarray").Dataset
     axes = {name: Axis(name, table[name]) for name in parameters}
-    dimensions = _dimensions([own for own in axes.values() if own.varies], _given(study))
+    dimensions = _dimensions([own for own in axes.values() if own.varies], set(study.axes))
     if dimensions is None:
         variables, coordinates = _by_case(table, axes, metrics)
     else:
@@ -65,19 +66,6 @@ def dataset(
             attrs["units"] = units[name]
     known = {name: value for name, value in attributes.items() if value is not None}
     found: xarray.Dataset = make(variables, coordinates, known)
-    return found
-
-
-def _given(study: Mapping[str, Any]) -> set[str]:
-    """The parameters that a study gives as axes; others that vary follow by expressions."""
-    found: set[str] = set()
-    blocks = [study, *study.get("blocks", [])]
-    for block in blocks:
-        for name, value in block.get("parameters", {}).items():
-            if isinstance(value, list | dict):
-                found.add(name)
-            if isinstance(value, dict):
-                found.update(f"{name}.{key}" for key, own in value.items() if not isinstance(own, str))
     return found
 
 

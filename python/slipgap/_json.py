@@ -125,6 +125,17 @@ def put(data: dict[str, Any], name: str, value: Any) -> None:
         _put(block, keys, value)
 
 
+def axes(data: dict[str, Any]) -> list[str]:
+    """Names of the parameters that are lists or objects, and of those in objects."""
+    found: dict[str, None] = {}
+    for block in _blocks(data):
+        for name, value in block.items():
+            inner = value if isinstance(value, dict) else {}
+            names = [f"{name}.{key}" for key, own in inner.items() if isinstance(own, list | dict)]
+            found.update(dict.fromkeys([name, *names] if isinstance(value, list | dict) else []))
+    return list(found)
+
+
 def _blocks(data: dict[str, Any]) -> list[dict[str, Any]]:
     """The parameters of a study and of its blocks."""
     inner = data.get("blocks", [])

@@ -146,7 +146,9 @@ class Solution:
             return None
         if self._own is not None and (found := _in(self._own, name, part)) is not None:
             return found
-        figure = {"name": "channel", "kind": "history", "y": [name]}
+        # The figure shows this case alone.
+        own = {key: value for key, value in self.parameters.items() if key in self._study.axes}
+        figure = {"name": "channel", "kind": "history", "y": [name], "where": own}
         drawn = self._study.replace(figures=[figure], checks=None)
         try:
             return _in(_slipgap.solve(drawn, self.case_number), name, part)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _slipgap
 from ._errors import SlipgapError, UnknownNameError
-from ._json import keep_beside, pretty, put, read, text_of
+from ._json import axes, keep_beside, pretty, put, read, text_of
 from ._show import html
 from ._table import Table
 
@@ -106,6 +106,11 @@ class Study(Mapping[str, Any]):
     def parameters(self) -> dict[str, Any]:
         """The parameters of the study, without those of its blocks."""
         return copy.deepcopy(self._content().get("parameters", {}))
+
+    @property
+    def axes(self) -> list[str]:
+        """Names of the parameters that the study gives as axes, with a list or an object; others that vary follow by expressions."""
+        return axes(self._content())
 
     def with_(self, parameters: Mapping[str, Any] | None = None, /, **more: Any) -> Study:
         """The study with parameters set, as ``--set`` does: in every block that gives one, or in all blocks if none does.

@@ -41,7 +41,8 @@ class Table:
         self._given: _slipgap.Table | None = None
         if isinstance(rows, _slipgap.Table):
             self._given, self._columns = rows, rows.columns
-            self._units = dict(rows.units if units is None else units)
+            known = rows.units if units is None else units
+            self._units = {name: known[name] for name in self._columns if name in known}
         else:
             self._cells = {name: kept(column) for name, column in rows.items()}
             self._columns, self._units = list(rows), dict(units or {})

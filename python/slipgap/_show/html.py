@@ -48,10 +48,12 @@ def grid(head: Iterable[str], lines: Iterable[Iterable[Any]]) -> str:
 
 def pairs(title: str, values: Mapping[str, Any], units: Mapping[str, str]) -> str:
     """Names with values and units; empty without any."""
-    shown = [(name, value, units.get(name, "").removeprefix("1")) for name, value in values.items()]
+    known = {name: unit for name, unit in units.items() if unit != "1" and name in values}
+    head = [title, "value", "unit"] if known else [title, "value"]
+    shown = [(name, value, known.get(name, ""))[: len(head)] for name, value in values.items()]
     more = len(shown) - MOST
     note = f"<p>and {more} more</p>" if more > 0 else ""
-    return grid([title, "value", "unit"], shown[:MOST]) + note if shown else ""
+    return grid(head, shown[:MOST]) + note if shown else ""
 
 
 def side(*parts: str) -> str:

@@ -52,6 +52,19 @@ def test_drawn_channels_are_there_at_once() -> None:
     assert numpy.array_equal(drawn.run().solution(0).channels["b - a"], expected)
 
 
+def test_a_channel_of_one_of_many_cases() -> None:
+    """The case alone has the same motion, whatever the study has beside it."""
+    many = STUDY.with_(dt=[0.01, 0.02, 0.005], rE=[0.001, 0.01, 0.1, 1]).replace(
+        reductions=["greatest peak(b - a) over rE"],
+        figures=[{"name": "f", "kind": "metric", "x": "rE", "y": "peak(b - a)"}],
+        checks=[{"metric": "peak(b - a)", "max": 1}],
+    )
+    solution = many.run().solution(7)
+    assert solution.parameters["rE"] == 1 and solution.parameters["dt"] == 0.02
+    largest = numpy.abs(solution.channels["a.a_abs"]).max()
+    assert largest == pytest.approx(solution.metrics["peak(a.a_abs)"], rel=1e-12)
+
+
 @pytest.mark.parametrize(
     ("name", "hint"),
     [
