@@ -126,7 +126,7 @@ python_tools = pytest mypy numpy pandas polars pyarrow xarray duckdb scipy jobli
 # The extension is built for development, as `maturin develop` does, but with the library that the other tests have compiled.
 # SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
 python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
-	$(python_env)/bin/python -c "import pytest, xarray, joblib" || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
+	$(python_env)/bin/python -c "import pytest, xarray, joblib" 2> /dev/null || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
 	$(python_env)/bin/pip install --quiet openseespy || echo "no openseespy: the export of its models is not tested"
 	cargo clippy --locked --package slipgap-python -- -D warnings
 	PYO3_BUILD_EXTENSION_MODULE=1 cargo build --locked --workspace --lib --bins --tests

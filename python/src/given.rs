@@ -84,6 +84,18 @@ fn of_text(
     read.map_err(|error| raise(py, error))
 }
 
+/// The file of a study, its text, and the parameters that were set with their values.
+pub type Origin = (String, String, Vec<(String, String)>);
+
+/// What a study was made of.
+pub fn origin(source: &Source) -> Origin {
+    let settings = source.study.settings.iter();
+    let settings = settings.filter_map(|setting| setting.text().split_once('='));
+    let settings = settings.map(|(name, value)| (name.trim().to_owned(), value.to_owned()));
+    let file = source.file.display().to_string();
+    (file, source.text.clone(), settings.collect())
+}
+
 /// The parameters to set, from a dictionary of names and values.
 fn settings(py: Python<'_>, set: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Setting>> {
     let Some(set) = set else {

@@ -1,6 +1,6 @@
 //! One solved case.
 
-use crate::results::{Given, given};
+use crate::given::{self, Origin};
 use crate::{arrays, units};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -225,7 +225,7 @@ impl Solution {
 
     /// The file of the study, its text, and the parameters that were set with their values; None without a study.
     #[getter]
-    fn source(&self) -> Option<Given> {
-        self.source.as_deref().map(given)
+    fn source(&self) -> Option<Origin> {
+        self.source.as_deref().map(given::origin)
     }
 }

@@ -9,6 +9,7 @@ pub(super) mod tables;
 use crate::case::solution::Solution;
 use crate::case::solve;
 use crate::error::raise;
+use crate::given::{self, Origin};
 use figure::{Figure, Shown};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -18,7 +19,6 @@ use slipgap::batch::output::manifest;
 use slipgap::checks::{self, TestedValues};
 use slipgap::error::Error;
 use slipgap::problem::numbers::parameter::Value;
-use slipgap::run::Source;
 use std::path::PathBuf;
 use std::sync::Arc;
 use table::Table;
@@ -178,19 +178,7 @@ impl Results {
 
     /// The file of the study, its text, and the parameters that were set with their values.
     #[getter]
-    fn source(&self) -> Given {
-        given(&self.shown.source)
+    fn source(&self) -> Origin {
+        given::origin(&self.shown.source)
     }
-}
-
-/// The file of a study, its text, and the parameters that were set with their values.
-pub type Given = (String, String, Vec<(String, String)>);
-
-/// What a study was made of.
-pub fn given(source: &Source) -> Given {
-    let settings = source.study.settings.iter();
-    let settings = settings.filter_map(|setting| setting.text().split_once('='));
-    let settings = settings.map(|(name, value)| (name.trim().to_owned(), value.to_owned()));
-    let file = source.file.display().to_string();
-    (file, source.text.clone(), settings.collect())
 }
