@@ -125,12 +125,12 @@ schema: ## write schema/study.json, which editors read, and docs/study-files*.md
 
 PYTHON = python3
 python_env = target/python
-python_tools = pytest mypy numpy pandas polars pyarrow duckdb scipy matplotlib tqdm nbclient nbformat ipykernel jsonschema
+python_tools = pytest mypy numpy pandas polars pyarrow xarray duckdb scipy joblib matplotlib tqdm nbclient nbformat ipykernel jsonschema
 
 # The extension is built for development, as `maturin develop` does, but with the library that the other tests have compiled.
 # SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
 python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
-	test -x $(python_env)/bin/pytest || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
+	$(python_env)/bin/python -c "import pytest, xarray, joblib" 2> /dev/null || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
 	$(python_env)/bin/pip install --quiet openseespy || echo "no openseespy: the export of its models is not tested"
 	PYO3_BUILD_EXTENSION_MODULE=1 cargo build --locked --workspace --lib --bins --tests
 	cp $(debug)/lib_slipgap.so python/slipgap/_slipgap.abi3.so

@@ -1,7 +1,7 @@
 """Parameter studies of friction and impact models in time-history analysis.
 
-Every case is compared with its exact solution. A study is the path of a study file or a dict with the same content
-(docs/study-files.md). The numbers are those of the program ``slipgap``, which comes with this package.
+Every case is compared with its exact solution. A study is the path of a study file, a dict with the same content
+(docs/study-files.md), or a :class:`Study`. The numbers are those of the program ``slipgap``, which comes with this package.
 
 >>> import slipgap
 >>> solution = slipgap.solve({"problem": "friction-oscillator", "law": "displacement-control",
@@ -15,11 +15,12 @@ from __future__ import annotations
 import json
 import warnings
 from collections.abc import Callable, Mapping
-from os import PathLike, fspath
-from pathlib import Path
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from . import _program, _slipgap
+from . import _slipgap
+from ._errors import Fault, SlipgapError, SlipgapWarning, UnknownNameError
+from ._program import explain, report
 from ._progress import reporter
 from ._records import (
     Alternative,
@@ -30,16 +31,17 @@ from ._records import (
     Claim,
     Comparison,
     Failure,
-    Fault,
     FreeParameter,
     Reading,
     Recommendation,
     Robustness,
-    SlipgapError,
-    SlipgapWarning,
     WarnedCases,
 )
-from ._slipgap import Animation, Figure, Results, Solution, Table, __version__
+from ._results import Results
+from ._slipgap import Animation, Figure, __version__
+from ._solution import Channels, Solution
+from ._study import Study
+from ._table import Table
 
 if TYPE_CHECKING:
     import numpy
@@ -51,6 +53,7 @@ __all__ = [
     "Calibration",
     "Candidate",
     "Change",
+    "Channels",
     "Check",
     "Claim",
     "Comparison",
@@ -65,7 +68,9 @@ __all__ = [
     "SlipgapError",
     "SlipgapWarning",
     "Solution",
+    "Study",
     "Table",
+    "UnknownNameError",
     "WarnedCases",
     "__version__",
     "animate",
@@ -94,8 +99,8 @@ def run(
 
     Ctrl-C ends the run. Other threads of Python go on.
 
-    :param study: path of a study file, or a dict with the content of one; records are relative to the file, of a dict to
-        the current folder
+    :param study: path of a study file, a dict with the content of one, or a :class:`Study`; records are relative to the file, of a
+        dict to the current folder
     :param out: folder for the files of the program, in ``out/NAME`` for the file ``NAME.json`` and in ``out/study`` for a
         dict; cases that it has already are not computed again; if left out, nothing is written
     :param jobs: number of threads, 1 to 1024; if left out, one for each core
@@ -108,7 +113,7 @@ def run(
     :raises SlipgapError: a study with mistakes, or a file that cannot be read or written
     """
     with reporter(progress) as report:
-        results = _slipgap.run(study, out, jobs, set, report)
+        results = Results(_slipgap.run(study, out, jobs, set, report))
     for warned in results.warnings:
         warnings.warn(warned.message, SlipgapWarning, stacklevel=2)
     return results
@@ -125,7 +130,7 @@ def solve(
     :returns: channels and exact motion as arrays of shape (N + 1,) for N time steps, metrics and parameters
     :raises SlipgapError: mistakes, or a case that cannot be solved
     """
-    return _slipgap.solve(study_or_parameters, case)
+    return Solution(_slipgap.solve(study_or_parameters, case))
 
 
 def animate(
@@ -174,7 +179,9 @@ def exact(
     times = numpy.ascontiguousarray(t, dtype=numpy.float64)
     if times.ndim != 1:
         raise SlipgapError(f"t: must have one dimension, got {times.ndim}")
-    return _slipgap.exact(problem, times.tobytes(), parameters)
+    found = _slipgap.exact(problem, times.tobytes(), parameters)
+    # Nobody else has them: the caller may change them.
+    return {name: values.copy() for name, values in found.items()}
 
 
 def calibrate(
@@ -183,6 +190,7 @@ def calibrate(
     out: str | PathLike[str] | None = None,
     jobs: int | None = None,
     set: Mapping[str, Any] | None = None,
+    progress: bool | Callable[[int, int], object] | None = None,
 ) -> Calibration:
     """Find the values of free parameters with which a study comes nearest to what was measured.
 
@@ -193,10 +201,12 @@ def calibrate(
     :param out: folder for the files of the program, as in :func:`run`; if left out, nothing is written
     :param jobs: number of threads; if left out, one for each core
     :param set: parameters to set, as in :func:`run`
+    :param progress: as in :func:`run`; the number of all cases is the most that the search takes
     :returns: the alternatives, the smallest misfit first, with best values and intervals
     :raises SlipgapError: a study with mistakes or without ``calibrate``, or a file that cannot be read or written
     """
-    return _slipgap.calibrate(study, out, jobs, set)
+    with reporter(progress) as report:
+        return _slipgap.calibrate(study, out, jobs, set, report)
 
 
 def recommend(
@@ -222,50 +232,6 @@ def recommend(
     :raises SlipgapError: mistakes
     """
     return _slipgap.recommend(problem, targets, jobs, set)
-
-
-def report(
-    study: str | PathLike[str] | Mapping[str, Any] = "studies",
-    *,
-    out: str | PathLike[str] = "figures",
-    jobs: int | None = None,
-    set: Mapping[str, Any] | None = None,
-) -> Path:
-    """Write one page about a study, or about all studies of a folder, with checks, warnings, figures and tables.
-
-    It runs the program ``slipgap report``, which comes with this package.
-
-    :param study: path of a study file or of a folder of them, or a dict, whose results go to ``out/stdin``
-    :param out: folder for ``report.html`` and the results; cases that it has already are not computed again
-    :param jobs: number of threads; if left out, one for each core
-    :param set: parameters to set, as in :func:`run`
-    :returns: path of the page, which needs no other file
-    :raises SlipgapError: mistakes, or a file that cannot be read or written
-    """
-    words = ["--out", fspath(out), *_program.settings(set)]
-    if jobs is not None:
-        words += ["--jobs", str(jobs)]
-    return Path(_program.call("report", words, study).rstrip("\n"))
-
-
-def explain(
-    study: str | PathLike[str] | Mapping[str, Any],
-    case: int = 0,
-    *,
-    set: Mapping[str, Any] | None = None,
-) -> str:
-    """Describe one case of a study: parameters with units and origin, steps, cost, estimated time, warnings.
-
-    It runs the program ``slipgap explain``, which comes with this package.
-
-    :param study: a study as in :func:`run`
-    :param case: number of the case, from 0
-    :param set: parameters to set, as in :func:`run`
-    :returns: text to print
-    :raises SlipgapError: mistakes
-    """
-    words = [str(case), *_program.settings(set)]
-    return _program.call("explain", words, study, allowed=(0, _program.UNSOLVED))
 
 
 def claims(

@@ -1,50 +1,11 @@
-"""What results consist of, the exception, and the JSON of studies."""
+"""What results consist of."""
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping, Sequence
-from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, NamedTuple
 
-
-class Fault(NamedTuple):
-    """A mistake in a study: its place, what is wrong, and what is allowed."""
-
-    file: str | None
-    """The file, or the parameter that was set; None for a dict."""
-    line: int | None
-    """Line, from 1; None for a dict."""
-    column: int | None
-    """Column, from 1, in characters; None for a dict."""
-    path: str
-    """The key, as in ``parameters.alpha[2]``; empty for faults of syntax."""
-    message: str
-    """What is wrong and what is allowed."""
-
-
-class SlipgapWarning(UserWarning):
-    """A study with cases that were solved and may still mislead; see ``results.warnings``."""
-
-
-class SlipgapError(Exception):
-    """A study, an argument or a file that slipgap cannot work with, or a case without a solution.
-
-    ``file``, ``line``, ``column`` and ``path`` are those of the first fault, or None. ``faults`` has all faults of a
-    study, in the order of the file.
-    """
-
-    def __init__(
-        self, message: str, *, faults: Sequence[Fault] = (), file: str | None = None
-    ) -> None:
-        super().__init__(message)
-        self.faults: tuple[Fault, ...] = tuple(faults)
-        first = self.faults[0] if self.faults else None
-        self.file: str | None = first.file if first else file
-        self.line: int | None = first.line if first else None
-        self.column: int | None = first.column if first else None
-        self.path: str | None = first.path if first else None
+from ._show import html
 
 
 class Check(NamedTuple):
@@ -257,6 +218,9 @@ class Calibration(NamedTuple):
         """The alternative with the smallest misfit."""
         return self.alternatives[0]
 
+    def _repr_html_(self) -> str:
+        return html.calibration(self)
+
 
 class Recommendation(NamedTuple):
     """The result of a search."""
@@ -273,35 +237,3 @@ class Recommendation(NamedTuple):
     """The cheapest case that reaches every target with its own step only, if it costs less than the best; else None."""
     robustness: Robustness | None
     """For a friction model: the best case over a range of releases; else None."""
-
-
-def _plain(value: object) -> object:
-    """What JSON has for numbers and arrays of NumPy, sparse matrices of SciPy, other mappings and paths."""
-    to_coordinates = getattr(value, "tocoo", None)
-    if callable(to_coordinates):
-        return _matrix_market(to_coordinates())
-    to_list = getattr(value, "tolist", None)
-    if callable(to_list):
-        return to_list()
-    if isinstance(value, Mapping):
-        return dict(value)
-    if isinstance(value, PathLike):
-        return fspath(value)
-    raise TypeError(f"a study cannot contain {type(value)}")
-
-
-def _matrix_market(matrix: Any) -> str:
-    """The content of a Matrix Market file of a sparse matrix by coordinates."""
-    rows, columns = matrix.shape
-    matrix.sum_duplicates()
-    entries = zip(matrix.row.tolist(), matrix.col.tolist(), matrix.data.tolist(), strict=True)
-    lines = [f"{i + 1} {j + 1} {float(x)!r}" for i, j, x in entries]
-    header = ["%%MatrixMarket matrix coordinate real general", f"{rows} {columns} {len(lines)}"]
-    return "\n".join([*header, *lines])
-
-
-def dumps(value: object) -> str:
-    """The JSON of a study or of a value in it."""
-    if isinstance(value, Mapping) and not isinstance(value, dict):
-        value = dict(value)
-    return json.dumps(value, default=_plain, allow_nan=False)

@@ -56,6 +56,16 @@ pub fn animate(
 
 #[pymethods]
 impl Animation {
+    #[new]
+    fn new(name: String, html: String) -> Animation {
+        Animation { html, name }
+    }
+
+    /// Name and page: an animation is pickled with them.
+    fn __getnewargs__(&self) -> (&str, &str) {
+        (&self.name, &self.html)
+    }
+
     /// Writes the page to a file.
     fn save(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         let written = py.detach(|| write_file(&file, self.html.as_bytes()));

@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::PyByteArray;
+use pyo3::types::PyBytes;
 
 /// `numpy.frombuffer`, and the types of its elements.
 static FROM_BUFFER: PyOnceLock<[Py<PyAny>; 3]> = PyOnceLock::new();
@@ -16,14 +16,14 @@ fn functions(py: Python<'_>) -> PyResult<&[Py<PyAny>; 3]> {
     })
 }
 
-/// An array of these bytes of elements.
+/// An array of these bytes of elements, which cannot be written: objects that keep it hand it out several times.
 fn array<'py>(
     py: Python<'py>,
     dtype: usize,
     words: impl ExactSizeIterator<Item = [u8; 8]>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let functions = functions(py)?;
-    let bytes = PyByteArray::new_with(py, 8 * words.len(), |bytes| {
+    let bytes = PyBytes::new_with(py, 8 * words.len(), |bytes| {
         for (place, word) in bytes.chunks_exact_mut(8).zip(words) {
             place.copy_from_slice(&word);
         }
@@ -32,7 +32,7 @@ fn array<'py>(
     functions[0].bind(py).call1((bytes, &functions[dtype]))
 }
 
-/// An array of numbers, which the caller may change.
+/// An array of numbers.
 pub fn numbers<'py>(
     py: Python<'py>,
     values: impl ExactSizeIterator<Item = f64>,

@@ -19,26 +19,33 @@ static CALIBRATION: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static ALTERNATIVE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static FREE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 
-/// Calibrates a study.
+/// Calibrates a study; `progress` is called with the number of solved cases and the most that the search takes.
 #[pyfunction]
-#[pyo3(signature = (study, out, jobs, set))]
+#[pyo3(signature = (study, out, jobs, set, progress))]
 pub fn calibrate<'py>(
     py: Python<'py>,
     study: &Bound<'py, PyAny>,
     out: Option<PathBuf>,
     jobs: Option<i64>,
     set: Option<&Bound<'py, PyAny>>,
+    progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let jobs = worker::jobs(py, jobs)?;
     let source = given::source(py, study, set)?;
     let folder = out.map(|out| out.join(&source.name));
     let (stop, bar) = (Stop::default(), ProgressBar::hidden());
-    let (stops, path) = (stop.clone(), folder.clone());
+    let (stops, path, counter) = (stop.clone(), folder.clone(), bar.clone());
+    let each = source.study.calibrate.as_ref().map_or(0, |own| own.cases);
+    let most = each * source.study.alternatives().len() as u64;
+    let report = |done: u64, all: u64| match progress {
+        Some(progress) => progress.call1((done, all)).map(|_| ()),
+        None => Ok(()),
+    };
     let (found, texts) = worker::wait(
         py,
         jobs,
         move || {
-            let found = best(&source, &bar, &stops)?;
+            let found = best(&source, &counter, &stops)?;
             if let Some(path) = &path {
                 write(&found, &source, path, DPI)?;
             }
@@ -47,8 +54,9 @@ pub fn calibrate<'py>(
             Ok((found, texts))
         },
         || stop.stop(),
-        |_| Ok(()),
+        |_| report(bar.position().min(most), most),
     )?;
+    report(most, most)?;
     let fits = found.order.iter();
     let fits = fits.map(|at| alternative(py, &found, *at, texts.get(at)));
     let fits = fits.collect::<PyResult<Vec<_>>>()?;

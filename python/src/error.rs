@@ -5,6 +5,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyType};
 use slipgap::error::{Error, Fault};
 use slipgap::solve::Unsolvable;
+use std::path::Path;
 
 /// Name of a dictionary in place of a file.
 pub const DICT: &str = "<dict>";
@@ -31,7 +32,7 @@ pub fn raise(py: Python<'_>, error: Error) -> PyErr {
 }
 
 fn exception(py: Python<'_>, error: &Error) -> PyResult<PyErr> {
-    let class = CLASS.import(py, "slipgap._records", "SlipgapError")?;
+    let class = CLASS.import(py, "slipgap._errors", "SlipgapError")?;
     let fields = PyDict::new(py);
     let message = match error {
         Error::Faults(faults) => {
@@ -55,15 +56,21 @@ fn exception(py: Python<'_>, error: &Error) -> PyResult<PyErr> {
     Ok(PyErr::from_value(exception))
 }
 
+/// Whether a file is a dictionary, or a study that was changed after it was read, as in `studies/<name>`.
+fn is_dict(file: &str) -> bool {
+    let name = Path::new(file).file_name().and_then(|name| name.to_str());
+    name.is_some_and(|name| name.starts_with('<') && name.ends_with('>'))
+}
+
 /// The place of a fault. A dictionary has no lines, only paths.
 fn place(fault: &Fault) -> Option<(usize, usize)> {
-    (fault.file != DICT).then_some((fault.line, fault.column))
+    (!is_dict(&fault.file)).then_some((fault.line, fault.column))
 }
 
 /// A setting as a caller of Python writes it: without the dashes of the command line.
 fn file(fault: &Fault) -> Option<&str> {
     let file = fault.file.strip_prefix("--").unwrap_or(&fault.file);
-    (file != DICT).then_some(file)
+    (!is_dict(file)).then_some(file)
 }
 
 /// A fault as a line, with the place in the file below it.
@@ -87,7 +94,7 @@ fn text(fault: &Fault) -> String {
 
 /// A `slipgap.Fault`.
 fn record<'py>(py: Python<'py>, fault: &Fault) -> PyResult<Bound<'py, PyAny>> {
-    let class = FAULT.import(py, "slipgap._records", "Fault")?;
+    let class = FAULT.import(py, "slipgap._errors", "Fault")?;
     let (line, column) = place(fault).unzip();
     class.call1((file(fault), line, column, &fault.path, &fault.message))
 }

@@ -4,10 +4,10 @@ use crate::error::{DICT, raise, usage};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyDict, PyMapping, PyString};
-use slipgap::run::Source;
+use pyo3::types::{PyDict, PyMapping, PyString, PyType};
+use slipgap::run::{Source, check_printable, file_name};
 use slipgap::study::{Input, MOST_CASES, Setting};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Name of the folder of results of a dictionary.
 const FOLDER: &str = "study";
@@ -15,10 +15,13 @@ const FOLDER: &str = "study";
 /// `json.dumps` for what studies have in them.
 static DUMPS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 
+/// The class `slipgap.Study`.
+static STUDY: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+
 /// The JSON of an object.
 pub fn json(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<String> {
     let dumps = DUMPS.get_or_try_init(py, || {
-        let dumps = py.import("slipgap._records")?.getattr("dumps")?;
+        let dumps = py.import("slipgap._json")?.getattr("dumps")?;
         PyResult::Ok(dumps.unbind())
     })?;
     let text = dumps.bind(py).call1((object,));
@@ -36,9 +39,14 @@ pub fn source(
     set: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Source> {
     let settings = settings(py, set)?;
+    if study.is_instance(STUDY.import(py, "slipgap._study", "Study")?)? {
+        let source = study.call_method0("_source")?;
+        let (file, name, text): (String, String, String) = source.extract()?;
+        return of_text(py, (&file, &name), &text, &settings);
+    }
     if study.cast::<PyMapping>().is_ok() {
         let text = json(py, study)?;
-        return of_text(py, &text, &settings);
+        return of_text(py, (DICT, FOLDER), &text, &settings);
     }
     let Ok(file) = study.extract::<PathBuf>() else {
         let class = study.get_type();
@@ -55,13 +63,37 @@ pub fn source(
     read.map_err(|error| raise(py, error))
 }
 
-/// The study in a text that is not from a file.
-pub fn of_text(py: Python<'_>, text: &str, settings: &[Setting]) -> PyResult<Source> {
+/// The study of a dictionary in a text.
+pub fn of_dict(py: Python<'_>, text: &str) -> PyResult<Source> {
+    of_text(py, (DICT, FOLDER), text, &[])
+}
+
+/// The study in a text, with its file and the name of its results. Files in it are relative to the folder of its file.
+fn of_text(
+    py: Python<'_>,
+    (file, name): (&str, &str),
+    text: &str,
+    settings: &[Setting],
+) -> PyResult<Source> {
     let read = py.detach(|| {
-        let input = Input::new(DICT, text).with(settings);
-        Source::of_input(PathBuf::from(DICT), FOLDER.to_owned(), input, MOST_CASES)
+        check_printable(Path::new(file))?;
+        let name = file_name(Path::new(&format!("{name}.json")))?;
+        let input = Input::new(file, text).with(settings);
+        Source::of_input(PathBuf::from(file), name, input, MOST_CASES)
     });
     read.map_err(|error| raise(py, error))
+}
+
+/// The file of a study, its text, and the parameters that were set with their values.
+pub type Origin = (String, String, Vec<(String, String)>);
+
+/// What a study was made of.
+pub fn origin(source: &Source) -> Origin {
+    let settings = source.study.settings.iter();
+    let settings = settings.filter_map(|setting| setting.text().split_once('='));
+    let settings = settings.map(|(name, value)| (name.trim().to_owned(), value.to_owned()));
+    let file = source.file.display().to_string();
+    (file, source.text.clone(), settings.collect())
 }
 
 /// The parameters to set, from a dictionary of names and values.

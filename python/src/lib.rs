@@ -12,6 +12,7 @@ mod given;
 mod recommend;
 mod results;
 mod run;
+mod units;
 mod worker;
 
 use pyo3::prelude::*;
@@ -39,6 +40,8 @@ mod _slipgap {
     use super::recommend::recommend;
     #[pymodule_export]
     use super::results::Results;
+    #[pymodule_export]
+    use super::results::expand::{count, expand};
     #[pymodule_export]
     use super::results::figure::Figure;
     #[pymodule_export]

@@ -158,7 +158,7 @@ impl<'a> Collector<'a> {
         Collector {
             study,
             shared,
-            columns: Columns::new(study),
+            columns: Columns::new(study, &study.columns),
             checks: CheckCollector::new(study),
             warnings: StudyWarnings::new(study),
             ensembles: EnsembleMetrics::new(study),

@@ -50,6 +50,29 @@ def test_a_history_has_the_motion_and_the_exact_one(results: slipgap.Results) ->
     assert len(results.plot(case=3).axes) == len(solution.channels) - 1
 
 
+def test_two_cases_are_in_one_plot(results: slipgap.Results) -> None:
+    [axes] = results.plot("X", case=[0, 3]).axes
+    one, one_exact, other, other_exact = axes.lines
+    for case, line, exact in [(0, one, one_exact), (3, other, other_exact)]:
+        solution = results.solution(case)
+        assert numpy.array_equal(line.get_ydata(), solution.channels["X"])
+        assert numpy.array_equal(exact.get_ydata(), solution.references["X"])
+        assert line.get_color() == exact.get_color()
+    assert one.get_color() != other.get_color()
+    labels = [line.get_label() for line in axes.lines[::2]]
+    assert labels == ["beta = 0.5, x0 = 5", "beta = 1, x0 = 9"]
+    assert axes.lines[1].get_label() == "exact, beta = 0.5, x0 = 5"
+    # Only what tells them apart.
+    [axes] = results.plot("X", case=[0, 1]).axes
+    assert axes.lines[0].get_label() == "x0 = 5"
+    [axes] = results.plot("X", case=[2, 2]).axes
+    assert axes.lines[0].get_label() == "case 2"
+    assert len(results.plot(case=[0, 1]).axes) == 3
+    for count in (0, 13):
+        with pytest.raises(slipgap.SlipgapError, match="1 to 12 of them"):
+            results.plot("X", case=range(count))
+
+
 def test_axes_that_are_given_are_drawn_on(results: slipgap.Results) -> None:
     from matplotlib.figure import Figure
 

@@ -100,7 +100,7 @@ fn case(py: Python<'_>, given: &Bound<'_, PyDict>) -> PyResult<Case> {
         return Ok(case);
     }
     let text = given::text_of_parameters(py, given)?;
-    let source = given::of_text(py, &text, &[])?;
+    let source = given::of_dict(py, &text)?;
     let case = source.study.case(0);
     case.ok_or_else(|| raise(py, Error::Usage("exact: no case".into())))
 }

@@ -1,6 +1,7 @@
 //! One solved case.
 
-use crate::arrays;
+use crate::given::{self, Origin};
+use crate::{arrays, units};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyDict;
@@ -108,12 +109,6 @@ impl Solution {
 
 #[pymethods]
 impl Solution {
-    /// The times of the steps, of shape (N + 1,).
-    #[getter]
-    fn time<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        arrays::numbers(py, self.solution.computed.time.iter().copied())
-    }
-
     /// The computed motion: time and channels by name, each of shape (N + 1,).
     #[getter]
     fn channels(&self, py: Python<'_>) -> PyResult<&Py<PyDict>> {
@@ -178,9 +173,59 @@ impl Solution {
         })
     }
 
-    fn __repr__(&self) -> String {
-        let steps = self.solution.computed.len().saturating_sub(1);
-        let (problem, number) = (self.problem.name(), self.case_number);
-        format!("<slipgap.Solution of {problem}, case {number}: {steps} steps>")
+    /// The channels that the study draws or measures and that are no columns of a history, computed or exact, by name.
+    fn drawn<'py>(&self, py: Python<'py>, exact: bool) -> PyResult<Bound<'py, PyDict>> {
+        let (dict, schema) = (PyDict::new(py), self.problem.schema());
+        if !schema.described {
+            return Ok(dict);
+        }
+        let columns = self.problem.history_columns(&self.case);
+        let history = match exact {
+            true if columns.iter().any(|own| own.column.exact) => &self.solution.exact,
+            true => return Ok(dict),
+            false => &self.solution.computed,
+        };
+        let drawn = schema.quantities.iter().filter(|own| !own.error);
+        for own in drawn.filter(|own| columns.iter().all(|column| column.column.name != own.name)) {
+            let values = history.channel(own.channel).iter().copied();
+            dict.set_item(&*own.name, arrays::numbers(py, values)?)?;
+        }
+        Ok(dict)
+    }
+
+    /// Units by channel, of those whose unit is known.
+    #[getter]
+    fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (dict, schema) = (PyDict::new(py), self.problem.schema());
+        let study = self
+            .source
+            .as_ref()
+            .and_then(|own| own.study.units.as_ref());
+        let put = |name: &str, dimension: Dimension| -> PyResult<()> {
+            if let Some(unit) = units::of_dimension(&*self.problem, dimension) {
+                dict.set_item(name, unit)?;
+            }
+            let own = study.filter(|_| self.problem.size(&self.case, dimension).is_some());
+            own.map_or(Ok(()), |own| {
+                dict.set_item(own.column(name, dimension), own.of(dimension))
+            })
+        };
+        put(&schema.time.column, Dimension::Time)?;
+        for channel in self.problem.history_columns(&self.case) {
+            put(&channel.column.name, channel.column.dimension)?;
+        }
+        Ok(dict)
+    }
+
+    /// Name of the problem.
+    #[getter]
+    fn problem(&self) -> &str {
+        self.problem.name()
+    }
+
+    /// The file of the study, its text, and the parameters that were set with their values; None without a study.
+    #[getter]
+    fn source(&self) -> Option<Origin> {
+        self.source.as_deref().map(given::origin)
     }
 }

@@ -38,7 +38,7 @@ pub fn solve(py: Python<'_>, study: &Bound<'_, PyAny>, case: i64) -> PyResult<So
         return of_case(py, problem, own);
     }
     let text = given::text_of_parameters(py, parameters)?;
-    of_study(py, given::of_text(py, &text, &[])?, case)
+    of_study(py, given::of_dict(py, &text)?, case)
 }
 
 fn is_study(dict: &Bound<'_, PyDict>) -> PyResult<bool> {

@@ -2,6 +2,7 @@
 
 use crate::error::{raise, usage};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use slipgap::batch::ShownCases;
 use slipgap::batch::files::atomic::write_file;
 use slipgap::batch::groups::sobol::DesignMetrics;
@@ -27,6 +28,8 @@ enum Origin {
     Cases(Arc<Shown>, usize),
     /// The files of a run.
     Folder(PathBuf),
+    /// The drawings in the order of the formats, as of a figure that was pickled.
+    Drawn([Vec<u8>; 3]),
 }
 
 /// A figure of a study. A notebook shows it.
@@ -40,6 +43,9 @@ pub struct Figure {
     name: String,
     origin: Origin,
 }
+
+/// The name and the drawings of a figure.
+type Pickled<'py> = (String, String, Bound<'py, PyBytes>, Bound<'py, PyBytes>);
 
 /// The formats of figures.
 #[derive(Clone, Copy)]
@@ -82,6 +88,7 @@ impl Figure {
                 let file = folder.join(format!("{}.{ending}", self.name));
                 fs::read(&file).map_err(Error::io("cannot read", file))
             }
+            Origin::Drawn(drawings) => Ok(drawings[format as usize].clone()),
         });
         bytes.map_err(|error| raise(py, error))
     }
@@ -107,6 +114,19 @@ fn draw(shown: &Shown, index: usize, format: Format) -> Result<Vec<u8>, Error> {
 
 #[pymethods]
 impl Figure {
+    #[new]
+    fn new(name: String, svg: String, png: Vec<u8>, pdf: Vec<u8>) -> Figure {
+        let origin = Origin::Drawn([svg.into_bytes(), png, pdf]);
+        Figure { name, origin }
+    }
+
+    /// The drawings: a figure is pickled with them.
+    fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<Pickled<'py>> {
+        let bytes = |format| Ok::<_, PyErr>(PyBytes::new(py, &self.bytes(py, format)?));
+        let (png, pdf) = (bytes(Format::Png)?, bytes(Format::Pdf)?);
+        Ok((self.name.clone(), self.svg(py)?, png, pdf))
+    }
+
     /// The figure as SVG.
     #[getter]
     fn svg(&self, py: Python<'_>) -> PyResult<String> {

@@ -1,6 +1,7 @@
 //! The results of a run.
 
 pub(super) mod columns;
+pub(super) mod expand;
 pub(super) mod figure;
 pub(super) mod table;
 pub(super) mod tables;
@@ -8,6 +9,7 @@ pub(super) mod tables;
 use crate::case::solution::Solution;
 use crate::case::solve;
 use crate::error::raise;
+use crate::given::{self, Origin};
 use figure::{Figure, Shown};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -128,25 +130,6 @@ impl Results {
         self.groups.tables(py, &self.shown, &self.warnings)
     }
 
-    /// A figure of matplotlib, in its own style: a metric over a parameter, a metric over two, or the history of a case.
-    ///
-    /// `plot(y)` draws the metric over the parameter with the most values, and `plot(y, x)` over another one, a line for each
-    /// combination of the others that vary; `plot(z, x, y)` draws a map. `plot(case=3)` draws the channels of a case over time,
-    /// `plot("r", case=3)` one of them, with the exact motion if there is one. Axes that are given are drawn on.
-    #[pyo3(signature = (metric = None, x = None, y = None, *, case = None, ax = None))]
-    fn plot<'py>(
-        slf: Bound<'py, Self>,
-        py: Python<'py>,
-        metric: Option<&str>,
-        x: Option<&str>,
-        y: Option<&str>,
-        case: Option<i64>,
-        ax: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let plot = py.import("slipgap._plot")?.getattr("plot")?;
-        plot.call1((slf, metric, x, y, case, ax))
-    }
-
     /// A case of the study with its motion, as `slipgap.solve` gives it.
     fn solution(&self, py: Python<'_>, case: i64) -> PyResult<Solution> {
         solve::of_source(py, self.shown.source.clone(), case)
@@ -193,18 +176,9 @@ impl Results {
         py.import("json")?.call_method1("loads", (text,))
     }
 
-    fn __repr__(&self) -> String {
-        let study = &self.shown.source.study;
-        let cases = match study.len() {
-            1 => "1 case".to_owned(),
-            cases => format!("{cases} cases"),
-        };
-        let name = &self.shown.source.name;
-        match self.failures.len() {
-            0 => format!("<slipgap.Results of {name}: {cases}>"),
-            unsolved => {
-                format!("<slipgap.Results of {name}: {cases}, {unsolved} without a solution>")
-            }
-        }
+    /// The file of the study, its text, and the parameters that were set with their values.
+    #[getter]
+    fn source(&self) -> Origin {
+        given::origin(&self.shown.source)
     }
 }

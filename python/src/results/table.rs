@@ -1,29 +1,24 @@
 //! The table of results, which other libraries take by the Arrow PyCapsule interface.
 
+use super::columns::{UNITS, with_unit};
 use crate::arrays;
-use crate::error::raise;
+use crate::error::{raise, usage};
 use arrow_array::cast::AsArray;
 use arrow_array::ffi::FFI_ArrowSchema;
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::types::{Float64Type, Int64Type};
-use arrow_array::{Array, RecordBatch, RecordBatchIterator};
-use arrow_schema::{DataType, SchemaRef};
+use arrow_array::{
+    Array, ArrayRef, Float64Array, Int64Array, RecordBatch, RecordBatchIterator, StringArray,
+};
+use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use pyo3::types::{PyCapsule, PyList};
+use pyo3::types::{PyCapsule, PyDict, PyList};
 use slipgap::error::Error;
+use std::collections::HashMap;
+use std::sync::Arc;
 
-/// The table of results: one row for each case, with the columns of results.csv.
-///
-/// Other libraries take it by the Arrow PyCapsule interface, and do not copy it:
-/// `polars.DataFrame(table)`, `pyarrow.table(table)`, `pandas.DataFrame.from_arrow(table)` (pandas 3) and
-/// `duckdb.sql("from table")`.
-///
-/// `case` is a whole number, parameters are numbers, whole numbers or names, metrics are numbers. Units are those of
-/// docs/scope.md. A parameter that does not apply and a metric that is undefined are null.
-///
-/// `len(table)` is the number of cases. `table["rms_error"]` is a column without any other library: an array of shape
-/// (cases,) with NaN for null, or for names a list of str and None.
+/// Arrow columns, which `slipgap.Table` shows.
 #[pyclass(frozen, module = "slipgap")]
 pub struct Table {
     pub schema: SchemaRef,
@@ -32,6 +27,36 @@ pub struct Table {
 
 #[pymethods]
 impl Table {
+    /// A table of arrays of numbers, with NaN for null, and lists of names, with their units.
+    #[new]
+    fn new(columns: &Bound<'_, PyDict>, units: HashMap<String, String>) -> PyResult<Table> {
+        let (mut fields, mut arrays) = (Vec::new(), Vec::new());
+        for (name, column) in columns {
+            let (name, array): (String, _) = (name.extract()?, array(&column)?);
+            let unit = units.get(&name).cloned();
+            fields.push(with_unit(
+                Field::new(name, array.data_type().clone(), true),
+                unit,
+            ));
+            arrays.push(array);
+        }
+        let schema = Arc::new(Schema::new(fields));
+        let batch = RecordBatch::try_new(schema.clone(), arrays);
+        let batch = batch.map_err(|why| usage(columns.py(), format!("columns: {why}")))?;
+        let batches = vec![batch];
+        Ok(Table { schema, batches })
+    }
+
+    /// Units by column, of those whose unit is known.
+    #[getter]
+    fn units(&self) -> HashMap<String, String> {
+        let units = self.schema.fields().iter().filter_map(|field| {
+            let unit = field.metadata().get(UNITS)?;
+            Some((field.name().clone(), unit.to_string()))
+        });
+        units.collect()
+    }
+
     /// The types of the columns, by the Arrow PyCapsule interface.
     fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
         let schema = FFI_ArrowSchema::try_from(self.schema.as_ref());
@@ -93,9 +118,32 @@ impl Table {
             }
         }
     }
+}
 
-    fn __repr__(&self) -> String {
-        let columns = self.columns().join(", ");
-        format!("<slipgap.Table of {} cases: {columns}>", self.__len__())
+/// A column of an array of numbers or of a list of names.
+fn array(column: &Bound<'_, PyAny>) -> PyResult<ArrayRef> {
+    if let Ok(names) = column.extract::<Vec<Option<String>>>() {
+        return Ok(Arc::new(StringArray::from(names)));
+    }
+    let kind: String = column.getattr("dtype")?.getattr("kind")?.extract()?;
+    let bytes = |kind: &str| -> PyResult<Vec<u8>> {
+        let column = column.call_method1("astype", (kind,))?;
+        column.call_method0("tobytes")?.extract()
+    };
+    match kind.as_str() {
+        "i" => {
+            let words = bytes("i8")?;
+            let words = words
+                .chunks_exact(8)
+                .filter_map(|word| word.try_into().ok());
+            Ok(Arc::new(
+                words.map(i64::from_ne_bytes).collect::<Int64Array>(),
+            ))
+        }
+        _ => {
+            let numbers = arrays::of_bytes(&bytes("f8")?);
+            let known = numbers.into_iter().map(|x| Some(x).filter(|x| !x.is_nan()));
+            Ok(Arc::new(known.collect::<Float64Array>()))
+        }
     }
 }

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from ._records import SlipgapError
+from .._errors import SlipgapError, UnknownNameError
+from .._frames import library
 
 if TYPE_CHECKING:
-    from ._slipgap import Results
+    from .._results import Results
+    from .._solution import Solution
 
 MOST_LABELS = 12
 """Most lines with a legend."""
@@ -21,18 +24,16 @@ def plot(
     metric: str | None,
     x: str | None,
     y: str | None,
-    case: int | None,
+    case: int | Sequence[int] | None,
     ax: Any,
 ) -> Any:
     """What ``Results.plot`` returns."""
-    try:
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise ImportError("results.plot needs matplotlib: pip install matplotlib") from error
+    Figure = library("matplotlib.figure", "results.plot").Figure
     if case is not None:
         if x is not None or y is not None:
             raise SlipgapError("the history of a case is over time: x and y belong to metrics")
-        return _history(results, metric, case, ax, Figure)
+        cases = [case] if isinstance(case, int) else [int(own) for own in case]
+        return _history(results, metric, cases, ax, Figure)
     metrics = results.metrics
     metric = metric or metrics[0]
     if metric not in metrics:
@@ -144,14 +145,22 @@ def _map(
     axes.set_ylabel(y)
 
 
-def _history(results: Results, channel: str | None, case: int, ax: Any, figures: Any) -> Any:
-    solution = results.solution(case)
-    channels = {
-        name: values for name, values in solution.channels.items() if values is not solution.time
-    }
-    time, *names = channels
-    if channel is not None and channel not in names:
-        raise SlipgapError(f"{channel} is no channel of the study; it has {', '.join(names)}")
+def _history(
+    results: Results, channel: str | None, cases: list[int], ax: Any, figures: Any
+) -> Any:
+    """The channels of cases over time; one channel if there are several cases that do not fit otherwise."""
+    if not cases or len(cases) > MOST_LABELS:
+        raise SlipgapError(f"case: must be a case, or 1 to {MOST_LABELS} of them")
+    solutions = [results.solution(case) for case in cases]
+    time, *names = solutions[0].channels
+    if channel is not None:
+        try:
+            # A channel that is no column of a history is computed, or refused.
+            for solution in solutions:
+                solution.channels[channel]
+        except UnknownNameError as error:
+            known = ", ".join(names)
+            raise SlipgapError(f"{channel} is no channel of the study; it has {known}") from error
     shown = [channel] if channel is not None else names
     if len(shown) > MOST_CHANNELS or (ax is not None and len(shown) > 1):
         raise SlipgapError(f"too many channels; name one of {', '.join(names)}")
@@ -160,14 +169,39 @@ def _history(results: Results, channel: str | None, case: int, ax: Any, figures:
         all_axes = figure.subplots(len(shown), 1, sharex=True, squeeze=False)[:, 0]
     else:
         figure, all_axes = ax.figure, [ax]
+    labels = _labels(results, cases)
     for axes, name in zip(all_axes, shown, strict=True):
-        if name in solution.measured:
-            axes.plot(solution.time, solution.measured[name], "0.6", label="measured")
-        axes.plot(solution.time, channels[name], label="computed")
-        if name in solution.references:
-            axes.plot(solution.time, solution.references[name], "k", linewidth=0.8, label="exact")
+        for place, (solution, label) in enumerate(zip(solutions, labels, strict=True)):
+            _draw(axes, solution, name, label, f"C{place}" if len(cases) > 1 else None)
         if len(axes.lines) > 1:
             axes.legend()
         axes.set_ylabel(name)
     all_axes[-1].set_xlabel(time)
     return figure
+
+
+def _labels(results: Results, cases: list[int]) -> list[str]:
+    """What tells the cases apart, for a legend; empty for one case."""
+    if len(cases) == 1:
+        return [""]
+    values = {name: _column(results, name) for name in results.parameters}
+    few = {name: [column[case] for case in cases] for name, column in values.items()}
+    differing = _varying(few)
+    by = [name for name in _others(values, []) if name in differing]
+    texts = [
+        ", ".join(f"{name} = {_text(few[name][place])}" for name in by)
+        for place in range(len(cases))
+    ]
+    return [text or f"case {case}" for text, case in zip(texts, cases, strict=True)]
+
+
+def _draw(axes: Any, solution: Solution, name: str, label: str, colour: str | None) -> None:
+    """A channel of a case with what was measured and the exact motion; those of several cases have the colour of the case."""
+    of_case = f", {label}" if label else ""
+    if name in solution.measured:
+        style = {"color": colour or "0.6", "alpha": 0.5 if colour else 1}
+        axes.plot(solution.time, solution.measured[name], label=f"measured{of_case}", **style)
+    axes.plot(solution.time, solution.channels[name], color=colour, label=label or "computed")
+    if name in solution.references:
+        style = {"color": colour or "k", "linewidth": 0.8, "linestyle": "--" if colour else "-"}
+        axes.plot(solution.time, solution.references[name], label=f"exact{of_case}", **style)

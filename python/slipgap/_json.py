@@ -1,0 +1,160 @@
+"""The JSON of studies: arrays and matrices of other libraries in it, and parameters to set."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Mapping
+from hashlib import sha256
+from os import PathLike, fspath
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from ._errors import SlipgapError
+
+
+def dumps(value: object) -> str:
+    """The JSON of a study or of a value in it."""
+    if isinstance(value, Mapping):
+        value = _measured(value)
+    return json.dumps(value, default=_plain, allow_nan=False)
+
+
+def _plain(value: object) -> object:
+    """What JSON has for numbers, arrays and matrices of NumPy and SciPy, other mappings and paths."""
+    to_coordinates = getattr(value, "tocoo", None)
+    if callable(to_coordinates):
+        matrix = to_coordinates()
+        matrix.sum_duplicates()
+        return _matrix_market(matrix.shape, matrix.row, matrix.col, matrix.data)
+    if getattr(value, "ndim", 0) == 2 and _has_numbers(value):
+        rows, columns = value.nonzero()  # type: ignore[attr-defined]
+        entries = value[rows, columns]  # type: ignore[index]
+        return _matrix_market(value.shape, rows, columns, entries)  # type: ignore[attr-defined]
+    to_list = getattr(value, "tolist", None)
+    if callable(to_list):
+        return to_list()
+    if isinstance(value, Mapping):
+        return dict(value)
+    if isinstance(value, PathLike):
+        return fspath(value)
+    raise TypeError(f"a study cannot contain {type(value)}")
+
+
+def _has_numbers(array: Any) -> bool:
+    """Whether an array of NumPy has numbers: a table of names is a list of lists in a study."""
+    return getattr(getattr(array, "dtype", None), "kind", "") in "fiu"
+
+
+def _matrix_market(shape: tuple[int, int], rows: Any, columns: Any, entries: Any) -> str:
+    """The content of a Matrix Market file of a matrix by coordinates."""
+    each = zip(rows.tolist(), columns.tolist(), entries.tolist(), strict=True)
+    lines = [f"{i + 1} {j + 1} {float(x)!r}" for i, j, x in each]
+    header = "%%MatrixMarket matrix coordinate real general"
+    return "\n".join([header, f"{shape[0]} {shape[1]} {len(lines)}", *lines])
+
+
+def _measured(study: Mapping[str, Any]) -> dict[str, Any]:
+    """A study whose measurement has arrays in place of a file: with a file of them."""
+    given = study.get("measured")
+    columns = given.get("columns") if isinstance(given, Mapping) and "file" not in given else None
+    if not isinstance(given, Mapping) or not isinstance(columns, Mapping) or "time" not in given:
+        return dict(study)
+    arrays = [given["time"], *columns.values()]
+    if any(isinstance(values, str | Mapping) for values in arrays):
+        return dict(study)
+    names = ["t", *(f"c{place}" for place in range(len(columns)))]
+    rows = zip(*([float(x) for x in values] for values in arrays), strict=True)
+    content = "\n".join([",".join(names), *(",".join(map(repr, row)) for row in rows)]) + "\n"
+    file = _folder() / f"measured-{sha256(content.encode()).hexdigest()[:16]}.csv"
+    if not file.exists():
+        file.write_text(content, encoding="utf-8")
+    columns = dict(zip(columns, names[1:], strict=True))
+    return {**study, "measured": {**given, "file": str(file), "time": "t", "columns": columns}}
+
+
+_folders: list[TemporaryDirectory[str]] = []
+
+
+def _folder() -> Path:
+    """The folder of such files, which the end of Python removes."""
+    if not _folders:
+        _folders.append(TemporaryDirectory(prefix="slipgap-"))
+    return Path(_folders[0].name)
+
+
+def keep_beside(study: dict[str, Any], path: Path) -> dict[str, Any]:
+    """A study to save: a file of arrays is copied beside it."""
+    given = study.get("measured")
+    file = Path(str(given.get("file", ""))) if isinstance(given, dict) else Path()
+    if not isinstance(given, dict) or file.parent != _folder():
+        return study
+    copied = path.with_name(f"{path.stem}-{file.name}")
+    shutil.copyfile(file, copied)
+    return {**study, "measured": {**given, "file": copied.name}}
+
+
+def pretty(data: dict[str, Any]) -> str:
+    """The text of a study file."""
+    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+
+
+def text_of(value: Mapping[str, Any]) -> str:
+    """The JSON of a dict; numbers that JSON does not have are mistakes."""
+    try:
+        return dumps(value)
+    except ValueError as error:
+        raise SlipgapError(str(error)) from None
+
+
+def read(path: Path) -> str:
+    """The text of a file."""
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        why = getattr(error, "strerror", None) or "not UTF-8"
+        raise SlipgapError(f"cannot read {path}: {why}", file=fspath(path)) from error
+
+
+def put(data: dict[str, Any], name: str, value: Any) -> None:
+    """Set a parameter in every block that gives it, or in all blocks if none does, as ``--set`` does."""
+    blocks, keys = _blocks(data), name.split(".")
+    given = [block for block in blocks if _gives(block, keys)]
+    for block in given or blocks:
+        _put(block, keys, value)
+
+
+def axes(data: dict[str, Any]) -> list[str]:
+    """Names of the parameters that are lists or objects, and of those in objects."""
+    found: dict[str, None] = {}
+    for block in _blocks(data):
+        for name, value in block.items():
+            inner = value if isinstance(value, dict) else {}
+            names = [f"{name}.{key}" for key, own in inner.items() if isinstance(own, list | dict)]
+            found.update(dict.fromkeys([name, *names] if isinstance(value, list | dict) else []))
+    return list(found)
+
+
+def _blocks(data: dict[str, Any]) -> list[dict[str, Any]]:
+    """The parameters of a study and of its blocks."""
+    inner = data.get("blocks", [])
+    inner = [block.get("parameters") for block in inner] if isinstance(inner, list) else []
+    own = data.get("parameters") if inner else data.setdefault("parameters", {})
+    return [block for block in (own, *inner) if isinstance(block, dict)]
+
+
+def _gives(block: dict[str, Any], keys: list[str]) -> bool:
+    for key in keys:
+        if not isinstance(block, dict) or key not in block:
+            return False
+        block = block[key]
+    return True
+
+
+def _put(block: dict[str, Any], keys: list[str], value: Any) -> None:
+    for key in keys[:-1]:
+        block = block.setdefault(key, {})
+        if not isinstance(block, dict):
+            raise SlipgapError(f"{'.'.join(keys)}: {key} is not an object")
+    block[keys[-1]] = value

@@ -1,0 +1,1 @@
+"""What notebooks and figures show of results."""

@@ -1,0 +1,38 @@
+//! The cases of a study as a table, without results.
+
+use super::columns::Columns;
+use super::table::Table;
+use crate::error::{raise, usage};
+use crate::given;
+use arrow_array::Int64Array;
+use pyo3::prelude::*;
+
+/// Most raw combinations of a table.
+const MOST: u64 = 10_000_000;
+
+/// The number of cases of a study.
+#[pyfunction]
+pub fn count(py: Python<'_>, study: &Bound<'_, PyAny>) -> PyResult<u64> {
+    Ok(given::source(py, study, None)?.study.len())
+}
+
+/// The cases of a study with their parameters.
+#[pyfunction]
+pub fn expand(py: Python<'_>, study: &Bound<'_, PyAny>) -> PyResult<Table> {
+    let study = given::source(py, study, None)?.study;
+    let raw = study.raw_len();
+    if raw > MOST {
+        let message = format!("expand: the study has {raw} combinations; allowed: at most {MOST}");
+        return Err(usage(py, message));
+    }
+    let batch = py.detach(|| {
+        let (first, cases) = study.columns(0, raw);
+        let numbers = (0..cases.len()).map(|row| (first + cases.offset(row)) as i64);
+        let mut columns = Columns::new(&study, &[]);
+        let arrays = columns.of_cases(&study, &cases, Int64Array::from_iter_values(numbers));
+        Ok((columns.schema(), columns.batch(arrays)?))
+    });
+    let (schema, batch) = batch.map_err(|error| raise(py, error))?;
+    let batches = vec![batch];
+    Ok(Table { schema, batches })
+}
