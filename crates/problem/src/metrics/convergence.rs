@@ -6,6 +6,7 @@
 //! the last motion from the exact one is an error of the exact one.
 
 use super::structure::rms_error;
+use crate::exact::adaptive::coarse_times;
 
 /// Motions in a row whose differences are compared.
 const WINDOW: usize = 5;
@@ -46,6 +47,17 @@ pub struct Halved {
     pub channels: Vec<Vec<f64>>,
     /// Whether the steps resolve the motion.
     pub resolved: bool,
+}
+
+/// The norm over `size` of the difference of an exact motion and the same at [`coarse_times`].
+pub fn difference(motion: &[f64], coarse: &[f64], size: f64) -> f64 {
+    let same = coarse_times(motion);
+    let differences = same
+        .iter()
+        .zip(coarse)
+        .map(|(own, coarse)| (own - coarse) / size);
+    let squares: f64 = differences.map(|error| error * error).sum();
+    (squares / coarse.len() as f64).sqrt()
 }
 
 /// What the steps cannot explain of the distance of the last of these motions from the exact one, 0 if they can; `None` where they do

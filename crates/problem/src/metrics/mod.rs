@@ -1,5 +1,6 @@
 //! Metrics: a computed motion compared with the exact one.
 
+pub mod budget;
 pub mod convergence;
 pub mod friction;
 pub mod impact;

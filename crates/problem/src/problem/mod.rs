@@ -7,6 +7,7 @@ mod laws;
 pub mod method;
 pub mod numbers;
 mod parameter_expression;
+mod preset;
 mod side_by_side;
 pub mod structure;
 pub mod table;
@@ -25,6 +26,8 @@ use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::metrics::steps;
 use crate::solve::{MetricTable, Unsolvable, Warning};
+use crate::system::System;
+use crate::system::structure::Structure;
 use numbers::parameter::Parameter;
 use numbers::unit::Dimension;
 use std::sync::{Arc, LazyLock};
@@ -158,9 +161,19 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn are_side_by_side(&self, _one: &Case, _other: &Case) -> bool {
         false
     }
-    /// The law of the one contact of a completed case, in the problem's scales; `None` for a problem with several contacts.
-    fn contact_law(&self, _case: &Case) -> Option<ContactLaw> {
+    /// The modes, the one contact and the steps of a completed case of a textbook problem, in its scales; `None` for a problem whose
+    /// studies describe a structure.
+    fn system(&self, _case: &Case) -> Option<System> {
         None
+    }
+    /// The structure of a completed case; of a textbook problem its modes are masses that the contact joins. `None` if it cannot be
+    /// solved, and for a textbook problem with contact nodes without mass.
+    fn structure(&self, case: &Case) -> Option<Structure> {
+        preset::structure(&self.system(case)?)
+    }
+    /// The law of the contact of a textbook problem.
+    fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
+        self.system(case).map(|own| own.law)
     }
     /// The structure of a completed case for a picture; `None` for a problem without one.
     fn scheme(&self, _case: &Case) -> Option<Scheme> {

@@ -7,8 +7,8 @@ use slipgap_contact::lane::Lane;
 use slipgap_motion::history::History;
 use slipgap_motion::solve;
 use slipgap_problem::metrics::impact::step_work;
-use slipgap_problem::problem::Case;
 use slipgap_problem::problem::impact::BarImpact;
+use slipgap_problem::problem::{Case, Problem};
 use slipgap_system::methods::ContactWork;
 use slipgap_system::system::System;
 
@@ -16,7 +16,7 @@ use slipgap_system::system::System;
 /// because step 0 is one of them. The loss is what is gone at the last step: damping of the contact and numerical dissipation minus drift.
 /// The exact motion keeps its energy.
 pub fn energy_change(case: &Case, computed: &History) -> Option<EnergyChange> {
-    let system = BarImpact.system(case).ok()?;
+    let system = BarImpact.system(case)?;
     let start = system.linear.energy();
     let (mut change, damping) = by_contact(&system, computed);
     // Constant average acceleration adds and takes nothing.

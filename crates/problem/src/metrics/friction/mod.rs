@@ -2,11 +2,9 @@
 //!
 //! Displacements are divided by |x0|, so that no sum of squares overflows before the displacements do.
 
-mod budget;
 mod sampled;
 mod work;
 
-pub use budget::{budget, reference};
 pub use sampled::Sampled;
 pub use work::{work_by_energy, work_by_steps};
 

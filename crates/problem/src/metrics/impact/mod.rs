@@ -1,13 +1,11 @@
 //! Metrics of the bar impact, for several cases with the same exact solution and steps.
 
-mod budget;
 mod contact;
 mod energy;
 mod reference;
 mod sampled;
 mod track;
 
-pub use budget::{budget, reference_errors};
 pub use energy::{Energy, damping_work, energy_of_books, step_work};
 pub use reference::reference;
 pub use sampled::Sampled;

@@ -7,6 +7,7 @@ use crate::lane::Lane;
 use crate::methods::{AverageAcceleration, Method, OneMode};
 use crate::metrics::friction::{COUNT, Sampled, evaluate, work_by_energy};
 use crate::metrics::steps;
+use crate::problem::preset::Preset;
 use crate::problem::{Case, method};
 use crate::solve::sweep::{LaneCase, ReferenceKey};
 use crate::solve::{Displacements, Motion, ToSystem};
@@ -41,6 +42,14 @@ impl OscillatorCase {
         let (law, force) = law(case)?;
         let method = method::of_case(case, rows::METHOD)?;
         OscillatorCase::with(case, law, method, force)
+    }
+
+    /// The system, whose contact is in the scales of the problem.
+    pub fn preset(&self) -> Preset {
+        Preset {
+            system: self.system(),
+            factors: [1.0; 3],
+        }
     }
 }
 

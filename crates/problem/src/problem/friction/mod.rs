@@ -8,11 +8,11 @@ mod tables;
 use super::method::{self, step_rules};
 use super::side_by_side::{Form, selected, sweep_cases};
 use super::{Case, Problem, Schema, Solution, Violation, time_rules};
-use crate::contact::ContactLaw;
 use crate::exact::coulomb::Coulomb;
 use crate::history::History;
 use crate::lane::Lane;
 use crate::methods::ContactWork;
+use crate::metrics::budget::Norm;
 use crate::metrics::friction::{work_by_energy, work_by_steps};
 use crate::metrics::{self, cells};
 use crate::problem::table::cases::Cases;
@@ -20,7 +20,7 @@ use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warnin
 use crate::system::System;
 use case::{LANES, OscillatorCase, PlainCase};
 use std::sync::Arc;
-use tables::{BUDGET, LOSSES_AND_COST, REFERENCE_ERROR, SCHEMA, rows};
+use tables::{BUDGET, LOSSES_AND_COST, REFERENCE_ERRORS, SCHEMA, rows};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
@@ -44,7 +44,7 @@ impl Problem for FrictionOscillator {
     }
 
     fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
-        let needs = |row: &usize| BUDGET.contains(row) || *row == REFERENCE_ERROR;
+        let needs = |row: &usize| BUDGET.contains(row) || REFERENCE_ERRORS.contains(row);
         let budget = wanted.iter().any(needs);
         let in_closed_form = || {
             let law = OscillatorCase::new(case).map(|own| own.law);
@@ -65,8 +65,8 @@ impl Problem for FrictionOscillator {
         self.judge(&own, &motion.track, own.work(&motion, 0), wanted)
     }
 
-    fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
-        OscillatorCase::new(case).map(|own| own.law)
+    fn system(&self, case: &Case) -> Option<System> {
+        OscillatorCase::new(case).map(|own| own.system())
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
@@ -97,16 +97,11 @@ impl Problem for FrictionOscillator {
 
     fn exact_of_law(&self, case: &Case, times: &[f64]) -> Option<History> {
         let case = OscillatorCase::new(case)?;
-        Some(reference::softened(&case, times, false)?.motion)
+        reference::between(&case, times, false)?.motions.pop()
     }
 }
 
 impl FrictionOscillator {
-    /// The system of a completed case, ready to be solved.
-    pub fn system(&self, case: &Case) -> Result<System, Unsolvable> {
-        Ok(self.lane_case(case)?.system())
-    }
-
     fn lane_case(&self, case: &Case) -> Result<OscillatorCase, Unsolvable> {
         OscillatorCase::new(case).ok_or(Unsolvable::ParameterMissing)
     }
@@ -129,24 +124,23 @@ impl FrictionOscillator {
         let x: Vec<_> = computed.displacement().iter().map(|x| Lane([*x])).collect();
         let own = metrics::friction::evaluate(&x, Lane([work]), &case.exact_at_steps());
         let exact = coulomb(case.x0, &computed.time);
-        let with_error = wanted.contains(&REFERENCE_ERROR);
-        let with_parts = wanted.iter().any(|row| BUDGET.contains(row));
-        let softened = (with_parts || with_error)
-            .then(|| reference::softened(case, &computed.time, with_error))
-            .flatten();
-        let parts = softened
-            .as_ref()
-            .filter(|_| with_parts)
-            .map(|own| metrics::friction::budget(case.x0, &computed, &exact, &own.motion));
-        let error = softened.as_ref().and_then(|own| {
-            let coarse = own.coarse.as_ref()?;
-            reference::error(case, &computed, &own.motion, coarse)
+        let steps = exact.displacement().iter().enumerate();
+        let norm = Norm {
+            channels: 1,
+            size: case.x0.abs(),
+            sum: &|_, value| steps.clone().map(|(i, e)| value(i, *e)).sum(),
+            count: computed.len() as f64,
+        };
+        let rows = [BUDGET, REFERENCE_ERRORS];
+        let of = (&computed, &norm);
+        let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
+            reference::between(case, &computed.time, with_errors)
         });
         let metrics = cells(own)
             .into_iter()
-            .chain(parts.unwrap_or([None; BUDGET.end - BUDGET.start]))
+            .chain(parts)
             .chain(selected(LOSSES_AND_COST, taken(case, track), wanted))
-            .chain([error])
+            .chain(errors)
             .collect();
         Ok(Solution {
             computed,

@@ -1,6 +1,5 @@
 //! The tables of the friction oscillator: parameters, metrics, quantities.
 
-use crate::contact::number::Number;
 use crate::contact::numbers::oscillator as number;
 use crate::contact::offer::Place;
 use crate::problem::laws::{law_names, laws, others};
@@ -25,9 +24,14 @@ choice! {
     }
 }
 
-/// A number of laws.
-const fn of(number: &'static Number, laws: &'static [&'static str]) -> Parameter {
-    Parameter::of_laws(number, laws)
+/// A number, and the laws that have it.
+macro_rules! of_laws {
+    ($number:ident) => {
+        Parameter::of_laws(
+            &number::$number,
+            law_names!(Oscillator, Which::With(&number::$number)),
+        )
+    };
 }
 
 static PARAMETERS: [Parameter; 15] = [
@@ -37,14 +41,8 @@ static PARAMETERS: [Parameter; 15] = [
         Default::Required,
         "friction model",
     ),
-    of(
-        &number::ALPHA,
-        law_names!(Oscillator, Which::With(&number::ALPHA)),
-    ),
-    of(
-        &number::BETA,
-        law_names!(Oscillator, Which::With(&number::BETA)),
-    ),
+    of_laws!(ALPHA),
+    of_laws!(BETA),
     Parameter::new(
         ["dT", "Δ*T*", "1"],
         Kind::Number(Range::Positive),
@@ -70,46 +68,14 @@ static PARAMETERS: [Parameter; 15] = [
         ("law", law_names!(Oscillator, Which::Hysteretic)),
         "slip of the friction element at release",
     ),
-    of(
-        &number::EXPONENT,
-        law_names!(Oscillator, Which::With(&number::EXPONENT)),
-    )
-    .with_column_if_given(),
-    of(
-        &number::SIGMA0,
-        law_names!(Oscillator, Which::With(&number::SIGMA0)),
-    )
-    .with_column_if_given(),
-    of(
-        &number::SIGMA1,
-        law_names!(Oscillator, Which::With(&number::SIGMA1)),
-    )
-    .with_column_if_given(),
-    of(
-        &number::SIGMA2,
-        law_names!(Oscillator, Which::With(&number::SIGMA2)),
-    )
-    .with_column_if_given(),
-    of(
-        &number::STATIC_RATIO,
-        law_names!(Oscillator, Which::With(&number::STATIC_RATIO)),
-    )
-    .with_column_if_given(),
-    of(
-        &number::STRIBECK_VELOCITY,
-        law_names!(Oscillator, Which::With(&number::STRIBECK_VELOCITY)),
-    )
-    .with_column_if_given(),
-    of(
-        &number::NU_RATIO,
-        law_names!(Oscillator, Which::With(&number::NU_RATIO)),
-    )
-    .with_column_if_given(),
-    of(
-        &number::NU_RATE,
-        law_names!(Oscillator, Which::With(&number::NU_RATE)),
-    )
-    .with_column_if_given(),
+    of_laws!(EXPONENT).with_column_if_given(),
+    of_laws!(SIGMA0).with_column_if_given(),
+    of_laws!(SIGMA1).with_column_if_given(),
+    of_laws!(SIGMA2).with_column_if_given(),
+    of_laws!(STATIC_RATIO).with_column_if_given(),
+    of_laws!(STRIBECK_VELOCITY).with_column_if_given(),
+    of_laws!(NU_RATIO).with_column_if_given(),
+    of_laws!(NU_RATE).with_column_if_given(),
 ];
 
 /// Rows of the parameters.
@@ -226,7 +192,8 @@ pub(super) const BUDGET: Rows<usize> =
     metric_of(&METRICS, "regularisation_error")..metric_of(&METRICS, "step_share") + 1;
 
 /// Row of the error of the reference, the last one.
-pub(super) const REFERENCE_ERROR: usize = metric_of(&METRICS, "reference_error");
+pub(super) const REFERENCE_ERRORS: Rows<usize> =
+    metric_of(&METRICS, "reference_error")..METRICS.len();
 
 /// Rows of what the method takes and costs, and of its amplification.
 pub(super) const LOSSES_AND_COST: Rows<usize> =

@@ -9,6 +9,7 @@ use crate::methods::{ContactWork, ManyModes};
 use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, evaluate, step_work};
 use crate::metrics::steps;
 use crate::problem::Case;
+use crate::problem::preset::Preset;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
 use crate::solve::{FEWEST_STEPS, Motion, ToSystem, Warning, Warnings};
 use crate::system::{Linear, System};
@@ -40,6 +41,14 @@ impl ImpactCase {
             duration,
             last: steps(duration, dt),
         })
+    }
+
+    /// The system, and the scales of r, rdot and F in the problem.
+    pub fn preset(&self) -> Preset {
+        Preset {
+            system: self.system(),
+            factors: [1.0, 0.5, -1.0],
+        }
     }
 
     /// The exact solution, and its samples at the steps of the case.

@@ -13,9 +13,9 @@ mod tables;
 
 use super::side_by_side::{Form, selected, sweep_cases};
 use super::{Case, Problem, Schema, Snapshot, Solution, Violation, method};
-use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::lane::Lane;
+use crate::metrics::budget::Norm;
 use crate::metrics::convergence::FEWEST_HALVED;
 use crate::metrics::impact::{Energy, Track};
 use crate::metrics::{self, cells};
@@ -27,7 +27,6 @@ use crate::system::System;
 use case::{ImpactCase, LANES};
 use scaled::Scaled;
 use scales::Scales;
-use std::ops::Range;
 use std::sync::Arc;
 use tables::{
     BUDGET, LOSSES_AND_COST, METHOD, MassMatrix, REFERENCE, REFERENCE_ERRORS, SCHEMA, rows,
@@ -36,14 +35,6 @@ use tables::{
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
 pub struct BarImpact;
-
-impl BarImpact {
-    /// The system of a completed case, ready to be solved.
-    pub fn system(&self, case: &Case) -> Result<System, Unsolvable> {
-        let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
-        Ok(own.system())
-    }
-}
 
 impl Problem for BarImpact {
     fn schema(&self) -> &Arc<Schema> {
@@ -107,8 +98,8 @@ impl Problem for BarImpact {
         judge(&own, &run, wanted)
     }
 
-    fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
-        ImpactCase::new(case).map(|own| own.scaled.law)
+    fn system(&self, case: &Case) -> Option<System> {
+        ImpactCase::new(case).map(|own| own.system())
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
@@ -183,31 +174,24 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     let exact = wave.history(&computed.time);
     let own = metrics::impact::evaluate(track, energy, Lane([run.restitution]), &sampled);
     let warnings = case.warnings(|metric| own[metric].0[0]);
-    let wants = |rows: Range<usize>| wanted.iter().any(|row| rows.contains(row));
-    let (with_parts, with_error) = (wants(BUDGET), wants(REFERENCE_ERRORS));
-    let motions = (with_parts || with_error)
-        .then(|| budget::references(&case.scaled, &computed.time, with_error))
-        .flatten();
-    let parts = motions.as_ref().filter(|_| with_parts).map(|own| {
-        let [bars, mesh] = &own.motions;
-        metrics::impact::budget(track, &sampled, bars, mesh)
+    let norm = Norm {
+        channels: 2,
+        size: 1.0,
+        sum: &|channel, value| sampled.mean(channel, |i, e| Lane([value(i, e)])).0[0],
+        count: 1.0,
+    };
+    let rows = [BUDGET, REFERENCE_ERRORS];
+    let of = (&computed, &norm);
+    let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
+        budget::between(case, &computed.time, with_errors)
     });
-    let errors = motions.as_ref().and_then(|own| {
-        let coarse = own.coarse.as_ref()?;
-        Some(budget::reference_errors(
-            case,
-            &computed,
-            &own.motions,
-            coarse,
-        ))
-    });
-    let reference = wants(REFERENCE).then(|| metrics::impact::reference(&wave, &sampled));
+    let reference = metrics::impact::reference(&wave, &sampled);
     let metrics = cells(own)
         .into_iter()
-        .chain(parts.unwrap_or([None; BUDGET.end - BUDGET.start]))
-        .chain(reference.unwrap_or([None; REFERENCE.end - REFERENCE.start]))
+        .chain(parts)
+        .chain(selected(REFERENCE, reference, wanted))
         .chain(selected(LOSSES_AND_COST, taken(case, run), wanted))
-        .chain(errors.unwrap_or([None; REFERENCE_ERRORS.end - REFERENCE_ERRORS.start]))
+        .chain(errors)
         .collect();
     Ok(Solution {
         computed,

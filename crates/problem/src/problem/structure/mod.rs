@@ -22,6 +22,7 @@ pub use crate::problem::structure::described::ground::GroundMotion;
 pub use crate::problem::structure::described::scheme::picture::Scheme;
 pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 use crate::solve::{MetricTable, Unsolvable, Warning};
+use crate::system::structure::Structure;
 use described::{describe, ground, scheme};
 use given::{short, signal_cache};
 use metrics::units::UnitNames;
@@ -202,6 +203,10 @@ impl Problem for StructureProblem {
             Ok(compared) => compared.channels(),
             Err(_) => Vec::new(),
         }
+    }
+
+    fn structure(&self, case: &Case) -> Option<Structure> {
+        Some(self.structure(case, Model::Study).ok()?.0)
     }
 
     fn diverges(&self, case: &Case) -> Option<bool> {

@@ -1,8 +1,11 @@
 use super::super::FrictionOscillator;
 use super::*;
+use crate::metrics::budget::Norm;
+use crate::metrics::convergence::difference;
 use crate::metrics::structure::rms_error;
 use crate::problem::Case;
 use crate::problem::numbers::parameter::Value;
+use crate::solve::{self, ContactTrack, ToSystem};
 use std::f64::consts::PI;
 
 fn case(law: &'static str, own: &[(&'static str, f64)]) -> OscillatorCase {
@@ -30,11 +33,18 @@ fn a_wrong_force_at_release_is_seen() {
         let states = times.iter().zip(&track.0);
         let computed: History = states.map(|(time, state)| (*time, *state)).collect();
         let of = |other: &OscillatorCase| {
-            let own = softened(other, &times, true).unwrap();
-            let coarse = own.coarse.unwrap();
-            let found = error(&case, &computed, &own.motion, &coarse).unwrap();
-            let by_tolerance = metrics::friction::reference(case.x0, &own.motion, &coarse);
-            (own.motion, found, by_tolerance)
+            let mut own = between(other, &times, true).unwrap();
+            let norm = Norm {
+                channels: 1,
+                size: case.x0.abs(),
+                sum: &|_, _| f64::NAN,
+                count: 1.0,
+            };
+            let found = own.errors(&case.preset(), &computed, &norm)[0].unwrap();
+            let motion = own.motions.pop().unwrap();
+            let coarse = own.coarse[0].displacement();
+            let by_tolerance = difference(motion.displacement(), coarse, case.x0.abs());
+            (motion, found, by_tolerance)
         };
         let (right, found, by_tolerance) = of(&case);
         assert_eq!(found, by_tolerance, "{law}");

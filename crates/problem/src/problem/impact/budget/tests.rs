@@ -1,10 +1,15 @@
 use super::super::BarImpact;
 use super::*;
+use crate::metrics::budget::Norm;
+use crate::metrics::convergence::difference;
+use crate::metrics::impact::Track;
 use crate::metrics::structure::rms_error;
 use crate::problem::Case;
+use crate::problem::impact::case;
 use crate::problem::numbers::parameter::Value;
+use crate::solve::{self, ToSystem};
 
-fn case(law: &'static str, own: &[(&'static str, f64)]) -> ImpactCase {
+fn given(law: &'static str, own: &[(&'static str, f64)]) -> ImpactCase {
     let all = [("gamma", 1.0), ("n", 10.0), ("dt", 0.01), ("duration", 1.5)];
     let numbers = all.iter().chain(own);
     let mut given: Vec<_> = numbers
@@ -24,26 +29,36 @@ fn a_mesh_that_starts_at_another_gap_is_seen() {
         ("hunt-crossley", &damped),
         ("kelvin-voigt", &damped),
     ] {
-        let case = case(law, own);
+        let case = given(law, own);
         let mut track = solve::run::<Track<1>>(&case.system()).unwrap().track;
         case::condense(&[case], &mut track);
         let computed = track.history(case.dt);
-        let of = |scaled: &Scaled| {
-            let own = references(scaled, &computed.time, true).unwrap();
-            let coarse = own.coarse.unwrap();
-            let found = reference_errors(&case, &computed, &own.motions, &coarse);
-            let by_tolerance = metrics::impact::reference_errors(&own.motions, &coarse);
-            let [_, mesh] = own.motions;
+        let of = |other: &ImpactCase| {
+            let own = between(other, &computed.time, true).unwrap();
+            let norm = Norm {
+                channels: 2,
+                size: 1.0,
+                sum: &|_, _| f64::NAN,
+                count: 1.0,
+            };
+            let found = own.errors(&case.preset(), &computed, &norm);
+            let by_tolerance = [0, 1].map(|channel| {
+                let pairs = own.motions.iter().zip(&own.coarse);
+                let each =
+                    pairs.map(|(a, b)| difference(a.channel(channel), b.channel(channel), 1.0));
+                each.fold(0.0, f64::max)
+            });
+            let mesh = own.motions[1].clone();
             (
                 mesh,
-                found.map(Option::unwrap),
-                by_tolerance.map(Option::unwrap),
+                [0, 1].map(|channel| found[channel].unwrap()),
+                by_tolerance,
             )
         };
-        let (right, found, by_tolerance) = of(&case.scaled);
+        let (right, found, by_tolerance) = of(&case);
         assert_eq!(found, by_tolerance, "{law}");
-        let mut other = case.scaled;
-        other.bars.gap += 0.05;
+        let mut other = case;
+        other.scaled.bars.gap += 0.05;
         let (wrong, found, by_tolerance) = of(&other);
         for channel in [0, 1] {
             assert!(by_tolerance[channel] < 1e-7, "{law}: {by_tolerance:?}");

@@ -1,9 +1,8 @@
 //! The errors of the exact motion of a case: by two tolerances, and by the convergence of the steps.
 
-use crate::exact::adaptive::coarse_times;
 use crate::methods::Method;
 use crate::metrics::convergence::{
-    ENOUGH_HALVINGS, FEWEST_HALVED, Halved, Referred, reference_errors,
+    ENOUGH_HALVINGS, FEWEST_HALVED, Halved, Referred, difference, reference_errors,
 };
 use crate::metrics::structure as reduce;
 use crate::problem::structure::StructureProblem;
@@ -81,7 +80,7 @@ impl Stepped<'_> {
             let own = of(exact, channel);
             let terms = channel.numbers(self.numbering);
             Referred {
-                estimate: reduce::rms_error(&coarse_times(&own), &of(coarse, channel)),
+                estimate: difference(&own, &of(coarse, channel), 1.0),
                 exact: own,
                 computed: of(computed, channel),
                 size: terms.map(|term| reduce::peak(computed.of(term))).sum(),

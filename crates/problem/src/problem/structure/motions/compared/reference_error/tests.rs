@@ -141,7 +141,7 @@ fn said(own: &Structure, other: &Structure, channel: &str, dt: f64) -> Said {
     let errors = steps.reference_errors(&[&channel], &computed, [&given, &coarse]);
     let of = |motion: &Recorded| motion.channel(&channel, &numbering);
     Said {
-        estimate: reduce::rms_error(&coarse_times(&of(&given)), &of(&coarse)),
+        estimate: difference(&of(&given), &of(&coarse), 1.0),
         error: errors[0],
         rms: reduce::rms(&of(&right)),
         fault: reduce::rms_error(&of(&right), &of(&given)),
