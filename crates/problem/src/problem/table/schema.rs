@@ -150,6 +150,17 @@ impl Metric {
         Metric::row(names, meaning, false)
     }
 
+    /// The same with names that are made of parts.
+    pub fn built([name, symbol, unit]: [String; 3], meaning: String) -> Metric {
+        Metric {
+            name: name.into(),
+            symbol: symbol.into(),
+            unit: unit.into(),
+            meaning: meaning.into(),
+            ..Metric::selected([""; 3], "")
+        }
+    }
+
     const fn row(
         [name, symbol, unit]: [&'static str; 3],
         meaning: &'static str,

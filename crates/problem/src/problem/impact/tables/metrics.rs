@@ -1,10 +1,10 @@
 //! The metrics of the bar impact, and the parts of its errors.
 
 use crate::problem::{self, Budget, Metric};
-use std::borrow::Cow::Borrowed;
 use std::ops::Range as Rows;
 
-pub(super) static METRICS: [Metric; 33] = [
+/// Those of all studies.
+static DEFAULT: [Metric; 12] = [
     Metric::new(
         ["contact_duration", "contact duration/*T*_I_", "T_I"],
         "time from the first zero of r (falling) to the last (rising), with r straight between steps; undefined without contact, and if the bars touch at the end",
@@ -53,66 +53,10 @@ pub(super) static METRICS: [Metric; 33] = [
         ["rms_error_rdot", "rms error of *ṙ*/*c*", "c"],
         "sqrt(1/duration times the integral of (c - e)^2) of rdot, trapezoidal rule; at a jump of e, each side has its own limit",
     ),
-    Metric::selected(
-        [
-            "regularisation_error_r",
-            "regularisation error of *r*/(*cT*_I_/2)",
-            "c T_I/2",
-        ],
-        "error of the softened law alone: rms_error_r of continuous bars with the law, compared with e; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
-    ),
-    Metric::selected(
-        [
-            "regularisation_error_rdot",
-            "regularisation error of *ṙ*/*c*",
-            "c",
-        ],
-        "error of the softened law alone: rms_error_rdot of continuous bars with the law, compared with e; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
-    ),
-    Metric::selected(
-        ["mesh_error_r", "mesh error of *r*/(*cT*_I_/2)", "c T_I/2"],
-        "error of the mesh alone: rms_error_r of the elements in continuous time, compared with continuous bars with the law; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
-    ),
-    Metric::selected(
-        ["mesh_error_rdot", "mesh error of *ṙ*/*c*", "c"],
-        "error of the mesh alone: rms_error_rdot of the elements in continuous time, compared with continuous bars with the law; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
-    ),
-    Metric::selected(
-        ["step_error_r", "step error of *r*/(*cT*_I_/2)", "c T_I/2"],
-        "error of the time step alone: rms_error_r of c, compared with the elements in continuous time; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
-    ),
-    Metric::selected(
-        ["step_error_rdot", "step error of *ṙ*/*c*", "c"],
-        "error of the time step alone: rms_error_rdot of c, compared with the elements in continuous time; for equal bars (integrated laws: or a wall) and n <= 1000, as docs/scope.md says; empty for rigid contact",
-    ),
-    Metric::selected(
-        ["regularisation_share_r", "regularisation share of *r*", "1"],
-        "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
-    ),
-    Metric::selected(
-        [
-            "regularisation_share_rdot",
-            "regularisation share of *ṙ*",
-            "1",
-        ],
-        "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
-    ),
-    Metric::selected(
-        ["mesh_share_r", "mesh share of *r*", "1"],
-        "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
-    ),
-    Metric::selected(
-        ["mesh_share_rdot", "mesh share of *ṙ*", "1"],
-        "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
-    ),
-    Metric::selected(
-        ["step_share_r", "step share of *r*", "1"],
-        "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
-    ),
-    Metric::selected(
-        ["step_share_rdot", "step share of *ṙ*", "1"],
-        "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
-    ),
+];
+
+/// Those of the exact motion.
+static OF_EXACT: [Metric; 3] = [
     Metric::selected(
         [
             "contact_duration_exact",
@@ -129,6 +73,10 @@ pub(super) static METRICS: [Metric; 33] = [
         ["restitution_exact", "exact restitution", "1"],
         "restitution of the exact motion, from its impulse until the last step",
     ),
+];
+
+/// The energies that contact and method take, and the cost.
+static TAKEN: [Metric; 4] = [
     Metric::selected(
         ["contact_dissipation", "contact dissipation", "1"],
         "energy that the damping of the contact takes up to the last step, over E_0",
@@ -145,34 +93,107 @@ pub(super) static METRICS: [Metric; 33] = [
         ["cost", "cost", "1"],
         "steps times modes times sub-steps of the method",
     ),
-    Metric::selected(
-        ["reference_error_r", "reference error of *r*", "1"],
-        "estimated error of the integrated motions between the exact and the computed one: the rms of r with a tolerance of 1e-10 less r with 1e-12, or the part of step_error_r that the convergence of the steps dt to dt/64 does not explain, if that is larger; empty for the impact spring",
-    ),
-    Metric::selected(
-        ["reference_error_rdot", "reference error of *ṙ*", "1"],
-        "estimated error of the integrated motions between the exact and the computed one: the rms of rdot with a tolerance of 1e-10 less rdot with 1e-12, or the part of step_error_rdot that the convergence of the steps dt to dt/64 does not explain, if that is larger; empty for the impact spring",
-    ),
 ];
 
+/// A channel with parts of an error: its name, its symbol, what it is over, and its unit.
+type Component = [&'static str; 4];
+
+const COMPONENTS: [Component; 2] = [
+    ["r", "*r*", "/(*cT*_I_/2)", "c T_I/2"],
+    ["rdot", "*ṙ*", "/*c*", "c"],
+];
+
+/// The parts of an error: their names, what makes them, and the motion up to which each is.
+const PARTS: [[&str; 3]; 3] = [
+    [
+        "regularisation",
+        "the softened law",
+        "continuous bars with the law",
+    ],
+    ["mesh", "the mesh", "the elements in continuous time"],
+    ["step", "the time step", "c"],
+];
+
+/// All: those of all studies, the parts of the error, those of the exact motion, what is taken, and the errors of the motions between.
+pub(super) fn all() -> Vec<Metric> {
+    let each = |metric: fn(usize, Component) -> Metric| {
+        let parts = 0..PARTS.len();
+        parts.flat_map(move |part| COMPONENTS.map(|of| metric(part, of)))
+    };
+    let default = DEFAULT.iter().cloned();
+    let all = default.chain(each(error)).chain(each(share));
+    let all = all.chain(OF_EXACT.iter().chain(&TAKEN).cloned());
+    all.chain(COMPONENTS.map(reference_error)).collect()
+}
+
+/// The norm of a part of the error.
+fn error(part: usize, [name, symbol, over, unit]: Component) -> Metric {
+    let [own, made_by, motion] = PARTS[part];
+    let before = part.checked_sub(1).map_or("e", |before| PARTS[before][2]);
+    Metric::built(
+        [
+            format!("{own}_error_{name}"),
+            format!("{own} error of {symbol}{over}"),
+            unit.into(),
+        ],
+        format!(
+            "error of {made_by} alone: rms_error_{name} of {motion}, compared with {before}; for equal bars (integrated laws: or a wall) \
+             and n <= 1000, as docs/scope.md says; empty for rigid contact"
+        ),
+    )
+}
+
+/// Its share in the error.
+fn share(part: usize, [name, symbol, ..]: Component) -> Metric {
+    let [own, ..] = PARTS[part];
+    Metric::built(
+        [
+            format!("{own}_share_{name}"),
+            format!("{own} share of {symbol}"),
+            "1".into(),
+        ],
+        format!(
+            "share of this part in the error of {name}: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; \
+             a share outside 0..1 means that parts have opposite signs"
+        ),
+    )
+}
+
+/// The error of the motions between the exact and the computed one.
+fn reference_error([name, symbol, ..]: Component) -> Metric {
+    Metric::built(
+        [
+            format!("reference_error_{name}"),
+            format!("reference error of {symbol}"),
+            "1".into(),
+        ],
+        format!(
+            "estimated error of the integrated motions between the exact and the computed one: the rms of {name} with a tolerance of 1e-10 \
+             less {name} with 1e-12, or the part of step_error_{name} that the convergence of the steps dt to dt/64 does not explain, \
+             if that is larger; empty for the impact spring"
+        ),
+    )
+}
+
 const fn metric_of(name: &str) -> usize {
-    problem::metric_of(&METRICS, name)
+    problem::metric_of(&DEFAULT, name)
 }
 
 /// Rows of the parts of errors.
-pub const BUDGET: Rows<usize> =
-    metric_of("regularisation_error_r")..metric_of("step_share_rdot") + 1;
-
-/// Rows of the errors of the motions between, the last ones.
-pub const REFERENCE_ERRORS: Rows<usize> =
-    metric_of("reference_error_r")..metric_of("reference_error_rdot") + 1;
+pub const BUDGET: Rows<usize> = behind(DEFAULT.len(), 2 * PARTS.len() * COMPONENTS.len());
 
 /// Rows of the metrics of the exact motion.
-pub const REFERENCE: Rows<usize> =
-    metric_of("contact_duration_exact")..metric_of("restitution_exact") + 1;
+pub const REFERENCE: Rows<usize> = behind(BUDGET.end, OF_EXACT.len());
 
 /// Rows of the energies that contact and method take, and of the cost.
-pub const LOSSES_AND_COST: Rows<usize> = metric_of("contact_dissipation")..metric_of("cost") + 1;
+pub const LOSSES_AND_COST: Rows<usize> = behind(REFERENCE.end, TAKEN.len());
+
+/// Rows of the errors of the motions between, the last ones.
+pub const REFERENCE_ERRORS: Rows<usize> = behind(LOSSES_AND_COST.end, COMPONENTS.len());
+
+const fn behind(first: usize, count: usize) -> Rows<usize> {
+    first..first + count
+}
 
 /// Empty if and only if there is no contact.
 pub const MAX_OVERLAP: usize = metric_of("max_overlap");
@@ -184,31 +205,18 @@ pub const ENERGY_DRIFT_MAX: usize = metric_of("energy_drift_max");
 /// See `CONTACT_STEPS`.
 pub const ENERGY_DRIFT_FINAL: usize = metric_of("energy_drift_final");
 
-pub(super) static BUDGETS: [Budget; 2] = [
-    Budget {
-        name: Borrowed("r"),
-        title: Borrowed("rms error of *r*/(*cT*_I_/2)"),
-        total: metric_of("rms_error_r"),
-        parts: Borrowed(&[
-            (
-                Borrowed("regularisation"),
-                metric_of("regularisation_error_r"),
-            ),
-            (Borrowed("mesh"), metric_of("mesh_error_r")),
-            (Borrowed("step"), metric_of("step_error_r")),
-        ]),
-    },
-    Budget {
-        name: Borrowed("rdot"),
-        title: Borrowed("rms error of *ṙ*/*c*"),
-        total: metric_of("rms_error_rdot"),
-        parts: Borrowed(&[
-            (
-                Borrowed("regularisation"),
-                metric_of("regularisation_error_rdot"),
-            ),
-            (Borrowed("mesh"), metric_of("mesh_error_rdot")),
-            (Borrowed("step"), metric_of("step_error_rdot")),
-        ]),
-    },
-];
+/// The errors with their parts.
+pub(super) fn budgets() -> Vec<Budget> {
+    let budget = |(place, [name, symbol, over, _]): (usize, Component)| Budget {
+        name: name.into(),
+        title: format!("rms error of {symbol}{over}").into(),
+        total: metric_of("rms_error_r") + place,
+        parts: (0..PARTS.len())
+            .map(|part| {
+                let row = BUDGET.start + part * COMPONENTS.len() + place;
+                (PARTS[part][0].into(), row)
+            })
+            .collect(),
+    };
+    COMPONENTS.into_iter().enumerate().map(budget).collect()
+}

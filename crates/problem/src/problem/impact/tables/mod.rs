@@ -13,7 +13,6 @@ use crate::problem::numbers::parameter::Parameter;
 use crate::problem::numbers::unit::{Dimension, Unit};
 use crate::problem::table::schema::{Text, TimeAxis};
 use crate::problem::{Channel, Profile, Quantity, Schema, method};
-use metrics::{BUDGETS, METRICS};
 pub(super) use metrics::{CONTACT_STEPS, ENERGY_DRIFT_FINAL, ENERGY_DRIFT_MAX, MAX_OVERLAP};
 use parameters::PARAMETERS;
 use std::borrow::Cow::{Borrowed, Owned};
@@ -109,12 +108,12 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         ),
         described: false,
         parameters: Owned(own().chain(method::PARAMETERS.iter().cloned()).collect()),
-        metrics: Borrowed(&METRICS),
+        metrics: Owned(metrics::all()),
         contact_metric: Some(MAX_OVERLAP),
         channels: Borrowed(&CHANNELS),
         quantities: Borrowed(&QUANTITIES),
         profiles: Borrowed(&PROFILES),
-        budgets: Borrowed(&BUDGETS),
+        budgets: Owned(metrics::budgets()),
         step: rows::DT,
         duration: rows::DURATION,
         time: TimeAxis {
