@@ -1,8 +1,8 @@
 //! The laws that a problem offers, for its table of parameters.
 
 use crate::contact::number::{Number, same};
-use crate::contact::offer::Place;
-use crate::contact::{ALL, LAWS};
+use crate::contact::offer::{Offered, Place, most_numbers};
+use crate::contact::{ALL, GivenNumbers, LAWS};
 use crate::problem::numbers::parameter::Parameter;
 use crate::problem::numbers::text::text;
 
@@ -32,6 +32,67 @@ macro_rules! law_names {
 }
 
 pub(super) use {law_names, laws};
+
+/// A law that a problem offers, with its numbers and the row of each in the problem's table.
+pub(super) struct Own {
+    pub offered: &'static Offered,
+    pub numbers: &'static [&'static Number],
+    pub rows: Vec<usize>,
+}
+
+/// Most numbers of a law of oscillator or bars.
+const MOST: usize = {
+    let of = [Place::Oscillator, Place::Bars];
+    let most = [most_numbers(&ALL, of[0]), most_numbers(&ALL, of[1])];
+    if most[0] > most[1] { most[0] } else { most[1] }
+};
+
+impl Own {
+    /// The laws that a problem with this table offers.
+    pub fn all(place: Place, table: &[Parameter]) -> Vec<Own> {
+        let row = |number: &&Number| table.iter().position(|row| row.name == number.key);
+        let own = |offered: &'static Offered| {
+            let numbers = offered.at(place)?.numbers;
+            // All or none: a number without a row would have the value of the next one.
+            let rows = numbers.iter().map(row).collect::<Option<Vec<usize>>>()?;
+            Some(Own {
+                offered,
+                numbers,
+                rows,
+            })
+        };
+        LAWS.iter().filter_map(own).collect()
+    }
+
+    /// The law of this name.
+    pub fn named<'a>(all: &'a [Own], name: &str) -> Option<&'a Own> {
+        let own = |own: &&Own| own.offered.offer.name;
+        // Names of the table: mostly the same memory.
+        let is = |law: &&Own| std::ptr::eq(own(law), name) || own(law) == name;
+        all.iter().find(is)
+    }
+
+    /// What is made of the law's numbers, the `value` of each number in its row, and what the problem knows besides.
+    pub fn make<T>(
+        &self,
+        value: impl Fn(&Number, usize) -> Option<f64>,
+        others: &[(&'static str, f64)],
+        of: impl FnOnce(&GivenNumbers) -> T,
+    ) -> T {
+        let mut values = [None; MOST];
+        let own = self.numbers.iter().zip(&self.rows);
+        for (slot, (number, row)) in values.iter_mut().zip(own) {
+            *slot = value(number, *row);
+        }
+        of(&GivenNumbers {
+            law: self.offered.offer.name,
+            numbers: self.numbers,
+            values: &values[..self.rows.len()],
+            table: &[],
+            others,
+        })
+    }
+}
 
 /// The names without their meanings.
 pub(super) const fn without_meanings<const N: usize>(
@@ -105,6 +166,25 @@ pub(super) fn others(place: Place, table: &'static [Parameter]) -> Vec<Parameter
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::PROBLEMS;
+
+    #[test]
+    fn every_number_of_a_law_has_its_row() {
+        for (problem, place) in PROBLEMS.iter().zip([Place::Oscillator, Place::Bars]) {
+            let all = Own::all(place, problem.parameters());
+            let offered = LAWS.iter().filter(|law| law.at(place).is_some());
+            assert_eq!(all.len(), offered.count());
+            for own in all {
+                let name = own.offered.offer.name;
+                assert!(own.rows.len() <= MOST, "{name}");
+                let rows = own.rows.iter().map(|row| &*problem.parameters()[*row].name);
+                assert!(
+                    rows.eq(own.numbers.iter().map(|number| number.key)),
+                    "{name}"
+                );
+            }
+        }
+    }
 
     #[test]
     fn the_rows_of_other_numbers_are_as_many_as_counted() {

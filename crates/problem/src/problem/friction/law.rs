@@ -1,76 +1,29 @@
 //! The friction law of a case.
 
 use super::tables::{InitialSlip, SCHEMA, rows};
-use crate::contact::number::Number;
-use crate::contact::offer::{Place, most_numbers};
-use crate::contact::{
-    ALL, ContactLaw, Described, DisplacementControl, GivenNumbers, LAWS, VelocityControl,
-};
+use crate::contact::offer::Place;
+use crate::contact::{ContactLaw, Described, DisplacementControl, VelocityControl};
 use crate::problem::Case;
+use crate::problem::laws::Own;
 use std::sync::LazyLock;
 
 /// The friction limit nu N in the problem's scales.
 const LIMIT: f64 = 1.0;
 
-/// A law of the oscillator.
-struct Own {
-    name: &'static str,
-    law: fn(&GivenNumbers) -> Option<ContactLaw>,
-    numbers: &'static [&'static Number],
-    /// The row of each.
-    rows: Vec<usize>,
-    /// Whether S(0) depends on the slip at release.
-    slips: bool,
-}
-
-/// Most numbers of a law.
-const MOST: usize = most_numbers(&ALL, Place::Oscillator);
-
-static OWN: LazyLock<Vec<Own>> = LazyLock::new(|| {
-    let row = |number: &&Number| {
-        let mut rows = SCHEMA.parameters.iter();
-        rows.position(|row| row.name == number.key)
-    };
-    let own = LAWS.iter().filter_map(|law| {
-        let offer = law.offer.oscillator?;
-        let rows = offer.of.numbers.iter().map(row);
-        Some(Own {
-            name: law.offer.name,
-            law: offer.law,
-            numbers: offer.of.numbers,
-            // All or none: a number without a row would have the value of the next one.
-            rows: rows.collect::<Option<Vec<usize>>>()?,
-            slips: !law.of_velocity,
-        })
-    });
-    own.collect()
-});
+static OWN: LazyLock<Vec<Own>> = LazyLock::new(|| Own::all(Place::Oscillator, &SCHEMA.parameters));
 
 /// The law of a case, and S(0); `None` if a parameter is not given.
 pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
-    let name = case.name_at(rows::LAW);
-    // Names of the table: mostly the same memory.
-    let is = |own: &&Own| std::ptr::eq(own.name, name) || own.name == name;
-    let own = OWN.iter().find(is)?;
-    let mut values = [None; MOST];
-    for (value, row) in values.iter_mut().zip(&own.rows) {
-        *value = case.at(*row);
-    }
-    let given = GivenNumbers {
-        law: own.name,
-        numbers: own.numbers,
-        values: &values[..own.rows.len()],
-        table: &[],
-        others: &[],
-    };
-    let force = match own.slips {
-        true => {
+    let own = Own::named(&OWN, case.name_at(rows::LAW))?;
+    let force = match own.offered.of_velocity {
+        true => 0.0,
+        false => {
             let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
             release_force(slip, case.at(rows::X0)?)
         }
-        false => 0.0,
     };
-    Some(((own.law)(&given)?, force))
+    let law = own.offered.offer.oscillator?.law;
+    Some((own.make(|_, row| case.at(row), &[], law)?, force))
 }
 
 /// Which law of `[F]` a case has.
@@ -152,26 +105,6 @@ impl PlainLaw {
             ContactLaw::DisplacementControl(law) => Some(PlainLaw::Displacement(law)),
             ContactLaw::VelocityControl(law) => Some(PlainLaw::Velocity(law)),
             _ => None,
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_number_of_a_law_has_its_row() {
-        let offered = LAWS.iter().filter(|law| law.offer.oscillator.is_some());
-        assert_eq!(OWN.len(), offered.count());
-        for own in OWN.iter() {
-            assert!(own.rows.len() <= MOST, "{}", own.name);
-            let names = own.rows.iter().map(|row| &*SCHEMA.parameters[*row].name);
-            assert!(
-                names.eq(own.numbers.iter().map(|number| number.key)),
-                "{}",
-                own.name
-            );
         }
     }
 }

@@ -1,45 +1,52 @@
 //! The contact laws of bars and their parameters.
 
-use super::tables::LAW;
 use super::tables::laws::rows;
+use super::tables::{LAW, SCHEMA};
 use crate::contact::number::Number;
 use crate::contact::numbers::bars;
-use crate::contact::offer::{Offered, Place, most_numbers};
-use crate::contact::{ALL, ContactKind, ContactLaw, GivenNumbers, WhichLaw};
+use crate::contact::offer::{Form, Place};
+use crate::contact::{ContactKind, ContactLaw, GivenNumbers};
 use crate::methods::Method;
 use crate::problem::Case;
+use crate::problem::laws::Own;
 use crate::problem::numbers::parameter::Value;
+use std::sync::LazyLock;
+
+static OWN: LazyLock<Vec<Own>> = LazyLock::new(|| Own::all(Place::Bars, &SCHEMA.parameters));
+
+/// Their laws without compliance, with any numbers.
+static RIGID: LazyLock<Vec<&str>> = LazyLock::new(|| {
+    let is_vertical = |own: &&Own| {
+        let law = form(own, |_, _| Some(1.0), [1.0; 3]);
+        law.is_some_and(|form| form.law.properties().is_vertical())
+    };
+    let rigid = OWN.iter().filter(is_vertical);
+    rigid.map(|own| own.offered.offer.name).collect()
+});
 
 /// The law of a case; `None` if it is not given.
-pub(super) fn law_of(case: &Case) -> Option<&'static Offered> {
-    Offered::named(Place::Bars, case.name_at(LAW))
+fn law_of(case: &Case) -> Option<&'static Own> {
+    Own::named(&OWN, case.name_at(LAW))
 }
 
 /// Whether a case has rigid contact.
 pub(super) fn is_rigid(case: &Case) -> bool {
-    law_of(case).is_some_and(|law| law.law == WhichLaw::Rigid)
+    RIGID.contains(&case.name_at(LAW))
 }
 
-/// Whether a law has this number.
-pub(super) fn has(law: &Offered, number: &Number) -> bool {
-    law.offer.bars.is_some_and(|own| number.is_in(own.numbers))
+/// Whether the law of a case has this number.
+pub(super) fn has(case: &Case, number: &Number) -> bool {
+    law_of(case).is_some_and(|law| number.is_in(law.numbers))
 }
 
 /// Fills in the restitution of a law that has one.
 pub(super) fn fill_restitution(case: &mut Case) {
     let row = LAW + rows::RESTITUTION;
-    let Some(law) = law_of(case).filter(|law| has(law, &bars::RESTITUTION)) else {
-        return;
-    };
-    let default = match law.law {
-        WhichLaw::Rigid => 0.0,
-        _ => 1.0,
-    };
-    case.values[row] = case.values[row].or(Some(Value::Number(default)));
+    if has(case, &bars::RESTITUTION) {
+        let default = if is_rigid(case) { 0.0 } else { 1.0 };
+        case.values[row] = case.values[row].or(Some(Value::Number(default)));
+    }
 }
-
-/// Most numbers of a law.
-const MOST: usize = most_numbers(&ALL, Place::Bars);
 
 /// The law of a case in its scales; `None` where a parameter is not given. A linear spring has this stiffness; `mass` is m1 m2/(m1 +
 /// m2) of the whole bars.
@@ -47,27 +54,26 @@ const MOST: usize = most_numbers(&ALL, Place::Bars);
 /// The secant stiffness of a law with delta^1.5 is that of the linear spring at the overlap under the exact force F0, which is 1
 /// here, so that k_h = k_I^1.5.
 pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<ContactLaw> {
-    let offer = law_of(case)?.offer;
-    let own = offer.bars?;
-    let mut values = [None; MOST];
-    for (value, number) in values.iter_mut().zip(own.numbers) {
-        *value = match number.key {
-            "k_h" => Some(stiffness * stiffness.sqrt()),
-            "restitution" => case.at(LAW + rows::RESTITUTION),
-            key => case.number(key),
-        };
-    }
-    let given = GivenNumbers {
-        law: offer.name,
-        numbers: own.numbers,
-        values: &values[..own.numbers.len()],
-        table: &[],
-        others: &[
-            ("k", stiffness),
-            ("colliding_mass", mass),
-            ("impulses", f64::from(method.has_impulses())),
-        ],
+    let value = |number: &Number, row: usize| match number.key == bars::K_H.key {
+        true => Some(stiffness * stiffness.sqrt()),
+        false => case.at(row),
     };
-    let form = (offer.form)(&given).ok()?;
+    let impulses = f64::from(method.has_impulses());
+    let form = form(law_of(case)?, value, [stiffness, mass, impulses])?;
     (form.law.kind() == ContactKind::Impact).then_some(form.law)
+}
+
+/// The form of a law with these numbers.
+fn form(
+    own: &Own,
+    value: impl Fn(&Number, usize) -> Option<f64>,
+    [stiffness, mass, impulses]: [f64; 3],
+) -> Option<Form> {
+    let others = [
+        ("k", stiffness),
+        ("colliding_mass", mass),
+        ("impulses", impulses),
+    ];
+    let form = |given: &GivenNumbers| (own.offered.offer.form)(given).ok();
+    own.make(value, &others, form)
 }

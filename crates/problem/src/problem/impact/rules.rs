@@ -117,10 +117,7 @@ fn follow_left(case: &mut Case) {
 
 /// gamma, k_I and k_h, each from the one that is given. Rigid contact has none.
 fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
-    let Some(law) = law::law_of(case) else {
-        return;
-    };
-    let (rigid, curved) = (is_rigid(case), law::has(law, &bars::K_H));
+    let (rigid, curved) = (is_rigid(case), law::has(case, &bars::K_H));
     let all: &[(&'static str, usize)] = match curved {
         true => &[("gamma", rows::GAMMA), ("k_I", rows::K_I), ("k_h", K_H)],
         false => &[("gamma", rows::GAMMA), ("k_I", rows::K_I)],
