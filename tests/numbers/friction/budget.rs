@@ -1,7 +1,7 @@
 //! The parts of the error of the friction oscillator: their sum, their signs, and the order of the step error.
 
 use slipgap::exact::regularised::Regularised;
-use slipgap::metrics::friction::budget;
+use slipgap::metrics::budget::{Norm, parts};
 use slipgap::problem::numbers::parameter::Value;
 use slipgap::problem::{Case, Solution, find};
 use std::f64::consts::PI;
@@ -59,8 +59,15 @@ fn the_rows_are_the_budget() {
     );
     // A run without error has norms of zero, and its shares are undefined.
     let exact = problem.exact(&case, &[0.0, 1.0, 2.0]).unwrap();
+    let steps = exact.displacement().iter().enumerate();
+    let norm = Norm {
+        channels: 1,
+        size: 12.0,
+        sum: &|_, value| steps.clone().map(|(i, e)| value(i, *e)).sum(),
+        count: 3.0,
+    };
     assert_eq!(
-        budget(12.0, &exact, &exact, &exact),
+        parts(std::slice::from_ref(&exact), &exact, &norm),
         [Some(0.0), Some(0.0), None, None]
     );
 }
