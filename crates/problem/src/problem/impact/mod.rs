@@ -185,11 +185,12 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
         budget::between(case, &computed.time, with_errors)
     });
-    let reference = metrics::impact::reference(&wave, &sampled);
+    let wants_exact = wanted.iter().any(|row| REFERENCE.contains(row));
+    let reference = wants_exact.then(|| metrics::impact::reference(&wave, &sampled));
     let metrics = cells(own)
         .into_iter()
         .chain(parts)
-        .chain(selected(REFERENCE, reference, wanted))
+        .chain(reference.unwrap_or([None; REFERENCE.end - REFERENCE.start]))
         .chain(selected(LOSSES_AND_COST, taken(case, run), wanted))
         .chain(errors)
         .collect();
