@@ -1,5 +1,5 @@
 //! Powers of one number, to the bit those of `libm::pow`: its logarithm, half of the work, is computed once. The arithmetic is that of
-//! e_pow.c of FreeBSD.
+//! e_pow.c of FDLIBM (Sun Microsystems 2004), which `libm` has from FreeBSD.
 
 use std::f64::consts::LN_2;
 
