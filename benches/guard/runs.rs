@@ -30,14 +30,14 @@ const RUNS: [Run; 5] = [
         study: OSCILLATORS,
         cases: [16_384, 49_152],
         format: "parquet",
-        recorded: 4163,
+        recorded: 2930,
     },
     Run {
         name: "run of oscillators with results.csv",
         study: OSCILLATORS,
         cases: [4096, 8192],
         format: "csv",
-        recorded: 15_627,
+        recorded: 14_380,
     },
     Run {
         name: "run of bars, n = 10",

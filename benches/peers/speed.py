@@ -20,7 +20,7 @@ from cases import N, alphas, gammas, study
 
 # Name, problem, elements of a bar, cases, cases of the loop in a turn.
 SWEEPS = [
-    ("oscillators, 80 steps", "oscillator", None, 400_000, 40_000),
+    ("oscillators, 80 steps", "oscillator", None, 1_000_000, 40_000),
     ("bars, n = 10, 300 steps", "bars", N, 200_000, 4_000),
     ("bars, n = 40, 300 steps", "bars", 40, 60_000, 1_000),
 ]

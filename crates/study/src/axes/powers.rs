@@ -1,5 +1,7 @@
 //! Powers of one number, to the bit those of `libm::pow`: its logarithm, half of the work, is computed once. The arithmetic is that of
-//! e_pow.c of FreeBSD.
+//! e_pow.c of FDLIBM (Sun Microsystems 2004), which `libm` has from FreeBSD.
+
+use std::f64::consts::LN_2;
 
 /// A number and its logarithm.
 #[derive(Debug, Clone, Copy)]
@@ -39,7 +41,7 @@ fn upper(x: f64) -> f64 {
 fn log2(x: f64) -> [f64; 2] {
     // log(m)/s - 2 in s = (m - c)/(m + c), c = 1 or 1.5.
     const SERIES: [f64; 6] = [
-        5.999_999_999_999_946_5e-1,
+        5.999_999_999_999_946e-1,
         4.285_714_285_785_502e-1,
         3.333_333_298_183_774_4e-1,
         2.727_281_238_085_34e-1,
@@ -97,8 +99,7 @@ fn power([log, log_lower]: [f64; 2], y: f64) -> f64 {
         -1.653_390_220_546_525_2e-6,
         4.138_136_797_057_238_4e-8,
     ];
-    // log(2), and in two parts.
-    const LOG_2: f64 = 6.931_471_805_599_453e-1;
+    // log(2) in two parts.
     const LOGS_2: [f64; 2] = [6.931_471_824_645_996e-1, -1.904_654_299_957_768e-9];
 
     let y_upper = upper(y);
@@ -114,7 +115,7 @@ fn power([log, log_lower]: [f64; 2], y: f64) -> f64 {
     let product = product - f64::from(n);
     let t = upper(lower + product);
     let u = t * LOGS_2[0];
-    let v = (lower - (t - product)) * LOG_2 + t * LOGS_2[1];
+    let v = (lower - (t - product)) * LN_2 + t * LOGS_2[1];
     let z = u + v;
     let w = v - (z - u);
     let t = z * z;
