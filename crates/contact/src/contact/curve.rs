@@ -7,7 +7,7 @@ use crate::lane::Lane;
 const POINTS: i32 = 100;
 
 /// (rdot, S) from -1.1 `reach` to 1.1 `reach`, with most points near rdot = 0.
-pub fn over_velocity(reach: f64, force: impl Fn(f64) -> f64) -> Cycle {
+pub(super) fn over_velocity(reach: f64, force: impl Fn(f64) -> f64) -> Cycle {
     let point = |k: i32| {
         let t = f64::from(k) / f64::from(POINTS);
         let velocity = 1.1 * reach * t * t * t;
@@ -17,7 +17,7 @@ pub fn over_velocity(reach: f64, force: impl Fn(f64) -> f64) -> Cycle {
 }
 
 /// (r, S) from rest to `reach`, to -`reach` and back.
-pub fn over_displacement(law: impl Law, reach: f64) -> Cycle {
+pub(super) fn over_displacement(law: impl Law, reach: f64) -> Cycle {
     let zero = Lane([0.0]);
     let step = law_of_motion(law, 1.0);
     let mut memory = Default::default();
@@ -42,7 +42,7 @@ pub fn over_displacement(law: impl Law, reach: f64) -> Cycle {
 }
 
 /// The law in a step whose motion is given: S(i+1) as a function of r(i+1) and rdot(i+1).
-pub fn law_of_motion<W: Law>(law: W, dt: f64) -> W::Step<1> {
+pub(super) fn law_of_motion<W: Law>(law: W, dt: f64) -> W::Step<1> {
     let none = Flexibility {
         h: Lane([0.0]),
         h_rate: Lane([0.0]),

@@ -16,7 +16,7 @@ const LAST: f64 = 1e-10;
 /// Newton's iteration with a bracket: a number outside the bracket, or a slope that is not positive, gives way to the middle. So it
 /// ends for every continuous function that is <= 0 at `low` and >= 0 at `high`. Every lane stops by itself.
 #[inline(always)]
-pub fn rising<const L: usize>(
+pub(super) fn rising<const L: usize>(
     low: Lane<L>,
     high: Lane<L>,
     start: Lane<L>,
@@ -56,7 +56,7 @@ pub fn rising<const L: usize>(
 }
 
 /// The root for one number.
-pub fn rising_once(low: f64, high: f64, start: f64, f: impl Fn(f64) -> [f64; 2]) -> f64 {
+pub(super) fn rising_once(low: f64, high: f64, start: f64, f: impl Fn(f64) -> [f64; 2]) -> f64 {
     let [root] = rising(Lane([low]), Lane([high]), Lane([start]), |_, x| f(x)).0;
     root
 }

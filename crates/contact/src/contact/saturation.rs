@@ -19,7 +19,7 @@ const MOST: usize = 400;
 ///
 /// The polynomial and the splitting of ln 2 are those of FDLIBM's `exp` (Sun Microsystems 1993).
 #[inline(always)]
-pub fn rise(x: f64) -> f64 {
+pub(super) fn rise(x: f64) -> f64 {
     // Beyond this 1 - exp(-x) is 1. A number that is not one stays so.
     let x = if x > 700.0 { 700.0 } else { x };
     // x = k ln 2 + r; adding 1.5 * 2^52 rounds to the integer k, which is then in the last bits.
@@ -44,7 +44,7 @@ pub fn rise(x: f64) -> f64 {
 
 /// m = 1 - exp(-z) at the root of z + C s(z) = w, for w >= 0, C >= 0 and 0 <= d <= 1.
 #[inline(always)]
-pub fn root<const L: usize>(c: Lane<L>, d: Lane<L>, w: Lane<L>) -> Lane<L> {
+pub(super) fn root<const L: usize>(c: Lane<L>, d: Lane<L>, w: Lane<L>) -> Lane<L> {
     let mut z: Lane<L> = Lane::splat(0.0);
     for l in 0..L {
         let [saturated, linear] = [

@@ -37,7 +37,7 @@ impl AverageAcceleration {
     /// Its name in studies.
     pub const NAME: &'static str = "average-acceleration";
     /// Its coefficients in Newmark's family.
-    pub const COEFFICIENTS: Coefficients = Coefficients::newmark(0.25, 0.5);
+    pub(super) const COEFFICIENTS: Coefficients = Coefficients::newmark(0.25, 0.5);
 }
 
 impl From<AverageAcceleration> for Method {

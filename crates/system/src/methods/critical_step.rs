@@ -7,7 +7,7 @@ use super::{Method, Mode};
 /// lambda = omega^2 is the largest root of 1 = k sum phi2_j/(lambda - omega2_j) above all omega2_j. The right side falls from
 /// infinity there, and the root is at most k sum phi2_j above the highest omega2_j, so bisection finds it. An infinite
 /// stiffness gives an infinite frequency; without modes it is zero.
-pub fn highest_frequency(modes: impl Iterator<Item = Mode> + Clone, stiffness: f64) -> f64 {
+pub(super) fn highest_frequency(modes: impl Iterator<Item = Mode> + Clone, stiffness: f64) -> f64 {
     let highest =
         |modes: &mut dyn Iterator<Item = Mode>| modes.map(|m| m.omega2).fold(0.0, f64::max);
     // The spring does not change a mode that the contact does not move.

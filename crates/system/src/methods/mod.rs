@@ -22,7 +22,9 @@ pub use amplification::{Amplification, Principal};
 pub use average_acceleration::AverageAcceleration;
 pub use bathe::Bathe;
 pub use contact_stabilized::ContactStabilized;
-pub use critical_step::{highest_frequency, six_digits_below};
+#[cfg(test)]
+use critical_step::highest_frequency;
+pub use critical_step::six_digits_below;
 pub use description::{Description, MethodParameter};
 pub use family::Coefficients;
 pub use lanes::{

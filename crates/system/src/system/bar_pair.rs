@@ -66,13 +66,13 @@ impl BarPair {
     }
 
     /// Kinetic energy at t = 0. Only the rigid-body mode moves then.
-    pub fn energy_at_start(&self) -> f64 {
+    pub(super) fn energy_at_start(&self) -> f64 {
         self.mode(0).energy(0.0, self.velocity)
     }
 
     /// The same with its state at t = 0.
     #[inline(always)]
-    pub fn mode_at_start(&self, j: usize) -> ModeAtStart {
+    pub(super) fn mode_at_start(&self, j: usize) -> ModeAtStart {
         ModeAtStart {
             mode: self.mode(j),
             displacement: 0.0,

@@ -79,7 +79,7 @@ impl MasslessMode {
     }
 
     /// sin^2(theta/2).
-    pub fn sine_squared(&self) -> f64 {
+    pub(super) fn sine_squared(&self) -> f64 {
         let s = sin(self.half);
         s * s
     }

@@ -12,7 +12,7 @@ pub struct Modal {
     /// phi_kc: a row for each mode, a column for each contact.
     pub phi: DMatrix<f64>,
     /// Maps displacements or velocities of the degrees of freedom to q, modes by degrees of freedom.
-    pub to_modes: DMatrix<f64>,
+    to_modes: DMatrix<f64>,
 }
 
 impl Modal {

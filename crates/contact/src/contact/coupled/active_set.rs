@@ -33,7 +33,7 @@ pub(super) struct ActiveSet {
 
 impl ActiveSet {
     /// All contacts at their high limits.
-    pub fn new(matrix: Matrix) -> ActiveSet {
+    pub(super) fn new(matrix: Matrix) -> ActiveSet {
         let contacts = matrix.width();
         let mut factor = Factor::new(contacts);
         let free = Vec::from_iter(0..contacts);
@@ -51,39 +51,39 @@ impl ActiveSet {
     }
 
     /// Whether all contacts together are singular.
-    pub fn is_singular(&self) -> bool {
+    pub(super) fn is_singular(&self) -> bool {
         self.singular
     }
 
-    pub fn diagonal(&self, contact: usize) -> f64 {
+    pub(super) fn diagonal(&self, contact: usize) -> f64 {
         self.matrix.row(contact)[contact]
     }
 
     /// Changes A_ii to another positive number.
-    pub fn set_diagonal(&mut self, contact: usize, value: f64) {
+    pub(super) fn set_diagonal(&mut self, contact: usize, value: f64) {
         self.matrix.set_diagonal(contact, value);
         self.factored = false;
     }
 
     /// Changes A_ii, A_ij and A_jj, j = i + 1; A stays positive definite.
-    pub fn set_pair(&mut self, contact: usize, entries: [f64; 3]) {
+    pub(super) fn set_pair(&mut self, contact: usize, entries: [f64; 3]) {
         self.matrix.set_pair(contact, entries);
         self.factored = false;
     }
 
-    pub fn place(&self, contact: usize) -> At {
+    pub(super) fn place(&self, contact: usize) -> At {
         self.places[contact]
     }
 
     #[inline]
-    pub fn put(&mut self, contact: usize, at: At) {
+    pub(super) fn put(&mut self, contact: usize, at: At) {
         let was = std::mem::replace(&mut self.places[contact], at);
         self.factored &= was != At::Free && at != At::Free;
     }
 
     /// Puts contacts with equal limits at them, and takes others away from infinite limits.
     #[inline(always)]
-    pub fn adapt(&mut self, contacts: usize, step: Step) {
+    pub(super) fn adapt(&mut self, contacts: usize, step: Step) {
         for i in 0..contacts {
             let [low, high] = [step.low[i], step.high[i]];
             match self.places[i] {
@@ -97,7 +97,7 @@ impl ActiveSet {
 
     /// Factors the free contacts unless it is done; false if they are singular.
     #[inline]
-    pub fn factor(&mut self) -> bool {
+    pub(super) fn factor(&mut self) -> bool {
         if self.factored {
             return true;
         }
@@ -116,7 +116,7 @@ impl ActiveSet {
     ///
     /// `contacts` is their number, which the compiler may know.
     #[inline(always)]
-    pub fn follow(&mut self, contacts: usize, step: Step, force: &mut [f64]) -> bool {
+    pub(super) fn follow(&mut self, contacts: usize, step: Step, force: &mut [f64]) -> bool {
         let (q, x) = (&mut self.residual[..contacts], &mut self.block[..contacts]);
         q.copy_from_slice(step.d);
         for (i, at) in self.places[..contacts].iter().enumerate() {
@@ -145,7 +145,7 @@ impl ActiveSet {
     ///
     /// A force that is outside its limits by round-off goes to the limit. There q is round-off, so that it stays.
     #[inline(always)]
-    pub fn better_place(&self, contact: usize, step: Step, force: &[f64]) -> Option<At> {
+    pub(super) fn better_place(&self, contact: usize, step: Step, force: &[f64]) -> Option<At> {
         let [q, s] = [self.residual[contact], force[contact]];
         let [low, high] = [step.low[contact], step.high[contact]];
         let pressed = match self.places[contact] {
@@ -160,7 +160,7 @@ impl ActiveSet {
     }
 
     /// Whether these forces, which are right, are the only ones: contacts that q does not press against a limit are not singular.
-    pub fn is_unique(&mut self, step: Step, force: &[f64]) -> bool {
+    pub(super) fn is_unique(&mut self, step: Step, force: &[f64]) -> bool {
         if !self.singular {
             return true;
         }

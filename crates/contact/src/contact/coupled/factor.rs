@@ -18,7 +18,7 @@ pub(super) struct Factor {
 
 impl Factor {
     /// The factor without free contacts, for matrices with `width` columns.
-    pub fn new(width: usize) -> Factor {
+    pub(super) fn new(width: usize) -> Factor {
         Factor {
             width,
             rows: vec![0.0; width * width],
@@ -27,7 +27,7 @@ impl Factor {
     }
 
     /// Factors the rows and columns `free` of a matrix; false if they are singular to round-off.
-    pub fn compute(&mut self, matrix: &Matrix, free: &[usize]) -> bool {
+    pub(super) fn compute(&mut self, matrix: &Matrix, free: &[usize]) -> bool {
         let width = self.width;
         self.rows.fill(0.0);
         for (before, &k) in free.iter().enumerate() {
@@ -68,7 +68,7 @@ impl Factor {
 
     /// Solves A_FF x_F = b_F in place; the other x become 0.
     #[inline(always)]
-    pub fn solve(&self, width: usize, x: &mut [f64]) {
+    pub(super) fn solve(&self, width: usize, x: &mut [f64]) {
         let (x, rows) = (&mut x[..width], &self.rows[..width * width]);
         for k in 0..width {
             let row = &rows[k * width..][..width];

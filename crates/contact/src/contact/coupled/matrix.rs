@@ -16,7 +16,7 @@ pub(super) struct Matrix {
 }
 
 impl Matrix {
-    pub fn new(entries: Vec<f64>, width: usize) -> Matrix {
+    pub(super) fn new(entries: Vec<f64>, width: usize) -> Matrix {
         let inverse = (0..width).map(|i| match entries[i * width + i] {
             0.0 => 0.0,
             a => 1.0 / a,
@@ -29,7 +29,7 @@ impl Matrix {
     }
 
     /// A + `part` diag(A).
-    pub fn softened(&self, part: f64) -> Matrix {
+    pub(super) fn softened(&self, part: f64) -> Matrix {
         let mut entries = self.entries.clone();
         for i in 0..self.width {
             entries[i * self.width + i] += part * self.row(i)[i];
@@ -38,13 +38,13 @@ impl Matrix {
     }
 
     /// Changes an entry of the diagonal.
-    pub fn set_diagonal(&mut self, i: usize, value: f64) {
+    pub(super) fn set_diagonal(&mut self, i: usize, value: f64) {
         self.entries[i * self.width + i] = value;
         self.inverse[i] = 1.0 / value;
     }
 
     /// Changes the entries of two neighbouring rows among each other: A_ii, A_ij and A_jj, j = i + 1.
-    pub fn set_pair(&mut self, i: usize, [own, between, next]: [f64; 3]) {
+    pub(super) fn set_pair(&mut self, i: usize, [own, between, next]: [f64; 3]) {
         self.set_diagonal(i, own);
         self.set_diagonal(i + 1, next);
         self.entries[i * self.width + i + 1] = between;
@@ -52,18 +52,18 @@ impl Matrix {
     }
 
     /// Number of rows and columns.
-    pub fn width(&self) -> usize {
+    pub(super) fn width(&self) -> usize {
         self.width
     }
 
     #[inline(always)]
-    pub fn row(&self, row: usize) -> &[f64] {
+    pub(super) fn row(&self, row: usize) -> &[f64] {
         &self.entries[row * self.width..][..self.width]
     }
 
     /// Takes the part of a force off q.
     #[inline(always)]
-    pub fn take(&self, contact: usize, force: f64, q: &mut [f64]) {
+    pub(super) fn take(&self, contact: usize, force: f64, q: &mut [f64]) {
         // A is symmetric: the row is the column. The length of q may be known to the compiler.
         let column = &self.entries[contact * q.len()..][..q.len()];
         for (q, a) in q.iter_mut().zip(column) {
@@ -74,7 +74,7 @@ impl Matrix {
     /// Whether q_i is round-off of size_i + sum_j |A_ij| (|S_j| + size_j/A_jj). The last term is for an S_j that is itself a small
     /// difference of large numbers.
     #[inline(always)]
-    pub fn is_round_off(&self, contact: usize, q: f64, step: Step, force: &[f64]) -> bool {
+    pub(super) fn is_round_off(&self, contact: usize, q: f64, step: Step, force: &[f64]) -> bool {
         let (q, size) = (q.abs(), step.size[contact]);
         // Most often the first term is enough.
         q <= ROUND_OFF * size || q <= ROUND_OFF * (size + self.sum_of_terms(contact, step, force))

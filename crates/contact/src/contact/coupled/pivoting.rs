@@ -9,7 +9,7 @@ const TRIES: usize = 3;
 
 impl ActiveSet {
     /// Changes the pattern until it is right, and gives its forces. Returns the number of patterns.
-    pub fn pivot(&mut self, step: Step, force: &mut [f64]) -> Result<usize, Unsolved> {
+    pub(super) fn pivot(&mut self, step: Step, force: &mut [f64]) -> Result<usize, Unsolved> {
         // The same code with a known number of contacts is up to twice as fast.
         match force.len() {
             2 => self.pivot_sized(2, step, force),

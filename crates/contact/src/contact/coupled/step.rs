@@ -12,7 +12,7 @@ pub(super) struct Step<'a> {
 impl Step<'_> {
     /// The same numbers; the compiler may know how many they are.
     #[inline(always)]
-    pub fn of(self, contacts: usize) -> Self {
+    pub(super) fn of(self, contacts: usize) -> Self {
         Step {
             d: &self.d[..contacts],
             low: &self.low[..contacts],

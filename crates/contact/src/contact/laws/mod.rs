@@ -1,7 +1,7 @@
 //! The laws. Each is one file, or one folder.
 
-pub mod friction;
+pub(super) mod friction;
 pub mod impact;
-pub mod link;
+pub(super) mod link;
 mod shared;
-pub mod yielding;
+pub(super) mod yielding;

@@ -20,7 +20,7 @@ pub struct GivenNumbers<'a> {
 
 impl GivenNumbers<'_> {
     /// A number; `None` if it is not given.
-    pub fn given(&self, key: &str) -> Option<f64> {
+    pub(in crate::contact) fn given(&self, key: &str) -> Option<f64> {
         let own = self.numbers.iter().zip(self.values);
         let own = own.filter(|(number, _)| number.key == key);
         let others = self.others.iter().filter(|other| other.0 == key);
@@ -33,7 +33,7 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// It has neither.
-    pub fn need(&self, key: &'static str) -> Result<f64, LawFault> {
+    pub(in crate::contact) fn need(&self, key: &'static str) -> Result<f64, LawFault> {
         let usual = || {
             let number = self.numbers.iter().find(|number| number.key == key)?;
             match number.usual {
@@ -49,7 +49,7 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// It is above it.
-    pub fn at_most(
+    pub(in crate::contact) fn at_most(
         &self,
         key: &'static str,
         value: f64,
@@ -67,7 +67,7 @@ impl GivenNumbers<'_> {
     }
 
     /// The friction limit at rest.
-    pub fn limit(&self) -> f64 {
+    pub(in crate::contact) fn limit(&self) -> f64 {
         self.given("limit").unwrap_or(0.0)
     }
 
@@ -75,7 +75,7 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// Neither or both are given, or the limit at rest is 0.
-    pub fn stiffness(&self) -> Result<f64, LawFault> {
+    pub(in crate::contact) fn stiffness(&self) -> Result<f64, LawFault> {
         match (self.given("k"), self.given("rE")) {
             (Some(k), None) => Ok(k),
             (None, Some(elastic)) => Ok(positive(self.limit(), "k")? / elastic),
@@ -87,7 +87,7 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// Neither or both are given, or the limit at rest is 0.
-    pub fn viscosity(&self, limit: f64) -> Result<f64, LawFault> {
+    pub(in crate::contact) fn viscosity(&self, limit: f64) -> Result<f64, LawFault> {
         match (self.given("c"), self.given("rdotE")) {
             (Some(c), None) => Ok(c),
             (None, Some(rate)) => Ok(positive(limit, "c")? / rate),
@@ -99,7 +99,7 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// As [`GivenNumbers::stiffness`].
-    pub fn compliance(&self) -> Result<f64, LawFault> {
+    pub(in crate::contact) fn compliance(&self) -> Result<f64, LawFault> {
         match self.given("alpha") {
             Some(alpha) => Ok(alpha),
             None => Ok(1.0 / self.stiffness()?),
@@ -110,7 +110,7 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// As [`GivenNumbers::viscosity`].
-    pub fn fluidity(&self, limit: f64) -> Result<f64, LawFault> {
+    pub(in crate::contact) fn fluidity(&self, limit: f64) -> Result<f64, LawFault> {
         match self.given("beta") {
             Some(beta) => Ok(beta / limit),
             None => Ok(1.0 / self.viscosity(limit)?),
@@ -121,7 +121,7 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// Only one of both is given, or nu_min is above nu.
-    pub fn bearing(&self) -> Result<[f64; 2], LawFault> {
+    pub(in crate::contact) fn bearing(&self) -> Result<[f64; 2], LawFault> {
         if let Some(ratio) = self.given("nu_ratio") {
             return Ok([ratio, self.need("nu_rate")?]);
         }

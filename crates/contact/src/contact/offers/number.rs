@@ -34,7 +34,7 @@ pub enum Usual {
 
 impl Number {
     /// A number that the law needs, with key, symbol and unit.
-    pub const fn new(
+    pub(in crate::contact) const fn new(
         [key, symbol, unit]: [&'static str; 3],
         range: Range,
         meaning: &'static str,
@@ -51,12 +51,12 @@ impl Number {
     }
 
     /// The same with a value where a study gives none.
-    pub const fn usually(self, usual: Usual) -> Number {
+    pub(in crate::contact) const fn usually(self, usual: Usual) -> Number {
         Number { usual, ..self }
     }
 
     /// The same, which a study may give in the place of another one.
-    pub const fn instead_of(self, key: &'static str) -> Number {
+    pub(in crate::contact) const fn instead_of(self, key: &'static str) -> Number {
         Number {
             instead_of: Some(key),
             ..self

@@ -139,7 +139,7 @@ pub mod structure {
     ];
 
     /// Of the limit, which every law of friction has.
-    pub const OF_LIMIT: [&Number; 4] = [&LIMIT, &NU, &N, &PRESSURE_EXPONENT];
+    pub(in crate::contact) const OF_LIMIT: [&Number; 4] = [&LIMIT, &NU, &N, &PRESSURE_EXPONENT];
 
     /// k
     pub const K: Number = Number::new(

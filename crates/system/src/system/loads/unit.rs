@@ -48,12 +48,12 @@ impl Unit {
     }
 
     /// The unit with this name in a study.
-    pub fn from_name(name: &str) -> Option<Unit> {
+    fn from_name(name: &str) -> Option<Unit> {
         Unit::ALL.into_iter().find(|unit| unit.name() == name)
     }
 
     /// The unit that the header of a record writes so: `G`, `GAL`, `cm/sec/sec`, `M/S**2`, `mm/s^2`, `cm/s\u{b2}`.
-    pub fn spelled(text: &str) -> Option<Unit> {
+    pub(super) fn spelled(text: &str) -> Option<Unit> {
         let text = text.trim().trim_end_matches(['.', ',', ';', ':']);
         let plain = text.to_ascii_lowercase().replace("**", "").replace('^', "");
         let plain = plain.replace('\u{b2}', "2").replace("sec", "s");

@@ -21,7 +21,7 @@ pub struct Bearing {
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
     /// `nu_max |N| <N>`, >= 0; may change from step to step.
-    pub limit: Lane<L>,
+    limit: Lane<L>,
     ratio: Lane<L>,
     rate: Lane<L>,
     /// Flexibilities for S(i) and S(i+1).

@@ -24,7 +24,7 @@ pub struct Tanh {
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
     /// `nu_max |N| <N>`, >= 0; may change from step to step.
-    pub limit: Lane<L>,
+    limit: Lane<L>,
     compliance: Lane<L>,
     ratio: Lane<L>,
     rate: Lane<L>,

@@ -153,7 +153,7 @@ impl HertzDashpot {
     }
 
     /// s of the largest overlap.
-    pub fn approach_length(&self) -> f64 {
+    pub(in crate::contact) fn approach_length(&self) -> f64 {
         let [ratio, frequency] = self.oscillator();
         peak_time(ratio) / frequency
     }

@@ -25,7 +25,7 @@ pub struct Offer {
 
 impl Offer {
     /// A law that no problem offers yet.
-    pub const fn new(
+    pub(in crate::contact) const fn new(
         name: &'static str,
         form: fn(&GivenNumbers) -> Result<Form, LawFault>,
     ) -> Offer {
@@ -40,12 +40,12 @@ impl Offer {
     }
 
     /// With words of other programs.
-    pub const fn also(self, also: &'static [&'static str]) -> Offer {
+    pub(in crate::contact) const fn also(self, also: &'static [&'static str]) -> Offer {
         Offer { also, ..self }
     }
 
     /// Offered in the friction oscillator.
-    pub const fn in_oscillator(
+    pub(in crate::contact) const fn in_oscillator(
         self,
         meaning: &'static str,
         numbers: &'static [&'static Number],
@@ -55,7 +55,7 @@ impl Offer {
     }
 
     /// Offered between bars.
-    pub const fn between_bars(
+    pub(in crate::contact) const fn between_bars(
         self,
         meaning: &'static str,
         numbers: &'static [&'static Number],
@@ -65,7 +65,7 @@ impl Offer {
     }
 
     /// Offered in structures.
-    pub const fn in_structures(
+    pub(in crate::contact) const fn in_structures(
         self,
         meaning: &'static str,
         numbers: &'static [&'static Number],

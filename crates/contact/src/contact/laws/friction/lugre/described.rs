@@ -5,7 +5,7 @@ use crate::contact::prelude::*;
 
 impl StoredEnergy for Lugre {
     /// That of the bristles if they alone make S; with damping S does not tell z, and the energy of the bristles counts as
-    /// dissipated until they give it back ([`Lugre::bristle_energy`]).
+    /// dissipated until they give it back.
     fn stored_energy(&self, _: f64, s: f64) -> f64 {
         if self.sigma1 == 0.0 && self.sigma2 == 0.0 {
             self.bristle_energy(s)

@@ -80,7 +80,7 @@ pub struct Step<const L: usize> {
 
 impl Lugre {
     /// Energy of the bristles under their force sigma0 z.
-    pub fn bristle_energy(&self, force: f64) -> f64 {
+    pub(in crate::contact) fn bristle_energy(&self, force: f64) -> f64 {
         0.5 * force * force / self.sigma0
     }
 

@@ -123,7 +123,7 @@ macro_rules! damped_hertz {
 pub(in crate::contact) use damped_hertz;
 
 /// A collision of two rigid masses up to the overlap `reach`.
-pub fn cycle(stiffness: f64, damping: f64, reach: f64) -> Cycle {
+pub(in crate::contact) fn cycle(stiffness: f64, damping: f64, reach: f64) -> Cycle {
     let collision = DampedHertz { damping };
     let branch = |closing: bool| {
         (0..=hertz::POINTS).map(move |i| {

@@ -8,7 +8,7 @@ const MOST: usize = 100;
 /// Newton's iteration of each lane from `x` > 0; `step` gives x - x(next). A lane stays after its first step of at most
 /// `last` x, so it does not depend on other lanes.
 #[inline(always)]
-pub fn newton<const L: usize>(
+pub(in crate::contact) fn newton<const L: usize>(
     mut x: Lane<L>,
     last: f64,
     step: impl Fn(Lane<L>) -> Lane<L>,
@@ -33,14 +33,14 @@ pub fn newton<const L: usize>(
 
 /// An upper bound of the cube root of x >= 0, at most 8.4 % above it for normal numbers.
 #[inline(always)]
-pub fn above_cube_root(x: f64) -> f64 {
+pub(super) fn above_cube_root(x: f64) -> f64 {
     // 2/3 of the exponent's bias.
     root_of_bits(x, 0x5555_5556, 682 << 20)
 }
 
 /// An upper bound of the fifth root of x >= 0, at most 8.4 % above it for normal numbers.
 #[inline(always)]
-pub fn above_fifth_root(x: f64) -> f64 {
+pub(super) fn above_fifth_root(x: f64) -> f64 {
     // 4/5 of the exponent's bias.
     root_of_bits(x, 0x3333_3334, 0x3326_6667)
 }

@@ -8,7 +8,7 @@ mod table;
 use std::ops::Deref;
 
 /// Most bends of a table, both sides together where they are not the same.
-pub const MOST: usize = 6;
+pub(super) const MOST: usize = 6;
 
 /// A yielding part whose first loading follows a table of r and S, straight between its points and beyond the last one.
 ///
