@@ -4,7 +4,7 @@
 
 use slipgap_solver::{
     AverageAcceleration, Contact, ContactLaw, Direction, Node, Own, OwnAnswer, OwnLaw, OwnState,
-    Structure, StructureLaw, Symmetric, Unsolvable, run,
+    OwnStep, Structure, StructureLaw, Unsolvable, run,
 };
 
 /// Elastic with `stiffness` up to `limit`, then with a tenth of it. The state is the plastic displacement.
@@ -20,8 +20,8 @@ pub struct Yielding {
 pub const RATIO: f64 = 0.1;
 
 impl OwnLaw for Yielding {
-    fn answer(&self, _from: [f64; 2], to: [f64; 2], _dt: f64, state: &OwnState) -> OwnAnswer {
-        let [r, _] = to;
+    fn answer(&self, step: &OwnStep, state: &OwnState) -> OwnAnswer {
+        let [r, _] = step.to;
         let [soft, stiff] = [RATIO, 1.0 - RATIO].map(|part| part * self.stiffness);
         let width = (1.0 - RATIO) * self.limit;
         let elastic = stiff * (r - state[0]);
@@ -43,28 +43,19 @@ impl OwnLaw for Yielding {
 
 /// A mass of 1 with the velocity 2 on a contact with this law.
 pub fn mass_on(law: ContactLaw) -> Structure {
-    Structure {
-        nodes: vec![Node {
-            name: "mass".into(),
-            mass: 1.0,
-            direction: Direction::X,
-        }],
-        coupled_mass: Symmetric::zeros(1),
-        stiffness: Symmetric::zeros(1),
-        damping: Symmetric::zeros(1),
-        contacts: vec![Contact {
-            name: "spring".into(),
-            along: vec![(0, 1.0)],
-            gap: 0.0,
-            law: StructureLaw::new(law, None),
-        }],
-        loads: Vec::new(),
-        displacement: vec![0.0],
-        velocity: vec![2.0],
-        supports: Vec::new(),
-        preload: Default::default(),
-        observed: None,
-    }
+    let mut structure = Structure::new(vec![Node {
+        name: "mass".into(),
+        mass: 1.0,
+        direction: Direction::X,
+    }]);
+    structure.contacts.push(Contact {
+        name: "spring".into(),
+        along: vec![(0, 1.0)],
+        gap: 0.0,
+        law: StructureLaw::new(law, None),
+    });
+    structure.velocity[0] = 2.0;
+    structure
 }
 
 /// The law for the mass above.
@@ -75,7 +66,7 @@ pub static LAW: Yielding = Yielding {
 
 #[allow(dead_code)]
 fn main() -> Result<(), Unsolvable> {
-    let structure = mass_on(ContactLaw::Own(Own(&LAW)));
+    let structure = mass_on(ContactLaw::Own(Own::new(&LAW)));
     let motion = run(&structure, &AverageAcceleration.into(), 0.01, 400)?;
     for i in (0..=400).step_by(100) {
         let [t, u] = [motion.time[i], motion.displacement[i][0]];

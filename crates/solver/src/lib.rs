@@ -12,33 +12,26 @@
 //!
 //! Everything that determines a result is in those four crates, except the reader of structures: [`VERSION_KEYS`] has a hash of each.
 
-mod solution;
+mod contacts;
+pub mod laws;
+mod methods;
+mod motions;
+mod own;
+mod structures;
 
-pub use slipgap_contact::contact::{
-    ClippedLine, ContactKind, ContactLaw, LawFault, Own, OwnAnswer, OwnLaw, OwnState,
-};
-pub use slipgap_motion::exact::events::{Event, EventKind, EventsFault, Phase};
-pub use slipgap_motion::solve::Unsolvable;
-pub use slipgap_system::methods::{
-    AverageAcceleration, Bathe, Coefficients, ContactStabilized, Method, MoreauJean,
-};
-pub use slipgap_system::system::structure::{
-    Baseline, Contact, Direction, Limit, Load, Motion, Node, Preload, Pressure, Signal, Structure,
-    StructureLaw, Support, Symmetric, Table,
-};
-pub use solution::{Solution, exact, run};
-
-/// The laws of contacts that are no clipped lines, with their numbers.
-pub mod laws {
-    pub use slipgap_contact::contact::{
-        Bearing, Bilinear, BoucWen, Dahl, GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap,
-        Imk, ImpactYield, Jankowski, KelvinVoigt, Lugre, Multilinear, Pendulum, Restrainer,
-        Stribeck, Tanh, Viscous, Ye,
-    };
-}
+pub use contacts::*;
+pub use methods::*;
+pub use motions::*;
+pub use own::*;
+pub use structures::*;
 
 /// Hashes of the code of all crates that determine a result. A change of it makes stored results outdated; a change of comments,
 /// documentation or tests does not change it.
+///
+/// ```
+/// let keys = slipgap_solver::VERSION_KEYS;
+/// assert!(keys.iter().all(|key| !key.is_empty()));
+/// ```
 pub const VERSION_KEYS: [&str; 4] = [
     slipgap_contact::CODE_KEY,
     slipgap_system::CODE_KEY,

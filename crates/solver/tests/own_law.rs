@@ -4,13 +4,14 @@
 mod own_law;
 
 use own_law::{LAW, RATIO, mass_on};
-use slipgap_solver::laws::Bilinear;
+use slipgap_solver::laws::{Bilinear, KelvinVoigt, Tanh};
 use slipgap_solver::{
-    AverageAcceleration, Bathe, ContactLaw, Method, Own, Solution, Unsolvable, exact, run,
+    AverageAcceleration, Bathe, ContactKind, ContactLaw, Limit, Method, Own, OwnAnswer, OwnLaw,
+    OwnState, OwnStep, Signal, Solution, StructureLaw, Unsolvable, exact, run,
 };
 
 fn own() -> ContactLaw {
-    ContactLaw::Own(Own(&LAW))
+    ContactLaw::Own(Own::new(&LAW))
 }
 
 fn bilinear() -> ContactLaw {
@@ -40,6 +41,108 @@ fn an_own_law_steps_as_the_same_law_of_the_list() {
         assert!(difference(&a.force, &b.force) < 1e-11);
         // It yields: after some cycles the mass swings about another place.
         assert!(a.force.iter().any(|s| s[0] > 1.1));
+    }
+}
+
+/// F = k d + c dd/dt of an overlap d = -r, or 0 if that is negative.
+#[derive(Debug)]
+struct Bumper;
+
+impl OwnLaw for Bumper {
+    fn answer(&self, step: &OwnStep, state: &OwnState) -> OwnAnswer {
+        let [r, rdot] = step.to;
+        let force = (BUMPER.stiffness * r + BUMPER.damping * rdot).min(0.0);
+        let pushes = r < 0.0 && force < 0.0;
+        let slopes = [BUMPER.stiffness, BUMPER.damping];
+        OwnAnswer {
+            force: if pushes { force } else { 0.0 },
+            slopes: if pushes { slopes } else { [0.0; 2] },
+            state: *state,
+        }
+    }
+
+    fn kind(&self) -> ContactKind {
+        ContactKind::Impact
+    }
+
+    fn largest_stiffness(&self) -> f64 {
+        BUMPER.stiffness
+    }
+}
+
+const BUMPER: KelvinVoigt = KelvinVoigt {
+    stiffness: 40.0,
+    damping: 1.0,
+};
+
+/// Friction, limit times tanh(rdot/w).
+#[derive(Debug)]
+struct Smooth;
+
+/// w for the limit that the test begins with.
+const WIDTH: f64 = 0.2;
+
+impl OwnLaw for Smooth {
+    fn answer(&self, step: &OwnStep, state: &OwnState) -> OwnAnswer {
+        let width = WIDTH * step.limit;
+        let t = (step.to[1] / width).tanh();
+        OwnAnswer {
+            force: step.limit * t,
+            slopes: [0.0, step.limit * (1.0 - t * t) / width],
+            state: *state,
+        }
+    }
+
+    fn kind(&self) -> ContactKind {
+        ContactKind::Friction
+    }
+
+    fn largest_stiffness(&self) -> f64 {
+        0.0
+    }
+}
+
+#[test]
+fn own_impacts_and_own_friction_step_as_the_same_laws_of_the_list() {
+    static SMOOTH: Smooth = Smooth;
+    static SOFT: Bumper = Bumper;
+    let smooth = Tanh {
+        compliance: WIDTH,
+        limit: 1.0,
+        ratio: 1.0,
+        rate: 0.0,
+    };
+    // The normal force swings.
+    let sine = Signal::Sine {
+        amplitude: 0.5,
+        omega: 3.0,
+        phase: 0.0,
+    };
+    let limit = Limit {
+        varying: Some((1.0, sine.into())),
+        ..Limit::constant(1.0)
+    };
+    let moved = |law: ContactLaw, method: &Method| {
+        let impact = law.kind() == ContactKind::Impact;
+        let mut mass = mass_on(law);
+        mass.contacts[0].law = StructureLaw::new(law, limit.clone());
+        mass.stiffness.add_spring([Some(0), None], 4.0);
+        mass.contacts[0].gap = if impact { 0.1 } else { 0.0 };
+        run(&mass, method, 0.01, 1000).unwrap()
+    };
+    for (own, of_the_list) in [
+        (Own::new(&SOFT), ContactLaw::KelvinVoigt(BUMPER)),
+        (Own::new(&SMOOTH), ContactLaw::Tanh(smooth)),
+    ] {
+        for method in [AverageAcceleration.into(), Bathe.into()] {
+            let [a, b] = [ContactLaw::Own(own), of_the_list].map(|law| moved(law, &method));
+            assert!(
+                difference(&a.displacement, &b.displacement) < 1e-12,
+                "{own:?}"
+            );
+            assert!(difference(&a.force, &b.force) < 1e-10, "{own:?}");
+            assert!(a.force.iter().any(|s| s[0].abs() > 0.5), "{own:?}");
+        }
     }
 }
 

@@ -95,7 +95,7 @@ macro_rules! laws {
             /// What its contact can do.
             pub fn kind(&self) -> ContactKind {
                 match self {
-                    $(ContactLaw::$law(_) => $law::KIND),+
+                    $(ContactLaw::$law(law) => law.kind()),+
                 }
             }
 

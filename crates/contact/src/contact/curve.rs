@@ -6,12 +6,12 @@ use crate::lane::Lane;
 /// Points on a branch.
 const POINTS: i32 = 100;
 
-/// (rdot, S) from -1.1 `reach` to 1.1 `reach`, with most points near rdot = 0.
+/// (rdot, S) from -1.1 `reach` to 1.1 `reach`, with most points near rdot = 0; `force` is |S| at a velocity >= 0.
 pub(super) fn over_velocity(reach: f64, force: impl Fn(f64) -> f64) -> Cycle {
     let point = |k: i32| {
         let t = f64::from(k) / f64::from(POINTS);
         let velocity = 1.1 * reach * t * t * t;
-        [velocity, force(velocity)]
+        [velocity, force(velocity.abs()).copysign(velocity)]
     };
     ((-POINTS..=POINTS).map(point).collect(), Vec::new())
 }

@@ -5,8 +5,8 @@
 
 use super::{made_with, sample};
 use slipgap_contact::contact::{
-    ContactLaw, Flexibility, LAWS, Own, OwnAnswer, OwnLaw, OwnState, StepFlexibility, StoredEnergy,
-    VelocityControl, WhichLaw, plane::slides_in_plane,
+    ContactLaw, Flexibility, LAWS, Own, OwnAnswer, OwnLaw, OwnState, OwnStep, StepFlexibility,
+    StoredEnergy, VelocityControl, WhichLaw, plane::slides_in_plane,
 };
 use slipgap_contact::lane::Lane;
 
@@ -120,7 +120,8 @@ struct Spring;
 static SPRING: Spring = Spring;
 
 impl OwnLaw for Spring {
-    fn answer(&self, _: [f64; 2], [r, rdot]: [f64; 2], _: f64, state: &OwnState) -> OwnAnswer {
+    fn answer(&self, step: &OwnStep, state: &OwnState) -> OwnAnswer {
+        let [r, rdot] = step.to;
         OwnAnswer {
             force: 2.0 * r + 0.5 * rdot,
             slopes: [2.0, 0.5],
@@ -150,7 +151,7 @@ fn laws() -> Vec<(String, ContactLaw)> {
     };
     let viscous = ContactLaw::VelocityControl(viscous);
     laws.push(("velocity-control, constant".to_owned(), viscous));
-    laws.push(("own".to_owned(), ContactLaw::Own(Own(&SPRING))));
+    laws.push(("own".to_owned(), ContactLaw::Own(Own::new(&SPRING))));
     laws
 }
 

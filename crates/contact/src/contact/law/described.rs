@@ -8,7 +8,7 @@ use crate::contact::{ContactLaw, StepFlexibility, StoredEnergy, Straight};
 
 /// What is the same for all contacts with a law.
 pub trait Described: StoredEnergy {
-    /// What its contact can do.
+    /// What its contact can do, unless [`Described::kind`] says otherwise.
     const KIND: ContactKind;
     /// Its name in text.
     const NAME: &'static str;
@@ -18,6 +18,11 @@ pub trait Described: StoredEnergy {
     const OFFERS: &'static [Offer];
     /// A motion whose force is known in closed form.
     const CLOSED_FORM: ClosedForm<Self>;
+
+    /// What its contact can do.
+    fn kind(&self) -> ContactKind {
+        Self::KIND
+    }
 }
 
 /// A motion whose force is known in closed form, for tests.

@@ -101,6 +101,24 @@ pub fn between([i, j]: [Option<usize>; 2]) -> Along {
 }
 
 impl Structure {
+    /// These nodes at rest, with nothing between them.
+    pub fn new(nodes: Vec<Node>) -> Structure {
+        let (size, zeros) = (nodes.len(), vec![0.0; nodes.len()]);
+        Structure {
+            nodes,
+            coupled_mass: Symmetric::zeros(size),
+            stiffness: Symmetric::zeros(size),
+            damping: Symmetric::zeros(size),
+            contacts: Vec::new(),
+            loads: Vec::new(),
+            displacement: zeros.clone(),
+            velocity: zeros,
+            supports: Vec::new(),
+            preload: Preload::default(),
+            observed: None,
+        }
+    }
+
     /// Number of nodes.
     pub fn len(&self) -> usize {
         self.nodes.len()

@@ -145,9 +145,7 @@ impl Law for Stribeck {
 
     /// From -1.1 `reach` to 1.1 `reach`; a compliance of zero is the rigid law.
     fn cycle(&self, reach: f64) -> Cycle {
-        curve::over_velocity(reach, |velocity| {
-            self.force(velocity.abs()).copysign(velocity)
-        })
+        curve::over_velocity(reach, |velocity| self.force(velocity))
     }
 }
 

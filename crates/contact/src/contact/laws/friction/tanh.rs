@@ -103,7 +103,7 @@ impl Law for Tanh {
 
     /// From -1.1 `reach` to 1.1 `reach`.
     fn cycle(&self, reach: f64) -> Cycle {
-        curve::over_velocity(reach, |v| self.force(v.abs())[0].copysign(v))
+        curve::over_velocity(reach, |velocity| self.force(velocity)[0])
     }
 }
 

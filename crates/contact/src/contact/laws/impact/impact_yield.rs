@@ -29,11 +29,7 @@ pub struct ImpactYield {
 
 /// The law over a step.
 #[derive(Debug, Clone, Copy)]
-pub struct Step<const L: usize> {
-    band: band::Step<L>,
-    /// Flexibility for S(i).
-    h: Lane<L>,
-}
+pub struct Step<const L: usize>(band::Step<L>);
 
 /// delta_y
 const DELTA_Y: Number = Number::new(
@@ -134,10 +130,7 @@ impl Law for ImpactYield {
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
-        Step {
-            band: Band::step(laws, Self::band, on),
-            h: on.start.h,
-        }
+        Step(Band::step(laws, Self::band, on))
     }
 
     /// In to the overlap `reach`, and out.
@@ -160,7 +153,7 @@ impl<const L: usize> StepLaw<L> for Step<L> {
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
         let [mut d, force] = [-trial.displacement, -trial.force];
-        let mut change = trial.force * self.h - trial.change;
+        let mut change = trial.force * self.0.start - trial.change;
         for l in 0..L {
             // Open, or not loaded yet: from d = 0 on. A contact that was loaded has a force wherever d > 0.
             if force.0[l] == 0.0 {
@@ -168,6 +161,6 @@ impl<const L: usize> StepLaw<L> for Step<L> {
                 d.0[l] = 0.0;
             }
         }
-        resisting(self.band.force(d, force, change).larger(Lane::splat(0.0)))
+        resisting(self.0.force(d, force, change).larger(Lane::splat(0.0)))
     }
 }

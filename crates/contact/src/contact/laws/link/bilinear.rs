@@ -25,11 +25,7 @@ pub struct Bilinear {
 
 /// The law over a step.
 #[derive(Debug, Clone, Copy)]
-pub struct Step<const L: usize> {
-    band: band::Step<L>,
-    /// Flexibility for S(i).
-    h: Lane<L>,
-}
+pub struct Step<const L: usize>(band::Step<L>);
 
 /// Whether the law has had a step: r and S then are its whole state.
 #[derive(Debug, Clone, Copy, Default)]
@@ -140,10 +136,7 @@ impl Law for Bilinear {
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
-        Step {
-            band: Band::step(laws, Self::band, on),
-            h: on.start.h,
-        }
+        Step(Band::step(laws, Self::band, on))
     }
 }
 
@@ -152,7 +145,7 @@ impl<const L: usize> StepLaw<L> for Step<L> {
 
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, begun: &mut Begun) -> Lane<L> {
-        let change = trial.change - trial.force * self.h;
+        let change = trial.change - trial.force * self.0.start;
         let [mut r, mut rest] = [trial.displacement, change];
         if !begun.0 {
             // Without a force yet: loaded from r = 0 on.
@@ -164,6 +157,6 @@ impl<const L: usize> StepLaw<L> for Step<L> {
             }
         }
         begun.0 = true;
-        self.band.force(r, trial.force, rest)
+        self.0.force(r, trial.force, rest)
     }
 }

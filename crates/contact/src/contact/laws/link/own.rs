@@ -1,5 +1,6 @@
-//! Laws of links from outside of this program.
+//! Laws from outside of this program.
 
+use crate::contact::impact::PUSHES;
 use crate::contact::prelude::*;
 use std::fmt::Debug;
 
@@ -9,14 +10,20 @@ pub const STATES: usize = 8;
 /// What an [`OwnLaw`] remembers; 0 at t = 0.
 pub type OwnState = [f64; STATES];
 
-/// A law of a link that a user's program defines.
+/// A law that a user's program defines.
 ///
-/// S must not fall with r and rdot, so that a step has one root. The law is one of time steps: its exact motion is not known.
+/// S must not fall with r and rdot, so that a step has one root. An impact has S <= 0, and none while r > 0; friction has |S| within its
+/// limit. The law is one of time steps: its exact motion is not known.
 pub trait OwnLaw: Debug + Sync {
-    /// The answer at the end of a step of `dt` from r and rdot at `from` to those at `to`, with the state at the start.
+    /// The answer at the end of a step, with the state at its start.
     ///
     /// It is called several times in a step; the state of the last call counts.
-    fn answer(&self, from: [f64; 2], to: [f64; 2], dt: f64, state: &OwnState) -> OwnAnswer;
+    fn answer(&self, step: &OwnStep, state: &OwnState) -> OwnAnswer;
+
+    /// What its contact can do.
+    fn kind(&self) -> ContactKind {
+        ContactKind::Link
+    }
 
     /// The largest dS/dr, for warnings; 0 for a law that is not elastic.
     fn largest_stiffness(&self) -> f64;
@@ -25,6 +32,19 @@ pub trait OwnLaw: Debug + Sync {
     fn stored_energy(&self, _r: f64, _s: f64) -> f64 {
         0.0
     }
+}
+
+/// A step of a contact with an [`OwnLaw`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OwnStep {
+    /// r and rdot at its start.
+    pub from: [f64; 2],
+    /// r and rdot at its end.
+    pub to: [f64; 2],
+    /// Its length.
+    pub dt: f64,
+    /// The friction limit at its end; 0 of an impact and a link.
+    pub limit: f64,
 }
 
 /// The answer of an [`OwnLaw`] at the end of a step.
@@ -40,11 +60,21 @@ pub struct OwnAnswer {
 
 /// A contact with an [`OwnLaw`].
 #[derive(Debug, Clone, Copy)]
-pub struct Own(pub &'static dyn OwnLaw);
+pub struct Own {
+    law: &'static dyn OwnLaw,
+    limit: f64,
+}
+
+impl Own {
+    /// A contact with this law.
+    pub fn new(law: &'static dyn OwnLaw) -> Own {
+        Own { law, limit: 0.0 }
+    }
+}
 
 impl PartialEq for Own {
     fn eq(&self, other: &Own) -> bool {
-        std::ptr::addr_eq(self.0, other.0)
+        std::ptr::addr_eq(self.law, other.law) && self.limit == other.limit
     }
 }
 
@@ -67,7 +97,7 @@ impl<const L: usize> Default for States<L> {
 
 impl StoredEnergy for Own {
     fn stored_energy(&self, r: f64, s: f64) -> f64 {
-        self.0.stored_energy(r, s)
+        self.law.stored_energy(r, s)
     }
 }
 
@@ -76,11 +106,23 @@ impl Described for Own {
     const NAME: &'static str = "own";
     const OFFERS: &'static [Offer] = &[];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|_, _, _| None);
+
+    fn kind(&self) -> ContactKind {
+        self.law.kind()
+    }
 }
 
 impl Properties for Own {
     fn largest_stiffness(&self, _: f64) -> f64 {
-        self.0.largest_stiffness()
+        self.law.largest_stiffness()
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        match self.kind() {
+            ContactKind::Impact => PUSHES,
+            ContactKind::Friction => [-self.limit, self.limit],
+            ContactKind::Link => [f64::NEG_INFINITY, f64::INFINITY],
+        }
     }
 
     fn only_in_steps(&self) -> Option<&'static str> {
@@ -90,6 +132,13 @@ impl Properties for Own {
 
 impl Law for Own {
     type Step<const L: usize> = Step<L>;
+
+    fn at_limit(self, limit: f64) -> Self {
+        match self.kind() {
+            ContactKind::Friction => Own { limit, ..self },
+            ContactKind::Impact | ContactKind::Link => self,
+        }
+    }
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
@@ -116,7 +165,17 @@ impl<const L: usize> StepLaw<L> for Step<L> {
             let state = memory.0[l];
             let answer = |s: f64| {
                 let to = [0, 1].map(|i| free[i] - end[i] * s);
-                self.laws[l].0.answer(from, to, self.on.dt.0[l], &state)
+                let Own { law, limit } = self.laws[l];
+                let dt = self.on.dt.0[l];
+                law.answer(
+                    &OwnStep {
+                        from,
+                        to,
+                        dt,
+                        limit,
+                    },
+                    &state,
+                )
             };
             // S = F(r* - h S, rdot* - h_rate S): between 0 and the answer to the free motion, as F does not fall.
             let most = answer(0.0).force;

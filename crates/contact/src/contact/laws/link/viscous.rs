@@ -103,9 +103,7 @@ impl Law for Viscous {
 
     /// From -1.1 `reach` to 1.1 `reach`.
     fn cycle(&self, reach: f64) -> Cycle {
-        curve::over_velocity(reach, |velocity| {
-            self.force(velocity.abs()).copysign(velocity)
-        })
+        curve::over_velocity(reach, |velocity| self.force(velocity))
     }
 }
 

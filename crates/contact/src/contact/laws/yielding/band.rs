@@ -27,6 +27,8 @@ pub(in crate::contact) struct Step<const L: usize> {
     bounds: [Lane<L>; 2],
     /// 1/(1 + k h) with the flexibility for S(i+1), for k1 and k2.
     share: [Lane<L>; 2],
+    /// Flexibility for S(i).
+    pub(in crate::contact) start: Lane<L>,
 }
 
 impl Band {
@@ -54,6 +56,7 @@ impl Band {
             stiffness,
             bounds: [0, 1].map(|which| lanes(laws, |law| band(law).bounds[which])),
             share: stiffness.map(|k| (Lane::splat(1.0) + k * on.end.h).map(|x| 1.0 / x)),
+            start: on.start.h,
         }
     }
 }

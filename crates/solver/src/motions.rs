@@ -1,11 +1,67 @@
 //! Motions of a structure, by steps and exact.
 
-use crate::{Method, Structure, Unsolvable};
+use crate::{Method, Structure};
 use slipgap_motion::exact::adaptive;
-use slipgap_motion::exact::events::{self, EventsFault};
+use slipgap_motion::exact::events::{self as exactly, EventsFault};
 use slipgap_motion::solve::structure::{Prepared, balance, run as step, settle};
 
+/// Why [`run`], [`exact`] or [`events`] have no motion, with the step, the node or the contact; its text says what to do.
+///
+/// ```
+/// use slipgap_solver::{Direction, Node, Structure, Unsolvable, exact};
+///
+/// let mut mass = Structure::new(vec![Node { name: "mass".into(), mass: 1.0, direction: Direction::X }]);
+/// mass.preload.load = vec![1.0];
+/// let why = exact(&mass, &[1.0]).unwrap_err();
+/// assert_eq!(why, Unsolvable::NoEquilibrium { node: "mass".into() });
+/// ```
+#[doc(inline)]
+pub use slipgap_motion::solve::Unsolvable;
+
+/// What [`events`] tells: a time, the place of the contact in the list of the structure, and what happens there.
+///
+/// ```
+/// use slipgap_solver::{Event, EventKind};
+///
+/// let event = Event { time: 0.5, contact: 0, kind: EventKind::Impact { rate: -2.0 } };
+/// assert!(matches!(event.kind, EventKind::Impact { rate } if rate < 0.0));
+/// ```
+#[doc(inline)]
+pub use slipgap_motion::exact::events::Event;
+
+/// A rigid stop closes with a velocity, or a contact begins another phase.
+///
+/// ```
+/// use slipgap_solver::{EventKind, Phase};
+///
+/// assert_ne!(EventKind::Phase(Phase::Open), EventKind::Phase(Phase::Sliding(1.0)));
+/// ```
+#[doc(inline)]
+pub use slipgap_motion::exact::events::EventKind;
+
+/// Open, closed, or sliding in the direction +1 or -1.
+///
+/// ```
+/// use slipgap_solver::Phase;
+///
+/// assert_ne!(Phase::Sliding(1.0), Phase::Sliding(-1.0));
+/// ```
+#[doc(inline)]
+pub use slipgap_motion::exact::events::Phase;
+
 /// A motion at given times. All numbers are in the units of the structure, which are any that belong together.
+///
+/// ```
+/// use slipgap_solver::{AverageAcceleration, Direction, Node, Structure, run};
+///
+/// let mut mass = Structure::new(vec![Node { name: "mass".into(), mass: 1.0, direction: Direction::X }]);
+/// mass.velocity[0] = 3.0;
+/// let motion = run(&mass, &AverageAcceleration.into(), 0.5, 4)?;
+/// assert_eq!(motion.time, [0.0, 0.5, 1.0, 1.5, 2.0]);
+/// assert_eq!(motion.displacement[4], [6.0]);
+/// assert!(motion.opening[4].is_empty());
+/// # Ok::<(), slipgap_solver::Unsolvable>(())
+/// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Solution {
     /// The times t_i.
@@ -46,26 +102,12 @@ fn started(structure: &Structure, dt: f64) -> Result<Structure, Unsolvable> {
 /// A mass of 1 with the velocity 2 and Coulomb friction 1 comes to rest after 2 s at v^2/2 = 2:
 ///
 /// ```
-/// use slipgap_solver::{AverageAcceleration, ClippedLine, Contact, Direction, Limit, Node, Structure, StructureLaw, Symmetric, run};
+/// use slipgap_solver::{AverageAcceleration, ClippedLine, Contact, Direction, Limit, Node, Structure, StructureLaw, run};
 ///
-/// let block = Structure {
-///     nodes: vec![Node { name: "block".into(), mass: 1.0, direction: Direction::X }],
-///     coupled_mass: Symmetric::zeros(1),
-///     stiffness: Symmetric::zeros(1),
-///     damping: Symmetric::zeros(1),
-///     contacts: vec![Contact {
-///         name: "floor".into(),
-///         along: vec![(0, 1.0)],
-///         gap: 0.0,
-///         law: StructureLaw::new(ClippedLine::Coulomb, Limit::constant(1.0)),
-///     }],
-///     loads: Vec::new(),
-///     displacement: vec![0.0],
-///     velocity: vec![2.0],
-///     supports: Vec::new(),
-///     preload: Default::default(),
-///     observed: None,
-/// };
+/// let mut block = Structure::new(vec![Node { name: "block".into(), mass: 1.0, direction: Direction::X }]);
+/// let law = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(1.0));
+/// block.contacts.push(Contact { name: "floor".into(), along: vec![(0, 1.0)], gap: 0.0, law });
+/// block.velocity[0] = 2.0;
 /// let motion = run(&block, &AverageAcceleration.into(), 0.01, 300)?;
 /// assert!((motion.displacement[300][0] - 2.0).abs() < 1e-10);
 /// assert!(motion.velocity[300][0].abs() < 1e-10);
@@ -107,17 +149,11 @@ pub fn run(
 /// continuous time with a tolerance of 1e-12.
 ///
 /// ```
-/// # use slipgap_solver::{ClippedLine, Contact, Direction, Limit, Node, Structure, StructureLaw, Symmetric};
-/// # let block = Structure {
-/// #     nodes: vec![Node { name: "block".into(), mass: 1.0, direction: Direction::X }],
-/// #     coupled_mass: Symmetric::zeros(1), stiffness: Symmetric::zeros(1), damping: Symmetric::zeros(1),
-/// #     contacts: vec![Contact {
-/// #         name: "floor".into(), along: vec![(0, 1.0)], gap: 0.0,
-/// #         law: StructureLaw::new(ClippedLine::Coulomb, Limit::constant(1.0)),
-/// #     }],
-/// #     loads: Vec::new(), displacement: vec![0.0], velocity: vec![2.0], supports: Vec::new(),
-/// #     preload: Default::default(), observed: None,
-/// # };
+/// # use slipgap_solver::{ClippedLine, Contact, Direction, Limit, Node, Structure, StructureLaw};
+/// # let mut block = Structure::new(vec![Node { name: "block".into(), mass: 1.0, direction: Direction::X }]);
+/// # let law = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(1.0));
+/// # block.contacts.push(Contact { name: "floor".into(), along: vec![(0, 1.0)], gap: 0.0, law });
+/// # block.velocity[0] = 2.0;
 /// let motion = slipgap_solver::exact(&block, &[1.0, 5.0])?;
 /// assert_eq!(motion.displacement, [[1.5], [2.0]]);
 /// assert_eq!(motion.velocity[1], [0.0]);
@@ -131,18 +167,43 @@ pub fn exact(structure: &Structure, times: &[f64]) -> Result<Solution, Unsolvabl
     let own = started(structure, SHORT * times.last().copied().unwrap_or(1.0))?;
     let nodes: Vec<usize> = (0..own.len()).collect();
     let mut solution = Solution::default();
-    let mut visit = |i: usize, state: &events::State| {
+    let mut visit = |i: usize, state: &exactly::State| {
         let all = [state.u, state.v, state.r, state.force].map(<[f64]>::to_vec);
         solution.add(times[i], all);
     };
     let refused = |why: String| Unsolvable::Reference(why);
-    match events::run_of(&own, &nodes, times, &mut visit) {
+    match exactly::run_of(&own, &nodes, times, &mut visit) {
         Err(EventsFault::Law { .. }) => adaptive::refuse_large(&own)
             .and_then(|()| adaptive::run_of(&own, &nodes, times, adaptive::TOLERANCE, &mut visit))
             .map_err(|why| refused(why.to_string()))?,
         ended => ended.map_err(|why| refused(why.to_string()))?,
     }
     Ok(solution)
+}
+
+/// The events of the exact motion up to the time `end` > 0, in time.
+///
+/// A ball with the speed 2 meets a stop after a way of 1:
+///
+/// ```
+/// use slipgap_solver::{ClippedLine, Contact, Direction, EventKind, Node, Structure, StructureLaw, events};
+///
+/// let mut ball = Structure::new(vec![Node { name: "ball".into(), mass: 1.0, direction: Direction::X }]);
+/// let law = StructureLaw::new(ClippedLine::Stop { restitution: 1.0 }, None);
+/// ball.contacts.push(Contact { name: "wall".into(), along: vec![(0, 1.0)], gap: 1.0, law });
+/// ball.velocity[0] = -2.0;
+/// let impact = events(&ball, 3.0)?.into_iter().find(|event| event.time > 0.0).expect("an impact");
+/// assert_eq!((impact.time, impact.kind), (0.5, EventKind::Impact { rate: -2.0 }));
+/// # Ok::<(), slipgap_solver::Unsolvable>(())
+/// ```
+///
+/// # Errors
+/// As [`exact`], and a law that is none of straight lines: its motion has no events.
+pub fn events(structure: &Structure, end: f64) -> Result<Vec<Event>, Unsolvable> {
+    let own = started(structure, SHORT * end)?;
+    let motion = exactly::run(&own, &[end], |_, _| ());
+    let motion = motion.map_err(|why| Unsolvable::Reference(why.to_string()))?;
+    Ok(motion.events)
 }
 
 /// Part of the motion's time with which nodes without mass find their place at t = 0.
