@@ -86,8 +86,48 @@ impl Solution {
     }
 }
 
+/// Whether the lists of a structure have their lengths, and nodes are those of its list.
+fn check(structure: &Structure) -> Result<(), String> {
+    let (n, m) = (structure.len(), structure.contacts.len());
+    let load = &structure.preload.load;
+    let own = [
+        ("coupled_mass", structure.coupled_mass.size(), n),
+        ("stiffness", structure.stiffness.size(), n),
+        ("damping", structure.damping.size(), n),
+        ("displacement", structure.displacement.len(), n),
+        ("velocity", structure.velocity.len(), n),
+        (
+            "preload.load",
+            load.len(),
+            if load.is_empty() { 0 } else { n },
+        ),
+    ];
+    let supports = structure.supports.iter();
+    let of_supports = supports.flat_map(|own| {
+        [
+            ("carried", own.carried.len(), n),
+            ("gaps", own.gaps.len(), m),
+        ]
+    });
+    let mut lengths = own.into_iter().chain(of_supports);
+    if let Some((name, got, right)) = lengths.find(|(_, got, right)| got != right) {
+        return Err(format!("{name} must have the size {right}, got {got}"));
+    }
+    let contacts = structure.contacts.iter().flat_map(|own| &own.along);
+    let loads = structure.loads.iter().flat_map(|own| &own.pattern);
+    match contacts.chain(loads).find(|(node, _)| *node >= n) {
+        Some((node, _)) => Err(format!("a node must be below {n}, got {node}")),
+        None => Ok(()),
+    }
+}
+
 /// The structure at t = 0: in equilibrium under its static loads, nodes without mass included.
 fn started(structure: &Structure, dt: f64) -> Result<Structure, Unsolvable> {
+    check(structure).map_err(Unsolvable::BrokenRules)?;
+    if !(dt > 0.0 && dt.is_finite()) {
+        let rule = "times must be > 0 and finite".to_owned();
+        return Err(Unsolvable::BrokenRules(rule));
+    }
     let mut own = structure.clone();
     if !own.preload.load.is_empty() {
         settle(&mut own)?;
@@ -116,7 +156,7 @@ fn started(structure: &Structure, dt: f64) -> Result<Structure, Unsolvable> {
 ///
 /// # Errors
 /// The matrix of a step is not positive definite, the structure has no equilibrium, the forces of a step are not unique, or the motion
-/// is not finite.
+/// is not finite; [`Unsolvable::BrokenRules`] where `dt` is not > 0, or a list of the structure has not the length that it needs.
 pub fn run(
     structure: &Structure,
     method: &Method,
@@ -145,7 +185,7 @@ pub fn run(
     ended.map(|()| solution)
 }
 
-/// The exact motion at `times`, which rise from a number >= 0: by events where all laws are straight lines, else integrated in
+/// The exact motion at `times`, which rise from a number >= 0 to one > 0: by events where all laws are straight lines, else integrated in
 /// continuous time with a tolerance of 1e-12.
 ///
 /// ```
@@ -162,9 +202,16 @@ pub fn run(
 ///
 /// # Errors
 /// [`Unsolvable::Reference`]: the motion has too many events or steps, its rigid contacts have no unique forces, or it has a contact that
-/// neither way knows; and the errors of the equilibrium at t = 0.
+/// neither way knows; and the errors of [`run`] at t = 0.
 pub fn exact(structure: &Structure, times: &[f64]) -> Result<Solution, Unsolvable> {
-    let own = started(structure, SHORT * times.last().copied().unwrap_or(1.0))?;
+    let rising = times.windows(2).all(|pair| pair[0] < pair[1]);
+    let starts = times.first().is_some_and(|first| *first >= 0.0);
+    let end = times.last().copied().filter(|end| *end > 0.0);
+    let Some(end) = end.filter(|_| rising && starts) else {
+        let rule = "times must rise from a number >= 0 to one > 0".to_owned();
+        return Err(Unsolvable::BrokenRules(rule));
+    };
+    let own = started(structure, SHORT * end)?;
     let nodes: Vec<usize> = (0..own.len()).collect();
     let mut solution = Solution::default();
     let mut visit = |i: usize, state: &exactly::State| {

@@ -1,8 +1,7 @@
 //! Structures, their loads and supports.
 
 /// M u'' + C u' + K u + B S = p(t): with n nodes and m contacts, matrices of n by n numbers, `displacement` and `velocity` of n numbers
-/// and m `contacts`, in any units that belong together. Matrices of another size, or numbers of a node that is none, make [`crate::run`]
-/// panic.
+/// and m `contacts`, in any units that belong together. [`crate::run`] refuses other sizes, and a node that is none.
 ///
 /// Two masses of 1 between springs of 1 have the frequencies 1 and 3^(1/2):
 ///
