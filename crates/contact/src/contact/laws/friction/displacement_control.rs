@@ -16,7 +16,7 @@ pub struct DisplacementControl {
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
     /// `nu |N| <N>`, >= 0; may change from step to step.
-    pub(in crate::contact) limit: Lane<L>,
+    pub limit: Lane<L>,
     /// S(i+1) of the elastic element for a unit of change and for a unit of S(i).
     by_change: Lane<L>,
     by_force: Lane<L>,

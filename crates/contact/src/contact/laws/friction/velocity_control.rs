@@ -22,7 +22,7 @@ impl VelocityControl {
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
     /// `nu |N| <N>`, >= 0; may change from step to step.
-    limit: Lane<L>,
+    pub limit: Lane<L>,
     /// S(i+1) of the viscous element for a unit of rdot, and for a unit of -S(i).
     by_rate: Lane<L>,
     by_force: Lane<L>,
