@@ -14,10 +14,13 @@ pub fn write(out: &mut impl Write, sections: &[Section]) -> io::Result<()> {
     let failed: u64 = sections.iter().map(|section| section.checks.failed()).sum();
     let (class, sign) = verdict(failed == 0, "✓", "✗");
     let met = total - failed;
-    writeln!(
-        out,
-        "<p class=\"{class}\">{sign} {met} of {total} checks are met.</p>"
-    )?;
+    match total {
+        0 => writeln!(out, "<p>No study has checks.</p>")?,
+        _ => writeln!(
+            out,
+            "<p class=\"{class}\">{sign} {met} of {total} checks are met.</p>"
+        )?,
+    }
     write_list(out, sections, |section| match section.checks.failed() {
         0 => None,
         failed => Some(format!("{failed} of {} not met", section.checks.total())),

@@ -58,9 +58,23 @@ pub fn parse(markup: &str) -> Vec<Piece> {
     pieces
 }
 
-/// The characters alone, for readers of plain text.
+/// The characters alone, for readers of plain text; a power keeps its place, as in 10⁷.
 pub fn plain(markup: &str) -> String {
-    parse(markup).into_iter().map(|piece| piece.text).collect()
+    let text = |piece: Piece| match piece.set {
+        Set::Superscript => raised(&piece.text).unwrap_or(piece.text),
+        Set::Roman | Set::Italic | Set::Subscript => piece.text,
+    };
+    parse(markup).into_iter().map(text).collect()
+}
+
+/// A whole number in raised figures; `None` for another text.
+fn raised(text: &str) -> Option<String> {
+    const FIGURES: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let one = |c: char| match c {
+        '−' | '-' => Some('⁻'),
+        _ => Some(FIGURES[c.to_digit(10)? as usize]),
+    };
+    text.chars().map(one).collect()
 }
 
 fn push(pieces: &mut Vec<Piece>, text: String, set: Set) {
@@ -136,6 +150,13 @@ mod tests {
         assert_eq!(shape("a\\\\b \\*c*"), "r(a\\b *c*)");
         assert_eq!(shape("*a\\*b*"), "i(a*b)");
         assert_eq!(shape(""), "");
+    }
+
+    #[test]
+    fn a_power_stays_one_in_plain_text() {
+        assert_eq!(plain("1.5 × 10^7^"), "1.5 × 10⁷");
+        assert_eq!(plain("10^−12^ s^-1^"), "10⁻¹² s⁻¹");
+        assert_eq!(plain("*r*^E^"), "rE");
     }
 
     #[test]
