@@ -53,7 +53,7 @@ const OTHERS: [(&str, &str, u64); 7] = [
         "lugre",
         r#""problem": "friction-oscillator", "parameters": {"law": "lugre", "x0": 12, "dT": "pi/10", "duration": "8*pi",
             "sigma0": {"geomspace": [0.1, 100, 1024]}}"#,
-        8848,
+        9700,
     ),
     (
         "hht on bars",
