@@ -3,6 +3,7 @@
 use indicatif::ProgressBar;
 use slipgap::batch::solve::cost::{measure, processor_time, sampling, total};
 use slipgap::batch::{self, RunOptions};
+use slipgap::problem::Case;
 use slipgap::run::Source;
 use slipgap::study_figures;
 use std::fs;
@@ -47,8 +48,9 @@ fn estimate(source: &Source) -> Option<f64> {
     let study = &source.study;
     let total = total(study);
     let case = study.case(0)?;
+    let keep = |case: &Case| study_figures::show_history(study, case);
     let options = RunOptions {
-        keep_history: &|case| study_figures::show_history(study, case),
+        keep_history: study_figures::show_histories(study).then_some(&keep),
         ..RunOptions::METRICS
     };
     let measured = measure(study, total, &options, (&case, MEASURING)).ok()?;
@@ -59,8 +61,9 @@ fn estimate(source: &Source) -> Option<f64> {
 /// Seconds of one processor that all cases take.
 fn needed(source: &Source) -> Option<f64> {
     let study = &source.study;
+    let keep = |case: &Case| study_figures::show_history(study, case);
     let options = RunOptions {
-        keep_history: &|case| study_figures::show_history(study, case),
+        keep_history: study_figures::show_histories(study).then_some(&keep),
         ..RunOptions::METRICS
     };
     let before = processor_time()?;

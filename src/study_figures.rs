@@ -12,6 +12,12 @@ fn show(study: &Study, case: &Case) -> bool {
     study.figures.iter().any(shows)
 }
 
+/// Whether a figure shows histories.
+pub fn show_histories(study: &Study) -> bool {
+    let mut figures = study.figures.iter();
+    figures.any(|figure| figure.kind.draws_histories())
+}
+
 /// Whether a figure shows the history of the case.
 pub fn show_history(study: &Study, case: &Case) -> bool {
     let shows = |figure: &Figure| figure.kind.draws_histories() && figure.filter.matches(case);

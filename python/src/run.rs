@@ -20,7 +20,7 @@ use slipgap::batch::store::Store;
 use slipgap::batch::{self, PartResult, RunOptions, ShownCases};
 use slipgap::checks::{CheckCollector, TestedValues};
 use slipgap::error::Error;
-use slipgap::problem::cases_without_contact;
+use slipgap::problem::{Case, cases_without_contact};
 use slipgap::run::{Observer, OutputOptions, Source, run_study};
 use slipgap::study_figures;
 use slipgap::warnings::StudyWarnings;
@@ -107,8 +107,9 @@ pub fn run(
 fn in_memory(source: &Source, mut collector: Collector<'_>) -> Result<Collected, Error> {
     let study = &source.study;
     let (bar, work) = collector.shared.clone();
+    let keep = |case: &Case| study_figures::show_history(study, case);
     let options = RunOptions {
-        keep_history: &|case| study_figures::show_history(study, case),
+        keep_history: study_figures::show_histories(study).then_some(&keep),
         progress: Some(&*work),
         ..RunOptions::METRICS
     };

@@ -188,8 +188,9 @@ fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> Stri
 fn cost(study: &Study, case: &Case) -> Result<String, Error> {
     let (steps, work) = (study.problem.steps(case), study.work(case));
     let total = total(study);
+    let keep = |case: &Case| study_figures::show_history(study, case);
     let options = RunOptions {
-        keep_history: &|case| study_figures::show_history(study, case),
+        keep_history: study_figures::show_histories(study).then_some(&keep),
         ..RunOptions::METRICS
     };
     let measured = measure(study, total, &options, (case, MEASURING))?;

@@ -17,6 +17,7 @@ use slipgap::claims::compute;
 use slipgap::claims::ledger::Ledger;
 use slipgap::error::Error;
 use slipgap::figures::FigureData;
+use slipgap::problem::Case;
 use slipgap::report::{
     self, Checks, Counts, Drawing, Indices, MOST_BYTES, Quantiles, Results, Section, TestedReading,
 };
@@ -100,9 +101,10 @@ fn section<'a>(
     // Several reports of one study wait for each other.
     let store = Store::wait_and_open(&results)?;
     let (bar, work) = terminal.begin_cases(source);
+    let keep = |case: &Case| study_figures::show_history(study, case);
     let options = RunOptions {
         store: Some(&store),
-        keep_history: &|case| study_figures::show_history(study, case),
+        keep_history: study_figures::show_histories(study).then_some(&keep),
         progress: Some(&*work),
         ..RunOptions::METRICS
     };

@@ -31,7 +31,7 @@ use crate::batch::{self, RunOptions, ShownCases};
 use crate::study_figures;
 use crate::warnings::StudyWarnings;
 use slipgap_drawing::style;
-use slipgap_problem::problem::{Solution, cases_without_contact};
+use slipgap_problem::problem::{Case, Solution, cases_without_contact};
 use slipgap_study::error::Error;
 use std::path::PathBuf;
 use tables::Tables;
@@ -139,11 +139,12 @@ pub fn run_study(
         }
         Ok(())
     };
+    let keep = |case: &Case| study_figures::show_history(study, case);
     let options = RunOptions {
         store: Some(&store),
         // The store has no histories.
         recompute: output.histories,
-        keep_history: &|case| study_figures::show_history(study, case),
+        keep_history: study_figures::show_histories(study).then_some(&keep),
         on_solution: output.histories.then_some(&on_solution),
         progress: Some(&*work),
     };

@@ -70,15 +70,12 @@ pub(in crate::batch) fn compute_rows(
 ) -> Result<(MetricTable, Solutions), Error> {
     let table = study.problem.metrics();
     let lanes = lanes_possible(study, options);
-    // Only figures show histories.
-    let drawn = study
-        .figures
-        .iter()
-        .any(|figure| figure.kind.draws_histories());
     let mut shown = cases.shown();
-    let (in_lanes, single): (Vec<u32>, Vec<u32>) = rows
-        .iter()
-        .partition(|row| lanes && !(drawn && (options.keep_history)(shown.at(**row as usize))));
+    let mut kept = |row: &u32| {
+        let keep = options.keep_history;
+        keep.is_some_and(|keep| keep(shown.at(*row as usize)))
+    };
+    let (in_lanes, single): (Vec<u32>, Vec<u32>) = rows.iter().partition(|row| lanes && !kept(row));
     let slice = match rayon::current_num_threads() {
         1 if work <= LONGEST_SWEEP => cases.len().max(1),
         1 => (LONGEST_SWEEP / work * rows.len() as f64).max(FEWEST_CASES as f64) as usize,
@@ -158,7 +155,10 @@ fn solve_case(
         on_solution(number, &solution)?;
     }
     let (metrics, warnings) = (solution.metrics.clone(), solution.warnings);
-    let kept = (options.keep_history)(case).then(|| Box::new(solution));
+    let kept = options
+        .keep_history
+        .is_some_and(|keep| keep(case))
+        .then(|| Box::new(solution));
     Ok((Ok(metrics), warnings, kept))
 }
 

@@ -14,8 +14,8 @@ pub struct RunOptions<'a> {
     pub store: Option<&'a Store>,
     /// Whether every case is computed, also those in the store.
     pub recompute: bool,
-    /// Selects the computed cases whose histories are kept.
-    pub keep_history: &'a (dyn Fn(&Case) -> bool + Sync),
+    /// Selects the computed cases whose histories are kept, if some may be.
+    pub keep_history: Option<&'a (dyn Fn(&Case) -> bool + Sync)>,
     /// Called with every computed solution, if any.
     pub on_solution: Option<&'a OnSolution<'a>>,
     /// Counts the work of finished cases and can stop the run, if any.
@@ -27,7 +27,7 @@ impl RunOptions<'_> {
     pub const METRICS: RunOptions<'static> = RunOptions {
         store: None,
         recompute: false,
-        keep_history: &|_| false,
+        keep_history: None,
         on_solution: None,
         progress: None,
     };

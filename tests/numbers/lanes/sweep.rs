@@ -141,7 +141,7 @@ fn a_single_solution_of_a_case_does_not_change_the_sweep() {
     let kept = [1, 4, 8];
     let chosen: Vec<Case> = kept.map(|number| study.case(number).unwrap()).to_vec();
     let options = RunOptions {
-        keep_history: &|case| chosen.iter().any(|other| other.values == case.values),
+        keep_history: Some(&|case| chosen.iter().any(|other| other.values == case.values)),
         ..RunOptions::METRICS
     };
     let (all, shown) = (outcomes(&RunOptions::METRICS), outcomes(&options));

@@ -147,7 +147,7 @@ fn drawn(study: &Study) {
     let needed = study_figures::needed(study);
     let (mut shown, mut cases) = (ShownCases::new(study.problem.schema()), 0);
     let options = RunOptions {
-        keep_history: &|_| true,
+        keep_history: Some(&|_| true),
         ..RunOptions::METRICS
     };
     let mut reductions = ReducedMetrics::new(study);
