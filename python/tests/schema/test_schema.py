@@ -11,7 +11,7 @@ import jsonschema
 import pytest
 from mistakes import GOOD, MISTAKES, ONLY_THE_PROGRAM, STRUCTURE
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 SCHEMA = jsonschema.Draft7Validator(json.loads((ROOT / "schema" / "study.json").read_text()))
 
 
