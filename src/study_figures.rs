@@ -79,8 +79,7 @@ pub fn add(study: &Study, needed: &Needed, part: &mut PartResult, shown: &mut Sh
 
 /// Solves cases from the store again if a figure shows their histories.
 pub fn add_histories(study: &Study, shown: &mut ShownCases) {
-    let mut figures = study.figures.iter();
-    if !figures.any(|figure| figure.kind.draws_histories()) {
+    if !show_histories(study) {
         return;
     }
     for row in 0..shown.len() {
