@@ -1,6 +1,6 @@
 //! The schema of contacts: what they are between, and each law with its own keys.
 
-use super::rules::{along, any, between, described, one_of, pair_of_directions};
+use super::rules::{along, any, between, described, none_of, one_of, pair_of_directions};
 use crate::describe::schema::parts::several;
 use crate::describe::schema::values::{names, number, refer};
 use crate::structure::keys::{self, CONTACT, Keys, LISTS, PART};
@@ -14,9 +14,8 @@ use slipgap_problem::problem::structure::parts::contacts::{NAMES, NUMBERS};
 pub(super) fn contact(function: &Json, part: &str) -> Json {
     let mut one = with_law(&CONTACT, function, part);
     let nodes = one_of(&["between", "along", "pairs", "plane"]);
-    let no = |keys: &[&str]| json!({ "not": { "anyOf": keys.iter().map(|key| json!({ "required": [key] })).collect::<Vec<_>>() } });
-    one["dependencies"]["plane"] = no(&["gap"]);
-    one["dependencies"]["directions"] = no(&["gap", "along", "pairs"]);
+    one["dependencies"]["plane"] = none_of(&["gap"]);
+    one["dependencies"]["directions"] = none_of(&["gap", "along", "pairs"]);
     if let Some(rules) = one["allOf"].as_array_mut() {
         rules.push(nodes);
     }

@@ -8,7 +8,7 @@ mod springs;
 
 use motions::{by_directions, function, load, support};
 use results::{check, figure, metric};
-use rules::{all_numbers, any, described, named, one_of, parts_by_name};
+use rules::{all_numbers, any, described, each_required, named, parts_by_name};
 use springs::{bar, mass, spring};
 
 use crate::describe::schema::parts::{
@@ -102,7 +102,7 @@ fn structure(function: &Json, contact: &Json) -> Json {
             let value = |key: &str| match key {
                 "reduce" => {
                     let mut reduce = all_numbers(keys::REDUCE, &[]);
-                    reduce["oneOf"] = one_of(&keys::names(keys::REDUCE))["oneOf"].take();
+                    reduce["oneOf"] = each_required(&keys::names(keys::REDUCE));
                     reduce
                 }
                 "dofs" => {

@@ -1,6 +1,6 @@
 //! The schema of loads, supports and functions of time.
 
-use super::rules::{all_numbers, described, one_of};
+use super::rules::{all_numbers, described, each_required, none_of};
 use super::{add_properties, column, files, numbers};
 use crate::describe::schema::values::{number, whole};
 use crate::structure::keys::{self, FUNCTION, FUNCTIONS};
@@ -22,15 +22,14 @@ const SEEDS: u64 = u32::MAX as u64;
 pub(super) fn function() -> Json {
     let mut schema = described(FUNCTION, function_value, &[]);
     let kinds = keys::names(&FUNCTION[..FUNCTIONS]);
-    schema["oneOf"] = one_of(&kinds)["oneOf"].take();
+    schema["oneOf"] = each_required(&kinds);
     schema["dependencies"] = dependencies();
     schema
 }
 
 /// What a key of a function needs or excludes.
 fn dependencies() -> Json {
-    let points = OF_POINTS.map(|key| json!({ "required": [key] }));
-    let mut all = json!({ "sine": { "not": { "anyOf": points } } });
+    let mut all = json!({ "sine": none_of(&OF_POINTS) });
     for key in OF_RECORD {
         all[key] = json!(["record"]);
     }
@@ -48,7 +47,7 @@ pub(super) fn load() -> Json {
 /// A function in each direction.
 pub(super) fn by_directions(function: &Json) -> Json {
     let mut schema = described(keys::GROUND, |_| function.clone(), &[]);
-    schema["anyOf"] = one_of(&keys::names(keys::GROUND))["oneOf"].take();
+    schema["anyOf"] = each_required(&keys::names(keys::GROUND));
     schema
 }
 
@@ -80,7 +79,7 @@ fn pulse() -> Json {
         _ => all_numbers(keys::COSINE, &keys::names(keys::COSINE)),
     };
     let mut schema = described(keys::PULSE, form, &[]);
-    schema["oneOf"] = one_of(&keys::names(keys::PULSE))["oneOf"].take();
+    schema["oneOf"] = each_required(&keys::names(keys::PULSE));
     schema
 }
 
@@ -104,7 +103,7 @@ fn scale_to() -> Json {
         _ => number(keys::range(keys::SCALE_TO, key)),
     };
     let mut schema = described(keys::SCALE_TO, value, &[]);
-    schema["oneOf"] = one_of(&keys::names(&keys::SCALE_TO[..3]))["oneOf"].take();
+    schema["oneOf"] = each_required(&keys::names(&keys::SCALE_TO[..3]));
     schema["dependencies"] = json!({
         "T": ["Sa"],
         "Sa": ["T"],
@@ -122,7 +121,7 @@ pub(super) fn support(function: &Json) -> Json {
     schema["dependencies"] = dependencies();
     let mut kinds = keys::names(&FUNCTION[..FUNCTIONS]);
     kinds.push(keys::DISPLACEMENT.0);
-    let mut courses = one_of(&kinds)["oneOf"].take();
+    let mut courses = each_required(&kinds);
     let course = json!({ "anyOf": [function, all_of_displacement()] });
     let directions = by_directions(&course);
     if let Some(courses) = courses.as_array_mut() {

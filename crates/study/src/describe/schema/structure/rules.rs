@@ -24,10 +24,21 @@ pub(super) fn all_numbers(keys: Keys, required: &[&str]) -> Json {
     described(keys, |key| number(keys::range(keys, key)), required)
 }
 
+/// Each of these keys as a form that requires it, for `oneOf` and `anyOf`.
+pub(super) fn each_required(keys: &[&str]) -> Json {
+    keys.iter()
+        .map(|key| json!({ "required": [key] }))
+        .collect()
+}
+
 /// Exactly one of these keys.
 pub(super) fn one_of(keys: &[&str]) -> Json {
-    let one = |key: &&str| json!({ "required": [key] });
-    json!({ "oneOf": keys.iter().map(one).collect::<Vec<_>>() })
+    json!({ "oneOf": each_required(keys) })
+}
+
+/// None of these keys.
+pub(super) fn none_of(keys: &[&str]) -> Json {
+    json!({ "not": { "anyOf": each_required(keys) } })
 }
 
 /// Parts by names, several alike as `a|b`; no part is called `ground`.

@@ -1,6 +1,6 @@
 //! The schema of masses, bars and springs.
 
-use super::rules::{along, between, described, direction, one_of, pair_of_directions};
+use super::rules::{along, between, described, direction, none_of, one_of, pair_of_directions};
 use crate::describe::schema::values::{number, whole};
 use crate::structure::keys::{self, BAR, MASS, SPRING};
 use serde_json::{Value as Json, json};
@@ -40,14 +40,10 @@ pub(super) fn spring() -> Json {
         }
     };
     let mut spring = described(SPRING, value, &[]);
-    let none = |keys: [&str; 3]| {
-        let given = keys.map(|key| json!({ "required": [key] }));
-        json!({ "not": { "anyOf": given } })
-    };
     let by_period = ["mass", "period", "ratio"];
     let stiffness = json!({ "allOf": [
         { "anyOf": [{ "required": ["k"] }, { "required": ["c"] }] },
-        none(by_period),
+        none_of(&by_period),
     ] });
     let period = json!({ "required": ["mass", "period"], "not": { "anyOf": [
         { "required": ["k"] },
