@@ -71,7 +71,7 @@ impl Draw for Fragility {
         let title = axis_title(self, study);
         let x_axis = limits::axis(&title, places, self.x_scale, x_range, grid.width / 40.0);
         let mut panel = Panel::new(grid.frames[0][0], grid.margin, x_axis, y_axis);
-        for (k, (ensemble, curve)) in found.iter().zip(curves).enumerate() {
+        for (k, (_, curve)) in found.iter().zip(curves).enumerate() {
             if let Ok(fit) = &curve.fit {
                 let line = line(&panel, fit, stroke(look, k));
                 panel.series.push(line);
