@@ -2,65 +2,48 @@
 
 use super::series;
 use super::{Calibration, Fit};
-use crate::figures::{MeasuredMotion, MeasuredPanel, MisfitCurve, MisfitPanel, Misfits};
+use crate::figures::{AlternativeMisfit, MeasuredMotion, MeasuredPanel, MisfitPanel, Misfits};
 use slipgap_problem::problem::{MeasuredChannel, escape};
 use slipgap_recommend::calibrate::End;
-use slipgap_study::Free;
 
 /// Most tests with panels of their own.
 const MOST_TESTS: usize = 4;
 
-/// The misfit over each free parameter.
+/// The misfit of each alternative over each of its free parameters.
 pub fn misfits(found: &Calibration) -> Misfits {
     let calibrate = found.study.calibrate.as_ref();
-    let free = calibrate.map_or(&[][..], |own| &own.free);
-    let is_used = |free: &&Free| {
-        let mut fits = found.fits.iter();
-        fits.any(|fit| place(fit, free).is_some_and(|place| place < fit.found.profiles.len()))
-    };
     let measure = calibrate.map(|own| &found.study.measures[own.minimise]);
-    let best = found.best().map(Fit::misfit);
+    let alternative = |fit: &Fit| AlternativeMisfit {
+        label: escape(fit.label()),
+        least: fit.misfit(),
+        panels: (0..fit.found.profiles.len())
+            .map(|place| panel(found, fit, place))
+            .collect(),
+    };
+    let solved = found.fits.iter().filter(|fit| fit.misfit().is_finite());
     Misfits {
         title: format!("{}: misfit over the free parameters", found.study.title),
         axis: measure.map_or(String::new(), |own| own.symbol.clone()),
-        limit: best.map(|best| 1.1 * best),
-        panels: free
-            .iter()
-            .filter(is_used)
-            .map(|free| panel(found, free))
-            .collect(),
+        alternatives: solved.map(alternative).collect(),
     }
 }
 
-fn place(fit: &Fit, free: &Free) -> Option<usize> {
-    fit.free
-        .iter()
-        .position(|own| own.parameter == free.parameter)
-}
-
-fn panel(found: &Calibration, free: &Free) -> MisfitPanel {
-    let parameter = &found.study.problem.parameters()[free.parameter];
-    let curve = |(index, fit): (usize, &Fit)| {
-        let place = place(fit, free)?;
-        let profile = fit.found.profiles.get(place)?;
-        let points = profile.points.iter();
-        let points = points.map(|point| [free.range.at(point.at), point.misfit]);
-        let end = |i: usize, end: End| fit.value(place, end).unwrap_or(free.range.ends[i]);
-        Some(MisfitCurve {
-            index,
-            label: escape(fit.label()),
-            points: points.collect(),
-            best: [fit.values[place], fit.misfit()],
-            interval: profile
-                .interval
-                .map(|[from, to]| [end(0, from), end(1, to)]),
-        })
-    };
+/// The profile of a free parameter of an alternative.
+fn panel(found: &Calibration, fit: &Fit, place: usize) -> MisfitPanel {
+    let (free, profile) = (&fit.free[place], &fit.found.profiles[place]);
+    let points = profile.points.iter();
+    let end = |i: usize, end: End| fit.value(place, end).unwrap_or(free.range.ends[i]);
     MisfitPanel {
-        title: parameter.title(),
+        title: found.study.problem.parameters()[free.parameter].title(),
         range: free.range.ends,
         log: free.range.log,
-        curves: found.fits.iter().enumerate().filter_map(curve).collect(),
+        points: points
+            .map(|point| [free.range.at(point.at), point.misfit])
+            .collect(),
+        best: fit.values[place],
+        interval: profile
+            .interval
+            .map(|[from, to]| [end(0, from), end(1, to)]),
     }
 }
 

@@ -34,7 +34,11 @@ pub fn write(
         written.push(folder.write(name, text.as_bytes())?);
     }
     let misfits = figures::misfits(found);
-    let misfits = (!misfits.panels.is_empty()).then(|| misfits.sheet());
+    let drawn = misfits
+        .alternatives
+        .iter()
+        .any(|own| !own.panels.is_empty());
+    let misfits = drawn.then(|| misfits.sheet());
     let measured = figures::measured(found).map(|own| own.sheet());
     for (name, sheet) in FIGURES.iter().zip([misfits, measured]) {
         if let Some(sheet) = sheet {

@@ -62,6 +62,11 @@ const slider = byId("magnify");
 slider.value = 1;
 slider.dispatchEvent(new Event("input"));
 probe.times = [magnify, byId("times").textContent];
+slider.value = 0;
+slider.dispatchEvent(new Event("input"));
+probe.once = [magnify, byId("times").textContent, document.body.innerText.includes("magnified")];
+slider.value = 1;
+slider.dispatchEvent(new Event("input"));
 byId("scrub").value = 0.25;
 byId("scrub").dispatchEvent(new Event("input"));
 probe.scrubbed = now;
@@ -119,8 +124,10 @@ fn contacts_are_lit_where_they_have_a_force_or_slide() {
     assert!((found["back"].as_f64().unwrap() - 1.99).abs() < 1e-9);
     assert!((found["clicked"].as_f64().unwrap() - 1.0).abs() < 1e-6);
     assert_eq!(found["times"], serde_json::json!([2, "× 2.0"]));
+    // What is not magnified is not called so.
+    assert_eq!(found["once"], serde_json::json!([1, "", false]));
     assert_eq!(found["scrubbed"], 0.5);
-    let titles = ["gap: force S", "bearing: force S", "ground: acceleration"];
+    let titles = ["ground: acceleration", "gap: force S", "bearing: force S"];
     assert_eq!(found["plots"], serde_json::json!(titles));
 }
 
@@ -198,6 +205,89 @@ for (let step = 0; step <= 200; step += 5) {
     for (shown, r) in numbers(&found["apart"]).iter().zip(r.iter().step_by(5)) {
         // Rounding, and lines between frames, of two ends that move by up to about 2.
         assert!((shown - r).abs() < 0.01, "{shown} {r}");
+    }
+}
+
+/// Faces are as far apart as r at the scale of the displacements, that of the bar at the lower left; what has no room says so.
+#[test]
+fn gaps_have_the_scale_of_displacements() {
+    let Some(program) = chromium() else { return };
+    let script = r#"
+const own = drawings[0], link = films[0].scene.links.find(own => own.kind === "impact");
+const said = [];
+own.word = text => said.push(text);
+probe.apart = [];
+probe.cut = [];
+probe.room = [];
+for (let step = 0; step <= 4000; step += 7) {
+  said.length = 0;
+  set(2 * step * data.films[0].half);
+  const [a, b] = link.ends.map(([at, by]) => own.moved(at, by));
+  const { apart, is_cut } = own.apart(link, a, b);
+  probe.apart.push(apart / own.factor);
+  probe.room.push(b[0] - a[0] - apart);
+  probe.cut.push(is_cut ? parseFloat(said.find(text => text.startsWith("r = ")).slice(4)) : null);
+}"#;
+    for (gap, is_cut) in [("0.01", false), ("0.04", false), ("5", true)] {
+        let text = BRIDGE.replace(r#""gap": 0.01"#, &format!(r#""gap": {gap}"#));
+        let study = study::parse("s.json", &text).unwrap();
+        let solution = study.problem.solve(&study.case(0).unwrap(), &[]).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let script = format!("{{{script}}}");
+        let found = probe(&program, folder.path(), &page(&study, &[0], false), &script);
+        let r = channel(&study, 0, &solution, "gap.r");
+        let ends = ["girder.right.u", "wall.u"].map(|name| channel(&study, 0, &solution, name));
+        let largest = ends
+            .iter()
+            .flatten()
+            .fold(0.0_f64, |most, u| most.max(u.abs()));
+        for (shown, r) in numbers(&found["apart"]).iter().zip(r.iter().step_by(7)) {
+            // As near as places: 0.2 % and 0.02 % of the largest displacement.
+            if !is_cut {
+                assert!(
+                    (shown - r.max(0.0)).abs() < 2.3e-3 * largest,
+                    "{gap}: {shown} {r}"
+                );
+            }
+        }
+        for (said, r) in found["cut"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .zip(r.iter().step_by(7))
+        {
+            // Two digits of about 5, and the place.
+            let holds = |said: f64| (said - r).abs() < 0.05 + 2.3e-3 * largest;
+            assert_eq!(
+                said.as_f64().map(holds),
+                is_cut.then_some(true),
+                "{gap}: {said} {r}"
+            );
+        }
+        // The faces are between the parts.
+        assert!(
+            numbers(&found["room"]).iter().all(|room| *room > 3.0),
+            "{gap}"
+        );
+    }
+}
+
+/// The ground motion is on a screen of 1280 times 720 points together with the films.
+#[test]
+fn the_ground_is_on_the_screen() {
+    let Some(program) = chromium() else { return };
+    let study = study::parse("s.json", BRIDGE).unwrap();
+    let script = r#"
+Object.defineProperty(window, "innerHeight", { value: 720 });
+layout();
+const area = plots[0].canvas.getBoundingClientRect();
+probe.ground = [plots[0].title, area.bottom <= 720, area.height > 70, drawings.every(own => own.height >= 100)];"#;
+    for cases in [&[0][..], &[0, 1]] {
+        let folder = tempfile::tempdir().unwrap();
+        let page = page(&study, cases, false);
+        let found = probe(&program, folder.path(), &page, script);
+        let wanted = serde_json::json!(["ground: acceleration", true, true, true]);
+        assert_eq!(found["ground"], wanted, "{cases:?}");
     }
 }
 

@@ -21,7 +21,7 @@ pub use groups::GroupResults;
 pub use hover::with_hover;
 pub use kind::scheme;
 pub use measured::{MeasuredMotion, MeasuredPanel};
-pub use misfit::{MisfitCurve, MisfitPanel, Misfits};
+pub use misfit::{AlternativeMisfit, MisfitPanel, Misfits};
 pub use shown::{DrawnCase, Needed, ShownCases};
 pub use slipgap_drawing::draw::base64;
 pub use slipgap_drawing::layout::sheet;

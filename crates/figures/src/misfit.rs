@@ -1,11 +1,11 @@
-//! The misfit of a calibration over each free parameter, a curve for each alternative.
+//! The misfit of a calibration: a row of panels for each alternative, a panel for each of its free parameters.
 
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
-use slipgap_drawing::style::{self, Look, Marker, Stroke};
+use slipgap_drawing::style::{self, Marker, Stroke};
 
 /// The misfits to draw.
 #[derive(Debug)]
@@ -14,9 +14,18 @@ pub struct Misfits {
     pub title: String,
     /// Title of the axis of the misfit, in markup.
     pub axis: String,
-    /// The misfit 10 % above the best one.
-    pub limit: Option<f64>,
-    /// A panel for each free parameter.
+    /// The alternatives.
+    pub alternatives: Vec<AlternativeMisfit>,
+}
+
+/// The misfit of an alternative. It has axes of its own, since the best one would be a point on those of the others.
+#[derive(Debug)]
+pub struct AlternativeMisfit {
+    /// Its name in markup.
+    pub label: String,
+    /// Its smallest misfit.
+    pub least: f64,
+    /// A panel for each of its free parameters.
     pub panels: Vec<MisfitPanel>,
 }
 
@@ -29,21 +38,10 @@ pub struct MisfitPanel {
     pub range: [f64; 2],
     /// Whether the axis is logarithmic.
     pub log: bool,
-    /// The alternatives that use the parameter.
-    pub curves: Vec<MisfitCurve>,
-}
-
-/// The misfit of an alternative over a parameter.
-#[derive(Debug)]
-pub struct MisfitCurve {
-    /// Number of the alternative.
-    pub index: usize,
-    /// Its name in markup.
-    pub label: String,
     /// Values and smallest misfits.
     pub points: Vec<[f64; 2]>,
-    /// The best value and its misfit.
-    pub best: [f64; 2],
+    /// The best value.
+    pub best: f64,
     /// Ends of the 95 % interval.
     pub interval: Option<[f64; 2]>,
 }
@@ -55,41 +53,48 @@ const WIDE: f64 = 5.0;
 const PAD: f64 = 0.03;
 
 /// Height of a panel.
-const HEIGHT: f64 = 130.0;
+const HEIGHT: f64 = 100.0;
+
+/// Most panels side by side; more parameters of an alternative are in a further row.
+const COLUMNS: usize = 3;
 
 /// Width of the line of an interval.
 const INTERVAL_LINE: f64 = 2.2;
 
 impl Misfits {
-    /// The sheet, at most two panels side by side.
+    /// The sheet.
     pub fn sheet(&self) -> Sheet {
-        let columns = self.panels.len().clamp(1, 2);
-        let rows = self.panels.len().div_ceil(columns);
+        let rows: Vec<(&AlternativeMisfit, &[MisfitPanel])> = self
+            .alternatives
+            .iter()
+            .flat_map(|own| own.panels.chunks(COLUMNS).map(move |panels| (own, panels)))
+            .collect();
+        let columns = rows
+            .iter()
+            .map(|(_, panels)| panels.len())
+            .max()
+            .unwrap_or(1);
         let width = if columns > 1 {
             style::DOUBLE
         } else {
             1.2 * style::SINGLE
         };
-        let y = self.vertical();
-        let axes = vec![y.clone(); rows];
-        let grid = layout::grid(width, columns, &vec![HEIGHT; rows], &axes, 4.0);
+        let axes: Vec<Axis> = rows
+            .iter()
+            .map(|(own, _)| own.vertical(&self.axis))
+            .collect();
+        let grid = layout::grid(width, columns, &vec![HEIGHT; rows.len()], &axes, 4.0);
         // The titles of the axes of the parameters are between the rows.
         let mut sheet = Sheet {
             title: self.title.clone(),
             width,
             ..Sheet::default()
         };
-        let most = self
-            .panels
-            .iter()
-            .flat_map(|panel| &panel.curves)
-            .map(|own| own.index + 1);
-        let count = most.max().unwrap_or(1);
         let mut below = 0.0;
-        for (row, panels) in self.panels.chunks(columns).enumerate() {
+        for (((alternative, panels), y), frames) in rows.iter().zip(&axes).zip(&grid.frames) {
             let mut deepest: f64 = 0.0;
             for (column, own) in panels.iter().enumerate() {
-                let mut frame = grid.frames[row][column];
+                let mut frame = frames[column];
                 frame.top += below;
                 let x = own.horizontal(grid.width);
                 deepest = deepest.max(layout::below(&x));
@@ -99,7 +104,10 @@ impl Misfits {
                     y.numbered = false;
                 }
                 let mut panel = Panel::new(frame, grid.margin, x, y);
-                panel.series = self.series(own, count);
+                if column == 0 {
+                    panel.caption = alternative.label.clone();
+                }
+                panel.series = own.series(alternative.least);
                 sheet.panels.push(panel);
             }
             below += deepest;
@@ -109,62 +117,61 @@ impl Misfits {
         layout::finish(&mut sheet, vec![keys], None);
         sheet
     }
+}
 
-    /// The axis of the misfit, the same in all panels.
-    fn vertical(&self) -> Axis {
+impl AlternativeMisfit {
+    /// The axis of the misfit, the same in all panels of the alternative.
+    fn vertical(&self, title: &str) -> Axis {
         let all = || {
-            let curves = self.panels.iter().flat_map(|panel| &panel.curves);
-            let points = curves.flat_map(|own| own.points.iter().chain([&own.best]));
+            let points = self.panels.iter().flat_map(|own| &own.points);
             points
                 .map(|point| point[1])
                 .filter(|x| x.is_finite())
-                .chain(self.limit)
+                .chain([self.least, limit(self.least)])
         };
-        let least = all().fold(f64::INFINITY, f64::min);
         let largest = all().fold(0.0, f64::max);
-        match least > 0.0 && largest > WIDE * least {
-            true => ticks::log(&self.axis, all(), HEIGHT / 24.0),
-            false => ticks::around(&self.axis, all(), HEIGHT / 17.0),
+        match self.least > 0.0 && largest > WIDE * self.least {
+            true => ticks::log(title, all(), HEIGHT / 24.0),
+            false => ticks::around(title, all(), HEIGHT / 17.0),
         }
     }
+}
 
-    /// The curves of a panel, then their best points and intervals, and the limit.
-    fn series(&self, panel: &MisfitPanel, count: usize) -> Vec<Series> {
-        let line = |label: &str, points: Vec<[f64; 2]>, stroke, width| Series {
+/// 10 % above a misfit.
+fn limit(least: f64) -> f64 {
+    1.1 * least
+}
+
+impl MisfitPanel {
+    /// The curve, the interval with the best point, and the limit.
+    fn series(&self, least: f64) -> Vec<Series> {
+        let line = |label: &str, points: Vec<[f64; 2]>, width| Series {
             label: label.to_owned(),
             points,
-            stroke,
+            stroke: Stroke::Solid,
             width,
             marker: None,
             marked: Vec::new(),
         };
-        let mut series = Vec::new();
-        for own in &panel.curves {
-            let stroke = Look::default().stroke(own.index, count);
-            let points = own.points.clone();
-            series.push(line(&own.label, points, stroke, style::CASE_LINE));
+        let mut series = vec![line(
+            "smallest misfit",
+            self.points.clone(),
+            style::CASE_LINE,
+        )];
+        if let Some(ends) = self.interval {
+            let points = ends.map(|x| [x, least]).to_vec();
+            series.push(line("95 % interval", points, INTERVAL_LINE));
         }
-        for own in &panel.curves {
-            if let Some(ends) = own.interval {
-                let points = ends.map(|x| [x, own.best[1]]).to_vec();
-                series.push(line("95 % interval", points, Stroke::Solid, INTERVAL_LINE));
-            }
-            series.push(Series {
-                marker: Some(Marker::Circle),
-                marked: vec![0],
-                ..line("best", vec![own.best], Stroke::Solid, 0.0)
-            });
-        }
-        series.extend(self.limit.map(|limit| {
-            let points = panel.shown().map(|x| [x, limit]).to_vec();
-            let label = "10 % above the best";
-            line(label, points, Stroke::Solid, style::ZERO_LINE)
-        }));
+        series.push(Series {
+            marker: Some(Marker::Circle),
+            marked: vec![0],
+            ..line("best", vec![[self.best, least]], 0.0)
+        });
+        let points = self.shown().map(|x| [x, limit(least)]).to_vec();
+        series.push(line("10 % above the best", points, style::ZERO_LINE));
         series
     }
-}
 
-impl MisfitPanel {
     fn horizontal(&self, width: f64) -> Axis {
         match self.log {
             true => ticks::log_range(&self.title, self.shown(), width / 40.0),
@@ -175,7 +182,7 @@ impl MisfitPanel {
     /// The ends of the axis: those of all points that have a misfit, a little wider, within the range that was searched.
     fn shown(&self) -> [f64; 2] {
         let all = || {
-            let points = self.curves.iter().flat_map(|own| &own.points);
+            let points = self.points.iter();
             points
                 .filter(|point| point[1].is_finite())
                 .map(|point| point[0])
@@ -205,58 +212,98 @@ impl MisfitPanel {
 mod tests {
     use super::*;
 
-    #[test]
-    fn each_parameter_has_a_panel_with_its_range_and_the_best_points() {
-        let curve = |index: usize| MisfitCurve {
-            index,
-            label: ["hertz", "kelvin-voigt"][index].to_owned(),
-            points: vec![[1e4, 2.0], [1e5, 1.0], [1e6, f64::INFINITY]],
-            best: [1e5, 1.0],
-            interval: Some([8e4, 1.2e5]),
+    /// A parabola around a best value with seven points, a misfit without a solution beyond it.
+    fn panel(best: f64, width: f64, least: f64) -> MisfitPanel {
+        let point = |i: i32| {
+            let part = f64::from(i) / 3.0;
+            [best + part * width, least * (1.0 + 0.2 * part * part)]
         };
-        let panel = |log: bool| MisfitPanel {
+        let mut points: Vec<[f64; 2]> = (-3..=3).map(point).collect();
+        points.push([best + 2.0 * width, f64::INFINITY]);
+        MisfitPanel {
             title: "*k*".into(),
-            range: [1e4, 1e6],
-            log,
-            curves: vec![curve(0), curve(1)],
-        };
+            range: [best - 50.0 * width, best + 50.0 * width],
+            log: false,
+            points,
+            best,
+            interval: Some([best - 0.3 * width, best + 0.3 * width]),
+        }
+    }
+
+    #[test]
+    fn each_alternative_has_axes_of_its_own_on_which_its_curve_is_seen() {
+        // The sharp minimum of the best law is 1e-4 of the width of the other, and its misfit a seventh.
+        let (best, other) = ((0.1374, 1e-5, 0.08), (0.15, 0.1, 0.56));
+        let alternative =
+            |label: &str, (at, width, least): (f64, f64, f64), count: usize| AlternativeMisfit {
+                label: label.into(),
+                least,
+                panels: (0..count).map(|_| panel(at, width, least)).collect(),
+            };
         let misfits = Misfits {
             title: "misfit".into(),
             axis: "error".into(),
-            limit: Some(1.1),
-            panels: vec![panel(true), panel(false), panel(true)],
+            alternatives: vec![
+                alternative("kelvin-voigt", other, 2),
+                alternative("hertz-damp", best, 4),
+            ],
         };
         let sheet = misfits.sheet();
-        assert_eq!(sheet.panels.len(), 3);
-        for panel in &sheet.panels {
-            // Nothing is shown beyond the last point with a misfit.
-            assert!(panel.x.range[0] == 1e4 && (1e5..1.2e5).contains(&panel.x.range[1]));
-            // A point without a solution does not widen the axis.
-            assert!(panel.y.range[0] < 1.0 && panel.y.range[1] < 4.0);
-            let best = panel.series.iter().filter(|own| own.label == "best");
+        assert_eq!(sheet.panels.len(), 6);
+        for (place, own) in sheet.panels.iter().enumerate() {
+            let (at, width, least) = if place < 2 { other } else { best };
+            let curve = &own.series[0];
+            let places = curve.points[..7].iter().map(|point| own.place(*point));
+            let places: Vec<[f64; 2]> = places.collect();
+            let extent = |k: usize| {
+                let all = places.iter().map(|place| place[k]);
+                all.clone().fold(f64::MIN, f64::max) - all.fold(f64::MAX, f64::min)
+            };
+            // Padded by 3 % at each side; the axis of the misfit has round ends.
+            assert!(extent(0) > 0.9 * own.frame.width, "{}", extent(0));
+            assert!(extent(1) > 0.4 * own.frame.height, "{}", extent(1));
+            // The interval and the best point are on the curve's minimum.
+            let of = |label: &str| {
+                let found = own.series.iter().find(|series| series.label == label);
+                found.unwrap().points.clone()
+            };
+            assert_eq!(of("best"), [[at, least]]);
             assert_eq!(
-                best.map(|own| own.points[0]).collect::<Vec<_>>(),
-                [[1e5, 1.0]; 2]
+                of("95 % interval"),
+                [-0.3, 0.3].map(|x| [at + x * width, least])
             );
+            assert!(
+                of("10 % above the best")
+                    .iter()
+                    .all(|point| point[1] == 1.1 * least)
+            );
+            // A point without a solution does not widen the axis.
+            assert!(own.x.range[1] < at + 1.2 * width);
         }
-        // The third panel is below the first with the title of its axis.
-        let [first, _, third] = &sheet.panels[..] else {
-            panic!("three panels");
-        };
-        assert!(third.frame.top > first.frame.bottom() + layout::below(&first.x) - 1.0);
-        let labels: Vec<String> = legend::keys(&sheet.panels)
-            .into_iter()
-            .map(|key| key.label)
-            .collect();
-        assert_eq!(
-            labels,
-            [
-                "hertz",
-                "kelvin-voigt",
-                "95 % interval",
-                "best",
-                "10 % above the best"
-            ]
-        );
+        let captions: Vec<&str> = sheet.panels.iter().map(|own| &*own.caption).collect();
+        let wanted = [
+            "(a)  kelvin-voigt",
+            "(b)",
+            "(c)  hertz-damp",
+            "(d)",
+            "(e)",
+            "(f)  hertz-damp",
+        ];
+        assert_eq!(captions, wanted);
+        // Rows are below each other with the titles of their axes.
+        let tops = [0, 2, 5].map(|place| sheet.panels[place].frame.top);
+        for pair in tops.windows(2) {
+            assert!(pair[1] > pair[0] + HEIGHT + layout::below(&sheet.panels[0].x) - 1.0);
+        }
+        assert_eq!(sheet.panels[2].frame.top, sheet.panels[4].frame.top);
+        let labels = legend::keys(&sheet.panels).into_iter().map(|key| key.label);
+        let labels: Vec<String> = labels.collect();
+        let wanted = [
+            "smallest misfit",
+            "95 % interval",
+            "best",
+            "10 % above the best",
+        ];
+        assert_eq!(labels, wanted);
     }
 }

@@ -51,6 +51,9 @@ const TOLERANCE: f64 = 0.002;
 /// The same for axial forces, which are colours.
 const OF_COLOURS: f64 = 0.08;
 
+/// Length of the rods between the faces of a contact and its parts.
+const RODS: f64 = 4.0;
+
 /// Steps that are looked at for thinning.
 const CANDIDATES: usize = 20_000;
 
@@ -61,11 +64,33 @@ impl Film<'_> {
         places.map(|values| peak(values)).fold(0.0, f64::max)
     }
 
-    /// Points of the picture for a unit of length, such that parts keep clear of each other; at most `most`.
+    /// Points of the picture for a unit of length, such that parts keep clear of each other and gaps have room; at most `most`.
     pub fn clear_factor(&self, most: f64) -> f64 {
+        // Motions that pass through each other are better than none.
+        let least = most / 8.0;
         let mut factor = most;
         let value =
             |channel: Option<usize>, i: usize| channel.map_or(0.0, |own| self.moves[own][i]);
+        for link in &self.scene.links {
+            let Some(opening) = link.opening else {
+                continue;
+            };
+            let [(from, a), (to, b)] = link.ends;
+            let along = link.direction;
+            let moved = |i: usize| {
+                along[0] * (value(b.0, i) - value(a.0, i))
+                    - along[1] * (value(b.1, i) - value(a.1, i))
+            };
+            let rest = along[0] * (to[0] - from[0]) + along[1] * (to[1] - from[1]);
+            // What of the distance r is there without motion: its gap, if it has no other part.
+            let gaps = (0..self.steps.len()).map(|i| self.moves[opening][i] - moved(i));
+            let gap = gaps.fold(0.0, f64::max);
+            let own = (rest - RODS) / gap;
+            // A gap that has no room in a small motion either is drawn with a break.
+            if gap > 0.0 && own >= least {
+                factor = factor.min(own);
+            }
+        }
         for (distance, [left, right]) in &self.scene.distances {
             let closes = (0..self.steps.len()).map(|i| value(*left, i) - value(*right, i));
             let most = closes.fold(0.0, f64::max);
@@ -73,8 +98,7 @@ impl Film<'_> {
                 factor = factor.min(distance.max(1.0) / most);
             }
         }
-        // Motions that pass through each other are better than none.
-        factor.max(most / 8.0)
+        factor.max(least)
     }
 
     /// The film with at most `most` frames, with displacements over `largest`.

@@ -2,6 +2,9 @@
 
 const INK = "#27364b", TOUCH = "#f06a00", SLIDE = "#008f6a", GROUND = "#5c6b80";
 
+// Length of the rods between the faces of a contact and its parts.
+const RODS = 4;
+
 // Links that are drawn over the parts.
 const OVER = new Set(["impact", "friction", "faces"]);
 
@@ -49,7 +52,12 @@ class Drawing {
     const side = Math.min(70, 10 + data.reach);
     const foot = ground ? 36 : 22;
     const width = this.canvas.parentElement.clientWidth;
-    const most = Math.max(200, (films.length > 1 && !document.querySelector(".beside") ? 0.36 : 0.5) * innerHeight);
+    // All films, the controls and the first plot are on the screen, if the films do not become too small.
+    const rows = document.querySelector(".beside") ? 1 : films.length;
+    const others = [...document.querySelectorAll("figcaption")].slice(0, rows).reduce((sum, own) => sum + own.offsetHeight + 14, 0);
+    const below = document.querySelector("main.narrow") ? 0 : byId("controls").offsetHeight + FIRST_PLOT;
+    const free = innerHeight - byId("films").offsetTop - others - below;
+    const most = Math.min(0.5 * innerHeight, Math.max(120, free / rows));
     const whole = [right - left + 2 * side, bottom - top + 16 + foot];
     this.scale = Math.min(width / whole[0], 3, most / whole[1]);
     const height = whole[1] * this.scale;
@@ -199,11 +207,11 @@ class Drawing {
     this.word(link.name, [link.at[0] + room + (middle[0] + middle[1]) / 2, link.at[1]], link.align, colour, 7.5);
   }
 
-  // Two faces that are r apart, at the scale of the displacements.
-  impact({ direction: [dx, dy], opening }, contact, a, b) {
+  // Two faces that are r apart, at the scale of the displacements; what has no room between its parts has a break and says r.
+  impact(link, contact, a, b) {
+    const [dx, dy] = link.direction;
     const middle = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-    const room = (b[0] - a[0]) * dx + (b[1] - a[1]) * dy;
-    const apart = Math.max(0, Math.min(this.shift(opening), room > 8 ? room - 4 : 14));
+    const { apart, is_cut } = this.apart(link, a, b);
     const face = side => [middle[0] + side * dx * apart / 2, middle[1] + side * dy * apart / 2];
     const { glow } = contact;
     if (glow > 0.02) this.halo(middle, glow, TOUCH);
@@ -213,6 +221,23 @@ class Drawing {
       this.line([end, [x, y]], 1);
       this.line([[x - 5 * dy, y + 5 * dx], [x + 5 * dy, y - 5 * dx]], glow > 0.02 ? 2.4 : 1.7, colour);
     }
+    if (!is_cut) return;
+    for (const by of [-1.2, 1.2]) {
+      const [x, y] = [middle[0] + by * dx, middle[1] + by * dy];
+      this.line([[x - 3 * dy - 1.5 * dx, y + 3 * dx - 1.5 * dy], [x + 3 * dy + 1.5 * dx, y - 3 * dx + 1.5 * dy]], 0.8, GROUND);
+    }
+    const r = withUnit(words(this.shift(link.opening) / this.factor, 2), units.length);
+    this.word(`r = ${r}`, [middle[0], middle[1] + 14], "center", GROUND, 6.5);
+  }
+
+  // How far apart faces are drawn. Nodes of matrices may be at one place: they have all room.
+  apart({ ends, direction: [dx, dy], opening }, a, b) {
+    const along = ([from, to]) => (to[0] - from[0]) * dx + (to[1] - from[1]) * dy;
+    const wanted = Math.max(0, this.shift(opening));
+    const room = along(ends.map(own => own[0])) > RODS ? Math.max(0, along([a, b]) - RODS) : Infinity;
+    // Half a point is what rounding and lines between frames may miss.
+    const is_cut = wanted > room + 0.5;
+    return { apart: is_cut ? room : wanted, is_cut };
   }
 
   halo([x, y], glow, colour) {

@@ -1,6 +1,8 @@
 // The page: controls, plots, and the time that they show.
 
 const COLOURS = ["#0065a8", "#c9500a"];
+// Height of a plot with times.
+const FIRST_PLOT = 104;
 const byId = id => document.getElementById(id);
 const make = (name, parent, properties = {}) => parent.appendChild(Object.assign(document.createElement(name), properties));
 
@@ -34,13 +36,13 @@ function shownContacts(contacts) {
   return contacts.filter(own => Math.abs(own.peak[1]) >= least).slice(0, 8);
 }
 
-// The plots, one for each contact and for the ground.
+// The plots, one for the ground and for each contact.
 const plots = [];
 const MARGIN = () => innerWidth < 720 ? 46 : 66;
 
-function addPlot(title, unit, series, isLast) {
+function addPlot(title, unit, series) {
   const box = make("div", byId("plots"), { className: "plot" });
-  const plot = { title, unit, series, isLast, box, canvas: make("canvas", box), cursor: make("div", box, { className: "cursor" }) };
+  const plot = { title, unit, series, hasTimes: false, box, canvas: make("canvas", box), cursor: make("div", box, { className: "cursor" }) };
   const seek = event => {
     const { left, width } = box.getBoundingClientRect();
     const margin = MARGIN();
@@ -51,6 +53,8 @@ function addPlot(title, unit, series, isLast) {
   plots.push(plot);
 }
 
+// The ground is first: it is on the screen with the films.
+if (ground) addPlot(`${ground.name}: acceleration`, units.acceleration, [{ ...ground, colour: "#5c6b80" }]);
 const symbol = data.symbols.force;
 const names = [];
 for (const film of films) for (const own of shownContacts(film.contacts)) if (!names.includes(own.name)) names.push(own.name);
@@ -58,17 +62,16 @@ for (const name of names.slice(0, 8)) {
   const series = films.map((film, k) => ({ own: film.contacts.find(own => own.name === name), colour: COLOURS[k] })).filter(each => each.own);
   addPlot(`${name}: force ${symbol}`, units.force, series.map(({ own, colour }) => ({ ...own.force, peak: own.peak, spans: own.spans, kind: own.kind, colour })));
 }
-if (ground) addPlot(`${ground.name}: acceleration`, units.acceleration, [{ ...ground, colour: "#5c6b80" }]);
 if (plots.length === 0) {
   films.forEach((film, k) => {
     const largest = film.moves.reduce((best, own) => Math.max(...own.map(Math.abs)) > Math.max(...best.map(Math.abs)) ? own : best, film.moves[0] ?? []);
     addPlot("largest displacement", units.length, [{ t: film.t, v: largest, colour: COLOURS[k] }]);
   });
 }
-if (plots.length) plots[plots.length - 1].isLast = true;
+for (const plot of [plots[0], plots[plots.length - 1]]) if (plot) plot.hasTimes = true;
 
 function drawPlot(plot) {
-  const width = plot.box.clientWidth, height = plot.isLast ? 104 : 78, foot = plot.isLast ? 26 : 2, head = 20;
+  const width = plot.box.clientWidth, height = plot.hasTimes ? FIRST_PLOT : 78, foot = plot.hasTimes ? 26 : 2, head = 20;
   const ratio = Math.min(devicePixelRatio || 1, 3);
   plot.canvas.width = Math.round(width * ratio);
   plot.canvas.height = Math.round(height * ratio);
@@ -132,7 +135,7 @@ function drawPlot(plot) {
     c.fillText(text, place, 13);
     place += c.measureText(text).width + 14;
   }
-  if (plot.isLast) {
+  if (plot.hasTimes) {
     c.fillStyle = "#5c6b80";
     c.textAlign = "center";
     c.font = "11px system-ui, sans-serif";
@@ -234,10 +237,11 @@ byId("play").addEventListener("click", () => playing ? pause() : play());
 byId("scrub").addEventListener("input", event => { pause(); set(Number(event.target.value) * data.duration); });
 byId("magnify").addEventListener("input", event => {
   magnify = 2 ** Number(event.target.value);
-  byId("times").textContent = "× " + words(magnify, 2);
+  // Displacements of their usual size are not magnified.
+  const text = words(magnify, 2);
+  byId("times").textContent = text === "1.0" ? "" : "× " + text;
   draw();
 });
-byId("times").textContent = "× 1.0";
 
 addEventListener("keydown", event => {
   if (event.ctrlKey || event.altKey || event.metaKey || event.target.tagName === "SELECT") return;
@@ -260,7 +264,9 @@ const mark = (colour, text) => { make("i", legend).style.background = colour; le
 if (has.impact) mark("#f06a00", "touches");
 if (has.friction) mark("#008f6a", "slides");
 if (has.bars) { make("i", legend, { className: "shade" }); legend.append("bars: compression to tension, up to the largest of each bar. \u2002"); }
-legend.append(`The bar at the lower left is the scale of ${data.symbols.length}, which are magnified` + (ground && ground.name === "ground" ? ", as seen from the ground." : "."));
+const gaps = films.some(film => film.scene.links.some(link => link.opening !== null)) ? [" and gaps", "; a gap with // is wider than drawn"] : ["", ""];
+const from = ground && ground.name === "ground" ? ", as seen from the ground" : "";
+legend.append(`The bar at the lower left is the scale of ${data.symbols.length}${gaps[0]}${from}${gaps[1]}.`);
 
 if (films.some(film => film.scene.left_out.length)) legend.append(" Nodes that a reduction left out are drawn between the others.");
 

@@ -221,13 +221,13 @@ fn a_fragility_has_parts_intervals_and_a_fit() {
         }
     });
     let panel = &sheet.panels[0];
-    // The curve of n = 4 through 200 parts of the axis, then an interval and a point at each gamma of both.
+    // The curve of n = 4 through 200 parts of the axis, then the intervals at each gamma of both, then the points, those of n = 4 last.
     let sizes: Vec<usize> = panel
         .series
         .iter()
         .map(|series| series.points.len())
         .collect();
-    assert_eq!(sizes, [&[201][..], &[2, 1].repeat(6)].concat());
+    assert_eq!(sizes, [&[201][..], &[6; 6], &[1; 6]].concat());
     // Symmetric about gamma = 2 in logarithms: the median is 2, and Phi(ln 2/dispersion) = 0.9 up to the fit, which has three
     // parts for two numbers: by symmetry it goes through all.
     let dispersion = std::f64::consts::LN_2 / 1.281_551_565_544_600_4;
@@ -245,16 +245,27 @@ fn a_fragility_has_parts_intervals_and_a_fit() {
         let expected = slipgap_statistics::normal::cumulative(libm::log(x / 2.0) / dispersion);
         assert!((y - expected).abs() < 1e-9, "{x}: {y} {expected}");
     }
-    let point = |i: usize| panel.series[1 + 2 * i + 1].points[0];
-    let interval = |i: usize| [0, 1].map(|end| panel.series[1 + 2 * i].points[end][1]);
+    let point = |i: usize| panel.series[7 + (i + 3) % 6].points[0];
+    let interval = |i: usize| &panel.series[1 + i].points;
+    let ends = |i: usize| [interval(i)[2][1], interval(i)[3][1]];
     for (i, exceeded) in [1, 5, 9].into_iter().enumerate() {
         assert_eq!(point(i)[1], exceeded as f64 / 10.0);
-        assert_eq!(interval(i), binomial::interval(exceeded, 10));
-        assert_eq!(interval(3 + i), binomial::interval(0, 9));
-        // Side by side, around their place.
-        let [a, b] = [point(i), point(3 + i)].map(|at| panel.place(at)[0]);
-        let place = panel.place([[1.0, 2.0, 4.0][i], 0.0])[0];
-        assert!((0.5 * (a + b) - place).abs() < 1e-9 && b - a > 2.0 * style::MARKER);
+        assert_eq!(ends(i), binomial::interval(exceeded, 10));
+        assert_eq!(ends(3 + i), binomial::interval(0, 9));
+        // At their place, with ends of different widths around it.
+        let gamma = [1.0, 2.0, 4.0][i];
+        for own in [i, 3 + i] {
+            assert!(
+                [point(own), interval(own)[2], interval(own)[3]]
+                    .iter()
+                    .all(|at| at[0] == gamma)
+            );
+        }
+        let place = panel.place([gamma, 0.0])[0];
+        let caps =
+            [i, 3 + i].map(|own| [0, 1].map(|end| panel.place(interval(own)[end])[0] - place));
+        assert!(caps.iter().all(|[left, right]| (left + right).abs() < 1e-9));
+        assert!(caps[1][1] > caps[0][1] + 0.4 * style::MARKER && caps[0][1] > 0.0);
     }
     assert!(panel.y.title.ends_with("> 1)"), "{}", panel.y.title);
     assert!(

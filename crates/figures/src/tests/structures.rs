@@ -183,8 +183,33 @@ fn contents(sheet: &Sheet) -> (Vec<Rect>, Vec<(String, Rect)>) {
     (boxes.collect(), words.collect())
 }
 
+/// No line runs through a part: only the elements of bars have lines inside, which end at their edges.
+fn assert_no_crossing(sheet: &Sheet) {
+    for shape in &sheet.picture.shapes {
+        let Shape::Box(rect, grey) = shape else {
+            continue;
+        };
+        // Lines that end at an edge are up to half a point inside.
+        let inner = Rect {
+            left: rect.left + 1.0,
+            top: rect.top + 1.0,
+            width: rect.width - 2.0,
+            height: rect.height - 2.0,
+        };
+        for line in &sheet.picture.shapes {
+            if let Shape::Line(points, _) = line
+                && (*grey < 255 || !points.iter().all(|point| rect.contains(*point)))
+            {
+                let crossing = slipgap_drawing::layout::clip::inside(points, &inner);
+                assert!(crossing.is_empty(), "{points:?} in {rect:?}");
+            }
+        }
+    }
+}
+
 /// Nothing overlaps and nothing is off the sheet.
 fn assert_clear(sheet: &Sheet) {
+    assert_no_crossing(sheet);
     let (boxes, words) = contents(sheet);
     for (i, a) in boxes.iter().enumerate() {
         assert!(boxes[..i].iter().all(|b| !a.overlaps(b)), "{a:?}");
@@ -312,6 +337,29 @@ fn girders_are_in_a_row_on_their_piers() {
     );
     assert!(["g1", "g2", "g3"].iter().all(|g| at(g)[1] == at("g1")[1]));
     at("ground motion");
+}
+
+/// A bearing on the ground is led around the piers that are between the girder and the ground.
+#[test]
+fn no_bearing_is_drawn_through_a_pier() {
+    let pier = |p: &str| format!(r#"{{"between": ["ground", "{p}"], {SPRING}}}"#);
+    for girder in ["g1.left", "g1.right", "g2.left", "g2.right", "g1.2"] {
+        for more in [
+            "",
+            r#""key": {"law": "impact", "k": 1, "between": ["p2", "g1.right"]},"#,
+        ] {
+            let sheet = scheme(&format!(
+                r#""masses": {{"p1|p2|p3": 1}}, "bars": {{"g1|g2": {{"L": 40, "EA": 1, "mass": 1, "n": "n"}}}},
+                  "springs": [{}, {{"between": ["p1", "g1.left"], {SPRING}}}, {{"between": ["p2", "g2.left"], "k": 1}}, {{"between": ["p1", "g1.2"], "k": 1}}],
+                  "contacts": {{"gap": {{{IMPACT}, "between": ["g1.right", "g2.left"]}}, {more}
+                    "b1": {{{FRICTION}, "between": ["ground", "{girder}"]}}, "b2": {{{FRICTION}, "between": ["p2", "g1.right"]}},
+                    "b3": {{{FRICTION}, "between": ["p3", "g2.right"]}}, "b4": {{{FRICTION}, "between": ["g2.right", "ground"]}}}}"#,
+                ["p1", "p2", "p3"].map(pier).join(", ")
+            ));
+            let named = contents(&sheet).1.into_iter().map(|(text, _)| text);
+            assert_eq!(named.filter(|text| text == "b1").count(), 1);
+        }
+    }
 }
 
 #[test]

@@ -21,8 +21,9 @@ use slipgap_study::{ColumnRef, Scale, Study};
 /// Points of a fitted curve.
 const POINTS: u32 = 200;
 
-/// Distance of the intervals of different curves at one value of x.
-const APART: f64 = 2.4 * style::MARKER;
+/// Half the width of the ends of the intervals of the first curve, and by how much those of the next one are wider: intervals at
+/// one value of x are told apart where they end.
+const CAP: [f64; 2] = [0.9 * style::MARKER, 0.5 * style::MARKER];
 
 /// What points and intervals, and what curves are.
 fn words(fit: Fit) -> [&'static str; 2] {
@@ -41,9 +42,6 @@ fn words(fit: Fit) -> [&'static str; 2] {
         ],
     }
 }
-
-/// How points of several curves are drawn.
-const BESIDE: &str = "Points at the same value are drawn side by side.";
 
 impl Draw for Fragility {
     fn sheet(&self, data: &FigureData) -> Sheet {
@@ -73,14 +71,17 @@ impl Draw for Fragility {
         let title = axis_title(self, study);
         let x_axis = limits::axis(&title, places, self.x_scale, x_range, grid.width / 40.0);
         let mut panel = Panel::new(grid.frames[0][0], grid.margin, x_axis, y_axis);
-        for (k, (ensemble, curve)) in found.iter().zip(curves).enumerate() {
+        for (k, (_, curve)) in found.iter().zip(curves).enumerate() {
             if let Ok(fit) = &curve.fit {
                 let line = line(&panel, fit, stroke(look, k));
                 panel.series.push(line);
             }
-            let shift = shift(k, found.len());
+            intervals(&mut panel, curve, stroke(look, k), k);
+        }
+        // The first ones last: triangles and squares are seen under circles.
+        for (k, (ensemble, curve)) in found.iter().zip(curves).enumerate().rev() {
             let (stroke, marker) = (stroke(look, k), Marker::of_case(k));
-            points(&mut panel, curve, shift, (stroke, marker), &ensemble.label);
+            points(&mut panel, curve, (stroke, marker), &ensemble.label);
         }
         let mut sheet = Sheet {
             width,
@@ -98,11 +99,7 @@ impl Draw for Fragility {
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         let fitted = curves.iter().take(found.len()).any(|of| of.fit.is_ok());
         let [points_are, curves_are] = words(self.fit);
-        let parts = [
-            Some(points_are),
-            fitted.then_some(curves_are),
-            (found.len() > 1).then_some(BESIDE),
-        ];
+        let parts = [Some(points_are), fitted.then_some(curves_are)];
         let parts: Vec<&str> = parts.into_iter().flatten().collect();
         layout::small_print(&mut sheet, &parts.join(" "));
         without_value(&mut sheet, study, cases, &[self.y]);
@@ -123,8 +120,7 @@ impl Draw for Fragility {
         };
         let symbol = plain(&axis_title(self, study));
         let mut points = Vec::new();
-        for (k, (ensemble, curve)) in found.iter().zip(curves(groups)).enumerate() {
-            let shift = shift(k, found.len());
+        for (ensemble, curve) in found.iter().zip(curves(groups)) {
             let label = match ensemble.label.as_str() {
                 "" => String::new(),
                 label => format!("{}: ", plain(label)),
@@ -133,8 +129,7 @@ impl Draw for Fragility {
                 let Some(part) = point.probability else {
                     continue;
                 };
-                let [x, y] = panel.place([point.at, part.value]);
-                let at = [x + shift, y];
+                let at = panel.place([point.at, part.value]);
                 let [low, high] = [part.low, part.high].map(number::short);
                 let x = number::plain_text(point.at);
                 let (exceeded, count) = (point.exceeded, point.count());
@@ -169,11 +164,6 @@ fn drawn(curve: &FragilityCurve) -> impl Iterator<Item = (f64, Probability)> {
     points.filter_map(|point| Some((point.at, point.probability?)))
 }
 
-/// How far the points of curve `k` of `count` are beside their place.
-fn shift(k: usize, count: usize) -> f64 {
-    APART * (k as f64 - 0.5 * (count as f64 - 1.0))
-}
-
 /// The fitted function over the whole axis.
 fn line(panel: &Panel, fit: &Function, stroke: Stroke) -> Series {
     let place = |i: u32| panel.x.value(f64::from(i) / f64::from(POINTS));
@@ -188,45 +178,52 @@ fn line(panel: &Panel, fit: &Function, stroke: Stroke) -> Series {
     }
 }
 
-/// Adds the points of an ensemble with their intervals, `shift` beside their place.
-fn points(
-    panel: &mut Panel,
-    curve: &FragilityCurve,
-    shift: f64,
-    (stroke, marker): (Stroke, Marker),
-    label: &str,
-) {
-    let beside = |x: f64| {
-        let moved = panel.x.fraction(x) + shift / panel.frame.width;
-        if shift == 0.0 {
-            x
-        } else {
-            panel.x.value(moved)
-        }
-    };
-    let mut new: Vec<Series> = Vec::new();
-    for (at, part) in drawn(curve) {
-        let x = beside(at);
-        let ends = [part.low, part.high];
-        new.push(Series {
+/// Adds the intervals of curve `k`, each with ends across it.
+fn intervals(panel: &mut Panel, curve: &FragilityCurve, stroke: Stroke, k: usize) {
+    let half = (CAP[0] + CAP[1] * k as f64) / panel.frame.width;
+    let interval = |(at, part): (f64, Probability)| {
+        let [left, right] = [-half, half].map(|by| panel.x.value(panel.x.fraction(at) + by));
+        let [low, high] = [part.low, part.high];
+        let points = [
+            [left, low],
+            [right, low],
+            [at, low],
+            [at, high],
+            [left, high],
+            [right, high],
+        ];
+        Series {
+            label: String::new(),
+            points: points.to_vec(),
             stroke: match stroke {
                 Stroke::Colour(_) => stroke,
                 _ => Stroke::Solid,
             },
             width: style::EXACT_LINE,
-            ..Series::rule(ends.map(|p| [x, p]))
-        });
-        // A point alone, so that no line joins it with the next.
-        new.push(Series {
-            label: label.into(),
-            points: vec![[x, part.value]],
-            stroke,
-            width: style::CASE_LINE,
-            marker: Some(marker),
-            marked: vec![0],
-        });
-    }
+            marker: None,
+            marked: Vec::new(),
+        }
+    };
+    let new: Vec<Series> = drawn(curve).map(interval).collect();
     panel.series.extend(new);
+}
+
+/// Adds the points of an ensemble, each alone, so that no line joins it with the next.
+fn points(
+    panel: &mut Panel,
+    curve: &FragilityCurve,
+    (stroke, marker): (Stroke, Marker),
+    label: &str,
+) {
+    let point = |(at, part): (f64, Probability)| Series {
+        label: label.into(),
+        points: vec![[at, part.value]],
+        stroke,
+        width: style::CASE_LINE,
+        marker: Some(marker),
+        marked: vec![0],
+    };
+    panel.series.extend(drawn(curve).map(point));
 }
 
 /// The label of an ensemble with its fit.

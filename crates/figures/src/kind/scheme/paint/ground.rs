@@ -56,10 +56,11 @@ impl Painter<'_> {
 
     /// The ground that a vertical link needs, from left to right.
     fn floor_below(&self, l: usize, upper: usize) -> Option<[f64; 2]> {
-        let slot = self.sizes.slots[l]?;
-        let x = self.rects[slot.of].left + self.sizes.offset(slot);
+        let x = self.middles[l]?;
         let rect = &self.rects[upper];
-        Some(match self.scheme.parts[upper].elements.is_some() {
+        let is_led_around = self.straight(l) != Some(x);
+        let is_bar = self.scheme.parts[upper].elements.is_some();
+        Some(match is_bar || is_led_around {
             true => [x - 18.0, x + 18.0],
             false => [rect.left - 6.0, rect.right() + 6.0],
         })

@@ -85,7 +85,7 @@ impl Painter<'_> {
     fn above(&self, l: usize, lower: Option<usize>, upper: usize) -> Option<LinkPlace> {
         let own = &self.scheme.links[l];
         let slot = self.sizes.slots[l]?;
-        let x = self.rects[slot.of].left + self.sizes.offset(slot);
+        let (at, x) = (self.straight(l)?, self.middles[l]?);
         let bottom = self.rects[upper].bottom();
         let top = lower.map_or(self.floor, |lower| self.rects[lower].top);
         // The symbol is straight below the upper part; a rod leads to a lower part that is farther left or right.
@@ -106,7 +106,17 @@ impl Painter<'_> {
         // The symbol of a long rod is at its foot.
         let end = bottom.max(top - ROWS);
         if end > bottom {
-            rods[1].push((1, vec![[x, end], [x, bottom]]));
+            let mut rod = vec![[x, end], [x, bottom]];
+            if x != at {
+                // Around the parts between.
+                rod = vec![
+                    [x, end],
+                    [x, bottom + 3.0],
+                    [at, bottom + 3.0],
+                    [at, bottom],
+                ];
+            }
+            rods[1].push((1, rod));
             // The post of an impact is at one side of the rod.
             if own.kind == LinkKind::Impact {
                 rods[1].push((1, vec![[x - symbols::GAP, end], [x + symbols::GAP, end]]));
@@ -118,7 +128,7 @@ impl Painter<'_> {
         if let Some(lower) = lower {
             attached.push((lower, 0, [foot, self.rects[lower].top]));
         }
-        attached.push((upper, 0, [x, bottom]));
+        attached.push((upper, 0, [at, bottom]));
         Some(LinkPlace {
             link: l,
             ends: [[x, top], [x, end]],

@@ -1,5 +1,6 @@
 //! Draws a scheme: its parts and symbols.
 
+pub(super) mod around;
 pub(super) mod attach;
 pub(super) mod ground;
 pub(super) mod ground_motion;
@@ -51,10 +52,12 @@ pub fn with_places<T>(scheme: &Scheme, draw: impl FnOnce(Painter<'_>, Option<&Pl
         sizes: &sizes,
         rects: Vec::new(),
         floor: 0.0,
+        middles: Vec::new(),
         joined: Vec::new(),
         picture: Picture::default(),
     };
     painter.stack(&left);
+    painter.middles = painter.vertical();
     draw(painter, placed.as_ref())
 }
 

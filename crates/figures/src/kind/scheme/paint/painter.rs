@@ -26,6 +26,8 @@ pub struct Painter<'a> {
     pub rects: Vec<Rect>,
     /// Height of the ground under the lowest row.
     pub floor: f64,
+    /// The middle of each vertical link from left to right.
+    pub middles: Vec<Option<f64>>,
     /// Where links meet nodes between laws in series: the part, and the place.
     pub joined: Vec<(usize, [f64; 2])>,
     /// What is drawn so far.
