@@ -196,23 +196,23 @@ fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, usize)]) -> Str
     }
 }
 
-/// A value in markup, with this number of significant digits.
-pub fn value(value: Value, digits: usize) -> String {
+/// A value of a parameter in markup, with this number of significant digits.
+pub fn value(parameter: &Parameter, value: Value, digits: usize) -> String {
     match value {
         Value::Number(x) => number::rounded(x, digits),
         Value::Whole(n) => n.to_string(),
-        Value::Name(name) => markup::escape(name),
+        Value::Name(name) => markup::escape(parameter.shown(name)),
     }
 }
 
 /// `symbol = value` in markup, with this number of significant digits; only the name for a choice.
 pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String {
     match value {
-        Value::Name(_) => self::value(value, digits),
+        Value::Name(_) => self::value(parameter, value, digits),
         _ => {
             let unit = parameter.shown_unit.as_ref();
-            let unit = unit.map_or(String::new(), |unit| format!(" {}", markup::escape(unit)));
-            let value = self::value(value, digits);
+            let unit = unit.map_or(String::new(), |unit| format!(" {}", markup::unit(unit)));
+            let value = self::value(parameter, value, digits);
             format!("{} = {value}{unit}", parameter.symbol)
         }
     }

@@ -76,6 +76,17 @@ pub fn capital(title: &str) -> String {
     }
 }
 
+/// A title in words as it is within a sentence.
+pub fn small(title: &str) -> String {
+    let mut letters = title.chars();
+    match letters.next() {
+        Some(first) if letters.clone().next().is_some_and(char::is_lowercase) => {
+            first.to_lowercase().chain(letters).collect()
+        }
+        _ => title.to_owned(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -106,5 +117,7 @@ mod tests {
         assert_eq!(capital("*F*/*F*_0_"), "*F*/*F*_0_");
         assert_eq!(capital("x over t"), "x over t");
         assert_eq!(in_unit("Force", "kN"), "Force, kN");
+        assert_eq!(small("Force of P1"), "force of P1");
+        assert_eq!(small("EW drift"), "EW drift");
     }
 }

@@ -46,7 +46,7 @@ impl Draw for Distribution {
         let across = |metric: &usize| {
             let values = found.iter().flat_map(|of| of.cases.iter());
             let values = values.filter_map(|shown| shown.metric(*metric));
-            let title = &study.measures[*metric].symbol;
+            let title = &study.title(*metric);
             limits::axis(title, values, self.x_scale, x_range, width / 50.0)
         };
         let axes: Vec<Axis> = self.y.iter().map(across).collect();

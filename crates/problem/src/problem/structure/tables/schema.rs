@@ -36,6 +36,8 @@ pub struct Named {
     pub choices: Option<&'static [(&'static str, &'static str)]>,
     /// The name and the unit that figures have instead of its own, if the study gives them.
     pub shown: Option<[String; 2]>,
+    /// The names of records that figures have instead of their files.
+    pub shown_values: Vec<(String, String)>,
     /// Whether the structure itself contains it. If not, other parameters or a condition do, and a block may lack it.
     pub required: bool,
 }
@@ -182,6 +184,7 @@ pub fn named(name: &str) -> Parameter {
         name: name.to_owned(),
         choices: None,
         shown: None,
+        shown_values: Vec::new(),
         required: false,
     })
 }
@@ -224,6 +227,11 @@ fn own_parameter(named: &Named) -> Parameter {
             None => "the study's units",
         }),
         shown_unit: None,
+        shown_values: named
+            .shown_values
+            .iter()
+            .map(|(file, words)| (file.clone().into(), words.clone().into()))
+            .collect(),
         kind,
         default: match named.required {
             true => Default::Required,
