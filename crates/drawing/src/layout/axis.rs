@@ -2,6 +2,8 @@
 
 pub use slipgap_notation::Scale;
 
+use crate::text::number;
+
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
@@ -13,6 +15,8 @@ pub struct Axis {
     pub scale: Scale,
     /// Ticks inside the range.
     pub ticks: Vec<Tick>,
+    /// The power of ten that the numbers of all ticks leave out.
+    pub power: i32,
     /// Whether this panel shows the numbers of the ticks.
     pub numbered: bool,
 }
@@ -27,6 +31,25 @@ pub struct Tick {
 }
 
 impl Axis {
+    /// The power of ten of the numbers, in markup; empty without one.
+    pub fn power_label(&self) -> String {
+        match self.power {
+            0 => String::new(),
+            power => format!("× 10^{power}^").replace('-', "−"),
+        }
+    }
+
+    /// The same with whole numbers at the ticks, where there is no room for the power.
+    pub fn with_power_at_each(mut self) -> Axis {
+        let has_power = std::mem::take(&mut self.power) != 0;
+        for tick in self.ticks.iter_mut().filter(|_| has_power) {
+            if !tick.label.is_empty() {
+                tick.label = number::short(tick.at);
+            }
+        }
+        self
+    }
+
     /// The value at a fraction of the range.
     pub fn value(&self, fraction: f64) -> f64 {
         let [a, b] = self.range;

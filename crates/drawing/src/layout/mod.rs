@@ -67,8 +67,12 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
         .iter()
         .flat_map(|axis| &axis.ticks)
         .map(|tick| &tick.label);
+    // A power is over the numbers, and may reach over the gaps beside them.
+    let gaps = style::TITLE_GAP + style::LABEL_GAP - 2.0;
+    let powers = y.iter().map(|axis| text::width(&axis.power_label(), style::LABEL) - gaps);
     let numbers = labels
         .map(|label| text::width(label, style::LABEL))
+        .chain(powers)
         .fold(0.0, f64::max);
     // Titles longer than their panel take several lines.
     let lines = |(i, height): (usize, &f64)| match y.get(i).or(y.last()) {
@@ -123,7 +127,10 @@ pub fn columns(sheet_width: f64, heights: &[f64], y: &[Axis]) -> Vec<Grid> {
 /// `keys` has the legend of the first panel, of the second and so on; panels without one may be left out.
 pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
     // Without captions, no space for them.
-    let bare = |panel: &Panel| panel.caption.is_empty() && panel.map.is_none();
+    let has_power = |axis: &Axis| axis.numbered && axis.power != 0;
+    let bare = |panel: &Panel| {
+        panel.caption.is_empty() && panel.map.is_none() && !has_power(&panel.y)
+    };
     if sheet.panels.iter().all(bare) {
         move_down(sheet, style::LABEL_GAP - CAPTION_LINE);
     }
@@ -135,9 +142,20 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
             entries
         }
     };
+    // Titles of colour bars in several lines.
+    let bars = sheet.panels.iter().filter_map(bar_title).map(|lines| lines.len());
+    let lines = bars.max().unwrap_or(1).saturating_sub(1);
+    move_down(sheet, lines as f64 * TITLE_LINE);
     head(sheet, heading);
-    let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + below(&p.x));
+    let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + foot(&p.x, p.frame.width));
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
+}
+
+/// The lines of the title over a colour bar, which may reach to the left over the frame.
+pub fn bar_title(panel: &Panel) -> Option<Vec<String>> {
+    let map = panel.map.as_ref()?;
+    let room = map.bar?.right() - panel.frame.left;
+    Some(text::wrap(&map.colours.title, style::TITLE, room))
 }
 
 /// Places the heading over what is on a sheet; how far all moves down for it.
@@ -161,17 +179,35 @@ pub fn head(sheet: &mut Sheet, heading: Option<&str>) -> f64 {
     moved
 }
 
-/// Height of the numbers and title of a horizontal axis below its frame.
+/// The lines of the title of a horizontal axis of this length; beside the last one is the power of its numbers.
+pub fn horizontal_title(axis: &Axis, length: f64) -> Vec<String> {
+    let power = match axis.power {
+        0 => 0.0,
+        _ => text::width(&axis.power_label(), style::LABEL) + style::TITLE_GAP,
+    };
+    // It may reach over both ends a little.
+    text::wrap(&axis.title, style::TITLE, length + 2.0 * style::EDGE - power)
+}
+
+/// Height of the numbers and title of a horizontal axis below its frame, if the title needs one line.
 pub fn below(axis: &Axis) -> f64 {
+    foot(axis, f64::INFINITY)
+}
+
+/// Height of the numbers and title of a horizontal axis of this length below its frame.
+pub fn foot(axis: &Axis, length: f64) -> f64 {
     let numbers = if axis.numbered {
         style::LABEL_GAP + style::LABEL
     } else {
         0.0
     };
-    let title = if axis.title.is_empty() {
-        0.0
-    } else {
-        style::TITLE_GAP + style::TITLE
+    let lines = match axis.numbered && axis.power != 0 {
+        true => horizontal_title(axis, length).len().max(1),
+        false => horizontal_title(axis, length).len(),
+    };
+    let title = match lines {
+        0 => 0.0,
+        lines => style::TITLE_GAP + style::TITLE + (lines - 1) as f64 * TITLE_LINE,
     };
     numbers + title
 }

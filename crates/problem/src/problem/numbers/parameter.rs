@@ -5,7 +5,7 @@ pub use slipgap_notation::{Scale, shortest};
 
 use super::text::{Table, Text, text};
 use crate::contact::number::{Number, Usual, same};
-use slipgap_notation::{in_unit, unit as set};
+use slipgap_notation::{capital, in_unit, unit as set};
 use std::fmt;
 
 /// One parameter of a problem.
@@ -112,8 +112,8 @@ impl Parameter {
     /// The title of an axis along it, in markup.
     pub fn title(&self) -> String {
         match &self.shown_unit {
-            Some(unit) => in_unit(&self.symbol, &set(unit)),
-            None => self.symbol.to_string(),
+            Some(unit) => in_unit(&capital(&self.symbol), &set(unit)),
+            None => capital(&self.symbol),
         }
     }
 
