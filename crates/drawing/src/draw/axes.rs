@@ -63,7 +63,8 @@ impl<B: DrawingBackend> Canvas<B> {
             self.text(&tick.label, size, place, Anchor::End, false)?;
         }
         if panel.y.numbered {
-            let place = [frame.left - 1.0, frame.top - style::LABEL_GAP - 1.0];
+            let gap = style::LABEL_GAP;
+            let place = [frame.left - gap, frame.top - gap - 1.0];
             self.text(&panel.y.power_label(), size, place, Anchor::End, false)?;
         }
         let middle = frame.top + frame.height / 2.0;

@@ -3,8 +3,8 @@
 use super::axes::tick_length;
 use super::canvas::{Canvas, DrawResult, at, blank, shade, unit};
 use crate::colour_map::RIM;
-use crate::layout::{TITLE_LINE, bar_title};
 use crate::layout::sheet::{Anchor, FilledMap, Panel, Rect};
+use crate::layout::{TITLE_LINE, bar_title};
 use crate::{style, text};
 use plotters::element::Rectangle;
 use plotters_backend::DrawingBackend;
@@ -36,7 +36,9 @@ impl<B: DrawingBackend> Canvas<B> {
             })?;
         }
         let title = bar_title(panel).unwrap_or_default();
-        map.bar.iter().try_for_each(|bar| self.bar(bar, map, &title))
+        map.bar
+            .iter()
+            .try_for_each(|bar| self.bar(bar, map, &title))
     }
 
     /// The cells, by shade; neighbours of one shade in a row are one rectangle.

@@ -67,9 +67,11 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
         .iter()
         .flat_map(|axis| &axis.ticks)
         .map(|tick| &tick.label);
-    // A power is over the numbers, and may reach over the gaps beside them.
-    let gaps = style::TITLE_GAP + style::LABEL_GAP - 2.0;
-    let powers = y.iter().map(|axis| text::width(&axis.power_label(), style::LABEL) - gaps);
+    // A power is over the numbers, and may reach over most of the gap beside them.
+    let gaps = style::TITLE_GAP - 2.0;
+    let powers = y
+        .iter()
+        .map(|axis| text::width(&axis.power_label(), style::LABEL) - gaps);
     let numbers = labels
         .map(|label| text::width(label, style::LABEL))
         .chain(powers)
@@ -128,9 +130,8 @@ pub fn columns(sheet_width: f64, heights: &[f64], y: &[Axis]) -> Vec<Grid> {
 pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
     // Without captions, no space for them.
     let has_power = |axis: &Axis| axis.numbered && axis.power != 0;
-    let bare = |panel: &Panel| {
-        panel.caption.is_empty() && panel.map.is_none() && !has_power(&panel.y)
-    };
+    let bare =
+        |panel: &Panel| panel.caption.is_empty() && panel.map.is_none() && !has_power(&panel.y);
     if sheet.panels.iter().all(bare) {
         move_down(sheet, style::LABEL_GAP - CAPTION_LINE);
     }
@@ -143,11 +144,18 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
         }
     };
     // Titles of colour bars in several lines.
-    let bars = sheet.panels.iter().filter_map(bar_title).map(|lines| lines.len());
+    let bars = sheet
+        .panels
+        .iter()
+        .filter_map(bar_title)
+        .map(|lines| lines.len());
     let lines = bars.max().unwrap_or(1).saturating_sub(1);
     move_down(sheet, lines as f64 * TITLE_LINE);
     head(sheet, heading);
-    let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + foot(&p.x, p.frame.width));
+    let bottoms = sheet
+        .panels
+        .iter()
+        .map(|p| p.frame.bottom() + foot(&p.x, p.frame.width));
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
 }
 
@@ -186,7 +194,11 @@ pub fn horizontal_title(axis: &Axis, length: f64) -> Vec<String> {
         _ => text::width(&axis.power_label(), style::LABEL) + style::TITLE_GAP,
     };
     // It may reach over both ends a little.
-    text::wrap(&axis.title, style::TITLE, length + 2.0 * style::EDGE - power)
+    text::wrap(
+        &axis.title,
+        style::TITLE,
+        length + 2.0 * style::EDGE - power,
+    )
 }
 
 /// Height of the numbers and title of a horizontal axis below its frame, if the title needs one line.

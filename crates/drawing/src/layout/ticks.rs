@@ -371,10 +371,7 @@ mod tests {
     #[test]
     fn the_ends_of_double_precision() {
         let wide = around("", [-1e300, 1e300].into_iter(), 5.0);
-        assert_eq!(
-            labels(&wide),
-            ["−1.0", "−0.5", "0.0", "0.5", "1.0"]
-        );
+        assert_eq!(labels(&wide), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
         assert_eq!(wide.power, 300);
         assert!((wide.fraction(0.0) - 0.5).abs() < 1e-15);
         let widest = linear("", [-f64::MAX, f64::MAX], 5.0);

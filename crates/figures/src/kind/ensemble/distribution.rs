@@ -51,7 +51,10 @@ impl Draw for Distribution {
         };
         let axes: Vec<Axis> = self.y.iter().map(across).collect();
         // Each panel has its own horizontal axis.
-        let rows: Vec<f64> = axes.iter().map(|x| height + layout::foot(x, width - style::SINGLE / 4.0)).collect();
+        let rows: Vec<f64> = axes
+            .iter()
+            .map(|x| height + layout::foot(x, width - style::SINGLE / 4.0))
+            .collect();
         let grid = layout::grid(width, 1, &rows, std::slice::from_ref(&y), 4.0);
         let mut sheet = Sheet {
             width,

@@ -111,9 +111,14 @@ impl Parameter {
 
     /// The title of an axis along it, in markup.
     pub fn title(&self) -> String {
+        let title = match self.symbol == self.name {
+            true => self.symbol.to_string(),
+            // In words.
+            false => capital(&self.symbol),
+        };
         match &self.shown_unit {
-            Some(unit) => in_unit(&capital(&self.symbol), &set(unit)),
-            None => capital(&self.symbol),
+            Some(unit) => in_unit(&title, &set(unit)),
+            None => title,
         }
     }
 

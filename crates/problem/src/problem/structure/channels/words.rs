@@ -287,3 +287,89 @@ fn key(term: Term) -> &'static str {
         Term::Reaction(_) => "base.SUPPORT",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem::structure::channels::channel::{
+        OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
+    };
+    use crate::problem::structure::channels::names::StructureNames;
+
+    fn owned(names: &[&str]) -> Vec<String> {
+        names.iter().map(|name| (*name).to_owned()).collect()
+    }
+
+    #[test]
+    fn every_channel_of_the_pages_has_words() {
+        let nodes = OF_NODES.map(|own| format!("NODE.{}", own.0));
+        let contacts = QUANTITIES.map(|own| format!("CONTACT.{}", own.0));
+        let others = [&OF_SPRINGS[..], &OF_GROUND, &OF_BASE, &OF_ENERGY].concat();
+        let others = others.into_iter().map(|own| own.0.to_owned());
+        for name in nodes.into_iter().chain(contacts).chain(others) {
+            assert!(WORDS.iter().any(|own| own.0 == name), "{name}");
+        }
+    }
+
+    #[test]
+    fn channels_are_in_words() {
+        let masses = owned(&["p1", "p2", "a.x", "a.y", "a.rz"]);
+        let names = Names::new(masses, owned(&["g1"]), Vec::new())
+            .with_supports(vec![("left".into(), [true, true, false])])
+            .with_contacts(owned(&["gap", "disc.1", "disc.2"]))
+            .with_structure(StructureNames {
+                springs: vec![("storey".into(), 0)],
+                planes: vec![("disc".into(), 1)],
+                ground: vec![Direction::X, Direction::Y],
+                directions: vec![Direction::X, Direction::Y],
+            });
+        let shown = Shown {
+            channels: Vec::new(),
+            contacts: vec![("disc".into(), "bearing A".into())],
+        };
+        let words = Words {
+            names: &names,
+            shown: &shown,
+        };
+        for (text, expected) in [
+            ("p1", "displacement of p1"),
+            ("p1.v", "velocity of p1"),
+            ("g1.right-p2", "displacement of g1.right relative to p2"),
+            ("a.x.a_abs", "absolute acceleration of a in x"),
+            (
+                "a.x - left",
+                "displacement of a in x − displacement of left",
+            ),
+            ("a.y - left.y", "displacement of a relative to left in y"),
+            ("a.rz", "rotation of a about z"),
+            ("a.rz.v", "angular velocity of a about z"),
+            ("gap.rdot", "relative velocity of gap"),
+            (
+                "gap.S + disc.S.2",
+                "contact force of gap + contact force of bearing A in direction 2",
+            ),
+            ("disc.S", "resultant contact force of bearing A"),
+            ("disc.limit", "friction limit of bearing A"),
+            ("disc.dissipated", "energy dissipated by bearing A"),
+            ("storey.S", "force of storey"),
+            ("g1.3.S", "force of element 3 of g1"),
+            ("ground.y", "ground acceleration in y"),
+            ("ground.x.u", "ground displacement in x"),
+            ("base.x", "base force in x"),
+            ("base.left.y", "force of support left in y"),
+            (
+                "energy.input - energy.kinetic",
+                "input energy − kinetic energy",
+            ),
+        ] {
+            let channel = Channel::parse(text, &names).unwrap();
+            assert_eq!(words.channel(&channel), expected, "{text}");
+        }
+        let metres = |_| Some("m".to_owned());
+        let unit = |text| words.unit(&Channel::parse(text, &names).unwrap(), metres);
+        assert_eq!(
+            [unit("a.rz"), unit("a.x")],
+            ["rad", "m"].map(|unit| Some(unit.to_owned()))
+        );
+    }
+}
