@@ -3,7 +3,6 @@
 use super::super::sources::Source;
 use super::super::{Reference, Rule, formula};
 use super::{Decoded, Decoder};
-use crate::measure::Measure;
 use crate::source::faults::{Faults, in_words, quoted};
 use crate::source::tree::{Member, Node, Tree};
 use slipgap_problem::problem::escape;
@@ -74,7 +73,7 @@ impl Decoder<'_, '_> {
                     let name = text[range.clone()].trim();
                     let mut known = self.scope.measures.iter();
                     let known = known.find(|measure| measure.name == name);
-                    (range, known.map(Measure::bare_symbol))
+                    (range, known.map(|known| known.bare_symbol()))
                 }
                 Piece::Name(range) => {
                     let own = table.iter().find(|own| own.name == text[range.clone()]);
