@@ -2,7 +2,7 @@
 
 use super::film::numbers;
 use crate::problem::Case;
-use crate::problem::numbers::parameter::Value;
+use crate::problem::numbers::parameter::{Parameter, Value};
 use crate::study::{Axis, Study};
 
 /// Most parameters that a label names.
@@ -38,7 +38,11 @@ pub fn labels(study: &Study, cases: &[&Case]) -> Vec<String> {
     let label = |case: &&Case| {
         let values = named.iter().filter_map(|row| {
             let value = case.values[*row]?;
-            Some(format!("{} = {}", table[*row].name, words(value)))
+            Some(format!(
+                "{} = {}",
+                table[*row].name,
+                words(&table[*row], value)
+            ))
         });
         let values: Vec<String> = values.collect();
         let more = match values.len() > MOST {
@@ -51,7 +55,7 @@ pub fn labels(study: &Study, cases: &[&Case]) -> Vec<String> {
 }
 
 /// A value with at most five significant digits.
-fn words(value: Value) -> String {
+fn words(parameter: &Parameter, value: Value) -> String {
     match value {
         Value::Number(x) => {
             let x = numbers::digits(x, 5);
@@ -60,6 +64,7 @@ fn words(value: Value) -> String {
                 false => format!("{x:e}"),
             }
         }
-        Value::Whole(_) | Value::Name(_) => value.to_string(),
+        Value::Whole(n) => n.to_string(),
+        Value::Name(name) => parameter.shown(name).to_owned(),
     }
 }

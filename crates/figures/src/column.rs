@@ -15,7 +15,7 @@ pub fn value(shown: &DrawnCase, column: ColumnRef) -> Option<f64> {
 pub fn title(study: &Study, column: ColumnRef) -> String {
     match column {
         ColumnRef::Parameter(row) => study.problem.parameters()[row].title(),
-        ColumnRef::Metric(row) => study.measures[row].symbol.clone(),
+        ColumnRef::Metric(row) => study.title(row),
     }
 }
 

@@ -51,15 +51,8 @@ pub fn value_labels(
     case: &Case,
 ) -> String {
     let distinguishing = rows.iter().filter(|row| !repeats_another(cases, **row));
-    let part = |row: &usize| {
-        Some(value_label(
-            &table[*row],
-            case.values[*row]?,
-            digits(cases, *row),
-        ))
-    };
-    let parts = distinguishing.filter_map(part);
-    parts.collect::<Vec<_>>().join(", ")
+    let part = |row: &usize| Some((&table[*row], case.values[*row]?, digits(cases, *row)));
+    joined(distinguishing.filter_map(part))
 }
 
 /// The parameters that do not distinguish curves over `x`: `x`, what follows from it, and what the problem works out from it
@@ -185,34 +178,52 @@ pub fn digits(cases: &[DrawnCase], row: usize) -> usize {
 
 /// The label of a case by these parameters, each with its number of digits.
 fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, usize)]) -> String {
-    let parts: Vec<_> = rows
-        .iter()
-        .filter_map(|(row, digits)| Some(value_label(&table[*row], shown.value(*row)?, *digits)))
-        .collect();
-    if parts.is_empty() {
-        "computed".into()
-    } else {
-        parts.join(", ")
+    let parts = rows.iter();
+    let parts = parts.filter_map(|(row, digits)| Some((&table[*row], shown.value(*row)?, *digits)));
+    match joined(parts) {
+        text if text.is_empty() => "computed".into(),
+        text => text,
     }
 }
 
-/// A value in markup, with this number of significant digits.
-pub fn value(value: Value, digits: usize) -> String {
+/// Values behind one another. Of a record with the event and station of the one before it, only the component.
+fn joined<'a>(values: impl Iterator<Item = (&'a Parameter, Value, usize)>) -> String {
+    let mut before = None;
+    let part = |(parameter, value, digits): (&Parameter, Value, usize)| {
+        let whole = value_label(parameter, value, digits);
+        let place = match value {
+            Value::Name(name) if parameter.shown(name) != name => whole.rsplit_once(", "),
+            _ => None,
+        };
+        let place = place.map(|(place, component)| (place.to_owned(), component.to_owned()));
+        match place {
+            Some((place, component)) if before.as_ref() == Some(&place) => component,
+            place => {
+                before = place.map(|place| place.0).or(before.take());
+                whole
+            }
+        }
+    };
+    values.map(part).collect::<Vec<_>>().join(", ")
+}
+
+/// A value of a parameter in markup, with this number of significant digits.
+pub fn value(parameter: &Parameter, value: Value, digits: usize) -> String {
     match value {
         Value::Number(x) => number::rounded(x, digits),
         Value::Whole(n) => n.to_string(),
-        Value::Name(name) => markup::escape(name),
+        Value::Name(name) => markup::escape(parameter.shown(name)),
     }
 }
 
 /// `symbol = value` in markup, with this number of significant digits; only the name for a choice.
 pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String {
     match value {
-        Value::Name(_) => self::value(value, digits),
+        Value::Name(_) => self::value(parameter, value, digits),
         _ => {
             let unit = parameter.shown_unit.as_ref();
-            let unit = unit.map_or(String::new(), |unit| format!(" {}", markup::escape(unit)));
-            let value = self::value(value, digits);
+            let unit = unit.map_or(String::new(), |unit| format!(" {}", markup::unit(unit)));
+            let value = self::value(parameter, value, digits);
             format!("{} = {value}{unit}", parameter.symbol)
         }
     }

@@ -57,7 +57,7 @@ pub use slipgap_problem::problem::numbers::parameter::Scale;
 /// tests do not change it.
 pub const READER_KEY: &str = env!("SLIPGAP_READER");
 
-use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::{Problem, capital};
 use std::sync::Arc;
 
 /// A validated study.
@@ -93,6 +93,18 @@ pub struct Study {
     pub settings: Vec<Setting>,
     /// SHA-256 of the bytes of the file and of the settings, in hexadecimal digits.
     pub sha256: String,
+}
+
+impl Study {
+    /// The title of an axis of a measure, in markup.
+    pub fn title(&self, measure: usize) -> String {
+        let symbol = &self.measures[measure].symbol;
+        match self.problem.schema().described {
+            true => capital(symbol),
+            // The papers' symbols keep their look.
+            false => symbol.clone(),
+        }
+    }
 }
 
 /// A check: every case of the filter must have the metric within the limits.

@@ -4,7 +4,7 @@ use super::units::Units;
 use crate::computed::Computed;
 use crate::reduction::Reduction;
 use slipgap_problem::problem::numbers::unit::Dimension;
-use slipgap_problem::problem::{Problem, escape};
+use slipgap_problem::problem::{Problem, escape, set_unit};
 
 /// A column of results beyond the parameters, or a reduction of one.
 #[derive(Debug, Clone)]
@@ -30,15 +30,19 @@ pub struct Measure {
 impl Measure {
     /// The symbol without its unit, for a number that has none, such as an index.
     pub fn bare_symbol(&self) -> &str {
-        let unit = format!(" ({})", escape(&self.unit));
-        self.symbol.strip_suffix(&unit).unwrap_or(&self.symbol)
+        let units = [
+            format!(", {}", set_unit(&self.unit)),
+            format!(" ({})", escape(&self.unit)),
+        ];
+        let mut bare = units.iter().filter_map(|own| self.symbol.strip_suffix(own));
+        bare.next().unwrap_or(&self.symbol)
     }
 
     /// That the metric is above a limit, in markup: `symbol > limit unit`.
     pub fn above(&self, limit: &str) -> String {
         let symbol = self.bare_symbol();
         let unit = match symbol.len() < self.symbol.len() {
-            true => format!(" {}", escape(&self.unit)),
+            true => format!(" {}", set_unit(&self.unit)),
             false => String::new(),
         };
         format!("{symbol} > {limit}{unit}")

@@ -4,7 +4,7 @@ use crate::figures::FigureData;
 use crate::figures::markup::plain;
 use crate::figures::sheet::{Panel, Sheet};
 use crate::report::decimal;
-use slipgap_problem::problem::numbers::parameter::{Value, shortest};
+use slipgap_problem::problem::numbers::parameter::{Parameter, Value, shortest};
 use slipgap_study::Study;
 
 /// Most numbers of a parameter that a caption lists.
@@ -132,25 +132,30 @@ fn cases(data: &FigureData) -> Option<String> {
     let table = data.study.problem.parameters();
     let chosen = data.figure.filter.0.iter();
     let chosen = chosen.map(|(row, values)| {
+        let parameter = &table[*row];
         let are_numbers = values.iter().all(|value| value.as_f64().is_some());
-        let values: Vec<String> = values.iter().map(written).collect();
+        let values: Vec<String> = values
+            .iter()
+            .map(|value| written(parameter, value))
+            .collect();
         let values = match &values[..] {
             [first, .., last] if are_numbers && values.len() > MOST_NUMBERS => {
                 format!("{} values from {first} to {last}", values.len())
             }
             values => list(values, "or"),
         };
-        format!("{} = {values}", plain(&table[*row].symbol))
+        format!("{} = {values}", plain(&parameter.symbol))
     });
     let chosen: Vec<String> = chosen.collect();
     (!chosen.is_empty()).then(|| format!("for {}", chosen.join(", ")))
 }
 
 /// A value with at most six digits.
-fn written(value: &Value) -> String {
+fn written(parameter: &Parameter, value: &Value) -> String {
     match value {
         Value::Number(x) => shortest(decimal::rounded(*x)),
-        Value::Whole(_) | Value::Name(_) => value.to_string(),
+        Value::Whole(n) => n.to_string(),
+        Value::Name(name) => parameter.shown(name).to_owned(),
     }
 }
 

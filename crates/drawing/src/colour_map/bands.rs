@@ -71,9 +71,10 @@ pub fn limited(colours: Axis, height: f64) -> Axis {
     let digits = number::digits([low, high].into_iter());
     let place = |x: f64| height * colours.fraction(x);
     let mut numbered = vec![place(low), place(high)];
+    let unit = libm::pow(10.0, f64::from(colours.power));
     let end = |at: f64| Tick {
         at,
-        label: number::rounded(at, digits),
+        label: number::rounded(at / unit, digits),
     };
     let mut ticks = vec![end(low)];
     for at in levels {
@@ -82,7 +83,7 @@ pub fn limited(colours: Axis, height: f64) -> Axis {
             .all(|other| (place(at) - other).abs() >= style::LABEL);
         let label = if free {
             numbered.push(place(at));
-            number::short(at)
+            number::short(at / unit)
         } else {
             String::new()
         };

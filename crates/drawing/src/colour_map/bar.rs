@@ -13,6 +13,8 @@ const BAR_WIDTH: f64 = 11.0;
 /// Width of a colour bar and its numbers right of a frame.
 pub fn room(colours: &Axis) -> f64 {
     let labels = colours.ticks.iter().map(|t| &t.label);
+    let power = colours.power_label();
+    let labels = labels.chain([&power]);
     let numbers = labels.map(|label| text::width(label, style::LABEL));
     BAR_GAP + BAR_WIDTH + style::LABEL_GAP + numbers.fold(0.0, f64::max)
 }

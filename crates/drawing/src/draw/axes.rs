@@ -2,8 +2,8 @@
 
 use super::canvas::{Canvas, DrawResult, line, unit};
 use crate::layout::sheet::{Anchor, Panel};
-use crate::layout::{TITLE_LINE, below, vertical_title};
-use crate::style;
+use crate::layout::{TITLE_LINE, foot, horizontal_title, vertical_title};
+use crate::{style, text};
 use plotters::element::{EmptyElement, PathElement};
 use plotters_backend::DrawingBackend;
 
@@ -39,15 +39,21 @@ impl<B: DrawingBackend> Canvas<B> {
                 self.text(&tick.label, size, [x, y], Anchor::Middle, false)?;
             }
         }
-        let middle = frame.left + frame.width / 2.0;
-        let y = frame.bottom() + below(&panel.x) - style::TITLE * 0.3;
-        self.text(
-            &panel.x.title,
-            style::TITLE,
-            [middle, y],
-            Anchor::Middle,
-            false,
-        )?;
+        let lines = horizontal_title(&panel.x, frame.width);
+        let y = frame.bottom() + foot(&panel.x, frame.width) - style::TITLE * 0.3;
+        let mut right = frame.right() + style::EDGE;
+        if panel.x.numbered && panel.x.power != 0 {
+            let power = panel.x.power_label();
+            self.text(&power, size, [frame.right(), y], Anchor::End, false)?;
+            right = frame.right() - text::width(&power, size) - style::TITLE_GAP;
+        }
+        for (i, line) in lines.iter().enumerate() {
+            // In the middle, or left of the power.
+            let half = text::width(line, style::TITLE) / 2.0;
+            let middle = (frame.left + frame.width / 2.0).min(right - half);
+            let y = y - (lines.len() - 1 - i) as f64 * TITLE_LINE;
+            self.text(line, style::TITLE, [middle, y], Anchor::Middle, false)?;
+        }
         for tick in panel.y.ticks.iter().filter(|_| panel.y.numbered) {
             let y = frame.bottom() - frame.height * panel.y.fraction(tick.at);
             let place = [
@@ -55,6 +61,11 @@ impl<B: DrawingBackend> Canvas<B> {
                 y + style::CAP_HEIGHT * size / 2.0,
             ];
             self.text(&tick.label, size, place, Anchor::End, false)?;
+        }
+        if panel.y.numbered {
+            let gap = style::LABEL_GAP;
+            let place = [frame.left - gap, frame.top - gap - 1.0];
+            self.text(&panel.y.power_label(), size, place, Anchor::End, false)?;
         }
         let middle = frame.top + frame.height / 2.0;
         let x = frame.left - panel.margin + style::TITLE * 0.75;

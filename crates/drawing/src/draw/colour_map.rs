@@ -4,6 +4,7 @@ use super::axes::tick_length;
 use super::canvas::{Canvas, DrawResult, at, blank, shade, unit};
 use crate::colour_map::RIM;
 use crate::layout::sheet::{Anchor, FilledMap, Panel, Rect};
+use crate::layout::{TITLE_LINE, bar_title};
 use crate::{style, text};
 use plotters::element::Rectangle;
 use plotters_backend::DrawingBackend;
@@ -34,7 +35,10 @@ impl<B: DrawingBackend> Canvas<B> {
                 height: bottom - top,
             })?;
         }
-        map.bar.iter().try_for_each(|bar| self.bar(bar, map))
+        let title = bar_title(panel).unwrap_or_default();
+        map.bar
+            .iter()
+            .try_for_each(|bar| self.bar(bar, map, &title))
     }
 
     /// The cells, by shade; neighbours of one shade in a row are one rectangle.
@@ -104,7 +108,7 @@ impl<B: DrawingBackend> Canvas<B> {
         Ok(())
     }
 
-    fn bar(&mut self, bar: &Rect, map: &FilledMap) -> DrawResult<B> {
+    fn bar(&mut self, bar: &Rect, map: &FilledMap, title: &[String]) -> DrawResult<B> {
         let colours = &map.colours;
         let (left, right) = (unit(bar.left), unit(bar.right()));
         let height = |fraction: f64| unit(bar.bottom() - bar.height * fraction.clamp(0.0, 1.0));
@@ -140,7 +144,13 @@ impl<B: DrawingBackend> Canvas<B> {
             let place = [edge + style::LABEL_GAP, y + style::CAP_HEIGHT * size / 2.0];
             self.text(&tick.label, size, place, Anchor::Start, false)?;
         }
-        let place = [bar.right(), bar.top - style::LABEL_GAP - 1.0];
-        self.text(&colours.title, style::TITLE, place, Anchor::End, false)
+        let above = bar.top - style::LABEL_GAP - 1.0;
+        let place = [bar.right() + style::LABEL_GAP, above];
+        self.text(&colours.power_label(), size, place, Anchor::Start, false)?;
+        for (i, line) in title.iter().rev().enumerate() {
+            let place = [bar.right(), above - i as f64 * TITLE_LINE];
+            self.text(line, style::TITLE, place, Anchor::End, false)?;
+        }
+        Ok(())
     }
 }

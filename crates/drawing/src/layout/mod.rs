@@ -16,15 +16,14 @@ pub mod slope;
 pub mod ticks;
 
 use crate::{style, text};
+pub use axis::{TITLE_LINE, below, foot, horizontal_title};
+
 use axis::Axis;
 use legend::Key;
 use sheet::{Anchor, Panel, PlacedText, Rect, Shape, Sheet};
 
 /// Height of the caption over each frame.
 pub const CAPTION_LINE: f64 = style::TITLE + style::LABEL_GAP;
-
-/// Distance of the lines of a title.
-pub const TITLE_LINE: f64 = style::TITLE + 3.0;
 
 /// The lines of the title of a vertical axis of this length.
 pub fn vertical_title(title: &str, length: f64) -> Vec<String> {
@@ -67,8 +66,14 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
         .iter()
         .flat_map(|axis| &axis.ticks)
         .map(|tick| &tick.label);
+    // A power is over the numbers, and may reach over most of the gap beside them.
+    let gaps = style::TITLE_GAP - 2.0;
+    let powers = y
+        .iter()
+        .map(|axis| text::width(&axis.power_label(), style::LABEL) - gaps);
     let numbers = labels
         .map(|label| text::width(label, style::LABEL))
+        .chain(powers)
         .fold(0.0, f64::max);
     // Titles longer than their panel take several lines.
     let lines = |(i, height): (usize, &f64)| match y.get(i).or(y.last()) {
@@ -123,7 +128,9 @@ pub fn columns(sheet_width: f64, heights: &[f64], y: &[Axis]) -> Vec<Grid> {
 /// `keys` has the legend of the first panel, of the second and so on; panels without one may be left out.
 pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
     // Without captions, no space for them.
-    let bare = |panel: &Panel| panel.caption.is_empty() && panel.map.is_none();
+    let has_power = |axis: &Axis| axis.numbered && axis.power != 0;
+    let bare =
+        |panel: &Panel| panel.caption.is_empty() && panel.map.is_none() && !has_power(&panel.y);
     if sheet.panels.iter().all(bare) {
         move_down(sheet, style::LABEL_GAP - CAPTION_LINE);
     }
@@ -135,9 +142,27 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
             entries
         }
     };
+    // Titles of colour bars in several lines.
+    let bars = sheet
+        .panels
+        .iter()
+        .filter_map(bar_title)
+        .map(|lines| lines.len());
+    let lines = bars.max().unwrap_or(1).saturating_sub(1);
+    move_down(sheet, lines as f64 * TITLE_LINE);
     head(sheet, heading);
-    let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + below(&p.x));
+    let bottoms = sheet
+        .panels
+        .iter()
+        .map(|p| p.frame.bottom() + foot(&p.x, p.frame.width));
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
+}
+
+/// The lines of the title over a colour bar, which may reach to the left over the frame.
+pub fn bar_title(panel: &Panel) -> Option<Vec<String>> {
+    let map = panel.map.as_ref()?;
+    let room = map.bar?.right() - panel.frame.left;
+    Some(text::wrap(&map.colours.title, style::TITLE, room))
 }
 
 /// Places the heading over what is on a sheet; how far all moves down for it.
@@ -159,21 +184,6 @@ pub fn head(sheet: &mut Sheet, heading: Option<&str>) -> f64 {
         }
     }
     moved
-}
-
-/// Height of the numbers and title of a horizontal axis below its frame.
-pub fn below(axis: &Axis) -> f64 {
-    let numbers = if axis.numbered {
-        style::LABEL_GAP + style::LABEL
-    } else {
-        0.0
-    };
-    let title = if axis.title.is_empty() {
-        0.0
-    } else {
-        style::TITLE_GAP + style::TITLE
-    };
-    numbers + title
 }
 
 /// Adds small text under a finished sheet, in as many lines as needed.

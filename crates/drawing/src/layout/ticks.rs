@@ -36,19 +36,58 @@ pub fn linear(title: &str, range: [f64; 2], most: f64) -> Axis {
 }
 
 fn stepped(title: &str, range: [f64; 2], (major, minor): (f64, f64)) -> Axis {
-    let decimals = (-floor(log10(major) + 1e-9)).max(0.0);
+    let decimals = |unit: f64| (-floor(log10(major / unit) + 1e-9)).max(0.0);
     let largest = range[0].abs().max(range[1].abs());
     // As many digits as distinguish neighbours, and two more.
     let digits = (log10(largest / major) + 2.0).clamp(10.0, 16.0) as usize;
+    let plain = decimals(1.0);
     let label = |x: f64| {
-        if decimals > 4.0 || largest >= 1e5 {
+        if plain > 4.0 || largest >= 1e5 {
             // Without the last digits, which have the rounding of the product of count and step.
             number::plain(format!("{x:.digits$e}").parse().unwrap_or(x))
         } else {
-            format!("{x:.0$}", decimals as usize).replace('-', "−")
+            fixed(x, plain)
         }
     };
-    spaced(title, range, major, minor, label)
+    let axis = spaced(title, range, major, minor, label);
+    let numbers = axis.ticks.iter().filter(|tick| !tick.label.is_empty());
+    if numbers.clone().all(|tick| !tick.label.contains("10^")) {
+        return axis;
+    }
+    // Once for all, the power of the largest number.
+    let largest = numbers.map(|tick| tick.at.abs()).fold(0.0, f64::max);
+    let exponent = floor(log10(largest) + 1e-9);
+    let unit = pow(10.0, exponent);
+    let decimals = decimals(unit);
+    if unit == 0.0 || !unit.is_finite() || decimals > MOST_DECIMALS {
+        return axis;
+    }
+    Axis {
+        power: exponent as i32,
+        ticks: axis
+            .ticks
+            .into_iter()
+            .map(|tick| Tick {
+                label: match tick.label.is_empty() {
+                    true => tick.label,
+                    false => fixed(tick.at / unit, decimals),
+                },
+                ..tick
+            })
+            .collect(),
+        ..axis
+    }
+}
+
+/// Most decimals of numbers over a power of ten.
+const MOST_DECIMALS: f64 = 4.0;
+
+/// A number with this many decimals.
+fn fixed(x: f64, decimals: f64) -> String {
+    match x {
+        0.0 if decimals == 0.0 => "0".into(),
+        x => format!("{x:.0$}", decimals as usize).replace('-', "−"),
+    }
 }
 
 /// A linear axis of exactly this range with ticks at multiples of pi; `most` labels at most.
@@ -125,11 +164,13 @@ pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
             ticks.push(Tick { at, label });
         }
     }
+    let mut power = 0;
     // Between two round numbers, steps of a linear axis; they are not evenly spaced here.
     let numbers = |ticks: &[Tick]| ticks.iter().filter(|tick| !tick.label.is_empty()).count();
     for most in [most.min(4.0), 5.0] {
         if numbers(&ticks) < 2 {
-            ticks = linear(title, range, most).ticks;
+            let even = linear(title, range, most);
+            (ticks, power) = (even.ticks, even.power);
         }
     }
     Axis {
@@ -137,6 +178,7 @@ pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
         range,
         scale: Scale::Log,
         ticks,
+        power,
         numbered: true,
     }
 }
@@ -201,6 +243,7 @@ fn spaced(
             range,
             scale: Scale::Linear,
             ticks: range.map(end).to_vec(),
+            power: 0,
             numbered: true,
         };
     }
@@ -227,6 +270,7 @@ fn spaced(
         range,
         scale: Scale::Linear,
         ticks,
+        power: 0,
         numbered: true,
     }
 }
@@ -249,10 +293,30 @@ mod tests {
             labels(&linear("", [0.0, 0.31], 4.0)),
             ["0.0", "0.1", "0.2", "0.3"]
         );
-        assert_eq!(
-            labels(&linear("", [0.0, 3e-6], 4.0)),
-            ["0", "10^−6^", "2 × 10^−6^", "3 × 10^−6^"]
-        );
+    }
+
+    #[test]
+    fn a_power_of_ten_is_once_at_the_axis() {
+        let axis = |range, most| linear("", range, most);
+        for (range, most, power, expected) in [
+            ([0.0, 3e-6], 4.0, -6, &["0", "1", "2", "3"][..]),
+            ([0.0, 1.2e6], 3.0, 6, &["0.0", "0.5", "1.0"]),
+            ([-2e5, 2e5], 4.0, 5, &["−2", "−1", "0", "1", "2"]),
+            ([0.0, 4e-5], 4.0, -5, &["0", "1", "2", "3", "4"]),
+            ([0.0, 0.02], 2.0, 0, &["0.00", "0.01", "0.02"]),
+            ([0.0, 99_000.0], 2.0, 0, &["0", "50000"]),
+        ] {
+            let axis = axis(range, most);
+            assert_eq!((axis.power, &labels(&axis)[..]), (power, expected));
+        }
+        // The numbers times the power are the values.
+        let axis = around("", [-3.21e-7, 8.9e-7].into_iter(), 6.0);
+        assert_eq!(axis.power, -7);
+        assert_eq!(axis.power_label(), "× 10^−7^");
+        for tick in axis.ticks.iter().filter(|tick| !tick.label.is_empty()) {
+            let number: f64 = tick.label.replace('−', "-").parse().unwrap();
+            assert!((number * 1e-7 - tick.at).abs() < 1e-20, "{tick:?}");
+        }
     }
 
     #[test]
@@ -307,13 +371,12 @@ mod tests {
     #[test]
     fn the_ends_of_double_precision() {
         let wide = around("", [-1e300, 1e300].into_iter(), 5.0);
-        assert_eq!(
-            labels(&wide),
-            ["−10^300^", "−5 × 10^299^", "0", "5 × 10^299^", "10^300^"]
-        );
+        assert_eq!(labels(&wide), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
+        assert_eq!(wide.power, 300);
         assert!((wide.fraction(0.0) - 0.5).abs() < 1e-15);
         let widest = linear("", [-f64::MAX, f64::MAX], 5.0);
-        assert_eq!(labels(&widest), ["−10^308^", "0", "10^308^"]);
+        assert_eq!(labels(&widest), ["−1", "0", "1"]);
+        assert_eq!(widest.power, 308);
         // 616 decades in powers of ten that are multiples of 124.
         let decades = log_range("", [1e-308, 1e308], 5.0);
         assert_eq!(

@@ -2,7 +2,7 @@
 //! mark that is meant literally. Marks do not nest; a mark without its partner is literal too, and so is a backslash before
 //! any other character.
 
-pub use slipgap_notation::escape;
+pub use slipgap_notation::{capital, escape, in_unit, small, unit};
 
 /// A piece of text set in one way.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -63,6 +63,7 @@ impl Draw for Sobol {
             range: [-0.5, design.parameters.len() as f64 - 0.5],
             scale: Scale::Linear,
             ticks: design.parameters.iter().enumerate().map(tick).collect(),
+            power: 0,
             numbered: true,
         };
         let mut sheet = Sheet {

@@ -151,7 +151,7 @@ fn the_spectrum_of_a_suddenly_constant_acceleration_is_known() {
     assert_eq!(above.y.title, "Pseudo-acceleration *S*_a_ (m/s^2^)");
     assert_eq!(
         (below.y.title.as_str(), below.x.title.as_str()),
-        ("Displacement *S*_d_ (m)", "Period *T* (s)")
+        ("Displacement *S*_d_, m", "Period *T*, s")
     );
     assert_eq!(above.y.range[0], 0.0);
     assert!(png(&sheet, style::DPI).is_ok());

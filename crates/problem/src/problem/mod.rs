@@ -21,7 +21,7 @@ pub use crate::problem::table::solution::{
     HistoryColumn, Lines, MeasuredChannel, Snapshot, Solution,
 };
 pub use parameter_expression::{NotComputed, ParameterExpression, values_used};
-pub use slipgap_notation::escape;
+pub use slipgap_notation::{capital, escape, unit as set_unit};
 
 use crate::contact::ContactLaw;
 use crate::history::History;

@@ -55,12 +55,15 @@ fn columns_are_what_the_study_names_and_not_its_parts() {
     let of = |name: &str| study.measures.iter().find(|m| m.name == name).unwrap();
     assert_eq!(
         [&*of("drift").symbol, &*of("drift").unit],
-        ["drift\\_x (rad)", "rad"]
+        ["drift\\_x, rad", "rad"]
     );
-    assert_eq!([&*of("same").symbol, &*of("same").unit], ["same (m)", "m"]);
+    assert_eq!([&*of("same").symbol, &*of("same").unit], ["same, m", "m"]);
     assert_eq!(of("late").symbol, "late");
     let ratio = of("peak(m)/h relative to k = 100, h = 2");
-    assert_eq!(ratio.symbol, "peak(m)/h relative to *k* = 100, *h* = 2");
+    assert_eq!(
+        ratio.symbol,
+        "peak displacement of m / *h* relative to *k* = 100, *h* = 2"
+    );
     let late = study.computed().filter(|(.., computed)| computed.late);
     let late: Vec<&str> = late.map(|(_, measure, _)| measure.name.as_str()).collect();
     assert_eq!(late.len(), 3, "{late:?}");
@@ -275,8 +278,8 @@ fn names_are_those_of_figures() {
         let own = table.iter().find(|own| own.name == name).unwrap();
         (own.title(), own.symbol.to_string())
     };
-    assert_eq!(titles("h"), ("height\\_1 (m)".into(), "height\\_1".into()));
-    assert_eq!(titles("k"), ("stiffness".into(), "stiffness".into()));
+    assert_eq!(titles("h"), ("height\\_1, m".into(), "height\\_1".into()));
+    assert_eq!(titles("k"), ("Stiffness".into(), "stiffness".into()));
     assert_eq!(titles("seed"), ("seed".into(), "seed".into()));
     for (names, says) in [
         (

@@ -2,7 +2,7 @@
 
 use crate::reduction;
 use crate::structure::keys::KEY as MEASURED;
-use crate::structure::named::names::SHOWN;
+use crate::structure::named::shown::SHOWN;
 
 /// The keys of a study, each with its meaning.
 pub(crate) const KEYS: [(&str, &str); 17] = [

@@ -27,7 +27,7 @@ use crate::source::place::Texts;
 use crate::source::setting;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::KEY as MEASURED;
-use crate::structure::named::names::SHOWN;
+use crate::structure::named::shown::SHOWN;
 use crate::structure::{
     self,
     recorded::{own_records, record_axis},

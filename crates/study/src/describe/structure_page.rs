@@ -5,12 +5,33 @@ use crate::structure::keys;
 use slipgap_problem::problem::structure::channels::channel::{
     OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
 };
+use slipgap_problem::problem::structure::channels::words::WORDS;
 use slipgap_problem::problem::structure::metrics::reduction::{REDUCTIONS, of_measured};
 use slipgap_problem::problem::structure::parts::contacts::NAMES;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
 
 /// Name of the page.
 pub(super) const PAGE: &str = NAME;
+
+/// The channels as figures write them.
+fn in_words() -> String {
+    let words = WORDS.map(|(channel, words)| {
+        let part = match channel {
+            "BAR.3.S" => "3 of BAR",
+            "base.SUPPORT" => "SUPPORT",
+            _ => channel.split('.').next().unwrap_or_default(),
+        };
+        words.replace("{}", part)
+    });
+    let channels = WORDS.iter().zip(&words);
+    let channels: Vec<(&str, &str)> = channels.map(|(own, words)| (own.0, &**words)).collect();
+    format!(
+        "Figures write channels in words with the unit, as in \"Displacement of g1.right relative to p2, m\". A metric has words before \
+         them: \"Peak contact force of gap12, kN\". `\"names\"` of the study gives other words, to a channel, or to a contact for all of \
+         its channels and metrics:\n\n{}",
+        list(&channels)
+    )
+}
 
 /// docs/study-files-structure.md.
 pub(super) fn reference() -> String {
@@ -118,6 +139,7 @@ pub(super) fn reference() -> String {
              none:",
             &OF_ENERGY,
         ),
+        in_words(),
         "## Metrics".into(),
         keys(
             "`metrics` lists reductions of a channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`, and measures of \

@@ -25,6 +25,7 @@ use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE, range};
 use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::structure::StructureProblem;
 use slipgap_problem::problem::structure::channels::names::Names;
+use slipgap_problem::problem::structure::channels::words::{Shown, Words};
 use slipgap_problem::problem::structure::metrics::unit_consistency;
 use slipgap_problem::problem::structure::parts::template::{DampingStiffness, Reference, Template};
 use slipgap_problem::problem::structure::tables::schema::{self, Named};
@@ -44,8 +45,12 @@ pub(super) fn problem(
     let node = root.need("structure", "masses, bars, springs and contacts", faults)?;
     let choices = crate::structure::named::names::choices(node, root_node);
     let mut parameters = crate::structure::named::names::parameters(root_node, &choices, faults);
-    crate::structure::named::names::show(root, &mut parameters, faults);
-    let first = schema::schema(&parameters, &[], &[], "");
+    let (no_names, not_shown) = (Names::default(), Shown::default());
+    let no_words = Words {
+        names: &no_names,
+        shown: &not_shown,
+    };
+    let first = schema::schema(&parameters, &[], &[], ("", no_words));
     let object = open(node, "structure", STRUCTURE, faults)?;
     let mut taken = HashSet::new();
     let mut all_of = |key: &str, what: &str, faults: &mut Faults| match object.get(key) {
@@ -88,6 +93,7 @@ pub(super) fn problem(
         used: Default::default(),
         records: Default::default(),
         removed_means: Default::default(),
+        headings: Default::default(),
     };
     let before_matrices = faults.count();
     let imported = matrices::matrices(&of_matrices, &reader, faults);
@@ -149,6 +155,8 @@ pub(super) fn problem(
     contacts.extend(faulty);
     let known = reader.names.clone().with_contacts(contacts);
     let known = known.with_structure(template.names());
+    let named = (&mut parameters[..], &known);
+    let shown = crate::structure::named::shown::shown(root, named, &reader, faults);
     let mut metrics = crate::structure::named::named_metrics::metrics(root, &known, faults);
     crate::structure::named::named_metrics::measures(&mut metrics, &template, &reader, faults);
     let mut drawn = crate::structure::named::named_metrics::drawn(root, &known, faults);
@@ -189,7 +197,18 @@ pub(super) fn problem(
     let of_measured = root.get(keys::KEY.0).zip(template.measured.as_ref());
     let of_measured = of_measured.map(|(node, own)| (node, own.delays));
     let identity = identity::identity(node, of_measured, &reader.records.borrow());
-    let schema = schema::schema(&parameters, &metrics, &drawn, &template.units);
+    let schema = schema::schema(
+        &parameters,
+        &metrics,
+        &drawn,
+        (
+            &template.units,
+            Words {
+                names: &known,
+                shown: &shown,
+            },
+        ),
+    );
     (faults.count() == before).then(|| {
         Arc::new(StructureProblem::new(
             template, schema, metrics, drawn, identity, notes,

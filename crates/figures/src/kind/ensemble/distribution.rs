@@ -46,12 +46,15 @@ impl Draw for Distribution {
         let across = |metric: &usize| {
             let values = found.iter().flat_map(|of| of.cases.iter());
             let values = values.filter_map(|shown| shown.metric(*metric));
-            let title = &study.measures[*metric].symbol;
+            let title = &study.title(*metric);
             limits::axis(title, values, self.x_scale, x_range, width / 50.0)
         };
         let axes: Vec<Axis> = self.y.iter().map(across).collect();
         // Each panel has its own horizontal axis.
-        let rows: Vec<f64> = axes.iter().map(|x| height + layout::below(x)).collect();
+        let rows: Vec<f64> = axes
+            .iter()
+            .map(|x| height + layout::foot(x, width - style::SINGLE / 4.0))
+            .collect();
         let grid = layout::grid(width, 1, &rows, std::slice::from_ref(&y), 4.0);
         let mut sheet = Sheet {
             width,

@@ -274,6 +274,6 @@ fn of_curves<'a, 'c>(
 fn axis_title(figure: &Fragility, study: &Study) -> String {
     match figure.x {
         ColumnRef::Parameter(row) => study.problem.parameters()[row].title(),
-        ColumnRef::Metric(row) => study.measures[row].symbol.clone(),
+        ColumnRef::Metric(row) => study.title(row),
     }
 }

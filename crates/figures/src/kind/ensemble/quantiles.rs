@@ -43,7 +43,7 @@ impl Draw for Quantiles {
             let all = points.flat_map(|(x, of)| of.map(|y| [*x, y]));
             let all: Vec<[f64; 2]> = all.collect();
             let values = limits::heights(all.iter(), x_range).into_iter();
-            let title = &study.measures[*metric].symbol;
+            let title = &study.title(*metric);
             limits::axis(title, values, y_scale, y_range, height / 24.0)
         };
         let axes: Vec<Axis> = self.y.iter().zip(&panels).map(up).collect();

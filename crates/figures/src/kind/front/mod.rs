@@ -53,14 +53,14 @@ impl Draw for Front {
         // Axes round the lines: the cases that are not among the best may be far away.
         let drawn = panels.iter().flatten().flat_map(|line| &line.best);
         let drawn: Vec<[f64; 2]> = drawn.map(|i| points[*i].at).collect();
-        let [x_title, y_title] = [self.x, self.y].map(|row| &study.measures[row].symbol);
+        let [x_title, y_title] = [self.x, self.y].map(|row| study.title(row));
         let values = limits::heights(drawn.iter(), x_range).into_iter();
-        let y = limits::axis(y_title, values, self.scales[1], y_range, least / 24.0);
+        let y = limits::axis(&y_title, values, self.scales[1], y_range, least / 24.0);
         let whole: Vec<f64> = rows.iter().zip(&heights).map(|(a, b)| a + b).collect();
         let axes = std::slice::from_ref(&y);
         let grid = layout::grid(width, 1, &whole, axes, legend.right());
         let values = drawn.iter().map(|at| at[0]);
-        let x = limits::axis(x_title, values, self.scales[0], x_range, grid.width / 40.0);
+        let x = limits::axis(&x_title, values, self.scales[0], x_range, grid.width / 40.0);
 
         let mut sheet = Sheet {
             width,
@@ -167,7 +167,9 @@ fn small_print(
     let among = |row: &usize| {
         let digits = label::digits(best, *row);
         let values = label::values(best, *row).into_iter().flatten();
-        let values: Vec<String> = values.map(|value| label::value(value, digits)).collect();
+        let values: Vec<String> = values
+            .map(|value| label::value(&table[*row], value, digits))
+            .collect();
         let is = match table[*row].kind {
             parameter::Kind::Choice(_) => ":",
             parameter::Kind::Number(_) | parameter::Kind::Whole { .. } => " =",

@@ -104,7 +104,7 @@ impl Draw for Map {
         };
         let colours = {
             let values = values.iter().copied().filter(|x| !x.is_nan());
-            bar::axis(&metric.symbol, values, scales[2], *z_range)
+            bar::axis(&study.title(self.z), values, scales[2], *z_range)
         };
         let outside = outside(&values, *z_range);
         let colours = match contoured {

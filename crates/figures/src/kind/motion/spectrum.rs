@@ -167,19 +167,17 @@ fn value(y: Ordinate, at: &spectrum::Ordinate) -> f64 {
 fn title(y: Ordinate, [length, time]: &[String; 2]) -> String {
     let over = |power: &str| match length.is_empty() || time.is_empty() {
         true => String::new(),
-        false => format!("{}/{}{power}", markup::escape(length), markup::escape(time)),
+        false => format!("{length}/{time}{power}"),
     };
-    match y {
-        Ordinate::Displacement => with_unit("Displacement *S*_d_", &markup::escape(length)),
-        Ordinate::PseudoVelocity => with_unit("Pseudo-velocity *S*_v_", &over("")),
-        Ordinate::PseudoAcceleration => with_unit("Pseudo-acceleration *S*_a_", &over("^2^")),
-    }
+    let (title, unit) = match y {
+        Ordinate::Displacement => ("Displacement *S*_d_", length.clone()),
+        Ordinate::PseudoVelocity => ("Pseudo-velocity *S*_v_", over("")),
+        Ordinate::PseudoAcceleration => ("Pseudo-acceleration *S*_a_", over("2")),
+    };
+    with_unit(title, &unit)
 }
 
-/// A title with a unit, both in markup.
+/// A title with a unit.
 fn with_unit(title: &str, unit: &str) -> String {
-    match unit {
-        "" => title.to_owned(),
-        unit => format!("{title} ({unit})"),
-    }
+    markup::in_unit(title, &markup::unit(unit))
 }

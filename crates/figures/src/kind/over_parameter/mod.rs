@@ -161,7 +161,7 @@ impl Curves<'_> {
                 let limits_of_all = groups.iter().flat_map(|group| limits_of(*metric, group));
                 let ends = limits_of_all.flat_map(|limits| [limits.min, limits.max]);
                 values.extend(ends.flatten());
-                let title = &study.measures[*metric].symbol;
+                let title = &study.title(*metric);
                 limits::axis(title, values.into_iter(), y_scale, y_range, height / 24.0)
             })
             .collect();

@@ -3,9 +3,9 @@
 pub use crate::contact::number::Range;
 pub use slipgap_notation::{Scale, shortest};
 
-use super::text::{Text, text};
+use super::text::{Table, Text, text};
 use crate::contact::number::{Number, Usual, same};
-use slipgap_notation::escape;
+use slipgap_notation::{capital, in_unit, unit as set};
 use std::fmt;
 
 /// One parameter of a problem.
@@ -19,6 +19,8 @@ pub struct Parameter {
     pub unit: Text,
     /// The unit that figures write behind the symbol and behind values; `None` where the symbol has the scale.
     pub shown_unit: Option<Text>,
+    /// How figures write some of its names; the others as they are.
+    pub shown_values: Table<(Text, Text)>,
     /// The values allowed.
     pub kind: Kind,
     /// Its value if the study does not give it.
@@ -91,6 +93,7 @@ impl Parameter {
             symbol: Text::Borrowed(symbol),
             unit: Text::Borrowed(unit),
             shown_unit: None,
+            shown_values: Table::Borrowed(&[]),
             kind,
             default,
             applies,
@@ -108,10 +111,23 @@ impl Parameter {
 
     /// The title of an axis along it, in markup.
     pub fn title(&self) -> String {
+        let title = match self.symbol == self.name {
+            true => self.symbol.to_string(),
+            // In words.
+            false => capital(&self.symbol),
+        };
         match &self.shown_unit {
-            Some(unit) => format!("{} ({})", self.symbol, escape(unit)),
-            None => self.symbol.to_string(),
+            Some(unit) => in_unit(&title, &set(unit)),
+            None => title,
         }
+    }
+
+    /// A name of it as figures write it, in plain text.
+    pub fn shown<'a>(&'a self, name: &'a str) -> &'a str {
+        let mut known = self.shown_values.iter();
+        known
+            .find(|known| known.0 == name)
+            .map_or(name, |known| &known.1)
     }
 
     /// Name of its column in tables.

@@ -8,6 +8,7 @@ use crate::source::tree::{Member, Node, Tree};
 use slipgap_problem::problem::escape;
 use slipgap_problem::problem::expression::ExpressionFault;
 use slipgap_problem::problem::numbers::parameter::Value;
+use slipgap_problem::problem::structure::metrics::pieces::{Piece, pieces};
 use slipgap_problem::problem::structure::tables::schema::title;
 
 /// What a ratio looks like.
@@ -50,13 +51,41 @@ impl Decoder<'_, '_> {
             .find(|row| self.scope.measures[**row].name == part.trim());
         let (unit, symbol) = match alone.map(|row| &self.scope.measures[*row]) {
             Some(measure) => (measure.unit.clone(), measure.bare_symbol().to_owned()),
-            None => ("1".to_owned(), title(part.trim())),
+            None => ("1".to_owned(), self.in_words(part.trim())),
         };
         Some(Decoded {
             rule: Rule::Formula(formula),
             unit,
             symbol,
         })
+    }
+
+    /// Arithmetic with the words of its metrics and the symbols of its parameters.
+    fn in_words(&self, text: &str) -> String {
+        if !self.scope.problem.schema().described {
+            return title(text);
+        }
+        let table = self.scope.problem.parameters();
+        let (mut words, mut end) = (String::new(), 0);
+        for piece in pieces(text) {
+            let (range, symbol) = match piece {
+                Piece::Metric(range) => {
+                    let name = text[range.clone()].trim();
+                    let mut known = self.scope.measures.iter();
+                    let known = known.find(|measure| measure.name == name);
+                    (range, known.map(|known| known.bare_symbol()))
+                }
+                Piece::Name(range) => {
+                    let own = table.iter().find(|own| own.name == text[range.clone()]);
+                    (range, own.map(|own| &*own.symbol))
+                }
+            };
+            let Some(symbol) = symbol else { continue };
+            words += &operators(&text[end..range.start]);
+            words += symbol;
+            end = range.end;
+        }
+        words + &operators(&text[end..])
     }
 
     pub(super) fn ratio(
@@ -124,4 +153,10 @@ impl Decoder<'_, '_> {
             tree: Tree::Object(all),
         })
     }
+}
+
+/// What is between the words of arithmetic.
+fn operators(text: &str) -> String {
+    let apart = text.replace('/', " / ").replace('*', " × ");
+    title(&apart.replace("  ", " "))
 }

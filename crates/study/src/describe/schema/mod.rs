@@ -10,7 +10,7 @@ pub(super) mod values;
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, units};
 use crate::figure::kinds::KINDS;
-use crate::structure::named::names::SHOWN;
+use crate::structure::named::shown::SHOWN;
 use crate::units::IN;
 use figures::{check, filter, name_of, of_kind, parameter_names};
 use parts::{block_keys, computed, listed_metrics, recommend, reduction, several};

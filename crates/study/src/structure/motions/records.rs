@@ -9,7 +9,7 @@ use crate::structure::reading::reader::Reader;
 use crate::value::{name, number};
 use slipgap_problem::problem::numbers::parameter::{Range, shortest};
 use slipgap_problem::problem::structure::given::loads::Kind;
-use slipgap_system::system::loads::record::{Mean, Reading};
+use slipgap_system::system::loads::record::{Heading, Mean, Reading};
 use slipgap_system::system::loads::{self, SignalFault, Unit};
 use slipgap_system::system::structure::Signal;
 use std::sync::Arc;
@@ -108,6 +108,15 @@ fn read(
             means.push((file.to_owned(), removed));
         }
     }
+    let heading = Heading::of(&bytes, &reading);
+    let mut headings = reader.headings.borrow_mut();
+    match headings.iter_mut().find(|known| known.0 == file) {
+        // Several components of a file.
+        Some((_, known)) if known.component != heading.component => known.component.clear(),
+        Some(_) => {}
+        None => headings.push((file.to_owned(), heading)),
+    }
+    drop(headings);
     reader.keep(file, bytes);
     Ok(signal)
 }

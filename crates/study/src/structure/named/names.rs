@@ -3,14 +3,12 @@
 use super::labels::{is_label, labels, report_texts_of_tables};
 use crate::source::faults::{Faults, quoted};
 use crate::source::hint::nearest;
-use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::keys::KEY;
 use crate::structure::reading::given::{
     Choices, Choosing, given, interned_choices, member, texts, under,
 };
 use crate::structure::reading::reader::is_name;
-use crate::value::text;
 use slipgap_problem::problem::expression::FUNCTIONS;
 use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::interned;
@@ -125,6 +123,7 @@ pub(in crate::structure) fn parameters(
             name: name.clone(),
             choices: part.or(label),
             shown: None,
+            shown_values: Vec::new(),
             required: part.is_some() || FIXED.iter().any(|fixed| fixed.0 == name),
         });
     }
@@ -134,6 +133,7 @@ pub(in crate::structure) fn parameters(
                 name: name.to_owned(),
                 choices: None,
                 shown: None,
+                shown_values: Vec::new(),
                 required: true,
             });
         }
@@ -143,51 +143,10 @@ pub(in crate::structure) fn parameters(
         name: parameter.name.to_string(),
         choices: None,
         shown: None,
+        shown_values: Vec::new(),
         required: true,
     }));
     parameters
-}
-
-/// The key of names for figures, with its meaning.
-pub(crate) const SHOWN: (&str, &str) = (
-    "names",
-    "name and, if wanted, unit of parameters of a structure in figures, as in {\"gap\": [\"width of the gap\", \"m\"]}",
-);
-
-/// Gives parameters the names and units that figures write.
-pub(in crate::structure) fn show(root: &Object, parameters: &mut [Named], faults: &mut Faults) {
-    let Some(node) = root.get(SHOWN.0) else {
-        return;
-    };
-    let known: Vec<String> = parameters.iter().map(|named| named.name.clone()).collect();
-    let known: Vec<&str> = known.iter().map(String::as_str).collect();
-    let Some(object) = Object::open(node, SHOWN.0, &known, faults) else {
-        return;
-    };
-    for own in &object.members {
-        let path = object.path(&own.key);
-        let texts = match &own.node.tree {
-            Tree::List(items) if (1..=2).contains(&items.len()) => items,
-            _ => {
-                faults.must_be(
-                    &own.node,
-                    &path,
-                    "a list of a name and a unit, as in [\"gap\", \"m\"]",
-                );
-                continue;
-            }
-        };
-        let texts = texts.iter().enumerate();
-        let texts = texts.map(|(i, item)| text(item, &format!("{path}[{i}]"), faults));
-        let Some(mut texts) = texts.collect::<Option<Vec<String>>>() else {
-            continue;
-        };
-        let unit = texts.get_mut(1).map(std::mem::take).unwrap_or_default();
-        let name = texts.swap_remove(0);
-        if let Some(named) = parameters.iter_mut().find(|named| named.name == own.key) {
-            named.shown = Some([name, unit]);
-        }
-    }
 }
 
 /// Reports the parameters that neither the structure nor another parameter, a condition or a metric contains, and that are no labels.

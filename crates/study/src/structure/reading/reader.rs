@@ -12,6 +12,7 @@ use slipgap_problem::problem::structure::channels::names::Names;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
 use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
 use slipgap_problem::problem::structure::parts::template::Moved;
+use slipgap_system::system::loads::record::Heading;
 use slipgap_system::system::structure::Direction;
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashSet};
@@ -37,6 +38,8 @@ pub(in crate::structure) struct Reader<'a> {
     pub used: RefCell<BTreeSet<usize>>,
     /// Records whose mean is removed without a key that says so, with this mean.
     pub removed_means: RefCell<Vec<(String, String)>>,
+    /// What the headers of the records name.
+    pub headings: RefCell<Vec<(String, Heading)>>,
     /// The bytes of the records and matrices, for the identity of the structure.
     pub records: RefCell<Vec<(String, Vec<u8>)>>,
 }

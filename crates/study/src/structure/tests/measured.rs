@@ -366,6 +366,6 @@ fn measurements_need_no_exact_motion_and_change_only_their_own_identity() {
     assert_eq!(own.problem.metrics()[0].unit, "m");
     assert_eq!(
         own.problem.metrics()[0].symbol,
-        "rms error of displacement deck against what was measured (m)"
+        "rms error of displacement of deck against what was measured, m"
     );
 }

@@ -11,6 +11,7 @@ use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Band, MEASURED, Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Look};
+use slipgap_drawing::text::markup;
 use slipgap_problem::problem::Quantity;
 use slipgap_study::kinds::History;
 use slipgap_study::{Scale, Study};
@@ -97,14 +98,14 @@ pub fn sheet(figure: &History, data: &FigureData) -> Sheet {
 fn title(quantities: &[&Quantity]) -> String {
     let unit = quantities
         .first()
-        .and_then(|first| first.title.rsplit_once(" ("));
-    unit.map_or("Sum".to_owned(), |(_, unit)| format!("Sum ({unit}"))
+        .and_then(|first| first.title.rsplit_once(", "));
+    markup::in_unit("Sum", unit.map_or("", |(_, unit)| unit))
 }
 
-/// The title of a quantity without its unit.
+/// The title of a quantity without its unit, within a legend.
 fn name(quantity: &Quantity) -> &str {
     let title = &*quantity.title;
-    title.rsplit_once(" (").map_or(title, |(name, _)| name)
+    title.rsplit_once(", ").map_or(title, |(name, _)| name)
 }
 
 /// The sums of the first quantities, of the first two, and so on.
@@ -120,9 +121,11 @@ fn sums(look: Look, quantities: &[&Quantity], case: &DrawnCase) -> Vec<Series> {
             *sum += x;
         }
         let points = computed.time.iter().zip(&sum);
-        let first = if k == 0 { "" } else { "+ " };
         series.push(Series {
-            label: format!("{first}{}", name(quantity)),
+            label: match k {
+                0 => name(quantity).to_owned(),
+                _ => format!("+ {}", markup::small(name(quantity))),
+            },
             points: points.map(|(t, x)| [*t, *x]).collect(),
             stroke: look.stroke(k, quantities.len().max(2)),
             width: style::CASE_LINE,

@@ -111,6 +111,12 @@ impl Names {
         planes.find(|own| own.0 == name).map(|own| own.1)
     }
 
+    /// The names of contacts, of those in a plane as a whole.
+    pub fn named_contacts(&self) -> impl Iterator<Item = &str> {
+        let planes = self.planes.iter().map(|own| own.0.as_str());
+        planes.chain(self.contacts.iter().map(String::as_str))
+    }
+
     /// The place of the spring with this name.
     pub fn spring(&self, name: &str) -> Option<usize> {
         let mut springs = self.springs.iter();

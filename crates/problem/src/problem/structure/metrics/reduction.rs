@@ -137,6 +137,19 @@ impl Reduction {
         )
     }
 
+    /// Whether a value of it has the unit of its channel.
+    pub fn is_in_unit_of_channel(self) -> bool {
+        let of_values = [
+            Reduction::Peak,
+            Reduction::Last,
+            Reduction::Min,
+            Reduction::Max,
+            Reduction::Rms,
+            Reduction::PeakError,
+        ];
+        self.is_of_difference() || of_values.contains(&self)
+    }
+
     /// Whether it compares with the run with start and loads that are 1e-10 larger.
     pub fn needs_perturbed(self) -> bool {
         matches!(

@@ -2,12 +2,11 @@
 
 use super::metric::StructureMetric;
 use super::reduction::Reduction;
-use crate::problem::numbers::unit::Dimension;
-use crate::problem::structure::channels::channel::{Channel, Quantity, Term};
+use crate::problem::structure::channels::words::Words;
 
-/// The title of a metric without its unit, such as `peak relative displacement a3 - a2`.
-pub fn title(metric: &StructureMetric) -> String {
-    let mut title = bare(metric);
+/// The title of a metric without its unit, such as `peak displacement of a3 relative to a2`.
+pub fn title(metric: &StructureMetric, words: Words) -> String {
+    let mut title = bare(metric, words);
     if metric.measured && AGAINST.contains(&metric.reduction) {
         title += " against what was measured";
     }
@@ -21,13 +20,15 @@ const AGAINST: [Reduction; 3] = [
     Reduction::PeakError,
 ];
 
-fn bare(metric: &StructureMetric) -> String {
+fn bare(metric: &StructureMetric, words: Words) -> String {
     if let (Some(first), Some(second)) = (&metric.channel, &metric.second) {
-        let [first, second] = [described(first), described(second)];
+        let [first, second] = [first, second].map(|channel| words.channel(channel));
         return format!("distance of the loop of {first} and {second} from the measured one");
     }
     match (&metric.channel, metric.ground.as_ref()) {
-        (Some(channel), _) => of_channel(metric.reduction, &described(channel), metric.threshold),
+        (Some(channel), _) => {
+            of_channel(metric.reduction, &words.channel(channel), metric.threshold)
+        }
         (None, Some(ground)) => {
             let mut title = of_ground(metric.reduction).to_owned();
             if let Some(direction) = ground.direction {
@@ -41,44 +42,7 @@ fn bare(metric: &StructureMetric) -> String {
             }
             title
         }
-        (None, None) => of_contact(metric),
-    }
-}
-
-/// A channel in words, such as `displacement of p1`.
-fn described(channel: &Channel) -> String {
-    let name = &channel.name;
-    if let Some(kind) = name.strip_prefix("energy.") {
-        return format!("{kind} energy");
-    }
-    let word = word(channel);
-    match channel.terms[..] {
-        [(_, Term::Contact(_, Quantity::Displacement | Quantity::Velocity))] => {
-            format!("relative {word} {name}")
-        }
-        [_] => format!("{word} {name}"),
-        // By the name, as a tied dof may have factors below 0.
-        _ if name.contains(" - ") => {
-            format!("relative {word} {name}")
-        }
-        _ => format!("{word} {name}"),
-    }
-}
-
-/// What a channel measures.
-fn word(channel: &Channel) -> &'static str {
-    match channel.terms.first().map(|(_, term)| *term) {
-        Some(Term::Contact(_, Quantity::Slip)) => return "slip",
-        Some(Term::Contact(_, Quantity::Limit)) => return "friction limit",
-        _ => {}
-    }
-    match channel.dimension() {
-        Dimension::Time => "time",
-        Dimension::Length => "displacement",
-        Dimension::Velocity => "velocity",
-        Dimension::Acceleration => "acceleration",
-        Dimension::Force => "force",
-        Dimension::Energy => "energy",
+        (None, None) => of_contact(metric, words),
     }
 }
 
@@ -105,7 +69,7 @@ fn of_channel(reduction: Reduction, channel: &str, threshold: f64) -> String {
             format!("impacts before divergence of {channel} by {threshold}")
         }
         Reduction::Difference => format!("difference of {channel} for a start of 1 + 1e-10"),
-        other => format!("{} of {channel}", words(other.name())),
+        other => format!("{} of {channel}", blanks(other.name())),
     }
 }
 
@@ -123,21 +87,31 @@ fn of_ground(reduction: Reduction) -> &'static str {
 }
 
 /// The title of a metric of a contact or of the whole structure.
-fn of_contact(metric: &StructureMetric) -> String {
+fn of_contact(metric: &StructureMetric, words: Words) -> String {
     let (_, rest) = metric.name.split_once('(').unwrap_or_default();
-    let contact = rest.split([',', ')']).next().unwrap_or_default().trim();
-    match (metric.reduction, contact) {
-        (other, "") => words(other.name()),
+    let text = rest.split([',', ')']).next().unwrap_or_default().trim();
+    // Named by one of its channels, it is the same contact.
+    let known = |name: &&str| {
+        words
+            .names
+            .contact(name)
+            .or(words.names.plane(name))
+            .is_some()
+    };
+    let above = text.rsplit_once('.').map(|(above, _)| above).filter(known);
+    let contact = words.contact(above.filter(|_| !known(&text)).unwrap_or(text));
+    match (metric.reduction, &*contact) {
+        (other, "") => blanks(other.name()),
         (Reduction::EnergyPerCycle, _) if metric.measured => {
             format!("relative error of the energy per cycle of {contact}")
         }
         (Reduction::Impacts, _) => format!("number of impacts of {contact}"),
-        (other, _) => format!("{} of {contact}", words(other.name())),
+        (other, _) => format!("{} of {contact}", blanks(other.name())),
     }
 }
 
 /// A name with blanks.
-fn words(name: &str) -> String {
+fn blanks(name: &str) -> String {
     name.replace('_', " ")
 }
 
@@ -145,6 +119,7 @@ fn words(name: &str) -> String {
 mod tests {
     use super::*;
     use crate::problem::structure::channels::names::Names;
+    use crate::problem::structure::channels::words::Shown;
 
     #[test]
     fn titles_say_what_is_reduced() {
@@ -152,27 +127,30 @@ mod tests {
         let names = Names::new(owned(&["a2", "a3"]), owned(&["g1"]), Vec::new())
             .with_contacts(owned(&["gap"]));
         for (text, expected) in [
-            ("max(a3-a2)", "largest relative displacement a3 - a2"),
-            ("peak(a3)", "peak displacement a3"),
-            ("min(a3.v + a2.v)", "smallest velocity a3.v + a2.v"),
-            ("peak(gap.S)", "peak force gap.S"),
-            ("rms(gap.r)", "rms relative displacement gap.r"),
-            ("last(gap.slip)", "last slip gap.slip"),
-            ("impacts(gap.S)", "number of impacts of gap.S"),
+            ("max(a3-a2)", "largest displacement of a3 relative to a2"),
+            ("peak(a3)", "peak displacement of a3"),
+            (
+                "min(a3.v + a2.v)",
+                "smallest velocity of a3 + velocity of a2",
+            ),
+            ("peak(gap.S)", "peak contact force of gap"),
+            ("rms(gap.r)", "rms relative displacement of gap"),
+            ("last(gap.slip)", "last slip of gap"),
+            ("impacts(gap.S)", "number of impacts of gap"),
             ("contact_time(gap)", "contact time of gap"),
             ("energy_error", "energy error"),
             (
                 "divergence(a3, 0.01)",
-                "time of divergence of displacement a3 by 0.01",
+                "time of divergence of displacement of a3 by 0.01",
             ),
-            ("step_error(a3)", "step error of displacement a3"),
+            ("step_error(a3)", "step error of displacement of a3"),
             (
                 "peak_error(gap.S, measured)",
-                "error of peak force gap.S against what was measured",
+                "error of peak contact force of gap against what was measured",
             ),
             (
                 "sprague_geers_phase(a3, measured)",
-                "phase error (Sprague-Geers) of displacement a3",
+                "phase error (Sprague-Geers) of displacement of a3",
             ),
             ("energy_per_cycle(gap)", "energy per cycle of gap"),
             (
@@ -181,7 +159,7 @@ mod tests {
             ),
             (
                 "loop_distance(gap.r, gap.S, measured)",
-                "distance of the loop of relative displacement gap.r and force gap.S from the measured one",
+                "distance of the loop of relative displacement of gap and contact force of gap from the measured one",
             ),
             ("ground.y.pga", "peak ground acceleration in y"),
             (
@@ -194,7 +172,12 @@ mod tests {
             ),
         ] {
             let metric = StructureMetric::parse(text, &names).unwrap();
-            assert_eq!(title(&metric), expected, "{text}");
+            let shown = Shown::default();
+            let words = Words {
+                names: &names,
+                shown: &shown,
+            };
+            assert_eq!(title(&metric, words), expected, "{text}");
         }
     }
 }

@@ -4,6 +4,7 @@ use super::metric::StructureMetric;
 use super::reduction::Reduction;
 use super::unit_consistency::size_of;
 use crate::problem::numbers::unit::Dimension;
+use crate::problem::structure::channels::words::Words;
 
 /// The units of force, length and time, as the study writes them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,24 +48,12 @@ impl UnitNames<'_> {
     }
 
     /// The unit of a metric; `None` for a number or a ratio.
-    pub fn of_metric(&self, metric: &StructureMetric) -> Option<String> {
+    pub fn of_metric(&self, metric: &StructureMetric, words: Words) -> Option<String> {
+        if metric.reduction.is_in_unit_of_channel() {
+            let of = |dimension| Some(self.of_dimension(dimension));
+            return words.unit(metric.channel.as_ref()?, of);
+        }
         match metric.reduction {
-            Reduction::Peak
-            | Reduction::Last
-            | Reduction::Min
-            | Reduction::Max
-            | Reduction::Rms
-            | Reduction::RmsError
-            | Reduction::LastError
-            | Reduction::PeakError
-            | Reduction::RegularisationError
-            | Reduction::StepError
-            | Reduction::MeshError
-            | Reduction::ReferenceError
-            | Reduction::ReductionError => {
-                let channel = metric.channel.as_ref()?;
-                Some(self.of_dimension(channel.dimension()))
-            }
             Reduction::GroundPga | Reduction::GroundSpectral => {
                 Some(self.of_dimension(Dimension::Acceleration))
             }
@@ -84,16 +73,8 @@ impl UnitNames<'_> {
                 Some(format!("{} {}", self.force, self.length))
             }
             Reduction::ResidualSlip => Some(self.length.to_owned()),
-            Reduction::SpragueGeersMagnitude
-            | Reduction::SpragueGeersPhase
-            | Reduction::SpragueGeersCombined
-            | Reduction::LoopDistance
-            | Reduction::Restitution
-            | Reduction::Impacts
-            | Reduction::ImpactsBeforeDivergence
-            | Reduction::Difference
-            | Reduction::EnergyError
-            | Reduction::NumericalDissipation => None,
+            // Numbers and ratios.
+            _ => None,
         }
     }
 }
@@ -102,12 +83,18 @@ impl UnitNames<'_> {
 mod tests {
     use super::*;
     use crate::problem::structure::channels::names::Names;
+    use crate::problem::structure::channels::words::Shown;
 
     #[test]
     fn a_metric_has_the_unit_of_its_reduction() {
         let units = UnitNames::of("t, kN, m, s").unwrap();
+        let shown = Shown::default();
         let names =
             Names::new(vec!["p".into()], Vec::new(), Vec::new()).with_contacts(vec!["stop".into()]);
+        let words = Words {
+            names: &names,
+            shown: &shown,
+        };
         for (metric, unit) in [
             ("peak(p)", Some("m")),
             ("rms(p.v)", Some("m/s")),
@@ -130,7 +117,7 @@ mod tests {
             ("ground.Tm", Some("s")),
         ] {
             let parsed = StructureMetric::parse(metric, &names).unwrap();
-            assert_eq!(units.of_metric(&parsed).as_deref(), unit, "{metric}");
+            assert_eq!(units.of_metric(&parsed, words).as_deref(), unit, "{metric}");
         }
     }
 

@@ -4,12 +4,14 @@ use crate::problem::method::PARAMETERS;
 use crate::problem::numbers::parameter::{ColumnRule, Default, Kind, Parameter, Range};
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::channels::channel::Channel;
+use crate::problem::structure::channels::words::Words;
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::metrics::reduction::Reduction;
 use crate::problem::structure::metrics::title::title as metric_title;
 use crate::problem::structure::metrics::units::UnitNames;
 use crate::problem::table::schema::{Channel as Column, Metric, NO_VALUE, Quantity, TimeAxis};
 use crate::problem::{Budget, Schema, Text, escape};
+use slipgap_notation::{capital, unit};
 use std::borrow::Cow::{self, Borrowed};
 use std::sync::Arc;
 
@@ -34,6 +36,8 @@ pub struct Named {
     pub choices: Option<&'static [(&'static str, &'static str)]>,
     /// The name and the unit that figures have instead of its own, if the study gives them.
     pub shown: Option<[String; 2]>,
+    /// The names of records that figures have instead of their files.
+    pub shown_values: Vec<(String, String)>,
     /// Whether the structure itself contains it. If not, other parameters or a condition do, and a block may lack it.
     pub required: bool,
 }
@@ -52,21 +56,27 @@ pub struct Drawn {
 }
 
 /// The schema of these parameters, metrics and quantities. Channel i is that of quantity i. `units` are those of the study, such as
-/// `t, kN, m, s`; titles have them.
+/// `t, kN, m, s`; titles have them, and the words of channels.
 pub fn schema(
     named: &[Named],
     metrics: &[StructureMetric],
     drawn: &[Drawn],
-    units: &str,
+    (units, words): (&str, Words),
 ) -> Arc<Schema> {
     let units = UnitNames::of(units);
     let of = |dimension: Dimension| units.map(|units| units.of_dimension(dimension));
     let parameters: Vec<Parameter> = named.iter().map(parameter).collect();
     let row = |name: &str| named.iter().position(|p| p.name == name).unwrap_or(0);
-    let unit_of = |metric: &StructureMetric| units.and_then(|units| units.of_metric(metric));
+    let unit_of = |metric: &StructureMetric| {
+        let given = units.and_then(|units| units.of_metric(metric, words));
+        given.or_else(|| {
+            let in_unit = metric.reduction.is_in_unit_of_channel();
+            words.unit(metric.channel.as_ref().filter(|_| in_unit)?, |_| None)
+        })
+    };
     let metric = |metric: &StructureMetric| Metric {
         name: metric.name.clone().into(),
-        symbol: in_unit(title(&metric_title(metric)), unit_of(metric)).into(),
+        symbol: in_unit(title(&metric_title(metric, words)), unit_of(metric)).into(),
         unit: unit_of(metric).map_or(Borrowed("1"), Text::Owned),
         meaning: Borrowed(metric.meaning()),
         default: true,
@@ -82,7 +92,14 @@ pub fn schema(
     };
     let quantity = |(channel, drawn): (usize, &Drawn)| Quantity {
         name: drawn.name.clone().into(),
-        title: in_unit(title(&drawn.name), of(drawn.channel.dimension())).into(),
+        title: capital(&in_unit(
+            title(&match drawn.error {
+                true => format!("error of {}", words.channel(&drawn.channel)),
+                false => words.channel(&drawn.channel),
+            }),
+            words.unit(&drawn.channel, of),
+        ))
+        .into(),
         channel,
         error: drawn.error,
     };
@@ -103,7 +120,7 @@ pub fn schema(
             .collect::<Vec<_>>()
             .into(),
         profiles: Cow::default(),
-        budgets: budgets(metrics, units.as_ref()).into(),
+        budgets: budgets(metrics, of, words).into(),
         time: TimeAxis {
             column: Borrowed("t"),
             title: in_unit("Time *t*".to_owned(), of(Dimension::Time)).into(),
@@ -118,7 +135,11 @@ pub fn schema(
 }
 
 /// A budget of each channel of which the study has the error and its parts.
-fn budgets(metrics: &[StructureMetric], units: Option<&UnitNames>) -> Vec<Budget> {
+fn budgets(
+    metrics: &[StructureMetric],
+    unit: impl Fn(Dimension) -> Option<String> + Copy,
+    words: Words,
+) -> Vec<Budget> {
     let row = |reduction: Reduction, channel: &Channel| {
         let same = |metric: &StructureMetric| {
             metric.is_exact(&[reduction]) && metric.channel.as_ref() == Some(channel)
@@ -139,8 +160,8 @@ fn budgets(metrics: &[StructureMetric], units: Option<&UnitNames>) -> Vec<Budget
         (!parts.is_empty()).then(|| Budget {
             name: channel.name.clone().into(),
             title: in_unit(
-                format!("rms error of {}", title(&channel.name)),
-                units.map(|units| units.of_dimension(channel.dimension())),
+                format!("Rms error of {}", title(&words.channel(channel))),
+                words.unit(channel, unit),
             )
             .into(),
             total,
@@ -163,6 +184,7 @@ pub fn named(name: &str) -> Parameter {
         name: name.to_owned(),
         choices: None,
         shown: None,
+        shown_values: Vec::new(),
         required: false,
     })
 }
@@ -205,6 +227,11 @@ fn own_parameter(named: &Named) -> Parameter {
             None => "the study's units",
         }),
         shown_unit: None,
+        shown_values: named
+            .shown_values
+            .iter()
+            .map(|(file, words)| (file.clone().into(), words.clone().into()))
+            .collect(),
         kind,
         default: match named.required {
             true => Default::Required,
@@ -254,12 +281,9 @@ pub fn symbol(name: &str) -> String {
     markup
 }
 
-/// A title with a unit behind it.
-pub fn in_unit(title: String, unit: Option<String>) -> String {
-    match unit {
-        Some(unit) => format!("{title} ({})", escape(&unit)),
-        None => title,
-    }
+/// A title with a unit behind it, as figures set it.
+pub fn in_unit(title: String, shown: Option<String>) -> String {
+    slipgap_notation::in_unit(&title, &unit(&shown.unwrap_or_default()))
 }
 
 /// A metric or channel as an axis title.

@@ -1,6 +1,7 @@
 //! PEER AT2: a header of four lines, the last with NPTS and DT, then the accelerations in rows.
 
 use super::fault::{LineFault, RecordCause, fault};
+use super::heading::{self, Heading, spaced};
 use super::number::{all, number};
 use super::{Format, Reading, Record, columns};
 use crate::system::loads::Unit;
@@ -13,6 +14,7 @@ pub(super) const FORMAT: Format = Format {
         None => Err("no line of the first 20 names NPTS and DT"),
     },
     read,
+    heading,
     components: false,
 };
 
@@ -116,4 +118,36 @@ fn unit(title: &str) -> Option<Unit> {
     let after = after.trim_start_matches([':', '=', ' ']);
     let after = after.strip_prefix("OF ").unwrap_or(after);
     Unit::spelled(after.split_whitespace().next()?)
+}
+
+/// What a title such as `Nowhere-01, 1/1/2000, Hand Written, 90` names.
+fn heading(lines: &[&str], _: &Reading) -> Heading {
+    let titles = &lines[..header(lines).unwrap_or_default()];
+    let title = titles.iter().find(|title| title.matches(',').count() > 1);
+    let fields = title.into_iter().flat_map(|title| title.split(','));
+    let fields = fields.map(|field| {
+        let field = field.split('(').next().unwrap_or_default();
+        let words = field.split_whitespace().filter(|word| !is_time(word));
+        spaced(&words.collect::<Vec<_>>().join(" "))
+    });
+    let fields: Vec<String> = fields.filter(|field| !field.is_empty()).collect();
+    let (event, station, component) = match &fields[..] {
+        [] => return Heading::default(),
+        [event] => (event, String::new(), ""),
+        [event, station] => (event, station.clone(), ""),
+        [event, station @ .., component] => (event, station.join(", "), &**component),
+    };
+    Heading {
+        event: event.clone(),
+        station,
+        component: heading::component(component),
+    }
+}
+
+/// Whether a word is a date or an hour, such as `1/17/94` or `12:31`.
+fn is_time(word: &str) -> bool {
+    word.contains(['/', ':'])
+        && word
+            .chars()
+            .all(|c| c.is_ascii_digit() || "/:.".contains(c))
 }

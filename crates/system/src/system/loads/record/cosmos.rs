@@ -2,6 +2,7 @@
 //! says how many values of which quantity follow. A file in V2 may have velocities and displacements behind the accelerations.
 
 use super::fault::{LineFault, RecordCause, fault};
+use super::heading::{self, Heading, spaced};
 use super::number::{first, number, table};
 use super::{Format, Reading, Record, component, end};
 use crate::system::loads::Unit;
@@ -14,6 +15,7 @@ pub(super) const FORMAT: Format = Format {
         false => Err("line 1 has no \"(Format v\" with a number of text lines"),
     },
     read,
+    heading,
     components: true,
 };
 
@@ -28,10 +30,7 @@ fn is_start(line: &&str) -> bool {
 
 /// The record of a channel, in the unit that the file names.
 fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
-    let starts = lines.iter().enumerate().filter(|(_, line)| is_start(line));
-    // Channels of velocities and displacements in files of their own kind are no components.
-    let starts = starts.filter(|(_, line)| line.to_ascii_lowercase().contains("acceleration"));
-    let starts: Vec<usize> = starts.map(|(index, _)| index).collect();
+    let starts = starts(lines);
     if starts.is_empty() {
         return Err(fault(0, RecordCause::Quantity("velocity or displacement")));
     }
@@ -51,6 +50,33 @@ fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
     let source = format!("the number of points of line {}", data + 1);
     let values = first(lines, data + 1, values as f64, &source)?;
     Ok(Record::even(values, step / 1000.0, unit(lines[data])))
+}
+
+/// The lines with which channels of accelerations begin; those of velocities and displacements are no components.
+fn starts(lines: &[&str]) -> Vec<usize> {
+    let starts = lines.iter().enumerate().filter(|(_, line)| is_start(line));
+    let starts = starts.filter(|(_, line)| line.to_ascii_lowercase().contains("acceleration"));
+    starts.map(|(index, _)| index).collect()
+}
+
+/// The event in the first columns of the second line, the code of the station and the direction of the channel.
+fn heading(lines: &[&str], reading: &Reading) -> Heading {
+    let place = reading.component.unwrap_or(1).saturating_sub(1);
+    let start = starts(lines).get(place).copied().unwrap_or_default();
+    let event = lines.get(start + 1).copied().unwrap_or_default();
+    let mut header = lines.iter().skip(start).take(20);
+    let code = header.find_map(|line| line.split_once("Code:"));
+    let code = code.and_then(|(_, rest)| rest.split_whitespace().next());
+    let channel = name(lines, start);
+    let direction = channel
+        .split_once(':')
+        .map_or("", |(_, direction)| direction);
+    Heading {
+        // The date is behind several blanks.
+        event: spaced(event.trim().split("  ").next().unwrap_or_default()),
+        station: code.unwrap_or_default().to_owned(),
+        component: heading::component(direction),
+    }
 }
 
 /// The station and channel as the header names them.

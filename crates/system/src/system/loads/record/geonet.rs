@@ -2,6 +2,7 @@
 //! the accelerations in fields of eight characters. V2A has velocities and displacements behind them.
 
 use super::fault::{LineFault, RecordCause, fault};
+use super::heading::{self, Heading, spaced};
 use super::number::{first, table};
 use super::{Format, Reading, Record, component};
 use crate::system::loads::Unit;
@@ -16,6 +17,7 @@ pub(super) const FORMAT: Format = Format {
         ),
     },
     read,
+    heading,
     components: true,
 };
 
@@ -33,13 +35,8 @@ fn is_start(line: &&str) -> bool {
 
 /// The record of a component in mm/s2.
 fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
-    let starts = lines.iter().enumerate().filter(|(_, line)| is_start(line));
-    let starts: Vec<usize> = starts.map(|(index, _)| index).collect();
-    let name = |start: &usize| {
-        let mut header = lines.iter().skip(*start).take(HEADER[0]);
-        let named = header.find_map(|line| line.trim().strip_prefix("Component"));
-        named.unwrap_or_default().trim().to_owned()
-    };
+    let starts = starts(lines);
+    let name = |start: &usize| behind(lines, *start, "Component").trim().to_owned();
     let names: Vec<String> = starts.iter().map(name).collect();
     let start = starts[component(&names, reading.component)?];
     let [text, whole, numbers] = HEADER;
@@ -60,4 +57,55 @@ fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
     let source = format!("field 4 of line {}", start + text + PLACES[0][0] + 1);
     let values = first(lines, start + text + whole + numbers, count, &source)?;
     Ok(Record::even(values, dt, Some(Unit::MillimetrePerSecond2)))
+}
+
+/// The lines with which components begin.
+fn starts(lines: &[&str]) -> Vec<usize> {
+    let starts = lines.iter().enumerate().filter(|(_, line)| is_start(line));
+    starts.map(|(index, _)| index).collect()
+}
+
+/// What is behind a label in the header of a component.
+fn behind<'a>(lines: &[&'a str], start: usize, label: &str) -> &'a str {
+    let mut header = lines.iter().skip(start).take(HEADER[0]);
+    let named = header.find_map(|line| line.trim().strip_prefix(label));
+    named.unwrap_or_default()
+}
+
+/// The date of the event, the code of the station and the component.
+fn heading(lines: &[&str], reading: &Reading) -> Heading {
+    let starts = starts(lines);
+    let place = reading.component.unwrap_or(1).saturating_sub(1);
+    let start = starts.get(place).copied().unwrap_or_default();
+    let first = |label| behind(lines, start, label).split_whitespace().next();
+    let mut header = lines.iter().skip(start).take(HEADER[0]);
+    Heading {
+        event: header.find_map(|line| date(line)).unwrap_or_default(),
+        station: spaced(first("Site").unwrap_or_default()),
+        component: heading::component(first("Component").unwrap_or_default()),
+    }
+}
+
+/// The date of a line such as `2016 November 13         11:02:56 UT`.
+fn date(line: &str) -> Option<String> {
+    const MONTHS: [&str; 12] = [
+        "January",
+        "February",
+        "March",
+        "April",
+        "May",
+        "June",
+        "July",
+        "August",
+        "September",
+        "October",
+        "November",
+        "December",
+    ];
+    let mut words = line.split_whitespace();
+    let year: u16 = words.next()?.parse().ok()?;
+    let month = words.next()?;
+    let month = MONTHS.iter().position(|own| *own == month)? + 1;
+    let day: u8 = words.next()?.parse().ok()?;
+    Some(format!("{year}-{month:02}-{day:02}"))
 }

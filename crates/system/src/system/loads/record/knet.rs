@@ -1,6 +1,7 @@
 //! K-NET and KiK-net ASCII: a header of 17 lines, the last one `Memo.`, then counts of the digitiser in rows.
 
 use super::fault::{LineFault, RecordCause, Shown, fault};
+use super::heading::Heading;
 use super::number::{all, number};
 use super::{Format, Mean, Reading, Record, end, mean as means};
 use crate::system::loads::Unit;
@@ -13,6 +14,15 @@ pub(super) const FORMAT: Format = Format {
         None => Err("no line of the first 17 begins with \"Scale Factor\""),
     },
     read: |lines, reading: &Reading| parse(lines, reading.mean.unwrap_or(Mean::Removed)),
+    heading: |lines, _| {
+        let behind = |label| header(lines, label).map_or("", |(_, rest)| rest);
+        let date = behind("Origin Time").split(' ').next();
+        Heading {
+            event: date.unwrap_or_default().replace('/', "-"),
+            station: behind("Station Code").to_owned(),
+            component: behind("Dir.").to_owned(),
+        }
+    },
     components: false,
 };
 

@@ -8,12 +8,14 @@ mod cosmos;
 mod fault;
 pub(in crate::system) mod fields;
 mod geonet;
+mod heading;
 mod knet;
 mod mean;
 pub(in crate::system) mod number;
 mod smc;
 
 pub use fault::{RecordCause, RecordFault, Shown};
+pub use heading::Heading;
 pub use mean::Mean;
 
 use super::Unit;
@@ -52,6 +54,8 @@ struct Format {
     /// Whether a file is in this format; else why not.
     find: fn(&[&str]) -> Result<(), &'static str>,
     read: fn(&[&str], &Reading) -> Result<Record, LineFault>,
+    /// What the header names.
+    heading: fn(&[&str], &Reading) -> Heading,
     /// Whether a file may have several components.
     components: bool,
 }

@@ -2,6 +2,7 @@
 //! with `|`, then the accelerations in fields of ten characters.
 
 use super::fault::{LineFault, RecordCause, fault};
+use super::heading::{self, Heading, spaced};
 use super::number::{all, table};
 use super::{Format, Record, end};
 use crate::system::loads::Unit;
@@ -16,6 +17,7 @@ pub(super) const FORMAT: Format = Format {
         }
     },
     read: |lines, _| read(lines),
+    heading: |lines, _| heading(lines),
     components: false,
 };
 
@@ -68,4 +70,21 @@ fn read(lines: &[&str]) -> Result<Record, LineFault> {
     let values = all(lines, data.min(end(lines)), count, &source)?;
     let dt = 1.0 / rate;
     Ok(Record::even(values, dt, Some(Unit::CentimetrePerSecond2)))
+}
+
+/// What lines 4 and 6 name, such as `1989  10  18    0004 Loma Prieta, CA` and `station = Shafter  component=    270`.
+fn heading(lines: &[&str]) -> Heading {
+    let event = lines.get(3).copied().unwrap_or_default();
+    let event = event.trim_start_matches(|c: char| c.is_ascii_digit() || c == ' ');
+    let line = lines.get(5).copied().unwrap_or_default();
+    let line = line.trim().strip_prefix("station").unwrap_or_default();
+    let (station, component) = line.split_once("component=").unwrap_or((line, ""));
+    let station = spaced(station.trim_start_matches([' ', '=']));
+    // The field is short and may end with the first letter of a word.
+    let whole = station.rsplit_once(", ").filter(|(_, last)| last.len() < 2);
+    Heading {
+        event: spaced(event.split(',').next().unwrap_or_default()),
+        station: whole.map_or(&*station, |(whole, _)| whole).to_owned(),
+        component: heading::component(component),
+    }
 }

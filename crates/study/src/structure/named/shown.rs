@@ -1,0 +1,196 @@
+//! The key `names`: what figures write instead of parameters, contacts, channels and records.
+
+use crate::source::faults::Faults;
+use crate::source::object::Object;
+use crate::source::tree::Tree;
+use crate::structure::reading::reader::Reader;
+use crate::value::text;
+use slipgap_problem::problem::structure::channels::channel::Channel;
+use slipgap_problem::problem::structure::channels::names::Names;
+use slipgap_problem::problem::structure::channels::words::Shown;
+use slipgap_problem::problem::structure::tables::schema::Named;
+use std::path::Path;
+
+/// The key of names for figures, with its meaning.
+pub(crate) const SHOWN: (&str, &str) = (
+    "names",
+    "names in figures, of a structure: of a parameter or channel with its unit, if wanted, as in {\"gap\": [\"width of the gap\", \"m\"], \"g1.right - p2\": [\"seat displacement\"]}; of a contact, for all its channels and metrics; of a record by its file, which without one has event, station and component of its header",
+);
+
+/// What names are of.
+enum Of {
+    Parameter(usize),
+    Contact,
+    Channel(Channel),
+    /// The file of a record.
+    Record(String),
+}
+
+/// Reads the names that figures write.
+pub(in crate::structure) fn shown(
+    root: &Object,
+    (parameters, names): (&mut [Named], &Names),
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Shown {
+    let mut shown = Shown::default();
+    let records = reader
+        .headings
+        .borrow()
+        .iter()
+        .map(|(file, heading)| (file.clone(), heading.words()))
+        .collect::<Vec<_>>();
+    let mut records = record_names(&records);
+    if let Some(node) = root.get(SHOWN.0) {
+        let mut known: Vec<String> = parameters.iter().map(|own| own.name.clone()).collect();
+        known.extend(names.named_contacts().map(str::to_owned));
+        known.extend(records.iter().map(|own| own.0.clone()));
+        known.extend(names.channels());
+        // Channels of all nodes, and sums, are too many for a list.
+        if let Tree::Object(members) = &node.tree {
+            let keys = members.iter().map(|member| &member.key);
+            known.extend(
+                keys.filter(|key| of(key, (parameters, names), &records).is_some())
+                    .cloned(),
+            );
+        }
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        let object = Object::open(node, SHOWN.0, &known, faults);
+        for own in object.iter().flat_map(|object| &object.members) {
+            let path = format!("{}.{}", SHOWN.0, own.key);
+            let Some(of) = of(&own.key, (parameters, names), &records) else {
+                continue;
+            };
+            let texts = match &own.node.tree {
+                Tree::List(items) if (1..=of.most_texts()).contains(&items.len()) => items,
+                _ => {
+                    faults.must_be(&own.node, &path, of.form());
+                    continue;
+                }
+            };
+            let texts = texts.iter().enumerate();
+            let texts = texts.map(|(i, item)| text(item, &format!("{path}[{i}]"), faults));
+            let Some(mut texts) = texts.collect::<Option<Vec<String>>>() else {
+                continue;
+            };
+            let unit = texts.get_mut(1).map(std::mem::take).unwrap_or_default();
+            let name = texts.swap_remove(0);
+            match of {
+                Of::Parameter(row) => parameters[row].shown = Some([name, unit]),
+                Of::Contact => shown.contacts.push((own.key.clone(), name)),
+                Of::Channel(channel) => shown.channels.push((channel, [name, unit])),
+                Of::Record(file) => {
+                    let known = records.iter_mut().find(|known| known.0 == file);
+                    known
+                        .into_iter()
+                        .for_each(|known| known.1.clone_from(&name));
+                }
+            }
+        }
+    }
+    for named in parameters {
+        let choices = named.choices.unwrap_or_default().iter();
+        let files = choices.filter_map(|choice| records.iter().find(|own| own.0 == choice.0));
+        named.shown_values = files.cloned().collect();
+    }
+    shown
+}
+
+impl Of {
+    /// Most texts of its name: only what is a number has a unit.
+    fn most_texts(&self) -> usize {
+        match self {
+            Of::Parameter(_) | Of::Channel(_) => 2,
+            Of::Contact | Of::Record(_) => 1,
+        }
+    }
+
+    fn form(&self) -> &'static str {
+        match self {
+            Of::Parameter(_) | Of::Channel(_) => {
+                "a list of a name and a unit, as in [\"gap\", \"m\"]"
+            }
+            Of::Contact | Of::Record(_) => "a list of a name, as in [\"gap at the pier\"]",
+        }
+    }
+}
+
+/// What a key names: a parameter before a part of the structure with the same name.
+fn of(
+    key: &str,
+    (parameters, names): (&[Named], &Names),
+    records: &[(String, String)],
+) -> Option<Of> {
+    if let Some(row) = parameters.iter().position(|own| own.name == *key) {
+        return Some(Of::Parameter(row));
+    }
+    if names.named_contacts().any(|own| own == key) {
+        return Some(Of::Contact);
+    }
+    let mut files = records
+        .iter()
+        .map(|own| &own.0)
+        .filter(|file| *file == key || name(file) == key);
+    match (files.next(), files.next()) {
+        (Some(file), None) => Some(Of::Record(file.clone())),
+        _ => Channel::parse(key, names).ok().map(Of::Channel),
+    }
+}
+
+/// The name of a file without its folders.
+fn name(file: &str) -> &str {
+    file.rsplit(['/', '\\']).next().unwrap_or(file)
+}
+
+/// The name of a file without folders and ending.
+fn stem(file: &str) -> String {
+    let stem = Path::new(name(file)).file_stem();
+    stem.map_or_else(
+        || file.to_owned(),
+        |stem| stem.to_string_lossy().into_owned(),
+    )
+}
+
+/// The records by what their headers name, each once; by the stem of its file one without a heading, and behind it one whose
+/// heading another has.
+fn record_names(headings: &[(String, String)]) -> Vec<(String, String)> {
+    let name = |(file, words): &(String, String)| {
+        let shared = headings
+            .iter()
+            .any(|other| other.0 != *file && other.1 == *words);
+        let words = match (words.is_empty(), shared) {
+            (true, _) => stem(file),
+            (false, true) => format!("{words} ({})", stem(file)),
+            (false, false) => words.clone(),
+        };
+        (file.clone(), words)
+    };
+    headings.iter().map(name).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_record_is_named_by_its_heading_or_its_file() {
+        let owned = |(file, words): (&str, &str)| (file.to_owned(), words.to_owned());
+        let headings = [
+            ("a/one.AT2", "Event, Hill, 90°"),
+            ("b/two.AT2", "Event, Hill, 0°"),
+            ("b/three.AT2", "Event, Hill, 0°"),
+            ("b/table.1.csv", ""),
+        ];
+        let names = record_names(&headings.map(owned));
+        let names: Vec<&str> = names.iter().map(|own| own.1.as_str()).collect();
+        assert_eq!(
+            names,
+            [
+                "Event, Hill, 90°",
+                "Event, Hill, 0° (two)",
+                "Event, Hill, 0° (three)",
+                "table.1"
+            ]
+        );
+    }
+}
