@@ -29,6 +29,16 @@ impl Key {
         }
     }
 
+    /// The key of thin lines other than curves, such as the ends of the bars.
+    pub fn thin(label: &str) -> Key {
+        Key {
+            label: label.into(),
+            stroke: Stroke::Solid,
+            width: style::ZERO_LINE,
+            marker: None,
+        }
+    }
+
     /// Length of the piece of line with its label.
     pub fn length(&self) -> f64 {
         style::SAMPLE + style::SAMPLE_GAP + text::width(&self.label, style::LABEL)

@@ -3,8 +3,8 @@
 pub mod axis;
 pub mod clip;
 pub mod cloud;
+pub mod coincide;
 pub mod envelope;
-pub mod guides;
 pub mod inset;
 pub mod legend;
 pub mod limits;
@@ -138,6 +138,7 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
     head(sheet, heading);
     let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + below(&p.x));
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
+    coincide::find(sheet);
 }
 
 /// Places the heading over what is on a sheet; how far all moves down for it.
