@@ -2,7 +2,7 @@
 
 use crate::{pdf, png, sheet, svg, with_hover};
 use slipgap_drawing::layout::sheet::{Series, Sheet};
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style::{self, Stroke};
 use slipgap_drawing::text::markup::plain;
 use slipgap_problem::problem::Case;
 use slipgap_statistics::binomial;

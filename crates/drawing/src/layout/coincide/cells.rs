@@ -7,6 +7,15 @@ use crate::style;
 /// Side of the cells that a line covers with their neighbours: half a line, so that a point in one is within a line of it.
 const CELL: f64 = 0.5 * style::CASE_LINE;
 
+/// Length of a dense curve, each place once, over the width and height of its frame: it crosses the frame several times.
+const DENSE: f64 = 3.0;
+
+/// Half the side of the square that an oscillation fills, in cells: 3 lines.
+const HALF: usize = 6;
+
+/// Least number of cells of an oscillation in that square of 169: a line has 13 to 19, and at a corner or crossing twice as many.
+const FULL: usize = 50;
+
 /// Least part of a curve under the line of another that hides it.
 const HIDDEN: f64 = 0.9;
 
@@ -16,7 +25,7 @@ pub fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 /// The visible steps of a curve from point to point.
-pub fn steps(panel: &Panel, series: &Series) -> Vec<[[f64; 2]; 2]> {
+fn steps(panel: &Panel, series: &Series) -> Vec<[[f64; 2]; 2]> {
     let places: Vec<[f64; 2]> = series.points.iter().map(|p| panel.place(*p)).collect();
     let pairs = places.windows(2);
     pairs
@@ -70,6 +79,49 @@ impl Cells {
         }
         let length = cells.iter().map(|(_, length)| length).sum();
         Path { cells, length }
+    }
+
+    /// The length of a dense curve, each place once; `None` if it is not dense.
+    pub fn dense(&self, path: &Path) -> Option<f64> {
+        let least = DENSE * (self.columns + self.rows) as f64 * CELL;
+        if path.length <= least {
+            return None;
+        }
+        let own = self.visited(path).into_iter().filter(|own| *own);
+        let extent = own.count() as f64 * CELL;
+        (extent > least).then_some(extent)
+    }
+
+    fn visited(&self, path: &Path) -> Vec<bool> {
+        let mut visited = vec![false; self.columns * self.rows];
+        path.cells
+            .iter()
+            .for_each(|(cell, _)| visited[*cell] = true);
+        visited
+    }
+
+    /// Of the cells that a path covers those round which it does not fill a square.
+    pub fn thin(&self, path: &Path, covered: &[bool]) -> Vec<bool> {
+        // Sums of the visited cells over and left of a corner.
+        let (visited, width) = (self.visited(path), self.columns + 1);
+        let mut sums = vec![0_usize; width * (self.rows + 1)];
+        for row in 0..self.rows {
+            for column in 0..self.columns {
+                let at = row * width + column;
+                let own = usize::from(visited[row * self.columns + column]);
+                sums[at + width + 1] = sums[at + width] + sums[at + 1] + own - sums[at];
+            }
+        }
+        let is_full = |cell: usize| {
+            let (row, column) = (cell / self.columns, cell % self.columns);
+            let [top, left] = [row, column].map(|k| k.saturating_sub(HALF));
+            let bottom = (row + HALF + 1).min(self.rows);
+            let right = (column + HALF + 1).min(self.columns);
+            let sum = |row: usize, column: usize| sums[row * width + column];
+            sum(bottom, right) + sum(top, left) - sum(top, right) - sum(bottom, left) >= FULL
+        };
+        let cells = covered.iter().enumerate();
+        cells.map(|(cell, own)| *own && !is_full(cell)).collect()
     }
 
     /// The cells of a path and their neighbours.

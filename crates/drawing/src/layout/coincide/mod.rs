@@ -8,7 +8,7 @@ use crate::layout;
 use crate::layout::clip::{self, Line};
 use crate::layout::sheet::{Panel, Series, Sheet};
 use crate::style::{Marker, Stroke};
-use cells::{Cells, Path, distance, steps};
+use cells::{Cells, Path, distance};
 
 /// Length of a dash of curves that coincide.
 const DASH: f64 = 6.0;
@@ -18,9 +18,6 @@ const LEAST: f64 = 30.0;
 
 /// Distance of the markers of black curves that coincide.
 const APART: f64 = 60.0;
-
-/// Length of a dense curve over the width and height of its frame: it crosses the frame several times.
-const DENSE: f64 = 3.0;
 
 /// What alternating dashes mean.
 pub const MEANING: &str = "Alternating dashes: curves that coincide.";
@@ -72,14 +69,11 @@ pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
 /// The curves of a panel in the order in which they are drawn: the longest of the dense ones first, because other lines are seen on
 /// them, but they hide others.
 pub fn order(panel: &Panel) -> Vec<usize> {
-    let length = |series: &Series| {
-        let steps = steps(panel, series).into_iter();
-        let length: f64 = steps.map(|[a, b]| distance(a, b)).sum();
-        if is_dense(panel, length) { length } else { 0.0 }
-    };
-    let lengths: Vec<f64> = panel.series.iter().map(length).collect();
-    let mut order: Vec<usize> = (0..lengths.len()).collect();
-    order.sort_by(|a, b| lengths[*b].total_cmp(&lengths[*a]));
+    let cells = Cells::of(panel);
+    let extent = |series: &Series| cells.dense(&cells.path(panel, series)).unwrap_or(0.0);
+    let extents: Vec<f64> = panel.series.iter().map(extent).collect();
+    let mut order: Vec<usize> = (0..extents.len()).collect();
+    order.sort_by(|a, b| extents[*b].total_cmp(&extents[*a]));
     order
 }
 
@@ -139,16 +133,23 @@ pub fn is_curve(series: &Series) -> bool {
     series.width > 0.0 && (!series.label.is_empty() || in_colour)
 }
 
-/// Whether a curve of this length is dense.
-fn is_dense(panel: &Panel, length: f64) -> bool {
-    length > DENSE * (panel.frame.width + panel.frame.height)
-}
-
 /// A curve with the cells along it and those that its line covers.
 struct Covering {
     series: usize,
     path: Path,
     covered: Vec<bool>,
+    /// Of a dense one the cells without those of an oscillation, in which any other curve would coincide with it.
+    thin: Option<Vec<bool>>,
+}
+
+impl Covering {
+    /// The cells in which another curve coincides with it.
+    fn cells(&self, other: &Covering) -> &[bool] {
+        match (&self.thin, &other.thin) {
+            (Some(thin), None) => thin,
+            _ => &self.covered,
+        }
+    }
 }
 
 /// The curves of a panel in the order of drawing, if they are more than one.
@@ -159,8 +160,10 @@ fn covering(panel: &Panel, curves: &[bool]) -> Vec<Covering> {
     let of = |series: &usize| {
         let path = cells.path(panel, &panel.series[*series]);
         let covered = cells.covered(&path);
+        let dense = cells.dense(&path);
         Covering {
             series: *series,
+            thin: dense.map(|_| cells.thin(&path, &covered)),
             path,
             covered,
         }
@@ -174,20 +177,20 @@ fn covering(panel: &Panel, curves: &[bool]) -> Vec<Covering> {
 /// The stretches of the curves of a panel that coincide with curves under them.
 fn turns(panel: &Panel, curves: &[bool]) -> Vec<Turn> {
     let all = covering(panel, curves);
-    // Whether dashes in turn can tell two curves apart; the cells of a dense one cover those of any curve among it.
+    // Whether dashes in turn can tell two curves apart. Two dense ones are dashed if they coincide nearly everywhere.
     let alternate = |under: &Covering, over: &Covering| {
         let [a, b] = [under, over].map(|own| &panel.series[own.series]);
-        let [dense, also] = [under, over].map(|own| is_dense(panel, own.path.length));
         let open = b.stroke.pattern().is_empty() && a.width < 2.0 * b.width;
         let apart = a.stroke.colour() != b.stroke.colour();
-        open && apart && dense == also && (!dense || under.path.is_in(&over.covered))
+        let dense = under.thin.is_some() && over.thin.is_some();
+        open && apart && (!dense || under.path.is_in(&over.covered))
     };
     let mut turns = Vec::new();
     for (j, own) in all.iter().enumerate() {
         let under = all[..j].iter().filter(|under| alternate(under, own));
-        let under: Vec<&[bool]> = under.map(|under| &under.covered[..]).collect();
+        let under: Vec<&[bool]> = under.map(|under| under.cells(own)).collect();
         let over = all[j + 1..].iter().filter(|over| alternate(own, over));
-        let over: Vec<&[bool]> = over.map(|over| &over.covered[..]).collect();
+        let over: Vec<&[bool]> = over.map(|over| over.cells(own)).collect();
         if under.is_empty() {
             continue;
         }

@@ -225,6 +225,34 @@ fn a_dense_curve_is_drawn_under_the_others() {
 }
 
 #[test]
+fn a_line_among_an_oscillation_does_not_coincide_with_it() {
+    let dense = |x: f64| 40.0 * libm::sin(5.0 * x);
+    let half = move |x: f64| 50.0 + if x < 100.0 { dense(x) } else { 0.0 };
+    let level = |_| 50.0;
+    let drawn = sheet(panel(vec![curve(true, 0, level), curve(true, 1, half)]));
+    let panel_of = &drawn.panels[0];
+    assert_eq!(order(panel_of), [1, 0]);
+    // Only after the oscillation, and half a square of 5.4 points later, the two are one line.
+    let [own] = panel_of.turns[..] else {
+        panic!("{:?}", panel_of.turns);
+    };
+    assert_eq!(own.series, 0);
+    assert!((99.0..104.0).contains(&own.ends[0]), "{:?}", own.ends);
+    assert!((own.ends[1] - 200.0).abs() < 1e-6, "{:?}", own.ends);
+    // A loop that is run many times is long and not dense.
+    let mut again = curve(true, 0, wave);
+    let there = again.points.clone();
+    for round in 1..20 {
+        let mut next = there.clone();
+        if round % 2 == 1 {
+            next.reverse();
+        }
+        again.points.extend(next);
+    }
+    assert_eq!(order(&panel(vec![curve(true, 1, level), again])), [0, 1]);
+}
+
+#[test]
 fn a_point_alone_is_a_dot() {
     let mut series = curve(true, 0, wave);
     series.points = vec![[50.0, 50.0], [f64::NAN; 2], [100.0, 50.0], [150.0, 50.0]];
