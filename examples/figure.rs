@@ -19,14 +19,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let solution = study.problem.solve(&case, &study.metrics)?;
         shown.push(&case, &solution.metrics.clone(), Some(solution));
     }
+    let dots_per_inch = 192;
     let sheet = sheet(&FigureData {
         study: &study,
         figure: &study.figures[0],
         cases: &shown.all(),
         groups: &GroupResults::None,
-        colour: false,
+        black: false,
+        dpi: dots_per_inch,
     });
-    let dots_per_inch = 192;
     let (vector, pixels) = (svg(&sheet, dots_per_inch)?, png(&sheet, dots_per_inch)?);
 
     // One panel for each quantity.

@@ -3,6 +3,7 @@
 use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::{self, DrawnCase, GroupResults, Needed, PartResult, ShownCases};
 use crate::figures::FigureData;
+use slipgap_drawing::style;
 use slipgap_problem::problem::Case;
 use slipgap_study::{ColumnRef, Figure, Study};
 
@@ -112,7 +113,8 @@ pub fn with_data<T>(
             figure,
             cases,
             groups: &groups,
-            colour: false,
+            black: false,
+            dpi: style::DPI,
         })
     };
     let all = 0..shown.len() as u32;

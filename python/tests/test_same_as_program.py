@@ -88,12 +88,11 @@ def test_a_run_in_memory_is_the_same(name: str, program: str, studies: Path, tmp
         assert repr(list(a)) == repr(list(b)), column
     assert memory.checks == files.checks and memory.failures == files.failures == []
     assert memory.figures.keys() == files.figures.keys()
-    # Figures in memory are in colour.
-    out = str(tmp_path / "colour")
-    words = [program, "run", str(study), "--colour", "--out", out]
+    out = str(tmp_path / "program")
+    words = [program, "run", str(study), "--out", out]
     subprocess.run(words, capture_output=True, check=True)
     for name, figure in memory.figures.items():
-        drawn = tmp_path / "colour" / study.stem / name
+        drawn = tmp_path / "program" / study.stem / name
         assert figure.svg == drawn.with_suffix(".svg").read_text()
         assert figure.png == drawn.with_suffix(".png").read_bytes()
         assert figure.pdf == drawn.with_suffix(".pdf").read_bytes()

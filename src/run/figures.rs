@@ -33,7 +33,8 @@ pub fn write(
                 table.add(&figure.name, kind, curves)?;
             }
             let data = FigureData {
-                colour: output.colour,
+                black: output.black,
+                dpi,
                 ..*data
             };
             Ok::<_, Error>(figures::sheet(&data))

@@ -53,8 +53,8 @@ pub struct OutputOptions {
     pub table: Option<bool>,
     /// Pixels per inch of figures.
     pub dpi: u32,
-    /// Whether figures that do not say otherwise have colours.
-    pub colour: bool,
+    /// Whether all curves of figures are black.
+    pub black: bool,
 }
 
 impl Default for OutputOptions {
@@ -64,7 +64,7 @@ impl Default for OutputOptions {
             fail_fast: false,
             table: None,
             dpi: style::DPI,
-            colour: false,
+            black: false,
         }
     }
 }

@@ -311,7 +311,8 @@ fn drawn(study: &Study) -> Sheet {
         figure: &study.figures[0],
         cases: &shown.all(),
         groups: &GroupResults::None,
-        colour: false,
+        black: false,
+        dpi: style::DPI,
     })
 }
 

@@ -65,7 +65,7 @@ impl Front {
             curve(
                 "best at this cost",
                 self.points.clone(),
-                Stroke::Dotted,
+                Stroke::Colour(0),
                 style::CASE_LINE,
                 best,
             ),

@@ -30,7 +30,7 @@ pub use slipgap_drawing::text::markup;
 
 use sheet::Sheet;
 use slipgap_drawing::DrawingError;
-use slipgap_drawing::layout::{self, envelope};
+use slipgap_drawing::layout::{self, coincide, envelope};
 use slipgap_drawing::style::Look;
 use slipgap_study::error::Error;
 use slipgap_study::{Figure, Study};
@@ -46,15 +46,17 @@ pub struct FigureData<'a> {
     pub cases: &'a [DrawnCase<'a>],
     /// The results over groups of these cases.
     pub groups: &'a GroupResults<'a>,
-    /// Whether curves have colours if the figure does not say.
-    pub colour: bool,
+    /// Whether all curves are black, as for print.
+    pub black: bool,
+    /// Pixels an inch, which decide what is too dense to draw.
+    pub dpi: u32,
 }
 
 impl FigureData<'_> {
     /// How the curves are told apart.
     pub fn look(&self) -> Look {
         Look {
-            colour: self.figure.colour.unwrap_or(self.colour),
+            colour: self.figure.colour && !self.black,
             markers: self.figure.markers,
         }
     }
@@ -92,7 +94,7 @@ pub fn sheet(data: &FigureData) -> Sheet {
         None => study.title.clone(),
     };
     if kind.has_dense_curves() {
-        envelope::find(&mut sheet);
+        envelope::find(&mut sheet, data.dpi);
     }
     let own = Some(std::mem::take(&mut sheet.description));
     let mut parts: Vec<String> = own.into_iter().filter(|text| !text.is_empty()).collect();
@@ -105,7 +107,8 @@ pub fn sheet(data: &FigureData) -> Sheet {
     }
     let bands = envelope::meaning(&sheet);
     let over = taken_over(study, figure);
-    let notes = bands.into_iter().chain(over.as_deref());
+    let meanings = coincide::meaning(&sheet).into_iter().chain(bands);
+    let notes = meanings.chain(over.as_deref());
     let notes = notes.chain(figure.note.as_deref());
     parts.extend(notes.map(markup::plain));
     sheet.description = parts.join("; ");

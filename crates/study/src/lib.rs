@@ -133,8 +133,8 @@ pub struct Figure {
     pub width: Option<f64>,
     /// First and last value along the horizontal and the vertical axis, where the study gives them.
     pub ranges: [Option<[f64; 2]>; 2],
-    /// Whether curves have colours instead of dashes, if the study says.
-    pub colour: Option<bool>,
+    /// Whether curves have colours instead of dashes.
+    pub colour: bool,
     /// Whether curves in colour have markers.
     pub markers: bool,
     /// Which cases.

@@ -7,7 +7,7 @@ use slipgap::batch::ShownCases;
 use slipgap::batch::files::atomic::write_file;
 use slipgap::batch::groups::sobol::DesignMetrics;
 use slipgap::error::Error;
-use slipgap::figures::{self, FigureData, style};
+use slipgap::figures::{self, style};
 use slipgap::run::Source;
 use slipgap::study_figures;
 use std::fs;
@@ -34,8 +34,7 @@ enum Origin {
 
 /// A figure of a study. A notebook shows it.
 ///
-/// The figure of a run in memory is drawn when it is asked for, in colour unless the study says `"colour": false`. That of a run
-/// with `out` is read from its folder, where the program draws in black unless the study says `"colour": true`.
+/// The figure of a run in memory is drawn when it is asked for; that of a run with `out` is read from its folder.
 #[pyclass(frozen, module = "slipgap")]
 pub struct Figure {
     /// Its name in the study.
@@ -98,13 +97,8 @@ impl Figure {
 fn draw(shown: &Shown, index: usize, format: Format) -> Result<Vec<u8>, Error> {
     let study = &shown.source.study;
     let figure = &study.figures[index];
-    let in_colour = |data: &FigureData| {
-        figures::sheet(&FigureData {
-            colour: true,
-            ..*data
-        })
-    };
-    let sheet = study_figures::with_data(study, figure, &shown.cases, &shown.designs, in_colour);
+    let (cases, designs) = (&shown.cases, &shown.designs);
+    let sheet = study_figures::with_data(study, figure, cases, designs, figures::sheet);
     Ok(match format {
         Format::Svg => figures::svg(&sheet, style::DPI)?.into_bytes(),
         Format::Png => figures::png(&sheet, style::DPI)?,

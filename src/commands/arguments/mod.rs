@@ -54,10 +54,9 @@ pub struct OutputArgs {
     /// Pixels an inch of the PNG files, and of images in SVG and PDF files, 72 to 1200
     #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = whole::<u32>(72, 1200))]
     dpi: u32,
-    /// Draw curves unbroken and in colours that people with any colour vision tell apart, instead of in black with dashes and
-    /// markers, in figures without the key "colour"
+    /// Draw all curves in black with dashes and markers, and bands hatched, as for print; shades of maps stay
     #[arg(long)]
-    colour: bool,
+    black: bool,
     /// Print the path of every file written, not only of the folder
     #[arg(long)]
     verbose: bool,
@@ -69,7 +68,7 @@ impl OutputArgs {
         OutputOptions {
             table: self.format.map(Format::has_table),
             dpi: self.dpi,
-            colour: self.colour,
+            black: self.black,
             ..OutputOptions::default()
         }
     }

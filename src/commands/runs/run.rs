@@ -31,7 +31,7 @@ pub struct RunArgs {
     output: OutputArgs,
     /// Only compute the parts of shard I of N into the store in DIR: every N-th part, beginning with part I; `merge` writes the
     /// results
-    #[arg(long, value_name = "I/N", conflicts_with_all = ["histories", "fail_fast", "deny_warnings", "format", "dpi", "colour", "verbose"])]
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["histories", "fail_fast", "deny_warnings", "format", "dpi", "black", "verbose"])]
     shard: Option<Shard>,
     #[command(flatten)]
     jobs: JobsArgs,

@@ -40,15 +40,11 @@ enum Picture {
 }
 
 impl Drawing {
-    /// Draws a figure in colours.
+    /// Draws a figure.
     ///
     /// # Errors
     /// Those of drawing.
     pub fn new(data: &FigureData) -> Result<Drawing, Error> {
-        let data = &FigureData {
-            colour: true,
-            ..*data
-        };
         let sheet = figures::sheet(data);
         let svg = figures::svg(&sheet, IMAGE_DPI)?;
         let picture = if svg.len() <= MOST_BYTES {

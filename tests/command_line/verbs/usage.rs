@@ -227,7 +227,7 @@ fn numbers_that_are_none_are_named_with_what_is_allowed() {
 }
 
 #[test]
-fn a_run_with_colour_draws_in_the_colours_of_okabe_and_ito() {
+fn a_run_draws_in_the_colours_of_okabe_and_ito_unless_black_is_asked_for() {
     let bench = Bench::new();
     let study = |name: &str, key: &str| {
         let text = format!(
@@ -245,10 +245,11 @@ fn a_run_with_colour_draws_in_the_colours_of_okabe_and_ito() {
             .text(&format!("figures/{name}/f.svg"))
             .contains("#0072b2")
     };
-    assert!(!blue(&["s.json"], "s"));
-    assert!(blue(&["s.json", "--colour"], "s"));
-    assert!(!blue(&["black.json", "--colour"], "black"));
+    assert!(blue(&["s.json"], "s"));
+    assert!(!blue(&["s.json", "--black"], "s"));
+    assert!(!blue(&["black.json"], "black"));
     assert!(blue(&["blue.json"], "blue"));
+    assert!(!blue(&["blue.json", "--black"], "blue"));
 }
 
 #[test]

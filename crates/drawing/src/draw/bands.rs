@@ -1,8 +1,8 @@
-//! Draws bands, of dense curves and between two lines: their fills below all lines, their edges with the curves.
+//! Draws bands, of dense curves and between two lines: their fills below all lines, their edges below the curves.
 
 use super::canvas::{Canvas, DrawResult, at};
-use crate::layout::clip;
 use crate::layout::sheet::Panel;
+use crate::layout::{clip, envelope};
 use crate::style::{self, Stroke};
 use plotters::element::Polygon;
 use plotters::style::{Color, RGBColor};
@@ -11,7 +11,7 @@ use plotters_backend::DrawingBackend;
 impl<B: DrawingBackend> Canvas<B> {
     /// The fills of the bands of a panel.
     pub fn fills(&mut self, panel: &Panel) -> DrawResult<B> {
-        for band in &panel.envelopes {
+        for band in envelope::filled(panel) {
             let series = &panel.series[band.series];
             let round = band.upper.iter().chain(band.lower.iter().rev());
             let corners: Vec<_> = round.map(|i| panel.place(series.points[*i])).collect();
@@ -48,9 +48,9 @@ impl<B: DrawingBackend> Canvas<B> {
             }
             return Ok(());
         }
-        let [r, g, b] = stroke.fill();
+        let ([r, g, b], opacity) = stroke.fill();
         let corners: Vec<_> = corners.into_iter().map(at).collect();
-        let fill = RGBColor(r, g, b).filled();
+        let fill = RGBColor(r, g, b).mix(opacity).filled();
         self.area.draw(&Polygon::new(corners, fill))
     }
 

@@ -139,9 +139,17 @@ impl<B: DrawingBackend> Canvas<B> {
         self.area.draw(&PathElement::new(points, line(width)))
     }
 
-    /// A marker, white inside.
-    pub fn marker(&mut self, marker: Marker, [x, y]: [f64; 2]) -> DrawResult<B> {
-        let outline = line(style::MARKER_LINE);
+    /// A point of a curve without a line.
+    pub fn dot(&mut self, place: [f64; 2], [r, g, b]: [u8; 3]) -> DrawResult<B> {
+        let fill = RGBColor(r, g, b).filled();
+        self.area
+            .draw(&Circle::new(at(place), unit(style::DOT), fill))
+    }
+
+    /// A marker, white inside, with an outline in the colour of its curve.
+    pub fn marker(&mut self, marker: Marker, [x, y]: [f64; 2], colour: [u8; 3]) -> DrawResult<B> {
+        let [r, g, b] = colour;
+        let outline = RGBColor(r, g, b).stroke_width(unit(style::MARKER_LINE) as u32);
         match marker {
             Marker::Circle => {
                 let radius = unit(style::MARKER);
@@ -168,7 +176,7 @@ impl<B: DrawingBackend> Canvas<B> {
                 let d = style::MARKER * 0.9;
                 for slope in [-1.0, 1.0] {
                     let stroke = [[x - d, y - slope * d], [x + d, y + slope * d]];
-                    self.path(&stroke, style::MARKER_LINE)?;
+                    self.curve(&stroke, style::MARKER_LINE, colour)?;
                 }
                 Ok(())
             }

@@ -78,7 +78,7 @@ impl<B: DrawingBackend> Canvas<B> {
             }
         }
         if let Some(marker) = entry.marker {
-            self.marker(marker, [x + style::SAMPLE / 2.0, y])?;
+            self.marker(marker, [x + style::SAMPLE / 2.0, y], entry.stroke.colour())?;
         }
         let place = [
             x + style::SAMPLE + style::SAMPLE_GAP,

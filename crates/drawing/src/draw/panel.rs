@@ -3,7 +3,7 @@
 use super::canvas::{Canvas, DrawResult, line, shade};
 use super::dots::Image;
 use crate::layout::sheet::{Bar, Panel};
-use crate::layout::{clip, envelope, inset};
+use crate::layout::{clip, coincide, envelope, inset};
 use crate::style;
 use plotters::element::{PathElement, Rectangle};
 use plotters_backend::DrawingBackend;
@@ -58,28 +58,49 @@ impl<B: DrawingBackend> Canvas<B> {
 
     /// All lines first, then all markers, so that no line runs through a marker.
     fn curves(&mut self, panel: &Panel) -> DrawResult<B> {
-        for (k, series) in panel.series.iter().enumerate() {
+        self.edges(panel)?;
+        for k in coincide::order(panel) {
+            let series = &panel.series[k];
             let points: Vec<_> = series.points.iter().map(|p| panel.place(*p)).collect();
             let parts = envelope::drawn(&panel.envelopes, k, &points);
-            let visible = |part: &Vec<_>| clip::inside(part, &panel.frame);
-            for visible in parts.iter().flat_map(visible) {
-                for dash in clip::dashes(&visible, series.stroke.pattern()) {
-                    self.curve(&dash, series.width, series.stroke.colour())?;
-                }
+            let visible = parts
+                .iter()
+                .flat_map(|part| clip::inside(part, &panel.frame));
+            for dash in coincide::dashes(panel, k, &visible.collect::<Vec<_>>()) {
+                self.curve(&dash, series.width, series.stroke.colour())?;
             }
         }
-        self.edges(panel)?;
         for series in &panel.series {
-            let Some(marker) = series.marker else {
-                continue;
-            };
-            for point in series.marked.iter().filter_map(|i| series.points.get(*i)) {
-                let place = panel.place(*point);
-                if panel.frame.contains(place) {
-                    self.marker(marker, place)?;
+            let colour = series.stroke.colour();
+            let marked = series.marked.iter().filter_map(|i| series.points.get(*i));
+            let shown = |point: &[f64; 2]| panel.frame.contains(panel.place(*point));
+            match series.marker {
+                Some(marker) => {
+                    for point in marked.filter(|point| shown(point)) {
+                        self.marker(marker, panel.place(*point), colour)?;
+                    }
                 }
+                None if coincide::is_curve(series) => {
+                    for point in alone(&series.points).filter(shown) {
+                        self.dot(panel.place(point), colour)?;
+                    }
+                }
+                None => {}
             }
         }
         Ok(())
     }
+}
+
+/// The points of a curve without a neighbour, which no line shows.
+fn alone(points: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
+    let is_there = |i: usize| {
+        points
+            .get(i)
+            .is_some_and(|p| p.iter().all(|x| x.is_finite()))
+    };
+    let alone = move |i: &usize| {
+        is_there(*i) && !is_there(i + 1) && i.checked_sub(1).is_none_or(|before| !is_there(before))
+    };
+    (0..points.len()).filter(alone).map(|i| points[i])
 }

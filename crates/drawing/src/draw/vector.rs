@@ -218,7 +218,13 @@ impl DrawingBackend for Vector {
     ) -> Drawn {
         let points: Vec<_> = points.into_iter().collect();
         let (colour, data) = (colour(style.color()), data(&points));
-        self.element(format_args!("<path fill=\"{colour}\" d=\"{data}z\"/>"));
+        let opacity = match style.color().alpha {
+            1.0 => String::new(),
+            opacity => format!(" fill-opacity=\"{opacity}\""),
+        };
+        self.element(format_args!(
+            "<path fill=\"{colour}\"{opacity} d=\"{data}z\"/>"
+        ));
         Ok(())
     }
 

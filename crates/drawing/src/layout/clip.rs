@@ -117,6 +117,39 @@ pub fn dashes(line: &[[f64; 2]], pattern: &[f64]) -> Vec<Line> {
     dashes
 }
 
+/// The parts of lines between these lengths along them, which rise; a line goes on in length where the one before ends.
+pub fn between(lines: &[Line], parts: &[[f64; 2]]) -> Vec<Line> {
+    let mut found = Vec::new();
+    let (mut next, mut reached) = (0, 0.0);
+    for line in lines {
+        let mut piece: Line = Vec::new();
+        for pair in line.windows(2) {
+            let [a, b] = [pair[0], pair[1]];
+            let (start, length) = (reached, libm::hypot(b[0] - a[0], b[1] - a[1]));
+            reached += length;
+            let at = |s: f64| [0, 1].map(|k| a[k] + (s - start) / length * (b[k] - a[k]));
+            while let Some([from, to]) = parts.get(next).filter(|[from, _]| *from < reached) {
+                if piece.is_empty() {
+                    piece.push(if *from > start { at(*from) } else { a });
+                }
+                if *to >= reached {
+                    piece.push(b);
+                    break;
+                }
+                // A part may end where the segment before it does.
+                if *to > start {
+                    piece.push(at(*to));
+                }
+                found.push(std::mem::take(&mut piece));
+                next += 1;
+            }
+        }
+        found.push(piece);
+    }
+    found.retain(|piece| piece.len() > 1);
+    found
+}
+
 /// Parallel lines over an area: `a x + b y` is a multiple of `spacing` along each; all corners are finite.
 pub fn hatching(corners: &[[f64; 2]], [a, b]: [f64; 2], spacing: f64) -> Vec<[[f64; 2]; 2]> {
     let across = |p: [f64; 2]| (a * p[0] + b * p[1]) / spacing;

@@ -29,6 +29,16 @@ impl Key {
         }
     }
 
+    /// The key of thin lines other than curves, such as the ends of the bars.
+    pub fn thin(label: &str) -> Key {
+        Key {
+            label: label.into(),
+            stroke: Stroke::Solid,
+            width: style::ZERO_LINE,
+            marker: None,
+        }
+    }
+
     /// Length of the piece of line with its label.
     pub fn length(&self) -> f64 {
         style::SAMPLE + style::SAMPLE_GAP + text::width(&self.label, style::LABEL)
@@ -140,14 +150,11 @@ pub fn is_free(panel: &Panel, area: &Rect) -> bool {
         .arrows
         .iter()
         .all(|[a, b]| clear(panel.place(*a), panel.place(*b)));
-    let bands = panel
-        .bands
-        .iter()
-        .flat_map(|band| [&band.upper, &band.lower])
-        .all(|edge| {
-            let places: Vec<_> = edge.iter().map(|p| panel.place(*p)).collect();
-            places.windows(2).all(|pair| clear(pair[0], pair[1]))
-        });
+    let bands = panel.bands.iter().all(|band| {
+        let round = band.upper.iter().chain(band.lower.iter().rev());
+        let round: Vec<_> = round.map(|point| panel.place(*point)).collect();
+        clip::polygon(&round, area).len() < 3
+    });
     let inset = panel.inset.as_ref().is_none_or(|inset| {
         let joins = inset::joins(panel, inset);
         let lines = joins.iter().flat_map(|line| line.windows(2));

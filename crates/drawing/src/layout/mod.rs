@@ -3,8 +3,8 @@
 pub mod axis;
 pub mod clip;
 pub mod cloud;
+pub mod coincide;
 pub mod envelope;
-pub mod guides;
 pub mod inset;
 pub mod legend;
 pub mod limits;
@@ -156,6 +156,7 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
         .iter()
         .map(|p| p.frame.bottom() + foot(&p.x, p.frame.width));
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
+    coincide::find(sheet);
 }
 
 /// The lines of the title over a colour bar, which may reach to the left over the frame.

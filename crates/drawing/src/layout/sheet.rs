@@ -2,6 +2,7 @@
 
 use crate::layout::axis::Axis;
 use crate::layout::cloud::Cloud;
+use crate::layout::coincide::Turn;
 use crate::style::{Marker, Stroke};
 
 pub use crate::layout::rect::Rect;
@@ -63,8 +64,10 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Curves, drawn in this order.
+    /// Curves, in the order of the legend; [`crate::layout::coincide::order`] is that of drawing.
     pub series: Vec<Series>,
+    /// Curves that coincide with others, which are dashes in turn.
+    pub turns: Vec<Turn>,
     /// Bands instead of parts of curves, filled in this order.
     pub envelopes: Vec<Envelope>,
     /// Areas between two lines below the curves, filled in this order.
@@ -96,6 +99,7 @@ impl Panel {
             x,
             y,
             series: Vec::new(),
+            turns: Vec::new(),
             envelopes: Vec::new(),
             bands: Vec::new(),
             bars: Vec::new(),
@@ -107,11 +111,6 @@ impl Panel {
             arrows: Vec::new(),
             inset: None,
         }
-    }
-
-    /// Whether the line y = 0 is drawn and is not an edge of the frame.
-    pub fn shows_zero(&self) -> bool {
-        self.zero && self.y.range[0] < 0.0 && self.y.range[1] > 0.0
     }
 
     /// The place on the sheet of a point in the axes' units; not finite for a point without one.

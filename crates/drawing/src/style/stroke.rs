@@ -36,6 +36,9 @@ pub(super) const COLOURS: [[u8; 3]; 6] = [
     [86, 180, 233],
 ];
 
+/// Opacity of the areas of bands in colour.
+const OPACITY: f64 = 0.3;
+
 /// Grey of measured curves: no colour of a curve, and lighter than all black ones.
 pub(super) const GREY: [u8; 3] = [150; 3];
 
@@ -82,18 +85,16 @@ impl Stroke {
         }
     }
 
-    /// Red, green and blue of the area of a band: light.
-    pub fn fill(self) -> [u8; 3] {
+    /// Red, green and blue of the area of a band, and its opacity: bands in colour show each other.
+    pub fn fill(self) -> ([u8; 3], f64) {
         match self {
-            Stroke::Grey | Stroke::Graded(_) | Stroke::Colour(_) => {
-                self.colour().map(|part| 255 - (255 - part) / 3)
-            }
+            Stroke::Grey | Stroke::Graded(_) | Stroke::Colour(_) => (self.colour(), OPACITY),
             Stroke::Solid
             | Stroke::Dashed
             | Stroke::DashDot
             | Stroke::Dotted
             | Stroke::DashDotDot
-            | Stroke::LongDash => [240; 3],
+            | Stroke::LongDash => ([240; 3], 1.0),
         }
     }
 

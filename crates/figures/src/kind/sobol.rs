@@ -6,7 +6,6 @@ use crate::GroupResults;
 use crate::groups::sobol::Estimates;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::{Axis, Tick};
-use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Anchor, Bar, Panel, PlacedText, Rect, Series, Sheet};
 use slipgap_drawing::layout::ticks;
@@ -107,7 +106,6 @@ impl Draw for Sobol {
                 .filter(|series| !series.label.is_empty());
             keys.extend(named.map(Key::of));
         }
-        keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         layout::small_print(&mut sheet, WHISKERS);
         if let Some(words) = not_converged(study, &design.parameters, y, estimates) {

@@ -2,7 +2,7 @@
 
 use crate::{pdf, png, sheet, svg, with_hover};
 use slipgap_drawing::layout::sheet::{Series, Sheet};
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style::{self, Stroke};
 use slipgap_drawing::text::markup::plain;
 use slipgap_problem::problem::Case;
 use slipgap_statistics::binomial;
@@ -69,7 +69,10 @@ fn a_distribution_rises_at_its_values_within_its_band() {
         .collect();
     assert_eq!(
         labels,
-        [("*n* = 4", Stroke::Solid), ("*n* = 8", Stroke::Dashed)]
+        [
+            ("*n* = 4", Stroke::Colour(0)),
+            ("*n* = 8", Stroke::Colour(1))
+        ]
     );
     let [first, last] = panel.x.range;
     assert_eq!(
@@ -167,10 +170,7 @@ fn quantiles_are_those_of_the_cases_at_each_value() {
         [[1.0, 10.0], [4.0, 34.0]]
     );
     assert!(eight.points[1][1].is_nan());
-    assert_eq!(
-        [four.marker, eight.marker],
-        [Some(Marker::Circle), Some(Marker::Triangle)]
-    );
+    assert_eq!([four.marker, eight.marker], [None, None]);
     let band = &panel.bands[0];
     assert_eq!(band.lower, [[1.0, 5.0], [2.0, 9.0], [4.0, 17.0]]);
     assert_eq!(band.upper, [[1.0, 8.0], [2.0, 12.0], [4.0, 20.0]]);
@@ -187,6 +187,72 @@ fn quantiles_are_those_of_the_cases_at_each_value() {
 }
 
 #[test]
+fn more_than_three_curves_have_no_bands() {
+    let bands = |kind: &str, count: usize| {
+        let text = format!(
+            r#"{{"problem": "bar-impact", "parameters": {{"gamma": [1, 2, 4], "n": {{"linspace": [1, {count}, {count}]}},
+                "gap": [0, 0.1, 0.2], "dt": 0.01, "duration": 1}},
+                "ensemble": "gap", "figures": [{{"name": "f", {kind}}}]}}"#
+        );
+        let study = slipgap_study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
+        let (sheet, _) = drawn(&study, |case| {
+            Some(number(case, "gamma") * number(case, "n") + number(case, "gap"))
+        });
+        let panel = &sheet.panels[0];
+        assert_eq!(panel.series.len(), count);
+        (
+            panel.bands.len(),
+            small_print(&sheet).contains("more than 3"),
+        )
+    };
+    let quantiles = r#""kind": "quantiles", "x": "gamma", "y": "peak_force", "by": "n""#;
+    let distribution =
+        r#""kind": "distribution", "y": "peak_force", "by": "n", "where": {"gamma": 1}"#;
+    for kind in [quantiles, distribution] {
+        assert_eq!(bands(kind, 3), (3, false));
+        assert_eq!(bands(kind, 4), (0, true));
+    }
+}
+
+#[test]
+fn two_bands_show_where_they_overlap() {
+    let study = bars(
+        "[0, 1]",
+        r#""kind": "quantiles", "x": "gamma", "y": "peak_force", "by": "n", "band": [0, 1]"#,
+    );
+    // From 0 to 8 for n = 4, and from 4 to 12 for n = 8.
+    let (sheet, _) = drawn(&study, |case| {
+        Some(number(case, "n") - 4.0 + 8.0 * number(case, "gap"))
+    });
+    let at = |y: f64| super::colour_at(&sheet, sheet.panels[0].place([2.5, y]));
+    let [blue, orange] = [0, 1].map(|i| Stroke::Colour(i).fill());
+    let mixed = |under: [u8; 3], (colour, opacity): ([u8; 3], f64)| -> [f64; 3] {
+        let mix = |(a, b): (u8, u8)| f64::from(a) + opacity * (f64::from(b) - f64::from(a));
+        [0, 1, 2].map(|k| mix((under[k], colour[k])))
+    };
+    // The medians are at 4 and 8, the places half-way between them and the edges. The backend rounds the opacity to 1/255 and
+    // each blend to a whole number.
+    let white = [255; 3];
+    for (y, expected) in [
+        (2.0, mixed(white, blue)),
+        (10.0, mixed(white, orange)),
+        (6.0, mixed(at(2.0), orange)),
+    ] {
+        let found = at(y).map(f64::from);
+        let off = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
+        assert!(
+            off.fold(0.0, f64::max) <= 2.0,
+            "{y}: {found:?} {expected:?}"
+        );
+    }
+    // The vector files have the same opacity.
+    let text = svg(&sheet, style::DPI).unwrap();
+    assert_eq!(text.matches("fill-opacity=\"0.3\"").count(), 2);
+    let file = pdf(&sheet, style::DPI).unwrap();
+    assert!(file.windows(7).any(|bytes| bytes == b"/ca 0.3"));
+}
+
+#[test]
 fn many_points_have_no_markers() {
     let text = r#"{"problem": "bar-impact", "parameters": {"gamma": {"linspace": [1, 2, 1000]}, "n": 4, "gap": [0, 0.1, 0.2],
         "dt": 0.01, "duration": 1}, "ensemble": "gap",
@@ -197,7 +263,7 @@ fn many_points_have_no_markers() {
     });
     let line = &sheet.panels[0].series[0];
     assert_eq!((line.points.len(), line.marker), (1000, None));
-    assert_eq!((line.stroke, sheet.legend.len()), (Stroke::Solid, 0));
+    assert_eq!((line.stroke, sheet.legend.len()), (Stroke::Colour(0), 0));
     assert!(line.points.iter().all(|[x, y]| (y - x - 0.1).abs() < 1e-12));
 }
 

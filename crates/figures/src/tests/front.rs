@@ -221,7 +221,7 @@ fn twelve_entries_are_readable_beside_or_over_their_panel() {
             // No two lines look the same.
             let styles: Vec<_> = sheet.legend[..13]
                 .iter()
-                .map(|e| (e.stroke.pattern(), e.marker))
+                .map(|e| (e.stroke.pattern(), e.stroke.colour()))
                 .collect();
             for (i, own) in styles.iter().enumerate() {
                 assert!(!styles[..i].contains(own), "{own:?}");

@@ -26,8 +26,8 @@ fn computed(sheet: &Sheet) -> Vec<&Series> {
 const HISTORY: &str = r#""kind": "history", "y": "rdot""#;
 
 #[test]
-fn curves_in_colour_are_unbroken_and_have_markers_only_where_asked() {
-    let look = |keys: &str, default: bool| -> Vec<(Stroke, Option<Marker>)> {
+fn curves_are_unbroken_in_colour_and_have_markers_only_where_asked() {
+    let look = |keys: &str, black: bool| -> Vec<(Stroke, Option<Marker>)> {
         let study = bars(r#""gamma": [0.5, 1, 2]"#, "", &format!("{HISTORY}{keys}"));
         let cases: Vec<_> = study.cases().collect();
         let solutions = cases
@@ -38,10 +38,7 @@ fn curves_in_colour_are_unbroken_and_have_markers_only_where_asked() {
             all.push(case, &[], Some(solution));
         }
         let sheet = super::with_data(&study, &study.figures[0], &all.all(), |data| {
-            sheet(&FigureData {
-                colour: default,
-                ..*data
-            })
+            sheet(&FigureData { black, ..*data })
         });
         // The exact curve stays black.
         assert_eq!(sheet.panels[0].series[0].stroke, Stroke::Solid);
@@ -57,18 +54,19 @@ fn curves_in_colour_are_unbroken_and_have_markers_only_where_asked() {
     let plain = colours.map(|stroke| (stroke, None)).to_vec();
     let black = [0, 1, 2].map(|i| (Stroke::of_case(i), Some(Marker::of_case(i))));
     let marked = [0, 1, 2].map(|i| (colours[i], Some(Marker::of_case(i))));
+    assert_eq!(look("", false), plain);
     assert_eq!(look(r#", "colour": true"#, false), plain);
-    assert_eq!(look("", true), plain);
-    assert_eq!(look("", false), black);
-    assert_eq!(look(r#", "colour": false"#, true), black);
-    assert_eq!(look(r#", "colour": true, "markers": true"#, false), marked);
-    assert_eq!(look(r#", "markers": true"#, false), black);
+    assert_eq!(look(r#", "markers": true"#, false), marked);
+    assert_eq!(look(r#", "colour": false"#, false), black);
+    // Black for print is black everywhere.
+    assert_eq!(look("", true), black);
+    assert_eq!(look(r#", "colour": true"#, true), black);
 }
 
 #[test]
 fn a_single_computed_curve_is_unbroken() {
     for keys in [HISTORY, r#""kind": "curve", "x": "r", "y": "force""#] {
-        let study = bars(r#""gamma": 1"#, "", keys);
+        let study = bars(r#""gamma": 1"#, "", &format!(r#"{keys}, "colour": false"#));
         let sheet = drawn(&study, 0).0;
         let strokes: Vec<Stroke> = computed(&sheet).iter().map(|s| s.stroke).collect();
         assert_eq!(strokes, [Stroke::Solid], "{keys}");
@@ -81,7 +79,7 @@ fn a_single_computed_curve_is_unbroken() {
           "structure": {"masses": {"m": "mass"}, "springs": [{"between": ["ground", "m"], "k": 1}], "rayleigh": {"mass": 0.1},
             "contacts": {"s": {"law": "coulomb", "between": ["ground", "m"], "limit": 0.1}},
             "ground": {"synthetic": {"seed": 1}}},
-          "figures": [{"name": "f", "kind": "curve", "x": "s.r", "y": "s.S"}]}"#,
+          "figures": [{"name": "f", "kind": "curve", "x": "s.r", "y": "s.S", "colour": false}]}"#,
     );
     let sheet = drawn(&structure.unwrap_or_else(|e| panic!("{e}")), 0).0;
     let series = computed(&sheet);

@@ -1,6 +1,7 @@
 //! What was measured, in figures: the points of a file by a formula, in its own times and units.
 
 use super::drawn;
+use slipgap_drawing::layout::coincide::MEANING;
 use slipgap_drawing::layout::sheet::{Series, Sheet};
 use slipgap_drawing::style::Stroke;
 use slipgap_study::{Study, read};
@@ -95,7 +96,7 @@ fn a_history_has_the_measured_points_at_their_own_times() {
     }
     assert_eq!(
         sheet.description,
-        "measured; *k* = 20; *k* = 30; zero".replace('*', "")
+        format!("measured; k = 20; k = 30; {MEANING}")
     );
     // A part of the time has the points beside its ends, so that the line does not end within the frame.
     let (sheet, _) = drawn(&study, 1);

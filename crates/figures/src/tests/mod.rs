@@ -29,6 +29,15 @@ const X0: usize = 5;
 
 /// The sheet of a figure of a study, with the snapshots of its cases.
 fn drawn(study: &Study, figure: usize) -> (Sheet, Vec<Vec<Snapshot>>) {
+    drawn_by(study, figure, sheet)
+}
+
+/// The same, drawn in another way.
+fn drawn_by(
+    study: &Study,
+    figure: usize,
+    draw: impl FnOnce(&FigureData) -> Sheet,
+) -> (Sheet, Vec<Vec<Snapshot>>) {
     let (problem, figure) = (&study.problem, &study.figures[figure]);
     let cases: Vec<_> = study.cases().filter(|c| figure.filter.matches(c)).collect();
     let solutions: Vec<_> = cases
@@ -42,7 +51,7 @@ fn drawn(study: &Study, figure: usize) -> (Sheet, Vec<Vec<Snapshot>>) {
         shown.push(case, &solution.metrics.clone(), Some(solution));
         shown.set_snapshots(i, snapshots[i].clone());
     }
-    let sheet = sheet_of(study, figure, &shown.all());
+    let sheet = with_data(study, figure, &shown.all(), draw);
     (sheet, snapshots)
 }
 
@@ -130,7 +139,7 @@ impl Run {
             note: None,
             width,
             ranges,
-            colour: None,
+            colour: false,
             markers: false,
             filter: Filter::default(),
             kind,
@@ -154,7 +163,8 @@ fn with_data<T>(
     let designs = DesignMetrics::of_cases(study, cases);
     let groups = GroupResults::new(study, figure, cases, &designs);
     draw(&FigureData {
-        colour: false,
+        black: false,
+        dpi: style::DPI,
         study,
         figure,
         cases,
@@ -215,7 +225,7 @@ fn a_history_shows_what_was_computed() {
     );
     assert_eq!([&response.caption, &error.caption], ["(a)", "(b)"]);
     assert!(response.zero && error.zero && !response.x.numbered && error.x.numbered);
-    assert_eq!(sheet.description, "exact; α = 0.1; α = 1; α = 5; zero");
+    assert_eq!(sheet.description, "exact; α = 0.1; α = 1; α = 5");
 }
 
 #[test]
@@ -240,7 +250,7 @@ fn a_crowded_legend_stands_between_the_edge_and_the_panel() {
         stacked: false,
         inset: None,
     }));
-    assert_eq!(sheet.legend.len(), 9);
+    assert_eq!(sheet.legend.len(), 8);
     for entry in &sheet.legend {
         assert!(entry.at[1] - style::LEADING / 2.0 >= style::EDGE);
         assert!(entry.at[1] + style::LEADING / 2.0 <= sheet.panels[0].frame.top);
@@ -470,7 +480,7 @@ fn svg_is_whole_and_needs_no_font() {
     assert_eq!(text, svg(&sheet, style::DPI).unwrap());
     assert!(text.starts_with("<svg ") && text.ends_with("</svg>\n"));
     assert!(text.contains("<title>a test</title>"));
-    assert!(text.contains("<desc>exact; α = 0.1; α = 1; α = 5; zero</desc>"));
+    assert!(text.contains("<desc>exact; α = 0.1; α = 1; α = 5</desc>"));
     assert!(!text.contains("NaN") && !text.contains("inf") && !text.contains("font"));
     for reference in text.split("href=\"#").skip(1) {
         let name = reference.split('"').next().unwrap();

@@ -70,7 +70,7 @@ fn a_curve_shows_what_was_computed_over_the_exact_loop() {
         ("", "*X* = *x*/Δ")
     );
     assert_eq!(force.y.title, "*S*/*νN*");
-    assert_eq!(sheet.description, "exact; α = 0.1; α = 1; α = 5; zero");
+    assert_eq!(sheet.description, "exact; α = 0.1; α = 1; α = 5");
     assert!(png(&sheet, style::DPI).is_ok());
 }
 
@@ -91,7 +91,7 @@ fn curves_have_panels_limits_and_units() {
         );
         // In units S = -k_I r where the bars touch; the scaled force and displacement agree to round-off.
         let k = case.number("k_I").unwrap();
-        let curve = panel.series.iter().find(|s| s.marker.is_some()).unwrap();
+        let curve = panel.series.iter().find(|s| s.label == "computed").unwrap();
         let pressed: Vec<_> = curve.points.iter().filter(|p| p[1] != 0.0).collect();
         assert!(pressed.len() > 10);
         for point in pressed {

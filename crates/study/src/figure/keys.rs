@@ -202,7 +202,7 @@ pub(super) const COLOUR: Key = key(
     "colour",
     Takes::Switch,
     false,
-    "true: unbroken curves in colours for any colour vision; false: black with dashes and markers; if left out, colour with --colour, in reports and notebooks",
+    "false: black curves with dashes and markers, and hatched bands; if left out, unbroken curves in colours for any colour vision",
 );
 pub(super) const MARKERS: Key = key(
     "markers",

@@ -84,7 +84,7 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         note: values.text("note"),
         width: values.width("width"),
         ranges: ["x_range", "y_range"].map(|key| values.range(key)),
-        colour: values.given_switch("colour"),
+        colour: values.given_switch("colour") != Some(false),
         markers: values.switch("markers"),
         filter: values.filter(),
         kind: (kind?.decode)(&values, scope)?,

@@ -40,6 +40,8 @@ pub struct Page {
     cells: Vec<(Rgb, [i32; 4])>,
     fonts: Fonts,
     pictures: Vec<Picture>,
+    /// Opacities of areas; each has a name on the page by its place here.
+    opacities: Vec<f64>,
 }
 
 impl Page {
@@ -60,6 +62,7 @@ impl Page {
             cells: Vec::new(),
             fonts: Fonts::default(),
             pictures: Vec::new(),
+            opacities: Vec::new(),
         }
     }
 
@@ -73,6 +76,7 @@ impl Page {
             content.as_slice(),
             &self.fonts,
             &self.pictures,
+            &self.opacities,
         )
     }
 
@@ -224,9 +228,23 @@ impl DrawingBackend for Page {
     ) -> Drawn {
         self.flush();
         let points: Vec<_> = points.into_iter().collect();
-        self.fill_in(style.color().rgb);
+        let BackendColor { rgb, alpha } = style.color();
+        self.fill_in(rgb);
+        if alpha < 1.0 {
+            let known = self.opacities.iter().position(|own| *own == alpha);
+            let place = known.unwrap_or(self.opacities.len());
+            if known.is_none() {
+                self.opacities.push(alpha);
+            }
+            self.content.save_state();
+            self.content
+                .set_parameters(Name(objects::opacity(place).as_bytes()));
+        }
         self.trace(&points);
         self.content.fill_nonzero();
+        if alpha < 1.0 {
+            self.content.restore_state();
+        }
         Ok(())
     }
 

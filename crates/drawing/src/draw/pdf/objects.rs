@@ -4,6 +4,7 @@
 use super::compressed::compressed;
 use super::fonts::Fonts;
 use crate::DrawingError;
+use pdf_writer::writers::ExtGraphicsState;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
 
 /// An image on the page.
@@ -37,6 +38,11 @@ impl Picture {
     }
 }
 
+/// The name on the page of the opacity in this place.
+pub fn opacity(place: usize) -> String {
+    format!("G{place}")
+}
+
 /// The file of one page with its size in points.
 pub fn file(
     size: [f64; 2],
@@ -44,6 +50,7 @@ pub fn file(
     content: &[u8],
     fonts: &Fonts,
     pictures: &[Picture],
+    opacities: &[f64],
 ) -> Result<Vec<u8>, DrawingError> {
     let [catalog, pages, page, drawing, info] = [1, 2, 3, 4, 5].map(Ref::new);
     let mut next = Ref::new(6);
@@ -78,6 +85,14 @@ pub fn file(
     let mut named = resources.x_objects();
     for (name, at) in images {
         named.pair(Name(name.as_bytes()), at);
+    }
+    named.finish();
+    let mut named = resources.ext_g_states();
+    for (place, alpha) in opacities.iter().enumerate() {
+        named
+            .insert(Name(opacity(place).as_bytes()))
+            .start::<ExtGraphicsState>()
+            .non_stroking_alpha(*alpha as f32);
     }
     named.finish();
     resources.finish();

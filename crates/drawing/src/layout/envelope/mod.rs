@@ -1,20 +1,18 @@
 //! Bands instead of curves that oscillate too fast to draw: their places and edges.
 //!
 //! Turns are those of the curve on the sheet. A turn counts if the curve swings farther than strokes
-//! are apart. Where `PERIODS` periods in a row are shorter than their strokes are wide, a band replaces the curve, as far as
-//! periods are hardly longer. Its edges are hulls of the points, so the band contains every point and touches every peak.
+//! are apart. Where `PERIODS` periods in a row are shorter than a pixel, so that it has more than two extremes, a band replaces the
+//! curve, as far as periods are hardly longer. Its edges are hulls of the points, so the band contains every point and touches every
+//! peak.
 
 #[cfg(test)]
 mod tests;
 
 use crate::layout;
 use crate::layout::sheet::{Envelope, Panel, Sheet};
-use crate::style::Stroke;
+use crate::style::{self, Stroke};
 
-/// Shortest period that can be drawn, in line widths: two strokes and as much white after each.
-const PERIOD: f64 = 4.0;
-
-/// How much longer periods may be along a band, so that it does not break where they are near the shortest.
+/// How much longer than a pixel periods may be along a band, so that it does not break where they are near it.
 const LONGER: f64 = 1.1;
 
 /// Least swing between turns, in line widths: a lower one is not dense.
@@ -26,7 +24,7 @@ const PERIODS: usize = 5;
 /// Ratio of the two swings of the first and last period of a band at most: a jump or a shoulder is no oscillation.
 const ALIKE: f64 = 2.0;
 
-/// Width of the columns whose highest and lowest points the edges join, in shortest periods: each has a peak.
+/// Width of the columns whose highest and lowest points the edges join, in pixels: each has a peak.
 const COLUMN: f64 = 2.0;
 
 /// What a band of a black curve means.
@@ -37,12 +35,16 @@ pub const MEANING: &str = "Band: between the envelopes of an oscillation too den
 pub const IN_COLOUR: &str =
     "Band: between the envelopes of an oscillation too dense to draw, in the colour of its curve.";
 
-/// Finds the bands of a finished sheet, and adds their meaning under it.
-pub fn find(sheet: &mut Sheet) {
+/// Most curves of a panel with filled bands; of others only the edges are drawn.
+const MOST_FILLED: usize = 3;
+
+/// Finds the bands of a finished sheet with `dpi` pixels an inch, and adds their meaning under it.
+pub fn find(sheet: &mut Sheet, dpi: u32) {
+    let pixel = 1.0 / style::pixels(dpi);
     for panel in &mut sheet.panels {
-        panel.envelopes = of(panel);
+        panel.envelopes = of(panel, pixel);
         if let Some(inset) = &mut panel.inset {
-            inset.envelopes = of(inset);
+            inset.envelopes = of(inset, pixel);
         }
     }
     if let Some(meaning) = meaning(sheet) {
@@ -69,8 +71,19 @@ pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
     })
 }
 
+/// The bands of a panel that are filled.
+pub fn filled(panel: &Panel) -> impl Iterator<Item = &Envelope> {
+    let mut curves: Vec<usize> = Vec::new();
+    panel.envelopes.iter().filter(move |band| {
+        if !curves.contains(&band.series) && curves.len() < MOST_FILLED {
+            curves.push(band.series);
+        }
+        curves.contains(&band.series)
+    })
+}
+
 /// The bands of a panel, the largest first, so that none hides another.
-fn of(panel: &Panel) -> Vec<Envelope> {
+fn of(panel: &Panel, pixel: f64) -> Vec<Envelope> {
     let mut found: Vec<(f64, Envelope)> = Vec::new();
     // A band of noise would look like an oscillation.
     let curves = panel.series.iter().enumerate();
@@ -78,8 +91,8 @@ fn of(panel: &Panel) -> Vec<Envelope> {
         let places: Vec<[f64; 2]> = curve.points.iter().map(|p| panel.place(*p)).collect();
         for (first, last) in runs(&places) {
             let run = &places[first..=last];
-            for (from, to) in stretches(run, &turns(run, SWING * curve.width), curve.width) {
-                let edge = |side| edge(&places, [first + from, first + to], curve.width, side);
+            for (from, to) in stretches(run, &turns(run, SWING * curve.width), pixel) {
+                let edge = |side| edge(&places, [first + from, first + to], pixel, side);
                 let (upper, lower) = (edge(-1.0), edge(1.0));
                 let area = under(&places, &lower) - under(&places, &upper);
                 let envelope = Envelope {
@@ -147,9 +160,8 @@ fn turns(places: &[[f64; 2]], swing: f64) -> Vec<usize> {
     turns
 }
 
-/// First and last points of the stretches that are too dense for a line of this width.
-fn stretches(places: &[[f64; 2]], turns: &[usize], width: f64) -> Vec<(usize, usize)> {
-    let shortest = PERIOD * width;
+/// First and last points of the stretches with periods shorter than a pixel.
+fn stretches(places: &[[f64; 2]], turns: &[usize], shortest: f64) -> Vec<(usize, usize)> {
     let room = |a: usize, b: usize| places[turns[b]][0] - places[turns[a]][0];
     // First and last turn, and whether periods are too short somewhere between them.
     let mut stretches: Vec<(usize, usize, bool)> = Vec::new();
@@ -187,8 +199,8 @@ fn stretches(places: &[[f64; 2]], turns: &[usize], width: f64) -> Vec<(usize, us
 
 /// The points of one edge of a band, `side` -1 for the upper one and 1 for the lower one: hulls between the extreme
 /// points of neighbouring columns.
-fn edge(places: &[[f64; 2]], [from, to]: [usize; 2], width: f64, side: f64) -> Vec<usize> {
-    let column = |i: usize| (places[i][0] / (COLUMN * PERIOD * width)).floor();
+fn edge(places: &[[f64; 2]], [from, to]: [usize; 2], pixel: f64, side: f64) -> Vec<usize> {
+    let column = |i: usize| (places[i][0] / (COLUMN * pixel)).floor();
     let mut knots = vec![from];
     for i in from + 1..to {
         match knots.last_mut() {

@@ -11,7 +11,10 @@ use std::f64::consts::PI;
 /// Width of the frame of the tests, in points; x is in points from its left edge.
 const WIDTH: f64 = 400.0;
 
-/// Shortest period of a curve of a case: 4 lines of 0.9 points.
+/// Pixels an inch: few, so that few points make a dense curve.
+const DPI: u32 = 20;
+
+/// The shortest period, a pixel: with two turns in each period, shorter ones have more than two in a pixel.
 const SHORTEST: f64 = 3.6;
 
 /// Points of a curve: 180 or more a period of the shortest.
@@ -45,7 +48,7 @@ fn sampled(count: usize, of: impl Fn(f64) -> f64) -> Panel {
         marker: None,
         marked: Vec::new(),
     }];
-    panel.envelopes = super::of(&panel);
+    panel.envelopes = super::of(&panel, SHORTEST);
     panel
 }
 
@@ -138,9 +141,11 @@ fn a_band_contains_every_point_and_touches_every_peak() {
 fn a_curve_that_can_be_drawn_has_no_band() {
     let sine =
         |period: f64, swing: f64| move |x: f64| swing / 20.0 * libm::sin(2.0 * PI * x / period);
-    // Just over and under the shortest period; just under and over the least swing, 2 lines of 0.9 points.
+    // Just under and over two turns in a pixel; just under and over the least swing, 2 lines of 0.9 points.
     assert!(panel(sine(3.65, 40.0)).envelopes.is_empty());
     assert_eq!(panel(sine(3.55, 40.0)).envelopes.len(), 1);
+    // With as many pixels as figures have, 0.375 points each, the same curve is drawn.
+    assert!(super::of(&panel(sine(3.55, 40.0)), 1.0 / style::pixels(style::DPI)).is_empty());
     assert!(panel(sine(1.0, 1.75)).envelopes.is_empty());
     assert_eq!(panel(sine(1.0, 1.85)).envelopes.len(), 1);
     // Three dense periods are a few strokes; a slow swing between dense ones is drawn.
@@ -226,7 +231,7 @@ fn a_gap_ends_a_band_and_a_curve_without_order_has_none() {
     assert_eq!(gap.envelopes.len(), 2);
     let mut back = panel(dense);
     back.series[0].points.reverse();
-    assert!(super::of(&back).is_empty());
+    assert!(super::of(&back, SHORTEST).is_empty());
 }
 
 #[test]
@@ -245,7 +250,7 @@ fn only_the_dense_part_of_a_curve_is_replaced() {
         panels: vec![panel],
         ..Sheet::default()
     };
-    find(&mut sheet);
+    find(&mut sheet, DPI);
     let lines: Vec<&str> = sheet
         .small_print
         .iter()
@@ -257,26 +262,27 @@ fn only_the_dense_part_of_a_curve_is_replaced() {
         let colour = format!("fill=\"#{r:02x}{g:02x}{b:02x}\"");
         svg(sheet, style::DPI).unwrap().matches(&colour).count()
     };
-    assert_eq!(filled(&sheet, Stroke::Dashed.fill()), 0);
+    assert_eq!(filled(&sheet, Stroke::Dashed.fill().0), 0);
     let width = format!("stroke-width=\"{}\"", style::units(style::HATCH_LINE));
     assert!(svg(&sheet, style::DPI).unwrap().contains(&width));
     let blue = Stroke::Colour(0);
     sheet.panels[0].series[0].stroke = blue;
     sheet.small_print.clear();
-    find(&mut sheet);
+    find(&mut sheet, DPI);
     let lines: Vec<&str> = sheet
         .small_print
         .iter()
         .map(|line| line.text.as_str())
         .collect();
     assert_eq!(lines.join(" "), IN_COLOUR);
-    assert_eq!(filled(&sheet, blue.fill()), 1);
+    assert_eq!(filled(&sheet, blue.fill().0), 1);
+    assert!(svg(&sheet, style::DPI).unwrap().contains("fill-opacity"));
     assert!(!svg(&sheet, style::DPI).unwrap().contains(&width));
     // What was measured has noise, not a band.
     let points = sheet.panels[0].series[0].points.clone();
     sheet.panels[0].series[0] = Series::measured(points);
     sheet.small_print.clear();
-    find(&mut sheet);
+    find(&mut sheet, DPI);
     assert!(sheet.panels[0].envelopes.is_empty() && sheet.small_print.is_empty());
 }
 

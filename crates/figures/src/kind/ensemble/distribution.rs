@@ -1,6 +1,6 @@
 //! Empirical distribution functions of metrics with their confidence bands, a panel for each metric.
 
-use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
+use super::ensembles::{Ensemble, MOST_BANDS, ensembles, keys, stroke, without_value};
 use crate::FigureData;
 use crate::column::has_place;
 use crate::kind::Draw;
@@ -33,6 +33,7 @@ impl Draw for Distribution {
         } = *data;
         let look = data.look();
         let (found, all) = ensembles(study, cases, self.by, None);
+        let banded = found.len() <= MOST_BANDS;
         let height = if self.y.len() == 1 { 190.0 } else { 130.0 };
         let [x_range, y_range] = figure.ranges;
         let width = figure.width.unwrap_or(1.2 * style::SINGLE);
@@ -65,7 +66,7 @@ impl Draw for Distribution {
             frame.height = height;
             let mut panel = Panel::new(frame, grid.margin, x, y.clone());
             for (k, ensemble) in found.iter().enumerate() {
-                draw(&mut panel, ensemble, *metric, stroke(look, k));
+                draw(&mut panel, ensemble, *metric, stroke(look, k), banded);
             }
             sheet.panels.push(panel);
         }
@@ -76,7 +77,11 @@ impl Draw for Distribution {
             vec![keys(look, &found, |_| None)],
             figure.title.as_deref(),
         );
-        layout::small_print(&mut sheet, &format!("{BANDS} {}", counts(&found)));
+        let bands = match banded {
+            true => BANDS.to_owned(),
+            false => format!("Without confidence bands, because there are more than {MOST_BANDS}."),
+        };
+        layout::small_print(&mut sheet, &format!("{bands} {}", counts(&found)));
         without_value(&mut sheet, study, cases, &self.y);
         sheet
     }
@@ -93,8 +98,8 @@ fn counts(found: &[Ensemble]) -> String {
     }
 }
 
-/// Adds the function of an ensemble and its band.
-fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, stroke: Stroke) {
+/// Adds the function of an ensemble and, if `banded`, its band.
+fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, stroke: Stroke, banded: bool) {
     let values = ensemble
         .cases
         .iter()
@@ -124,11 +129,13 @@ fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, stroke: Stroke) {
             .map(|[x, y]| [*x, (y + by).clamp(0.0, 1.0)])
             .collect()
     };
-    panel.bands.push(Band {
-        upper: moved(half),
-        lower: moved(-half),
-        stroke,
-    });
+    if banded {
+        panel.bands.push(Band {
+            upper: moved(half),
+            lower: moved(-half),
+            stroke,
+        });
+    }
     // The upper end of each step shows its values.
     let marked = (0..shown.len()).map(|step| 2 * step + 2).collect();
     panel.series.push(Series {

@@ -13,6 +13,9 @@ use slipgap_study::{Study, alike};
 /// Most curves of a figure: as many as a reader can distinguish without markers.
 pub const MOST_CURVES: usize = 6;
 
+/// Most curves of a figure with bands: more bands on one another are not told apart.
+pub const MOST_BANDS: usize = 3;
+
 /// The cases of one curve.
 #[derive(Debug, Clone)]
 pub struct Ensemble<'a, 'c> {

@@ -1,11 +1,10 @@
 //! Quantiles of metrics over a parameter: the median as a line on a band, a panel for each metric.
 
-use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
+use super::ensembles::{Ensemble, MOST_BANDS, ensembles, keys, stroke, without_value};
 use crate::kind::Draw;
 use crate::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
-use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Stroke};
@@ -52,7 +51,7 @@ impl Draw for Quantiles {
         let title = &study.problem.parameters()[self.x].title();
         let across = limits::axis(title, places, x_scale, x_range, grid.width / 40.0);
         let longest = panels.iter().flatten().map(Vec::len).max().unwrap_or(0);
-        let look = data.look();
+        let (look, banded) = (data.look(), found.len() <= MOST_BANDS);
         let marker = |k: usize| look.marker(k).filter(|_| longest <= MOST_MARKED);
         let mut sheet = Sheet {
             width,
@@ -69,7 +68,9 @@ impl Draw for Quantiles {
             panel.zero =
                 y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
             for (k, points) in curves.iter().enumerate() {
-                bands(&mut panel, points, stroke(look, k));
+                if banded {
+                    bands(&mut panel, points, stroke(look, k));
+                }
                 panel.series.push(Series {
                     label: found[k].label.clone(),
                     points: points
@@ -86,17 +87,19 @@ impl Draw for Quantiles {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, found.len(), all);
-        let mut keys = keys(look, &found, marker);
-        keys.extend(guides::key(&sheet.panels, None));
+        let keys = keys(look, &found, marker);
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
-        layout::small_print(&mut sheet, &meaning(self));
+        layout::small_print(&mut sheet, &meaning(self, banded));
         without_value(&mut sheet, study, cases, &self.y);
         sheet
     }
 }
 
 /// What lines and bands are.
-fn meaning(figure: &Quantiles) -> String {
+fn meaning(figure: &Quantiles, banded: bool) -> String {
+    if !banded {
+        return format!("Lines: medians, without bands, because there are more than {MOST_BANDS}.");
+    }
     let [low, high] = figure
         .band
         .map(|p| number::plain(1e-9 * (1e11 * p).round()));

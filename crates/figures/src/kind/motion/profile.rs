@@ -6,8 +6,7 @@ use crate::label;
 use crate::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
-use slipgap_drawing::layout::guides;
-use slipgap_drawing::layout::legend;
+use slipgap_drawing::layout::legend::{self, Key};
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Look};
@@ -99,8 +98,7 @@ impl Draw for Profile {
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, drawn.len(), solved.len());
         let mut keys = legend::keys(sheet.panels.get(..1).unwrap_or_default());
-        let rules = (!ends.is_empty()).then_some("ends of the bars");
-        keys.extend(guides::key(&sheet.panels, rules));
+        keys.extend((!ends.is_empty()).then(|| Key::thin("ends of the bars")));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet
     }

@@ -5,7 +5,7 @@ use crate::FigureData;
 use crate::kind::Draw;
 use slipgap_drawing::colour_map::bar;
 use slipgap_drawing::layout;
-use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Cell, FilledMap, Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style;
@@ -116,8 +116,7 @@ impl Draw for Wave {
             sheet.panels.push(panel);
         }
         layout::letter_panels(&mut sheet.panels);
-        let keys = guides::key(&sheet.panels, Some("contact"));
-        let keys = keys.into_iter().collect();
+        let keys = vec![Key::thin("contact")];
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet
     }

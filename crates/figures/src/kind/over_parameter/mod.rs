@@ -16,7 +16,6 @@ use order::{graded, order};
 use orders::{ORDERS, order_lines};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
-use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
@@ -268,7 +267,6 @@ impl Curves<'_> {
         if limited {
             keys.push(limits_of_checks::key());
         }
-        keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet
     }

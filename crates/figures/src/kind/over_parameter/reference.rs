@@ -8,7 +8,7 @@ use slipgap_study::Measure;
 /// Its label in the legend.
 pub const LABEL: &str = "exact";
 
-/// The label of several of them, each with the dashes of its curve.
+/// The label of several black ones, each with the dashes of its curve.
 pub const SEVERAL: &str = "exact (thin, dashed like its curve)";
 
 /// Row of the metric that is the exact value of another, called `NAME_exact`, in units like the other or not, if it is
@@ -26,7 +26,7 @@ pub fn row(table: &[Measure], listed: &[usize], metric: usize) -> Option<usize> 
     listed.contains(&row).then_some(row)
 }
 
-/// The lines of an exact value over a parameter: one for each curve, equal ones once. Several
+/// The lines of an exact value over a parameter: one for each curve, equal ones once. If curves are black, several
 /// lines have the `strokes` of their curves, so that a reader can distinguish them.
 pub fn lines(
     cases: &[DrawnCase],
@@ -55,7 +55,10 @@ pub fn lines(
             });
         }
     }
-    if lines.len() > 1 {
+    let black = own
+        .iter()
+        .all(|stroke| stroke.colour() == Stroke::Solid.colour());
+    if lines.len() > 1 && black {
         for (line, stroke) in lines.iter_mut().zip(own) {
             (line.label, line.stroke) = (SEVERAL.into(), stroke);
         }

@@ -11,7 +11,7 @@ use crate::{DrawnCase, FigureData};
 use pairs::Pairs;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
-use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::coincide;
 use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
@@ -178,8 +178,7 @@ impl DrawWith for Curve {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, drawn.len(), solved.len());
-        let mut keys = legend::keys(&sheet.panels);
-        keys.extend(guides::key(&sheet.panels, None));
+        let keys = legend::keys(&sheet.panels);
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet
     }
@@ -194,22 +193,14 @@ fn mark(panel: &mut Panel, labels: &[String]) {
             continue;
         };
         let places: Vec<[f64; 2]> = curve.points.iter().map(|p| panel.place(*p)).collect();
-        let lengths: Vec<f64> = places
-            .windows(2)
-            .map(|pair| libm::hypot(pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]))
-            .collect();
-        let spacing = lengths.iter().sum::<f64>() / MARKERS;
-        if !(spacing > 0.0 && spacing.is_finite()) {
-            continue;
-        }
-        let mut next = spacing * ((index % count) as f64 + 0.5) / count as f64;
-        let mut reached = 0.0;
-        for (i, length) in lengths.iter().enumerate() {
-            reached += length;
-            if reached >= next {
-                curve.marked.push(i + 1);
-                next += spacing * ((reached - next) / spacing).floor() + spacing;
-            }
+        let steps = places.windows(2).map(|pair| {
+            let [a, b] = [pair[0], pair[1]];
+            libm::hypot(b[0] - a[0], b[1] - a[1])
+        });
+        let spacing = steps.sum::<f64>() / MARKERS;
+        if spacing > 0.0 && spacing.is_finite() {
+            let first = ((index % count) as f64 + 0.5) / count as f64;
+            curve.marked = coincide::at_distances(&places, spacing, first);
         }
     }
     panel.series = series;

@@ -13,7 +13,6 @@ use arrangement::Arrangement;
 use curves::Curves;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
-use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::inset;
 use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
@@ -187,8 +186,7 @@ impl Draw for History {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, drawn.len(), solved.len());
-        let mut keys = legend::keys(&sheet.panels);
-        keys.extend(guides::key(&sheet.panels, None));
+        let keys = legend::keys(&sheet.panels);
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet
     }

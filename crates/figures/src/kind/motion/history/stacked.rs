@@ -6,7 +6,6 @@ use crate::label;
 use crate::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
-use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Band, MEASURED, Panel, Series, Sheet};
@@ -88,8 +87,7 @@ pub fn sheet(figure: &History, data: &FigureData) -> Sheet {
     }
     layout::letter_panels(&mut sheet.panels);
     layout::left_out(&mut sheet, drawn.len(), solved.len());
-    let mut keys = legend::keys(&sheet.panels);
-    keys.extend(guides::key(&sheet.panels, None));
+    let keys = legend::keys(&sheet.panels);
     layout::finish(&mut sheet, vec![keys], data.figure.title.as_deref());
     sheet
 }

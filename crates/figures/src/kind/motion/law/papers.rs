@@ -6,7 +6,6 @@ use slipgap_contact::contact::numbers::oscillator::{ALPHA, BETA};
 use slipgap_contact::contact::{Cycle, DisplacementControl, Law as _, VelocityControl};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
-use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Anchor, Panel, PlacedText, Series, Sheet};
 use slipgap_drawing::layout::ticks;
@@ -82,12 +81,7 @@ pub fn sheet(data: &FigureData) -> Sheet {
                 marked,
             });
         }
-        let curves = panel.series.iter().map(Key::of);
-        keys.push(
-            curves
-                .chain(guides::key(std::slice::from_ref(&panel), None))
-                .collect::<Vec<Key>>(),
-        );
+        keys.push(panel.series.iter().map(Key::of).collect::<Vec<Key>>());
         model.write_dimensions(&mut panel, widest, reach);
         sheet.panels.push(panel);
     }

@@ -1,0 +1,176 @@
+//! Lines as the cells of a grid that they cover.
+
+use crate::layout::clip;
+use crate::layout::sheet::{Panel, Series};
+use crate::style;
+
+/// Side of the cells that a line covers with their neighbours: half a line, so that a point in one is within a line of it.
+const CELL: f64 = 0.5 * style::CASE_LINE;
+
+/// Length of a dense curve, each place once, over the width and height of its frame: it crosses the frame several times.
+const DENSE: f64 = 3.0;
+
+/// Half the side of the square that an oscillation fills, in cells: 3 lines.
+const HALF: usize = 6;
+
+/// Least number of cells of an oscillation in that square of 169: a line has 13 to 19, and at a corner or crossing twice as many.
+const FULL: usize = 50;
+
+/// Least part of a curve under the line of another that hides it.
+const HIDDEN: f64 = 0.9;
+
+/// The distance of two places.
+pub fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    libm::hypot(b[0] - a[0], b[1] - a[1])
+}
+
+/// The visible steps of a curve from point to point.
+fn steps(panel: &Panel, series: &Series) -> Vec<[[f64; 2]; 2]> {
+    let places: Vec<[f64; 2]> = series.points.iter().map(|p| panel.place(*p)).collect();
+    let pairs = places.windows(2);
+    pairs
+        .filter_map(|pair| clip::segment(pair[0], pair[1], &panel.frame))
+        .collect()
+}
+
+/// A frame as cells.
+pub struct Cells {
+    columns: usize,
+    rows: usize,
+    corner: [f64; 2],
+}
+
+/// The cells along a curve, with the length in each.
+pub struct Path {
+    cells: Vec<(usize, f64)>,
+    /// The whole length.
+    pub length: f64,
+}
+
+impl Cells {
+    /// The cells of the frame of a panel.
+    pub fn of(panel: &Panel) -> Cells {
+        let frame = &panel.frame;
+        // Two rows and columns of cells more on each side, for neighbours and rounding.
+        let count = |length: f64| (length / CELL).ceil() as usize + 4;
+        Cells {
+            columns: count(frame.width),
+            rows: count(frame.height),
+            corner: [frame.left - 2.0 * CELL, frame.top - 2.0 * CELL],
+        }
+    }
+
+    /// The cells along a curve.
+    pub fn path(&self, panel: &Panel, series: &Series) -> Path {
+        let mut cells: Vec<(usize, f64)> = Vec::new();
+        for [a, b] in steps(panel, series) {
+            let count = (distance(a, b) / CELL).ceil().max(1.0);
+            let step = distance(a, b) / count;
+            for k in 0..count as u32 {
+                let t = (f64::from(k) + 0.5) / count;
+                let at = [0, 1].map(|i| a[i] + t * (b[i] - a[i]) - self.corner[i]);
+                let [x, y] = at.map(|x| (x / CELL) as usize);
+                let cell = y * self.columns + x;
+                match cells.last_mut() {
+                    Some((last, length)) if *last == cell => *length += step,
+                    _ => cells.push((cell, step)),
+                }
+            }
+        }
+        let length = cells.iter().map(|(_, length)| length).sum();
+        Path { cells, length }
+    }
+
+    /// The length of a dense curve, each place once; `None` if it is not dense.
+    pub fn dense(&self, path: &Path) -> Option<f64> {
+        let least = DENSE * (self.columns + self.rows) as f64 * CELL;
+        if path.length <= least {
+            return None;
+        }
+        let own = self.visited(path).into_iter().filter(|own| *own);
+        let extent = own.count() as f64 * CELL;
+        (extent > least).then_some(extent)
+    }
+
+    fn visited(&self, path: &Path) -> Vec<bool> {
+        let mut visited = vec![false; self.columns * self.rows];
+        path.cells
+            .iter()
+            .for_each(|(cell, _)| visited[*cell] = true);
+        visited
+    }
+
+    /// Of the cells that a path covers those round which it does not fill a square.
+    pub fn thin(&self, path: &Path, covered: &[bool]) -> Vec<bool> {
+        // Sums of the visited cells over and left of a corner.
+        let (visited, width) = (self.visited(path), self.columns + 1);
+        let mut sums = vec![0_usize; width * (self.rows + 1)];
+        for row in 0..self.rows {
+            for column in 0..self.columns {
+                let at = row * width + column;
+                let own = usize::from(visited[row * self.columns + column]);
+                sums[at + width + 1] = sums[at + width] + sums[at + 1] + own - sums[at];
+            }
+        }
+        let is_full = |cell: usize| {
+            let (row, column) = (cell / self.columns, cell % self.columns);
+            let [top, left] = [row, column].map(|k| k.saturating_sub(HALF));
+            let bottom = (row + HALF + 1).min(self.rows);
+            let right = (column + HALF + 1).min(self.columns);
+            let sum = |row: usize, column: usize| sums[row * width + column];
+            sum(bottom, right) + sum(top, left) - sum(top, right) - sum(bottom, left) >= FULL
+        };
+        let cells = covered.iter().enumerate();
+        cells.map(|(cell, own)| *own && !is_full(cell)).collect()
+    }
+
+    /// The cells of a path and their neighbours.
+    pub fn covered(&self, path: &Path) -> Vec<bool> {
+        let mut covered = vec![false; self.columns * self.rows];
+        for (cell, _) in &path.cells {
+            for row in [cell - self.columns, *cell, cell + self.columns] {
+                covered[row - 1..=row + 1].fill(true);
+            }
+        }
+        covered
+    }
+}
+
+impl Path {
+    /// The stretches in cells that one of the first lines `under` it covers, as lengths along it, with the mean number of lines under
+    /// and over it there; gaps shorter than `gap` are no ends.
+    pub fn shared(&self, lines: [&[&[bool]]; 2], gap: f64) -> Vec<([f64; 2], [usize; 2])> {
+        let mut found: Vec<([f64; 2], [f64; 2])> = Vec::new();
+        let mut at = 0.0;
+        for (cell, length) in &self.cells {
+            let from = at;
+            at += length;
+            let count = |lines: &[&[bool]]| lines.iter().filter(|covered| covered[*cell]).count();
+            let counts = lines.map(|lines| length * count(lines) as f64);
+            if counts[0] == 0.0 {
+                continue;
+            }
+            match found.last_mut() {
+                Some((ends, sums)) if from - ends[1] < gap => {
+                    ends[1] = at;
+                    *sums = [0, 1].map(|k| sums[k] + counts[k]);
+                }
+                _ => found.push(([from, at], counts)),
+            }
+        }
+        let mean = |(ends, sums): ([f64; 2], [f64; 2])| {
+            let length = ends[1] - ends[0];
+            (ends, sums.map(|sum| (sum / length).round() as usize))
+        };
+        found.into_iter().map(mean).collect()
+    }
+
+    /// Whether nearly all of it is in covered cells.
+    pub fn is_in(&self, covered: &[bool]) -> bool {
+        let mut outside = 0.0;
+        self.cells.iter().all(|(cell, length)| {
+            outside += if covered[*cell] { 0.0 } else { *length };
+            outside <= (1.0 - HIDDEN) * self.length
+        })
+    }
+}

@@ -1,0 +1,238 @@
+//! Curves that would hide one another: which is drawn first, and how two that coincide are seen as two.
+
+mod cells;
+#[cfg(test)]
+mod tests;
+
+use crate::layout;
+use crate::layout::clip::{self, Line};
+use crate::layout::sheet::{Panel, Series, Sheet};
+use crate::style::{Marker, Stroke};
+use cells::{Cells, Path, distance};
+
+/// Length of a dash of curves that coincide.
+const DASH: f64 = 6.0;
+
+/// Least length of a stretch in which curves coincide: where they only cross, it is shorter.
+const LEAST: f64 = 30.0;
+
+/// Distance of the markers of black curves that coincide.
+const APART: f64 = 60.0;
+
+/// What alternating dashes mean.
+pub const MEANING: &str = "Alternating dashes: curves that coincide.";
+
+/// A stretch of a curve that coincides with others under it, so that they are drawn as dashes in turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turn {
+    /// Which of the panel's curves.
+    pub series: usize,
+    /// Its ends, as lengths along the visible curve.
+    pub ends: [f64; 2],
+    /// Its turn; the first curve, number 0, is unbroken under the others.
+    pub turn: usize,
+    /// Number of curves that coincide.
+    pub of: usize,
+}
+
+/// Finds where the curves of a finished sheet coincide, and adds what their dashes mean under it.
+pub fn find(sheet: &mut Sheet) {
+    for panel in &mut sheet.panels {
+        let curves: Vec<bool> = panel.series.iter().map(is_curve).collect();
+        panel.turns = turns(panel, &curves);
+        if let Some(inset) = &mut panel.inset {
+            inset.turns = turns(inset, &curves);
+        }
+        for (label, marker) in mark(panel) {
+            let own = sheet.legend.iter_mut();
+            let own = own.filter(|entry| entry.label == label);
+            own.for_each(|entry| entry.marker = Some(marker));
+        }
+    }
+    if let Some(meaning) = meaning(sheet) {
+        layout::small_print(sheet, meaning);
+    }
+}
+
+/// What the dashes of a sheet mean; `None` if it has none.
+pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
+    let insets = sheet
+        .panels
+        .iter()
+        .filter_map(|panel| panel.inset.as_deref());
+    let mut panels = sheet.panels.iter().chain(insets);
+    panels
+        .any(|panel| !panel.turns.is_empty())
+        .then_some(MEANING)
+}
+
+/// The curves of a panel in the order in which they are drawn: the longest of the dense ones first, because other lines are seen on
+/// them, but they hide others.
+pub fn order(panel: &Panel) -> Vec<usize> {
+    let cells = Cells::of(panel);
+    let extent = |series: &Series| cells.dense(&cells.path(panel, series)).unwrap_or(0.0);
+    let extents: Vec<f64> = panel.series.iter().map(extent).collect();
+    let mut order: Vec<usize> = (0..extents.len()).collect();
+    order.sort_by(|a, b| extents[*b].total_cmp(&extents[*a]));
+    order
+}
+
+/// The dashes of the visible lines of a curve: its own, and those in turn where it coincides with others.
+pub fn dashes(panel: &Panel, series: usize, lines: &[Line]) -> Vec<Line> {
+    let own: Vec<&Turn> = panel
+        .turns
+        .iter()
+        .filter(|own| own.series == series)
+        .collect();
+    let pattern = panel.series[series].stroke.pattern();
+    let banded = panel.envelopes.iter().any(|band| band.series == series);
+    if own.is_empty() || banded {
+        return lines
+            .iter()
+            .flat_map(|line| clip::dashes(line, pattern))
+            .collect();
+    }
+    let mut parts: Vec<[f64; 2]> = Vec::new();
+    let mut before = 0.0;
+    for Turn {
+        ends: [from, to],
+        turn,
+        of,
+        ..
+    } in own
+    {
+        parts.push([before, *from]);
+        let starts = (*turn..).step_by(*of).map(|k| from + k as f64 * DASH);
+        let starts = starts.take_while(|start| start < to);
+        parts.extend(starts.map(|start| [start, (start + DASH).min(*to)]));
+        before = *to;
+    }
+    parts.push([before, f64::INFINITY]);
+    clip::between(lines, &parts)
+}
+
+/// The points of a line at equal distances, the first at the part `first` of one.
+pub fn at_distances(places: &[[f64; 2]], spacing: f64, first: f64) -> Vec<usize> {
+    let mut marked = Vec::new();
+    let (mut next, mut reached) = (spacing * first, 0.0);
+    for (i, pair) in places.windows(2).enumerate() {
+        reached += Some(distance(pair[0], pair[1]))
+            .filter(|d| d.is_finite())
+            .unwrap_or(0.0);
+        if reached >= next {
+            marked.push(i + 1);
+            next += spacing * ((reached - next) / spacing).floor() + spacing;
+        }
+    }
+    marked
+}
+
+/// Whether it is a curve, and no rule, order or contour.
+pub fn is_curve(series: &Series) -> bool {
+    let in_colour = matches!(series.stroke, Stroke::Colour(_) | Stroke::Graded(_));
+    series.width > 0.0 && (!series.label.is_empty() || in_colour)
+}
+
+/// A curve with the cells along it and those that its line covers.
+struct Covering {
+    series: usize,
+    path: Path,
+    covered: Vec<bool>,
+    /// Of a dense one the cells without those of an oscillation, in which any other curve would coincide with it.
+    thin: Option<Vec<bool>>,
+}
+
+impl Covering {
+    /// The cells in which another curve coincides with it.
+    fn cells(&self, other: &Covering) -> &[bool] {
+        match (&self.thin, &other.thin) {
+            (Some(thin), None) => thin,
+            _ => &self.covered,
+        }
+    }
+}
+
+/// The curves of a panel in the order of drawing, if they are more than one.
+fn covering(panel: &Panel, curves: &[bool]) -> Vec<Covering> {
+    let order = order(panel).into_iter().filter(|k| curves[*k]);
+    let order: Vec<usize> = order.collect();
+    let cells = Cells::of(panel);
+    let of = |series: &usize| {
+        let path = cells.path(panel, &panel.series[*series]);
+        let covered = cells.covered(&path);
+        let dense = cells.dense(&path);
+        Covering {
+            series: *series,
+            thin: dense.map(|_| cells.thin(&path, &covered)),
+            path,
+            covered,
+        }
+    };
+    match order.len() {
+        0 | 1 => Vec::new(),
+        _ => order.iter().map(of).collect(),
+    }
+}
+
+/// The stretches of the curves of a panel that coincide with curves under them.
+fn turns(panel: &Panel, curves: &[bool]) -> Vec<Turn> {
+    let all = covering(panel, curves);
+    // Whether dashes in turn can tell two curves apart. Two dense ones are dashed if they coincide nearly everywhere.
+    let alternate = |under: &Covering, over: &Covering| {
+        let [a, b] = [under, over].map(|own| &panel.series[own.series]);
+        let open = b.stroke.pattern().is_empty() && a.width < 2.0 * b.width;
+        let apart = a.stroke.colour() != b.stroke.colour();
+        let dense = under.thin.is_some() && over.thin.is_some();
+        open && apart && (!dense || under.path.is_in(&over.covered))
+    };
+    let mut turns = Vec::new();
+    for (j, own) in all.iter().enumerate() {
+        let under = all[..j].iter().filter(|under| alternate(under, own));
+        let under: Vec<&[bool]> = under.map(|under| under.cells(own)).collect();
+        let over = all[j + 1..].iter().filter(|over| alternate(own, over));
+        let over: Vec<&[bool]> = over.map(|over| over.cells(own)).collect();
+        if under.is_empty() {
+            continue;
+        }
+        let stretches = own.path.shared([&under, &over], DASH).into_iter();
+        let long = stretches.filter(|(ends, _)| ends[1] - ends[0] >= LEAST);
+        turns.extend(long.map(|(ends, [under, over])| Turn {
+            series: own.series,
+            ends,
+            turn: under.max(1),
+            of: under.max(1) + 1 + over,
+        }));
+    }
+    turns
+}
+
+/// Gives black curves without markers that coincide nearly everywhere markers in turn; the label and marker of each.
+fn mark(panel: &mut Panel) -> Vec<(String, Marker)> {
+    let bare = |series: &Series| {
+        is_curve(series) && series.marker.is_none() && series.stroke.colour() == [0; 3]
+    };
+    let bare: Vec<bool> = panel.series.iter().map(bare).collect();
+    let all = covering(panel, &bare);
+    let coincide = |a: &Covering, b: &Covering| {
+        let widths = [a, b].map(|own| panel.series[own.series].width);
+        widths[0] == widths[1] && a.path.length >= LEAST && a.path.is_in(&b.covered)
+    };
+    let others = |(i, own): (usize, &Covering)| {
+        let under = all[..i].iter().any(|under| coincide(under, own));
+        let over = all[i + 1..].iter().any(|over| coincide(own, over));
+        (under || over).then_some(own.series)
+    };
+    let group: Vec<usize> = all.iter().enumerate().filter_map(others).collect();
+    let mut given = Vec::new();
+    for (turn, k) in group.iter().enumerate() {
+        let series = &panel.series[*k];
+        let places: Vec<[f64; 2]> = series.points.iter().map(|p| panel.place(*p)).collect();
+        let first = (turn as f64 + 0.5) / group.len() as f64;
+        let marked = at_distances(&places, APART, first);
+        let series = &mut panel.series[*k];
+        let marker = Marker::of_case(turn);
+        (series.marker, series.marked) = (Some(marker), marked);
+        given.push((series.label.clone(), marker));
+    }
+    given
+}

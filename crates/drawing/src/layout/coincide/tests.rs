@@ -1,0 +1,264 @@
+//! Curves at known distances from one another.
+
+use super::*;
+use crate::draw::draw;
+use crate::draw::raster::Raster;
+use crate::layout::sheet::Rect;
+use crate::layout::ticks;
+use crate::style::{self, Look};
+use crate::svg;
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// A panel of 200 by 100 points whose axes are in points, with these curves.
+fn panel(curves: Vec<Series>) -> Panel {
+    let frame = Rect {
+        width: 200.0,
+        height: 100.0,
+        ..Rect::default()
+    };
+    let axis = |end: f64| {
+        let mut axis = ticks::linear("", [0.0, end], 5.0);
+        axis.range = [0.0, end];
+        axis.ticks.clear();
+        axis
+    };
+    let mut panel = Panel::new(frame, 0.0, axis(200.0), axis(100.0));
+    panel.series = curves;
+    panel
+}
+
+fn sheet(panel: Panel) -> Sheet {
+    let mut sheet = Sheet {
+        width: 200.0,
+        height: 100.0,
+        panels: vec![panel],
+        ..Sheet::default()
+    };
+    find(&mut sheet);
+    sheet
+}
+
+/// Curve `i` of a look, without a marker.
+fn curve(colour: bool, i: usize, of: impl Fn(f64) -> f64) -> Series {
+    let look = Look {
+        colour,
+        markers: false,
+    };
+    let at = |k: u32| f64::from(k) / 10.0;
+    Series {
+        label: format!("curve {i}"),
+        points: (0..=2000).map(|k| [at(k), of(at(k))]).collect(),
+        stroke: look.stroke(i, 6),
+        width: style::CASE_LINE,
+        marker: None,
+        marked: Vec::new(),
+    }
+}
+
+/// A wave of 30 points over 80.
+fn wave(x: f64) -> f64 {
+    50.0 + 15.0 * libm::sin(x / 12.0)
+}
+
+/// Curve 0, and curve 1 by `off` above it.
+fn pair(off: impl Fn(f64) -> f64) -> Sheet {
+    let over = curve(true, 1, |x| wave(x) + off(x));
+    sheet(panel(vec![curve(true, 0, wave), over]))
+}
+
+/// How many pixels of a sheet have each of the first colours of curves.
+fn pixels(sheet: &Sheet, colours: u8) -> Vec<usize> {
+    let raster = Raster::new(sheet.width, sheet.height, 600).unwrap();
+    let raster = Rc::new(RefCell::new(raster));
+    draw(sheet, &raster, 600).unwrap();
+    let (_, rgb) = raster.borrow().rgb();
+    let count = |colour: [u8; 3]| rgb.chunks_exact(3).filter(|own| **own == colour).count();
+    (0..colours)
+        .map(|i| count(Stroke::Colour(i).colour()))
+        .collect()
+}
+
+#[test]
+fn curves_that_coincide_have_equal_parts_of_the_line() {
+    for count in [2, 3, 6] {
+        let curves = (0..count).map(|i| curve(true, i, wave)).collect();
+        let sheet = sheet(panel(curves));
+        let turns: Vec<[usize; 3]> = sheet.panels[0]
+            .turns
+            .iter()
+            .map(|own| [own.series, own.turn, own.of])
+            .collect();
+        let expected: Vec<[usize; 3]> = (1..count).map(|i| [i, i, count]).collect();
+        assert_eq!(turns, expected);
+        let parts = pixels(&sheet, count as u8);
+        let most = parts.iter().max().unwrap();
+        // Some 35 dashes: one more or less of a curve, and the pixels at the ends of each.
+        let least = parts.iter().min().unwrap();
+        assert!(*least as f64 > 0.6 * *most as f64, "{parts:?}");
+        assert_eq!(sheet.small_print[0].text, MEANING);
+    }
+}
+
+#[test]
+fn curves_that_are_told_apart_stay_unbroken() {
+    let turns = |sheet: &Sheet| sheet.panels[0].turns.len();
+    // Half a line, and four.
+    assert_eq!(turns(&pair(|_| 0.5 * style::CASE_LINE)), 1);
+    let apart = pair(|_| 4.0 * style::CASE_LINE);
+    assert_eq!(turns(&apart), 0);
+    assert!(apart.small_print.is_empty() && meaning(&apart).is_none());
+    // Curves that only cross: at a slope of 1 within a line for 2 to 3 points.
+    assert_eq!(turns(&pair(|x| 0.5 * (x - 100.0))), 0);
+    // A wide line under a narrow one shows, and a rule is no curve.
+    let mut wide = curve(true, 0, wave);
+    wide.width = 5.0;
+    let over = curve(true, 1, wave);
+    assert_eq!(turns(&sheet(panel(vec![wide, over.clone()]))), 0);
+    let rule = Series::rule([[0.0, 50.0], [200.0, 50.0]]);
+    let level = curve(true, 1, |_| 50.0);
+    assert_eq!(turns(&sheet(panel(vec![rule, level]))), 0);
+    // A thin exact curve under a computed one does not.
+    let exact = Series::exact(over.points.clone());
+    assert_eq!(turns(&sheet(panel(vec![exact, over]))), 1);
+}
+
+#[test]
+fn only_the_stretch_in_which_curves_coincide_is_dashed() {
+    // Level up to x = 100; from there one rises by 1 in 2, so that the two are a line apart 1 to 2 points later.
+    let level = |_| 50.0;
+    let rising = |x: f64| 50.0 + 0.5 * (x - 100.0).max(0.0);
+    for curves in [
+        vec![curve(true, 0, level), curve(true, 1, rising)],
+        vec![curve(true, 0, rising), curve(true, 1, level)],
+    ] {
+        let sheet = sheet(panel(curves));
+        let panel = &sheet.panels[0];
+        let [own] = panel.turns[..] else {
+            panic!("{:?}", panel.turns);
+        };
+        let [from, to] = own.ends;
+        assert!(from == 0.0 && (100.0..103.0).contains(&to), "{to}");
+        let over = &panel.series[1];
+        let places: Vec<[f64; 2]> = over.points.iter().map(|p| panel.place(*p)).collect();
+        let dashes = dashes(panel, 1, &[places.clone()]);
+        // Dashes of 6 points from 6, 18, 30, ... to 90, then the rest from the end of the stretch.
+        assert_eq!(dashes.len(), 9);
+        for (k, dash) in dashes[..8].iter().enumerate() {
+            let start = 6.0 + 12.0 * k as f64;
+            let off = [dash[0][0] - start, dash[dash.len() - 1][0] - start - 6.0];
+            assert!(off.iter().all(|x| x.abs() < 1e-9), "{off:?}");
+        }
+        let rest = &dashes[8];
+        let slope = libm::hypot(1.0, over.points[2000][1] / 100.0 - 0.5);
+        let start = 100.0 + (to - 100.0) / slope;
+        assert!((rest[0][0] - start).abs() < 1e-9 && rest.last() == places.last());
+    }
+}
+
+#[test]
+fn parts_of_lines_go_on_from_line_to_line() {
+    let lines = [
+        vec![[0.0, 0.0], [3.0, 0.0], [3.0, 4.0]],
+        vec![[9.0, 0.0], [14.0, 0.0]],
+    ];
+    // 7 and 5 long: from 2 to 5 round the corner, from 6 over the end to 8, and the end from 11.
+    let found = clip::between(&lines, &[[2.0, 5.0], [6.0, 8.0], [11.0, f64::INFINITY]]);
+    let expected = [
+        vec![[2.0, 0.0], [3.0, 0.0], [3.0, 2.0]],
+        vec![[3.0, 3.0], [3.0, 4.0]],
+        vec![[9.0, 0.0], [10.0, 0.0]],
+        vec![[13.0, 0.0], [14.0, 0.0]],
+    ];
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn black_curves_that_coincide_have_markers_in_turn() {
+    let curves: Vec<Series> = (0..2).map(|i| curve(false, i, wave)).collect();
+    let drawn = sheet(panel(curves.clone()));
+    let [a, b] = &drawn.panels[0].series[..] else {
+        panic!("two curves");
+    };
+    assert_eq!(
+        [a.marker, b.marker],
+        [0, 1].map(|i| Some(Marker::of_case(i)))
+    );
+    // Each half-way between two of the other: the path is 230 points long at most, with a marker each 60.
+    assert!(a.marked.len() >= 3 && b.marked.len() >= 3);
+    assert!(
+        a.marked
+            .iter()
+            .zip(&b.marked)
+            .all(|(a, b)| b - a > 150 && b - a < 310)
+    );
+    assert!(drawn.panels[0].turns.is_empty() && drawn.small_print.is_empty());
+    // Those that have markers keep them.
+    let mut marked = curves;
+    for (i, series) in marked.iter_mut().enumerate() {
+        (series.marker, series.marked) = (Some(Marker::Square), vec![100 * i]);
+    }
+    assert_eq!(sheet(panel(marked.clone())).panels[0].series, marked);
+}
+
+#[test]
+fn a_dense_curve_is_drawn_under_the_others() {
+    let dense = |swing: f64| move |x: f64| 50.0 + swing * libm::sin(5.0 * x);
+    let curves = vec![
+        curve(true, 0, wave),
+        curve(true, 1, dense(20.0)),
+        curve(true, 2, dense(40.0)),
+    ];
+    let sheet = sheet(panel(curves));
+    assert_eq!(order(&sheet.panels[0]), [2, 1, 0]);
+    let drawn = svg(&sheet, style::DPI).unwrap();
+    let at = |i: u8| {
+        let [r, g, b] = Stroke::Colour(i).colour();
+        drawn
+            .find(&format!("stroke=\"#{r:02x}{g:02x}{b:02x}\""))
+            .unwrap()
+    };
+    assert!(at(2) < at(1) && at(1) < at(0));
+    // Others keep the order of the legend.
+    let plain = panel((0..3).map(|i| curve(true, i, wave)).collect());
+    assert_eq!(order(&plain), [0, 1, 2]);
+}
+
+#[test]
+fn a_line_among_an_oscillation_does_not_coincide_with_it() {
+    let dense = |x: f64| 40.0 * libm::sin(5.0 * x);
+    let half = move |x: f64| 50.0 + if x < 100.0 { dense(x) } else { 0.0 };
+    let level = |_| 50.0;
+    let drawn = sheet(panel(vec![curve(true, 0, level), curve(true, 1, half)]));
+    let panel_of = &drawn.panels[0];
+    assert_eq!(order(panel_of), [1, 0]);
+    // Only after the oscillation, and half a square of 5.4 points later, the two are one line.
+    let [own] = panel_of.turns[..] else {
+        panic!("{:?}", panel_of.turns);
+    };
+    assert_eq!(own.series, 0);
+    assert!((99.0..104.0).contains(&own.ends[0]), "{:?}", own.ends);
+    assert!((own.ends[1] - 200.0).abs() < 1e-6, "{:?}", own.ends);
+    // A loop that is run many times is long and not dense.
+    let mut again = curve(true, 0, wave);
+    let there = again.points.clone();
+    for round in 1..20 {
+        let mut next = there.clone();
+        if round % 2 == 1 {
+            next.reverse();
+        }
+        again.points.extend(next);
+    }
+    assert_eq!(order(&panel(vec![curve(true, 1, level), again])), [0, 1]);
+}
+
+#[test]
+fn a_point_alone_is_a_dot() {
+    let mut series = curve(true, 0, wave);
+    series.points = vec![[50.0, 50.0], [f64::NAN; 2], [100.0, 50.0], [150.0, 50.0]];
+    let drawn = svg(&sheet(panel(vec![series.clone()])), style::DPI).unwrap();
+    assert_eq!(drawn.matches("<circle").count(), 1);
+    series.points.remove(0);
+    let drawn = svg(&sheet(panel(vec![series])), style::DPI).unwrap();
+    assert_eq!(drawn.matches("<circle").count(), 0);
+}
