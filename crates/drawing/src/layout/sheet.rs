@@ -2,7 +2,7 @@
 
 use crate::layout::axis::Axis;
 use crate::layout::cloud::Cloud;
-use crate::layout::coincide::Turn;
+use crate::layout::coincide::Gap;
 use crate::style::{Marker, Stroke};
 
 pub use crate::layout::rect::Rect;
@@ -66,8 +66,8 @@ pub struct Panel {
     pub y: Axis,
     /// Curves, in the order of the legend; [`crate::layout::coincide::order`] is that of drawing.
     pub series: Vec<Series>,
-    /// Curves that coincide with others, which are dashes in turn.
-    pub turns: Vec<Turn>,
+    /// Where a curve is not drawn, because it coincides with others.
+    pub gaps: Vec<Gap>,
     /// Bands instead of parts of curves, filled in this order.
     pub envelopes: Vec<Envelope>,
     /// Areas between two lines below the curves, filled in this order.
@@ -99,7 +99,7 @@ impl Panel {
             x,
             y,
             series: Vec::new(),
-            turns: Vec::new(),
+            gaps: Vec::new(),
             envelopes: Vec::new(),
             bands: Vec::new(),
             bars: Vec::new(),
