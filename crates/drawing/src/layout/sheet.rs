@@ -2,11 +2,10 @@
 
 use crate::layout::axis::Axis;
 use crate::layout::cloud::Cloud;
-use crate::layout::coincide::Gap;
 use crate::style::{Marker, Stroke};
 
 pub use crate::layout::rect::Rect;
-pub use crate::layout::series::{Band, Bar, Envelope, MEASURED, Series};
+pub use crate::layout::series::{Band, Bar, Envelope, Gap, MEASURED, Series};
 
 /// A figure.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -64,7 +63,7 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Curves, in the order of the legend; [`crate::layout::coincide::order`] is that of drawing.
+    /// Curves, in the order of the legend; that of drawing is another.
     pub series: Vec<Series>,
     /// Where a curve is not drawn, because it coincides with others.
     pub gaps: Vec<Gap>,

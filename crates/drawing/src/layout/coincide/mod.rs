@@ -6,7 +6,7 @@ mod tests;
 
 use crate::layout;
 use crate::layout::clip::{self, Line};
-use crate::layout::sheet::{Panel, Series, Sheet};
+use crate::layout::sheet::{Gap, Panel, Series, Sheet};
 use crate::style::{Marker, Stroke};
 use cells::{Cells, LEAST, Path, distance};
 
@@ -15,15 +15,6 @@ const APART: f64 = 60.0;
 
 /// What alternating dashes mean.
 pub const MEANING: &str = "Alternating dashes: curves that coincide.";
-
-/// A part of a curve that is not drawn, because it coincides with others, which have their turn there.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gap {
-    /// Which of the panel's curves.
-    pub series: usize,
-    /// Its ends, as lengths along the visible curve.
-    pub ends: [f64; 2],
-}
 
 /// Finds where the curves of a finished sheet coincide, and adds what their dashes mean under it.
 pub fn find(sheet: &mut Sheet) {
