@@ -5,7 +5,7 @@ use slipgap::batch::output::results::ResultTable;
 use slipgap::batch::output::tables::write_history;
 use slipgap::batch::{self, GroupResults, Outcome};
 use slipgap::figures::sheet::Sheet;
-use slipgap::figures::{FigureData, ShownCases, sheet};
+use slipgap::figures::{FigureData, ShownCases, sheet, style};
 use slipgap::problem::PROBLEMS;
 use slipgap::problem::numbers::unit::Dimension;
 use slipgap::study::{Study, parse};

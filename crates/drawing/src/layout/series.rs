@@ -60,6 +60,15 @@ impl Series {
     }
 }
 
+/// A part of a curve that is not drawn, because it coincides with others, which have their turn there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// Which of the panel's curves.
+    pub series: usize,
+    /// Its ends, as lengths along the visible curve.
+    pub ends: [f64; 2],
+}
+
 /// The band between the envelopes of a part of a curve, in points of the curve by rising index. Both edges go from the
 /// first to the last point of the part.
 #[derive(Debug, Clone, PartialEq, Eq)]

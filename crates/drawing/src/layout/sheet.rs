@@ -2,11 +2,10 @@
 
 use crate::layout::axis::Axis;
 use crate::layout::cloud::Cloud;
-use crate::layout::coincide::Turn;
 use crate::style::{Marker, Stroke};
 
 pub use crate::layout::rect::Rect;
-pub use crate::layout::series::{Band, Bar, Envelope, MEASURED, Series};
+pub use crate::layout::series::{Band, Bar, Envelope, Gap, MEASURED, Series};
 
 /// A figure.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -64,10 +63,10 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Curves, in the order of the legend; [`crate::layout::coincide::order`] is that of drawing.
+    /// Curves, in the order of the legend; that of drawing is another.
     pub series: Vec<Series>,
-    /// Curves that coincide with others, which are dashes in turn.
-    pub turns: Vec<Turn>,
+    /// Where a curve is not drawn, because it coincides with others.
+    pub gaps: Vec<Gap>,
     /// Bands instead of parts of curves, filled in this order.
     pub envelopes: Vec<Envelope>,
     /// Areas between two lines below the curves, filled in this order.
@@ -99,7 +98,7 @@ impl Panel {
             x,
             y,
             series: Vec::new(),
-            turns: Vec::new(),
+            gaps: Vec::new(),
             envelopes: Vec::new(),
             bands: Vec::new(),
             bars: Vec::new(),

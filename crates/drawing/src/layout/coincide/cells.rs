@@ -7,6 +7,15 @@ use crate::style;
 /// Side of the cells that a line covers with their neighbours: half a line, so that a point in one is within a line of it.
 const CELL: f64 = 0.5 * style::CASE_LINE;
 
+/// Width of the fields in which curves that coincide have their turns: the length of a level dash.
+const DASH: f64 = 6.0;
+
+/// Height of the fields over their width: if it were 1, a line rising by 1 would miss every second one.
+const STEEP: f64 = 1.37;
+
+/// Least length of a stretch in which curves coincide: where they only cross, it is shorter.
+pub const LEAST: f64 = 30.0;
+
 /// Length of a dense curve, each place once, over the width and height of its frame: it crosses the frame several times.
 const DENSE: f64 = 3.0;
 
@@ -124,6 +133,43 @@ impl Cells {
         cells.map(|(cell, own)| *own && !is_full(cell)).collect()
     }
 
+    /// The parts of a path that other lines show instead, as lengths along it: where it coincides with some `under` and some `over` it
+    /// for long enough, the sheet has fields, and each of the lines its turn.
+    pub fn shown_by_others(&self, path: &Path, [under, over]: [&[&[bool]]; 2]) -> Vec<[f64; 2]> {
+        let count =
+            |lines: &[&[bool]], cell: usize| lines.iter().filter(|covered| covered[cell]).count();
+        let joined =
+            |parts: &mut Vec<[f64; 2]>, [from, to]: [f64; 2], gap: f64| match parts.last_mut() {
+                Some(last) if from - last[1] <= gap => last[1] = to,
+                _ => parts.push([from, to]),
+            };
+        let (mut stretches, mut parts) = (Vec::new(), Vec::new());
+        let mut to = 0.0;
+        for (cell, length) in &path.cells {
+            let from = to;
+            to += length;
+            let (before, after) = (count(under, *cell), count(over, *cell));
+            if before == 0 {
+                continue;
+            }
+            joined(&mut stretches, [from, to], DASH);
+            let [x, y] = [cell % self.columns, cell / self.columns].map(|k| k as f64 * CELL);
+            let field = (x / DASH) as usize + (y / (STEEP * DASH)) as usize;
+            if field % (before + after + 1) != before {
+                joined(&mut parts, [from, to], 0.0);
+            }
+        }
+        let long = stretches
+            .into_iter()
+            .filter(|[from, to]| to - from >= LEAST);
+        let long: Vec<[f64; 2]> = long.collect();
+        parts.retain(|part| {
+            long.iter()
+                .any(|[from, to]| part[0] >= *from && part[1] <= *to)
+        });
+        parts
+    }
+
     /// The cells of a path and their neighbours.
     pub fn covered(&self, path: &Path) -> Vec<bool> {
         let mut covered = vec![false; self.columns * self.rows];
@@ -137,34 +183,6 @@ impl Cells {
 }
 
 impl Path {
-    /// The stretches in cells that one of the first lines `under` it covers, as lengths along it, with the mean number of lines under
-    /// and over it there; gaps shorter than `gap` are no ends.
-    pub fn shared(&self, lines: [&[&[bool]]; 2], gap: f64) -> Vec<([f64; 2], [usize; 2])> {
-        let mut found: Vec<([f64; 2], [f64; 2])> = Vec::new();
-        let mut at = 0.0;
-        for (cell, length) in &self.cells {
-            let from = at;
-            at += length;
-            let count = |lines: &[&[bool]]| lines.iter().filter(|covered| covered[*cell]).count();
-            let counts = lines.map(|lines| length * count(lines) as f64);
-            if counts[0] == 0.0 {
-                continue;
-            }
-            match found.last_mut() {
-                Some((ends, sums)) if from - ends[1] < gap => {
-                    ends[1] = at;
-                    *sums = [0, 1].map(|k| sums[k] + counts[k]);
-                }
-                _ => found.push(([from, at], counts)),
-            }
-        }
-        let mean = |(ends, sums): ([f64; 2], [f64; 2])| {
-            let length = ends[1] - ends[0];
-            (ends, sums.map(|sum| (sum / length).round() as usize))
-        };
-        found.into_iter().map(mean).collect()
-    }
-
     /// Whether nearly all of it is in covered cells.
     pub fn is_in(&self, covered: &[bool]) -> bool {
         let mut outside = 0.0;

@@ -6,15 +6,9 @@ mod tests;
 
 use crate::layout;
 use crate::layout::clip::{self, Line};
-use crate::layout::sheet::{Panel, Series, Sheet};
+use crate::layout::sheet::{Gap, Panel, Series, Sheet};
 use crate::style::{Marker, Stroke};
-use cells::{Cells, Path, distance};
-
-/// Length of a dash of curves that coincide.
-const DASH: f64 = 6.0;
-
-/// Least length of a stretch in which curves coincide: where they only cross, it is shorter.
-const LEAST: f64 = 30.0;
+use cells::{Cells, LEAST, Path, distance};
 
 /// Distance of the markers of black curves that coincide.
 const APART: f64 = 60.0;
@@ -22,26 +16,13 @@ const APART: f64 = 60.0;
 /// What alternating dashes mean.
 pub const MEANING: &str = "Alternating dashes: curves that coincide.";
 
-/// A stretch of a curve that coincides with others under it, so that they are drawn as dashes in turn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turn {
-    /// Which of the panel's curves.
-    pub series: usize,
-    /// Its ends, as lengths along the visible curve.
-    pub ends: [f64; 2],
-    /// Its turn; the first curve, number 0, is unbroken under the others.
-    pub turn: usize,
-    /// Number of curves that coincide.
-    pub of: usize,
-}
-
 /// Finds where the curves of a finished sheet coincide, and adds what their dashes mean under it.
 pub fn find(sheet: &mut Sheet) {
     for panel in &mut sheet.panels {
         let curves: Vec<bool> = panel.series.iter().map(is_curve).collect();
-        panel.turns = turns(panel, &curves);
+        panel.gaps = gaps(panel, &curves);
         if let Some(inset) = &mut panel.inset {
-            inset.turns = turns(inset, &curves);
+            inset.gaps = gaps(inset, &curves);
         }
         for (label, marker) in mark(panel) {
             let own = sheet.legend.iter_mut();
@@ -62,7 +43,7 @@ pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
         .filter_map(|panel| panel.inset.as_deref());
     let mut panels = sheet.panels.iter().chain(insets);
     panels
-        .any(|panel| !panel.turns.is_empty())
+        .any(|panel| !panel.gaps.is_empty())
         .then_some(MEANING)
 }
 
@@ -79,8 +60,8 @@ pub fn order(panel: &Panel) -> Vec<usize> {
 
 /// The dashes of the visible lines of a curve: its own, and those in turn where it coincides with others.
 pub fn dashes(panel: &Panel, series: usize, lines: &[Line]) -> Vec<Line> {
-    let own: Vec<&Turn> = panel
-        .turns
+    let own: Vec<&Gap> = panel
+        .gaps
         .iter()
         .filter(|own| own.series == series)
         .collect();
@@ -92,22 +73,10 @@ pub fn dashes(panel: &Panel, series: usize, lines: &[Line]) -> Vec<Line> {
             .flat_map(|line| clip::dashes(line, pattern))
             .collect();
     }
-    let mut parts: Vec<[f64; 2]> = Vec::new();
-    let mut before = 0.0;
-    for Turn {
-        ends: [from, to],
-        turn,
-        of,
-        ..
-    } in own
-    {
-        parts.push([before, *from]);
-        let starts = (*turn..).step_by(*of).map(|k| from + k as f64 * DASH);
-        let starts = starts.take_while(|start| start < to);
-        parts.extend(starts.map(|start| [start, (start + DASH).min(*to)]));
-        before = *to;
-    }
-    parts.push([before, f64::INFINITY]);
+    let ends = own.iter().map(|own| own.ends);
+    let starts = std::iter::once(0.0).chain(ends.clone().map(|[_, to]| to));
+    let ends = ends.map(|[from, _]| from).chain([f64::INFINITY]);
+    let parts: Vec<[f64; 2]> = starts.zip(ends).map(|(from, to)| [from, to]).collect();
     clip::between(lines, &parts)
 }
 
@@ -174,9 +143,9 @@ fn covering(panel: &Panel, curves: &[bool]) -> Vec<Covering> {
     }
 }
 
-/// The stretches of the curves of a panel that coincide with curves under them.
-fn turns(panel: &Panel, curves: &[bool]) -> Vec<Turn> {
-    let all = covering(panel, curves);
+/// The parts of the curves of a panel that are not drawn, because curves under them show there.
+fn gaps(panel: &Panel, curves: &[bool]) -> Vec<Gap> {
+    let (cells, all) = (Cells::of(panel), covering(panel, curves));
     // Whether dashes in turn can tell two curves apart. Two dense ones are dashed if they coincide nearly everywhere.
     let alternate = |under: &Covering, over: &Covering| {
         let [a, b] = [under, over].map(|own| &panel.series[own.series]);
@@ -185,7 +154,7 @@ fn turns(panel: &Panel, curves: &[bool]) -> Vec<Turn> {
         let dense = under.thin.is_some() && over.thin.is_some();
         open && apart && (!dense || under.path.is_in(&over.covered))
     };
-    let mut turns = Vec::new();
+    let mut gaps = Vec::new();
     for (j, own) in all.iter().enumerate() {
         let under = all[..j].iter().filter(|under| alternate(under, own));
         let under: Vec<&[bool]> = under.map(|under| under.cells(own)).collect();
@@ -194,16 +163,11 @@ fn turns(panel: &Panel, curves: &[bool]) -> Vec<Turn> {
         if under.is_empty() {
             continue;
         }
-        let stretches = own.path.shared([&under, &over], DASH).into_iter();
-        let long = stretches.filter(|(ends, _)| ends[1] - ends[0] >= LEAST);
-        turns.extend(long.map(|(ends, [under, over])| Turn {
-            series: own.series,
-            ends,
-            turn: under.max(1),
-            of: under.max(1) + 1 + over,
-        }));
+        let ends = cells.shown_by_others(&own.path, [&under, &over]);
+        let series = own.series;
+        gaps.extend(ends.into_iter().map(|ends| Gap { series, ends }));
     }
-    turns
+    gaps
 }
 
 /// Gives black curves without markers that coincide nearly everywhere markers in turn; the label and marker of each.
