@@ -11,7 +11,7 @@ fn named(names: &str) -> String {
           "structure": {{"units": "t, kN, m, s", "masses": {{"f1": 1, "f2": "width"}},
             "springs": [{{"name": "storey", "between": ["ground", "f1"], "k": 1}}, {{"between": ["ground", "f2"], "k": 1}}],
             "contacts": {{"pier": {{"law": "impact", "between": ["f1", "f2"], "gap": "gap", "k": 10}}}},
-            "ground": {{"pulse": {{"cosine": {{"amplitude": 1, "period": 1}}}}}}}},
+            "ground": {{"synthetic": {{"seed": 1}}}}}},
           "metrics": ["peak(f1.a_abs)", "max(f2 - f1)", "peak(pier.S)", "impulse(pier)", "impacts(pier.S)", "last(pier.dissipated)"],
           "figures": [{{"name": "h", "kind": "history",
             "y": ["f1.a_abs", "f2 - f1", "pier.S", "storey.S", "ground", "base + storey.S", "energy.kinetic"]}}]}}"#
