@@ -93,7 +93,10 @@ impl UnitNames<'_> {
             | Reduction::ImpactsBeforeDivergence
             | Reduction::Difference
             | Reduction::EnergyError
-            | Reduction::NumericalDissipation => None,
+            | Reduction::NumericalDissipation
+            | Reduction::GroundFactor
+            | Reduction::GroundSetFactor
+            | Reduction::GroundSetRatio => None,
         }
     }
 }
