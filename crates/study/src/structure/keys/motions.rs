@@ -94,11 +94,17 @@ pub(crate) const FUNCTION: Keys = &[
 /// Number of the keys of [`FUNCTION`] of which one is needed.
 pub(crate) const FUNCTIONS: usize = 5;
 
-/// Key of the files of an axis of records.
-pub(crate) const FILES: Keys = &[(
-    "files",
-    "a folder (without .md), or a pattern with one *, such as \"records/*.smc\"; in the order of names",
-)];
+/// Keys of the files of an axis of records.
+pub(crate) const FILES: Keys = &[
+    (
+        "files",
+        "a folder (without .md), or a pattern with one *, such as \"records/*.smc\"; in the order of names",
+    ),
+    (
+        "choose",
+        "only those records whose spectra come nearest to a target; other files with the same text for * go with them",
+    ),
+];
 
 /// Keys of `sine`.
 pub(crate) const SINE: Keys = &[
