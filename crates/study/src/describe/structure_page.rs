@@ -82,8 +82,7 @@ pub(super) fn reference() -> String {
             ],
         ),
         keys(
-            "`scale_to` may also be \"ground\", for the factor of the ground, as under `vertical`. The rules of a `set`, as the codes are \
-             generally quoted; targets and other numbers are given:",
+            "The rules of a `set`, as the codes are generally quoted:",
             &keys::RULES.map(|rule| (rule.name, rule.meaning)),
         ),
         keys(

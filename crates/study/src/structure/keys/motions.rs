@@ -87,7 +87,10 @@ pub(crate) const FUNCTION: Keys = &[
         "baseline",
         "what is removed: \"none\"; \"mean\" of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
     ),
-    ("scale_to", "strength of the motion from start to end"),
+    (
+        "scale_to",
+        "strength of the motion from start to end; \"ground\": the factor of the ground",
+    ),
     ("delay", "time by which all is later; 0 before"),
 ];
 
