@@ -700,7 +700,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"histroy\"",
             &[
-                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, curve, orbit, profile, wave, metric, convergence, budget, map, scatter, front, samples, sobol, distribution, quantiles, fragility, law, spectrum, scheme",
+                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, curve, orbit, profile, wave, metric, convergence, budget, map, scatter, front, samples, sobol, distribution, quantiles, fragility, law, spectrum, set, scheme",
             ],
         ),
         (

@@ -10,6 +10,7 @@ mod own_structure;
 mod records;
 mod reduction;
 mod series;
+mod sets;
 mod statics;
 mod studies;
 mod written;

@@ -53,6 +53,7 @@ pub fn of(kind: &FigureKind) -> &dyn Draw {
         FigureKind::Curve(kind) => kind,
         FigureKind::Orbit(kind) => kind,
         FigureKind::Spectrum(kind) => kind,
+        FigureKind::Set(kind) => kind,
         FigureKind::Scheme(kind) => kind,
     }
 }

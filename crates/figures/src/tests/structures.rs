@@ -104,6 +104,44 @@ fn curves_have_panels_limits_and_units() {
 }
 
 #[test]
+fn the_spectra_of_a_set_are_those_of_its_motions_over_the_target() {
+    let set = r#"{"rule": "EN 1998-1", "period": 1, "least_at_zero": 1e-9, "spectrum": {"T": [1], "Sa": [2]}}"#;
+    let ground = format!(
+        r#""masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": 1}}],
+        "ground": {{"synthetic": {{"seed": "s"}}, "scale_to": {{"pga": 1, "set": {set}}}}}"#
+    );
+    let figure = r#"{"name": "f", "kind": "set", "periods": [0.2, 2]}"#;
+    let study = structure(&ground, figure);
+    let sheet = unsolved(&study);
+    // n does not change the set.
+    let [panel] = sheet.panels.as_slice() else {
+        panic!("{} panels", sheet.panels.len());
+    };
+    let labels: Vec<&str> = panel.series.iter().map(|own| own.label.as_str()).collect();
+    let expected = [
+        "motions",
+        "motions",
+        "target",
+        "0.9 × target",
+        "mean",
+        "",
+        "",
+    ];
+    assert_eq!(labels, expected);
+    let heights = |i: usize| panel.series[i].points.iter().map(|point| point[1]);
+    for ((one, other), mean) in heights(0).zip(heights(1)).zip(heights(4)) {
+        assert!((0.5 * (one + other) / mean - 1.0).abs() < 1e-15);
+    }
+    assert!(heights(2).all(|y| y == 2.0) && heights(3).all(|y| y == 1.8));
+    // The rule holds exactly at one of 101 periods, and nearly at the 241 of the figure between the same ends.
+    let least = heights(4).fold(f64::INFINITY, f64::min);
+    assert!((1.75..1.83).contains(&least), "{least}");
+    let range = [5, 6].map(|i| panel.series[i].points[0][0]);
+    assert_eq!(range, [0.2, 2.0]);
+    assert!(png(&sheet, style::DPI).is_ok());
+}
+
+#[test]
 fn the_spectrum_of_a_suddenly_constant_acceleration_is_known() {
     let ground = r#""masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1}],
         "ground": {"table": {"t": [0, 50], "f": [3, 3]}, "scale": "s"}"#;

@@ -32,7 +32,7 @@ use crate::system::structure::Structure;
 use numbers::parameter::Parameter;
 use numbers::unit::Dimension;
 use std::sync::{Arc, LazyLock};
-use structure::{GroundMotion, Scheme};
+use structure::{GroundMotion, Scheme, SetSpectra};
 use table::cases::Cases;
 
 /// A problem: its schema, and how one of its cases is solved and judged.
@@ -191,6 +191,15 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     }
     /// The acceleration of the ground in a completed case; `None` where there is none.
     fn ground_motion(&self, _case: &Case) -> Option<GroundMotion> {
+        None
+    }
+    /// Whether the ground motions are a set.
+    fn has_set(&self) -> bool {
+        false
+    }
+    /// The spectra of the set of ground motions in a completed case at these periods, and the units of length and time; `None` without a
+    /// set.
+    fn set_spectra(&self, _case: &Case, _periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {
         None
     }
     /// The profiles of a completed case at the steps nearest to `times`; none for a problem without extent.

@@ -93,17 +93,28 @@ pub(super) fn reference() -> String {
                 ("`pulse`, one of", keys::PULSE),
                 ("`ricker`", keys::RICKER),
                 ("`cosine`", keys::COSINE),
-                ("`scale_to`, one of the first three, and", keys::SCALE_TO),
+                ("`scale_to`, one of the first four, and", keys::SCALE_TO),
                 ("its `spectrum`, one of", keys::SPECTRUM),
                 ("`EN 1998-1`", keys::EN_1998),
                 ("`ASCE 7`", keys::ASCE_7),
                 ("or a `spectrum` as a table", keys::TARGET_TABLE),
+                ("`ground` has, besides `x`, `y` and `z`", &[keys::OF_GROUND]),
+                ("its `set`", keys::SET),
             ],
+        ),
+        keys(
+            "The rules of a `set`, as the codes are generally quoted:",
+            &keys::RULES.map(|rule| (rule.name, rule.meaning)),
         ),
         keys(
             "Files as an axis, under `record`, `file` of `measured`, or a parameter that chooses one of these; those with the same text for `*` \
              go together:",
             keys::FILES,
+        ),
+        keys(
+            "`choose`: the `n` records whose logarithms have together the least squared errors of mean and standard deviation, by a greedy \
+             search (Baker and Lee 2018). Spectra are kept in the user's cache by the content of the files. Its keys:",
+            keys::CHOOSE,
         ),
         keys(
             "A support has the keys of a function of time, its acceleration in x, or `x`, `y` and `z`, each with them, and:",

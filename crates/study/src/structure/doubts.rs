@@ -1,5 +1,6 @@
 //! What may be a mistake in a structure, though it can be solved.
 
+use super::keys::RULES;
 use super::reading::given;
 use crate::source::faults::any_of;
 use crate::source::tree::Node;
@@ -32,9 +33,48 @@ pub(super) fn notes(template: &Template, names: &Names, structure: &Node) -> Vec
         );
     }
     notes.extend(idle_ground(template));
+    notes.extend(scaled_apart(structure));
+    notes.extend(small_set(template));
     let exchanged = template.contacts.iter();
     notes.extend(exchanged.filter_map(|contact| exchanged_nodes(contact, names)));
     notes
+}
+
+/// A ground or a support whose motions in x and y get each a factor of its own, though it is not said.
+fn scaled_apart(structure: &Node) -> Option<String> {
+    let supports = given::member(structure, "supports").map(given::members);
+    let supports = supports.unwrap_or_default().iter();
+    let supports = supports.map(|own| (format!("support {}", own.key), &own.node));
+    let ground = given::member(structure, "ground");
+    let ground = ground.map(|own| ("ground".to_owned(), own));
+    let is_apart = |own: &(String, &Node)| {
+        ["x", "y"].iter().all(|key| {
+            let motion = given::member(own.1, key);
+            let scale_to = motion.and_then(|own| given::member(own, "scale_to"));
+            scale_to.is_some_and(|own| given::member(own, "component").is_none())
+        })
+    };
+    let (name, _) = ground.into_iter().chain(supports).find(is_apart)?;
+    let together = match &*name {
+        "ground" => "\"scale_to\" of the ground with a \"component\" gives both one factor, ",
+        _ => "",
+    };
+    Some(format!(
+        "{name}: x and y get each a factor of its own by \"scale_to\", which changes their ratio; {together}\"component\": \"each\" in both ends this note"
+    ))
+}
+
+/// A set with fewer motions than its rule asks for.
+fn small_set(template: &Template) -> Option<String> {
+    let (_, set) = template.set()?;
+    let rule = RULES.iter().find(|rule| Some(rule.name) == set.rule)?;
+    let count = set.members.len();
+    (count < rule.motions).then(|| {
+        format!(
+            "{} needs at least {} motions, the set has {count}",
+            rule.name, rule.motions
+        )
+    })
 }
 
 /// The directions of the ground in which no node moves.

@@ -2,12 +2,13 @@
 
 use crate::source::tree::{Member, Node, Tree};
 use sha2::{Digest, Sha256};
+use slipgap_problem::problem::structure::given::set::Set;
 
 /// A hash of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records. What
 /// `measured` says belongs to it, with the range of the delays, which decides the points that are compared.
 pub(super) fn identity(
     structure: &Node,
-    measured: Option<(&Node, [f64; 2])>,
+    (measured, set): (Option<(&Node, [f64; 2])>, Option<&Set>),
     records: &[(String, Vec<u8>)],
 ) -> String {
     let mut digest = Sha256::new();
@@ -22,6 +23,10 @@ pub(super) fn identity(
     if let Some((node, delays)) = measured {
         written += &self::written(node);
         written += &format!("{delays:?}");
+    }
+    // The factor of a set depends on the parameters of all its motions.
+    if let Some(set) = set {
+        written += &format!("{:?}", set.members);
     }
     let structure = Sha256::digest(written);
     let records = digest.finalize();

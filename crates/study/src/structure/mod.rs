@@ -80,6 +80,7 @@ pub(super) fn problem(
     let inner = contacts::inner_nodes(&of_contacts);
     let inner_names = inner.iter().map(|own| own.name.clone());
     let mut reader = Reader {
+        root: root_node,
         table: &first.parameters,
         names: Names::new(
             masses.iter().map(name).chain(inner_names).collect(),
@@ -94,6 +95,7 @@ pub(super) fn problem(
         records: Default::default(),
         removed_means: Default::default(),
         headings: Default::default(),
+        of_ground: Default::default(),
     };
     let before_matrices = faults.count();
     let imported = matrices::matrices(&of_matrices, &reader, faults);
@@ -112,6 +114,8 @@ pub(super) fn problem(
         springs::springs(node, path, &reader, faults)
     });
     let springs: Vec<_> = springs.into_iter().flatten().collect();
+    // Before the contacts, whose vertical motions may get its factor.
+    let ground = crate::structure::motions::ground::ground(&object, &reader, faults);
     let mut template = Template {
         units,
         metre,
@@ -134,7 +138,7 @@ pub(super) fn problem(
         loads: object.items("loads", faults, |node, path, faults| {
             crate::structure::motions::loads::load(node, path, &reader, faults)
         }),
-        ground: crate::structure::motions::loads::ground(&object, &reader, faults),
+        ground,
         supports: crate::structure::motions::supports::supports(&of_supports, &reader, faults),
         at_rest: parts::static_loads(&object, &reader, faults),
         start: parts::start(&object, &reader, faults),
@@ -196,7 +200,8 @@ pub(super) fn problem(
     notes.extend(doubts::notes(&template, &reader.names, node));
     let of_measured = root.get(keys::KEY.0).zip(template.measured.as_ref());
     let of_measured = of_measured.map(|(node, own)| (node, own.delays));
-    let identity = identity::identity(node, of_measured, &reader.records.borrow());
+    let set = template.set().map(|own| own.1);
+    let identity = identity::identity(node, (of_measured, set), &reader.records.borrow());
     let schema = schema::schema(
         &parameters,
         &metrics,

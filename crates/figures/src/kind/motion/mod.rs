@@ -5,5 +5,6 @@ pub(super) mod history;
 pub(super) mod law;
 pub(super) mod orbit;
 pub(super) mod profile;
+mod set;
 pub(super) mod spectrum;
 pub(super) mod wave;

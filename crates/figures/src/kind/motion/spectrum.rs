@@ -33,7 +33,7 @@ impl Draw for Spectrum {
         let (motions, shown) = motions(study, cases);
         let named = label::labels(study.problem.parameters(), &shown, None, &[]);
         let ratios = number::digits(self.damping.iter().copied());
-        let periods = over_periods(self);
+        let periods = over_periods(self.periods);
         let mut curves: Vec<(String, Vec<spectrum::Ordinate>)> = Vec::new();
         let all = motions.len() * self.damping.len();
         for (motion, name) in motions.iter().zip(&named) {
@@ -132,8 +132,7 @@ impl Draw for Spectrum {
 }
 
 /// The periods, evenly spaced on a log scale.
-fn over_periods(figure: &Spectrum) -> Vec<f64> {
-    let [first, last] = figure.periods;
+pub(super) fn over_periods([first, last]: [f64; 2]) -> Vec<f64> {
     let period = |i| match i {
         0 => first,
         POINTS => last,
@@ -164,7 +163,7 @@ fn value(y: Ordinate, at: &spectrum::Ordinate) -> f64 {
     }
 }
 
-fn title(y: Ordinate, [length, time]: &[String; 2]) -> String {
+pub(super) fn title(y: Ordinate, [length, time]: &[String; 2]) -> String {
     let over = |power: &str| match length.is_empty() || time.is_empty() {
         true => String::new(),
         false => format!("{length}/{time}{power}"),

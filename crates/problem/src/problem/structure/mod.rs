@@ -20,6 +20,7 @@ use super::{
 use crate::history::History;
 pub use crate::problem::structure::described::ground::GroundMotion;
 pub use crate::problem::structure::described::scheme::picture::Scheme;
+pub use crate::problem::structure::given::set::SetSpectra;
 pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 use crate::solve::{MetricTable, Unsolvable, Warning};
 use crate::system::structure::Structure;
@@ -255,6 +256,15 @@ impl Problem for StructureProblem {
     fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
         let duration = case.at(self.schema.duration)?;
         ground::ground_motion(&self.template, case, duration)
+    }
+
+    fn has_set(&self) -> bool {
+        self.template.set().is_some()
+    }
+
+    fn set_spectra(&self, case: &Case, periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {
+        let spectra = ground::set_spectra(&self.template, case, periods)?;
+        Some((spectra, ground::units(&self.template)))
     }
 
     fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {

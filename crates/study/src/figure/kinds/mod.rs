@@ -122,6 +122,7 @@ kinds! {
     ensembles::fragility::Fragility,
     model::law::Law,
     motion::spectrum::Spectrum,
+    motion::set::Set,
     model::scheme::Scheme,
 }
 
@@ -240,8 +241,9 @@ mod tests {
                 "s",
                 r#"{"problem": "structure", "parameters": {"dt": 0.01, "duration": 1}, "metrics": ["peak(m)"],
                   "structure": {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1, "name": "s"}],
-                    "ground": {"synthetic": {"seed": 1}}},
-                  "figures": [{"name": "a", "kind": "scheme"}, {"name": "b", "kind": "spectrum", "y": "displacement"},
+                    "ground": {"synthetic": {"seed": 1}, "scale_to": {"factor": 1, "set":
+                      {"rule": "EN 1998-1", "period": 1, "spectrum": {"T": [1], "Sa": [1]}}}}},
+                  "figures": [{"name": "a", "kind": "scheme"}, {"name": "d", "kind": "set"}, {"name": "b", "kind": "spectrum", "y": "displacement"},
                     {"name": "c", "kind": "orbit", "x": "m", "y": "m.v"}]}"#,
             )
             .unwrap_or_else(|e| panic!("{e}")),

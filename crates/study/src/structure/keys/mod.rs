@@ -15,7 +15,10 @@ pub(crate) use motions::{
 };
 pub(crate) use parts::{BAR, MASS, MATRICES, RAYLEIGH, REDUCE, SPRING};
 pub(crate) use ranges::range;
-pub(crate) use spectra::{ASCE_7, EN_1998, SCALE_TO, SPECTRUM, TARGET_TABLE};
+pub(crate) use spectra::{
+    AS_GROUND, ASCE_7, CHOOSE, EN_1998, GOALS, OF_GROUND, RULES, Rule, SCALE_TO, SET, SPECTRUM,
+    STATISTICS, TARGET_TABLE,
+};
 
 /// Keys with their meanings.
 pub(crate) type Keys = &'static [(&'static str, &'static str)];

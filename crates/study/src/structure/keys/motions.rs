@@ -87,18 +87,27 @@ pub(crate) const FUNCTION: Keys = &[
         "baseline",
         "what is removed: \"none\"; \"mean\" of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
     ),
-    ("scale_to", "strength of the motion from start to end"),
+    (
+        "scale_to",
+        "strength of the motion from start to end; \"ground\": the factor of the ground",
+    ),
     ("delay", "time by which all is later; 0 before"),
 ];
 
 /// Number of the keys of [`FUNCTION`] of which one is needed.
 pub(crate) const FUNCTIONS: usize = 5;
 
-/// Key of the files of an axis of records.
-pub(crate) const FILES: Keys = &[(
-    "files",
-    "a folder (without .md), or a pattern with one *, such as \"records/*.smc\"; in the order of names",
-)];
+/// Keys of the files of an axis of records.
+pub(crate) const FILES: Keys = &[
+    (
+        "files",
+        "a folder (without .md), or a pattern with one *, such as \"records/*.smc\"; in the order of names",
+    ),
+    (
+        "choose",
+        "only those records whose spectra come nearest to a target; other files with the same text for * go with them",
+    ),
+];
 
 /// Keys of `sine`.
 pub(crate) const SINE: Keys = &[

@@ -1,13 +1,13 @@
 //! The ranges of the numbers under the keys, for decoding and schema.
 
 use super::{
-    ASCE_7, BAR, COSINE, EN_1998, FUNCTION, Keys, MASS, RAYLEIGH, REDUCE, RICKER, SCALE_TO, SPRING,
-    STRUCTURE, SUPPORT, SYNTHETIC, WEIGHT,
+    ASCE_7, BAR, CHOOSE, COSINE, EN_1998, FUNCTION, Keys, MASS, RAYLEIGH, REDUCE, RICKER, SCALE_TO,
+    SET, SPRING, STRUCTURE, SUPPORT, SYNTHETIC, WEIGHT,
 };
 use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative, Positive, UpToOne};
 
 /// The keys whose numbers are not free, by tables.
-const RANGES: [(Keys, Range, &[&str]); 18] = [
+const RANGES: [(Keys, Range, &[&str]); 20] = [
     (STRUCTURE, NotNegative, &["modal_damping"]),
     (MASS, NotNegative, &["mass"]),
     (BAR, Positive, &["L", "EA", "mass", "n"]),
@@ -26,11 +26,13 @@ const RANGES: [(Keys, Range, &[&str]); 18] = [
     (SYNTHETIC, NotNegative, &["seed"]),
     (SYNTHETIC, Positive, &["omega"]),
     (SCALE_TO, UpToOne, &["ratio"]),
+    (CHOOSE, UpToOne, &["ratio"]),
+    (CHOOSE, NotNegative, &["sigma"]),
 ];
 
 /// The range of the number under a key of a table.
 pub(crate) fn range(keys: Keys, key: &str) -> Range {
-    let all_above_zero = [SCALE_TO, EN_1998, ASCE_7].contains(&keys);
+    let all_above_zero = [SCALE_TO, SET, CHOOSE, EN_1998, ASCE_7].contains(&keys);
     let mut own = RANGES.iter().filter(|row| row.0 == keys);
     match own.find(|row| row.2.contains(&key)) {
         Some(row) => row.1,

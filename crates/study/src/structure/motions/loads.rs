@@ -7,8 +7,7 @@ use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::{
-    COSINE, FUNCTION, FUNCTIONS, GROUND, LOAD_AT, PULSE, RICKER, SINE, SYNTHETIC, TABLE, names,
-    range,
+    COSINE, FUNCTION, FUNCTIONS, LOAD_AT, PULSE, RICKER, SINE, SYNTHETIC, TABLE, names, range,
 };
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
@@ -16,7 +15,6 @@ use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
 use slipgap_problem::problem::structure::given::loads::{Kind, LARGEST_SEED, Source};
 use slipgap_problem::problem::structure::{given::shape::Scaled, parts::template::Load};
-use slipgap_system::system::structure::Direction;
 
 /// A force on a node.
 pub(in crate::structure) fn load(
@@ -56,7 +54,7 @@ pub(in crate::structure) fn scaled(
 }
 
 /// The same; nothing moves in place of a function with a fault, so that only the fault itself has a message.
-fn known(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Scaled {
+pub(super) fn known(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Scaled {
     let none = || Scaled {
         source: Source::new(
             Kind::Table {
@@ -69,42 +67,6 @@ fn known(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Scale
         shape: Box::default(),
     };
     scaled(node, path, reader, faults).unwrap_or_else(none)
-}
-
-/// The accelerations of the ground: one in x, or one for each key x, y and z.
-pub(in crate::structure) fn ground(
-    object: &Object,
-    reader: &Reader,
-    faults: &mut Faults,
-) -> Vec<(Direction, Scaled)> {
-    let Some(node) = object.get("ground") else {
-        return Vec::new();
-    };
-    let path = object.path("ground");
-    let by_directions = match &node.tree {
-        Tree::Object(members) => {
-            let keys = names(GROUND);
-            members
-                .iter()
-                .any(|member| keys.contains(&member.key.to_lowercase().as_str()))
-        }
-        _ => false,
-    };
-    if !by_directions {
-        return vec![(Direction::X, known(node, &path, reader, faults))];
-    }
-    let Some(object) = open(node, &path, GROUND, faults) else {
-        return Vec::new();
-    };
-    let one = |direction: Direction| {
-        let node = object.get(direction.name())?;
-        let path = object.path(direction.name());
-        Some((direction, known(node, &path, reader, faults)))
-    };
-    Direction::TRANSLATIONS
-        .into_iter()
-        .filter_map(one)
-        .collect()
 }
 
 /// Keys that only a record has, and the message for another function with one.

@@ -1,7 +1,12 @@
 //! Motions of the ground and of supports, and loads: functions of time.
 
+pub(super) mod ground;
 pub(super) mod loads;
+mod members;
 pub(super) mod records;
-pub(super) mod shape;
+mod scale_to;
+mod set;
+mod shape;
 pub(super) mod supports;
 pub(super) mod table;
+mod target;

@@ -152,7 +152,7 @@ pub(in crate::structure) fn measures(
         };
         let (at, path) = &metric.place;
         let name = quoted(&metric.name);
-        match ground.of(template) {
+        match ground.of(metric.reduction, template) {
             Ok(Scaled { source, .. }) if matches!(source.kind(), Kind::Sine { .. }) => {
                 let message = format!("{name}: a sine has no end, so that it has no such measure");
                 faults.add(*at, path, message);

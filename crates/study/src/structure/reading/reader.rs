@@ -11,6 +11,8 @@ use slipgap_problem::problem::numbers::parameter::{Parameter, Range};
 use slipgap_problem::problem::structure::channels::names::Names;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
 use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
+use slipgap_problem::problem::structure::given::scale_to::ScaleTo;
+use slipgap_problem::problem::structure::given::strength::Strengths;
 use slipgap_problem::problem::structure::parts::template::Moved;
 use slipgap_system::system::loads::record::Heading;
 use slipgap_system::system::structure::Direction;
@@ -22,8 +24,13 @@ use std::sync::Arc;
 /// A named part with its value in the study.
 pub(in crate::structure) type Part<'a> = (String, &'a Node, String);
 
+/// The strength that motions of the ground get, and the pair that gets it.
+pub(in crate::structure) type OfGround = (Arc<ScaleTo>, Option<Arc<dyn Strengths>>);
+
 /// The surroundings of a value in a structure.
 pub(in crate::structure) struct Reader<'a> {
+    /// The whole study.
+    pub root: &'a Node,
     /// The parameters of the study.
     pub table: &'a [Parameter],
     /// Names of the parts.
@@ -40,6 +47,8 @@ pub(in crate::structure) struct Reader<'a> {
     pub removed_means: RefCell<Vec<(String, String)>>,
     /// What the headers of the records name.
     pub headings: RefCell<Vec<(String, Heading)>>,
+    /// The strength of the ground for other motions, if it has one.
+    pub of_ground: RefCell<Option<OfGround>>,
     /// The bytes of the records and matrices, for the identity of the structure.
     pub records: RefCell<Vec<(String, Vec<u8>)>>,
 }

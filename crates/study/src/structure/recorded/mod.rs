@@ -1,4 +1,8 @@
-//! Records of a folder, of a pattern and of the command line.
+//! Records of a folder, of a pattern and of the command line, and the choice among many.
 
+mod cache;
+mod choice;
 pub(crate) mod own_records;
+mod pattern;
 pub(crate) mod record_axis;
+mod selection;

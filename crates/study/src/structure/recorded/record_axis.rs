@@ -2,11 +2,12 @@
 //! in `measured`.
 //! It becomes the list of the files, which is what the rest of the reader sees.
 
+use super::choice::chosen;
+use super::pattern::{Found, matching};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
-use crate::structure::keys::FILES;
-use crate::structure::keys::KEY;
+use crate::structure::keys::{FILES, KEY, names};
 use crate::structure::reading::given::{member, members, texts};
 use crate::value::text;
 use std::path::Path;
@@ -14,11 +15,11 @@ use std::path::Path;
 /// The key of measurements, and the parameter of their files.
 const MEASURED: &str = KEY.0;
 
-/// Most files of an axis.
-const MOST: usize = 10_000;
+/// The key of the choice among the files.
+const CHOOSE: &str = FILES[1].0;
 
-/// Files of an axis: what `*` is in the name of each, and its path in the study.
-type Found = Vec<(String, String)>;
+/// The name of a parameter, the offset and path of its files, and these.
+type Listed = (String, usize, String, Found);
 
 /// Puts the lists of files into the parameters of a study; `folder` is that of the study.
 pub(crate) fn expand(root: &mut Node, folder: &Path, faults: &mut Faults) {
@@ -46,7 +47,7 @@ pub(crate) fn expand(root: &mut Node, folder: &Path, faults: &mut Faults) {
             }
         }
         let path = join(&path, "parameters");
-        let mut found = Vec::new();
+        let (mut found, mut leader) = (Vec::new(), None);
         for given in own.iter_mut().filter(|given| has_files(&given.node)) {
             // The files of the structure are at fault there.
             let mut of_structure = named.iter().filter(|new| new.0.at == given.at);
@@ -55,10 +56,27 @@ pub(crate) fn expand(root: &mut Node, folder: &Path, faults: &mut Faults) {
                 None => join(&path, &given.key),
             };
             if let Some(files) = files(&given.node, &path, folder, faults) {
+                if member(&given.node, CHOOSE).is_some() {
+                    leader = Some(found.len());
+                }
                 found.push((given.key.clone(), given.node.at, path, files));
             }
         }
+        if let Some(leader) = leader {
+            follow(&mut found, leader);
+        }
         go_together(block, found, faults);
+    }
+}
+
+/// Leaves of the other files those that go with the chosen ones, if there is one with each.
+fn follow(found: &mut [Listed], leader: usize) {
+    let stars: Vec<String> = found[leader].3.iter().map(|file| file.0.clone()).collect();
+    for (_, _, _, files) in found {
+        let has = |star: &String| files.iter().any(|file| file.0 == *star);
+        if stars.iter().all(has) {
+            files.retain(|file| stars.contains(&file.0));
+        }
     }
 }
 
@@ -121,13 +139,16 @@ pub(in crate::structure) fn blocks(root: &mut Node) -> Vec<(String, &mut Node)> 
 
 /// The files of an object, in the order of their names.
 fn files(node: &Node, path: &str, folder: &Path, faults: &mut Faults) -> Option<Found> {
-    let object = Object::open(node, path, &[FILES[0].0], faults)?;
+    let object = Object::open(node, path, &names(FILES), faults)?;
     let node = object.need(FILES[0].0, FILES[0].1, faults)?;
     let path = object.path(FILES[0].0);
     let pattern = text(node, &path, faults)?;
     let found = matching(&pattern, folder);
     match found {
-        Ok(found) => Some(found),
+        Ok(found) => match object.get(CHOOSE) {
+            Some(node) => chosen(node, &object.path(CHOOSE), found, folder, faults),
+            None => Some(found),
+        },
         Err(why) => {
             faults.add(node.at, &path, format!("{}: {why}", quoted(&pattern)));
             None
@@ -135,69 +156,9 @@ fn files(node: &Node, path: &str, folder: &Path, faults: &mut Faults) -> Option<
     }
 }
 
-/// The files that a folder or a pattern names, or why there are none.
-fn matching(pattern: &str, folder: &Path) -> Result<Found, String> {
-    let is_folder = folder.join(pattern).is_dir();
-    let (parent, name) = match pattern.rsplit_once('/') {
-        _ if is_folder => (pattern.trim_end_matches('/'), "*"),
-        Some((parent, name)) => (parent, name),
-        None => ("", pattern),
-    };
-    let Some((before, after)) = name
-        .split_once('*')
-        .filter(|(_, after)| !after.contains('*'))
-    else {
-        return Err("must be a folder, or a pattern with one * in the name of the files".into());
-    };
-    if parent.contains('*') {
-        return Err("must have its * in the name of the files, not in that of a folder".into());
-    }
-    let place = match pattern.starts_with('/') && parent.is_empty() {
-        true => Path::new("/").to_owned(),
-        false => folder.join(parent),
-    };
-    let entries = std::fs::read_dir(&place);
-    let entries =
-        entries.map_err(|why| format!("cannot read the folder {}: {why}", place.display()))?;
-    let mut found = Vec::new();
-    for entry in entries {
-        let entry =
-            entry.map_err(|why| format!("cannot read the folder {}: {why}", place.display()))?;
-        let Ok(name) = entry.file_name().into_string() else {
-            continue;
-        };
-        // Pages beside the records of a folder.
-        if name.starts_with('.') || is_folder && name.to_ascii_lowercase().ends_with(".md") {
-            continue;
-        }
-        let star = name
-            .strip_prefix(before)
-            .and_then(|rest| rest.strip_suffix(after));
-        if let Some(star) = star
-            && entry.path().is_file()
-        {
-            let path = match pattern.contains('/') || is_folder {
-                true => format!("{parent}/{name}"),
-                false => name.clone(),
-            };
-            found.push((star.to_owned(), path));
-        }
-    }
-    found.sort_by(|a, b| a.1.cmp(&b.1));
-    match found.len() {
-        0 => Err(format!("no file in {} has such a name", place.display())),
-        1..=MOST => Ok(found),
-        many => Err(format!("{many} files; allowed: at most {MOST}")),
-    }
-}
-
 /// Puts the lists of a block in place. Those that are in no `zip` of the study become one: the files for which `*` is the same go
 /// together.
-fn go_together(
-    block: &mut Node,
-    mut found: Vec<(String, usize, String, Found)>,
-    faults: &mut Faults,
-) {
+fn go_together(block: &mut Node, mut found: Vec<Listed>, faults: &mut Faults) {
     let zipped: Vec<String> = member(block, "zip")
         .map(|node| texts(node).into_iter().map(str::to_owned).collect())
         .unwrap_or_default();

@@ -2,6 +2,7 @@
 
 mod assembled;
 mod channels;
+mod chosen;
 mod contact_duration;
 mod directions;
 mod ground;

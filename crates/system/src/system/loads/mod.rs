@@ -6,6 +6,7 @@
 
 pub mod cut;
 pub mod measures;
+pub mod pair;
 pub mod pulse;
 pub mod record;
 mod signal;

@@ -6,6 +6,9 @@
 //! up to about omega^2 dt^2/8 of the peak.
 
 mod piece;
+mod turned;
+
+pub(super) use turned::turned_responses;
 
 use crate::system::structure::Table;
 use piece::{Oscillator, Piece};
@@ -45,11 +48,24 @@ const MOST: f64 = 1e8;
 pub fn spectrum(acceleration: &Table, periods: &[f64], ratio: f64) -> Option<Vec<Ordinate>> {
     let ordinate = |period: &f64| {
         let times = acceleration.times();
-        let turns = 2.0 * PI / period * (times[times.len() - 1] - times[0]);
-        let valid = *period > 0.0 && period.is_finite() && turns <= MOST;
-        (valid && (0.0..1.0).contains(&ratio)).then(|| ordinate(acceleration, *period, ratio))
+        let valid = is_valid(*period, ratio, times[times.len() - 1] - times[0]);
+        valid.then(|| ordinate(acceleration, *period, ratio))
     };
     periods.iter().map(ordinate).collect()
+}
+
+/// Whether an oscillator is one, and its motion for so long not too many turns.
+fn is_valid(period: f64, ratio: f64, length: f64) -> bool {
+    let turns = 2.0 * PI / period * length;
+    period > 0.0 && period.is_finite() && turns <= MOST && (0.0..1.0).contains(&ratio)
+}
+
+/// Radians after the last point in which the largest later response is reached.
+///
+/// Extremes follow one another by pi/omega_d on alternate sides of the rest position and fall, so the largest one after the last point
+/// is one of the first two. If they are far apart, the motion dies before: exp(-80) of it is left.
+fn free_turn(ratio: f64) -> f64 {
+    (2.0 * PI / (1.0 - ratio * ratio).sqrt()).min(80.0)
 }
 
 /// The response of one oscillator.
@@ -65,11 +81,8 @@ fn ordinate(acceleration: &Table, period: f64, ratio: f64) -> Ordinate {
     for i in 1..times.len() {
         walk.advance(times[i], values[i - 1], values[i]);
     }
-    // Extremes follow one another by pi/omega_d on alternate sides of the rest position and fall, so the largest one after the last
-    // point is one of the first two. If they are far apart, the motion dies before: exp(-80) of it is left.
     let (last, value) = (times[times.len() - 1], values[values.len() - 1]);
-    let turn = (2.0 * PI / (1.0 - ratio * ratio).sqrt()).min(80.0);
-    walk.advance(last + turn / omega, value, value);
+    walk.advance(last + free_turn(ratio) / omega, value, value);
     let [displacement, time] = walk.peak;
     Ordinate {
         period,

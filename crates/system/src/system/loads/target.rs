@@ -1,5 +1,7 @@
 //! Target spectra of pseudo-acceleration, and the factor of a motion that is nearest to one.
 
+use libm::{exp, log, pow};
+
 /// A target spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Target {
@@ -87,17 +89,53 @@ impl Target {
 /// Number of periods at which a motion is compared with a target.
 const PERIODS: u32 = 101;
 
-/// The periods at which a motion is compared with a target: evenly spaced, both ends included.
-pub fn periods([from, to]: [f64; 2]) -> Vec<f64> {
-    let steps = f64::from(PERIODS - 1);
-    let between = |i: u32| from + (to - from) * (f64::from(i) / steps);
-    (0..PERIODS).map(between).collect()
+/// Which squares are the least ones where a motion is scaled to a target.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Fit {
+    /// Those of the differences of ordinates, at evenly spaced periods.
+    #[default]
+    Linear,
+    /// Those of the differences of their logarithms, at periods with evenly spaced logarithms.
+    Logarithmic,
 }
 
-/// The factor with the smallest sum of squares of factor times `own` minus `wanted`.
-pub fn nearest(own: &[f64], wanted: &[f64]) -> f64 {
-    let products = own.iter().zip(wanted).map(|(own, wanted)| own * wanted);
-    products.sum::<f64>() / own.iter().map(|own| own * own).sum::<f64>()
+impl Fit {
+    /// Both.
+    pub const ALL: [Fit; 2] = [Fit::Linear, Fit::Logarithmic];
+
+    /// Its name in studies.
+    pub fn name(self) -> &'static str {
+        match self {
+            Fit::Linear => "linear",
+            Fit::Logarithmic => "logarithmic",
+        }
+    }
+
+    /// The periods at which a motion is compared with a target, both ends included.
+    pub fn periods(self, [from, to]: [f64; 2]) -> Vec<f64> {
+        let steps = f64::from(PERIODS - 1);
+        let between = |i: u32| match self {
+            Fit::Linear => from + (to - from) * (f64::from(i) / steps),
+            Fit::Logarithmic if i == PERIODS - 1 => to,
+            Fit::Logarithmic => from * pow(to / from, f64::from(i) / steps),
+        };
+        (0..PERIODS).map(between).collect()
+    }
+
+    /// The factor of `own` with the smallest sum of squares.
+    pub fn nearest(self, own: &[f64], wanted: &[f64]) -> f64 {
+        let both = own.iter().zip(wanted);
+        match self {
+            Fit::Linear => {
+                let products = both.map(|(own, wanted)| own * wanted);
+                products.sum::<f64>() / own.iter().map(|own| own * own).sum::<f64>()
+            }
+            Fit::Logarithmic => {
+                let logarithms = both.map(|(own, wanted)| log(wanted / own));
+                exp(logarithms.sum::<f64>() / own.len() as f64)
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -168,10 +206,16 @@ mod tests {
             both.map(|(own, wanted)| (f * own - wanted) * (f * own - wanted))
                 .sum()
         };
-        let best = nearest(&own, &wanted);
+        let best = Fit::Linear.nearest(&own, &wanted);
         assert!((best - 45.0 / 21.0).abs() < 1e-15);
         assert!(squares(best) < squares(best + 1e-3) && squares(best) < squares(best - 1e-3));
-        let all = periods([0.2, 2.0]);
-        assert_eq!((all[0], all[100], all.len()), (0.2, 2.0, 101));
+        for fit in Fit::ALL {
+            let all = fit.periods([0.2, 2.0]);
+            assert_eq!((all[0], all[100], all.len()), (0.2, 2.0, 101));
+        }
+        // sqrt(0.2 2) is in the middle of the logarithms, and the geometric mean of 3, 1.5 and 2.25 the factor.
+        assert!((Fit::Logarithmic.periods([0.2, 2.0])[50] - 0.4_f64.sqrt()).abs() < 1e-15);
+        let best = Fit::Logarithmic.nearest(&own, &wanted);
+        assert!((best - (3.0 * 1.5 * 2.25_f64).cbrt()).abs() < 1e-14);
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::problem::Case;
 use crate::problem::structure::given::loads::Kind;
+use crate::problem::structure::given::set::SetSpectra;
 use crate::problem::structure::given::shape::Scaled;
 use crate::problem::structure::given::short::short;
 use crate::problem::structure::metrics::computed_ground::{Steps, measured};
@@ -49,7 +50,35 @@ pub fn described(template: &Template, case: &Case, steps: Steps) -> String {
             short(duration)
         ))
     };
-    template.ground.iter().filter_map(line).collect()
+    let motions = template.ground.iter().filter_map(line);
+    motions.chain(described_set(template, case)).collect()
+}
+
+/// The set of the ground in a case, in a line.
+fn described_set(template: &Template, case: &Case) -> Option<String> {
+    let (motion, set) = template.set()?;
+    let state = motion.set_state(case, template.metre)?;
+    let rule = set.rule.map_or(String::new(), |rule| format!(" {rule},"));
+    Some(format!(
+        "set of {} motions:{rule} factor {}, least ratio {} at T = {}\n",
+        set.members.len(),
+        short(state.factor),
+        short(state.ratio),
+        short(state.period)
+    ))
+}
+
+/// The spectra of the set of the ground at these periods in a case.
+pub fn set_spectra(template: &Template, case: &Case, periods: &[f64]) -> Option<SetSpectra> {
+    let (motion, _) = template.set()?;
+    motion.set_spectra(periods, case, template.metre)
+}
+
+/// Units of length and time, as the study writes them; empty if it does not.
+pub fn units(template: &Template) -> [String; 2] {
+    let units = UnitNames::of(&template.units);
+    let units = units.map(|units| [units.length, units.time].map(str::to_owned));
+    units.unwrap_or_default()
 }
 
 /// The ground motion of a case; `None` without one, or if a number of it breaks a rule. A sine acts until the end of the case.
@@ -76,10 +105,8 @@ pub fn ground_motion(template: &Template, case: &Case, duration: f64) -> Option<
             Table::new(times, values)?
         }
     };
-    let units = UnitNames::of(&template.units);
-    let units = units.map(|units| [units.length, units.time].map(str::to_owned));
     Some(GroundMotion {
         acceleration,
-        units: units.unwrap_or_default(),
+        units: units(template),
     })
 }

@@ -1,9 +1,13 @@
-//! The strength that a study gives a motion.
+//! The strength that a study gives a motion, or the motions of a station together.
 
 use super::amount::Amount;
+use super::set::{Motions, Set, SetSpectra, State};
+use super::strength::{Asked, Strengths};
+use super::target_spectrum::{TargetSpectrum, values};
 use crate::problem::{Case, Violation};
 use crate::system::loads::measures::Measure;
-use crate::system::loads::target::{self, Target};
+use crate::system::loads::pair::Component;
+use crate::system::loads::target::Fit;
 
 /// The strength that a motion gets.
 #[derive(Debug, Clone)]
@@ -12,6 +16,14 @@ pub struct ScaleTo {
     pub goal: Goal,
     /// Unit of the goal's accelerations in the study's units; 1 for these.
     pub unit: f64,
+    /// Damping ratio of spectra; none for 0.05.
+    pub ratio: Option<Amount>,
+    /// The least squares of a target spectrum.
+    pub fit: Fit,
+    /// Which strength of a pair; none for a motion in one direction.
+    pub component: Option<Component>,
+    /// The set whose factor comes on top.
+    pub set: Option<Box<Set>>,
 }
 
 /// What a motion is scaled to.
@@ -25,8 +37,6 @@ pub enum Goal {
         value: Amount,
         /// Period of the oscillator.
         period: Amount,
-        /// Damping ratio; none for 0.05.
-        ratio: Option<Amount>,
     },
     /// The least sum of squares of its pseudo-accelerations minus those of a target.
     Spectrum {
@@ -34,20 +44,9 @@ pub enum Goal {
         target: TargetSpectrum,
         /// The periods between which they are compared.
         between: [Amount; 2],
-        /// Damping ratio; none for 0.05.
-        ratio: Option<Amount>,
     },
-}
-
-/// A target spectrum of a study.
-#[derive(Debug, Clone)]
-pub enum TargetSpectrum {
-    /// Periods and ordinates.
-    Table([Vec<Amount>; 2]),
-    /// a_g, S, T_B, T_C and T_D.
-    En1998(Box<[Amount; 5]>),
-    /// S_DS, S_D1 and T_L.
-    Asce7(Box<[Amount; 3]>),
+    /// This factor.
+    Factor(Amount),
 }
 
 /// Damping ratio of spectra without one.
@@ -55,14 +54,6 @@ pub const RATIO: f64 = 0.05;
 
 /// Of the periods of a target spectrum, each so many-th is looked at in every case: all of them would take longer than the case.
 const EVERY: usize = 25;
-
-/// The value of a measure of the motion.
-type Own<'a> = &'a dyn Fn(Measure) -> Result<f64, Violation>;
-
-/// A damping ratio in a case.
-fn damping(ratio: &Option<Amount>, case: &Case) -> Result<f64, Violation> {
-    ratio.as_ref().map_or(Ok(RATIO), |ratio| ratio.value(case))
-}
 
 /// The two periods in a case, the second one larger.
 fn bounds([from, to]: &[Amount; 2], case: &Case) -> Result<[f64; 2], Violation> {
@@ -74,35 +65,117 @@ fn bounds([from, to]: &[Amount; 2], case: &Case) -> Result<[f64; 2], Violation> 
 }
 
 impl ScaleTo {
-    /// The factor with which a motion with these measures reaches its strength.
+    /// The damping ratio in a case.
+    fn damping(&self, case: &Case) -> Result<f64, Violation> {
+        let ratio = self.ratio.as_ref();
+        ratio.map_or(Ok(RATIO), |ratio| ratio.value(case))
+    }
+
+    /// The factor with which a motion with these strengths reaches its own, that of its set included.
     ///
     /// # Errors
     /// The first rule that a number breaks.
-    pub fn factor(&self, case: &Case, own: Own) -> Result<f64, Violation> {
-        let ScaleTo { goal, unit } = self;
-        match goal {
+    pub fn factor(
+        &self,
+        case: &Case,
+        metre: f64,
+        strengths: &dyn Strengths,
+    ) -> Result<f64, Violation> {
+        let own = self.own_factor(case, metre, strengths)?;
+        match self.state(case, metre, strengths)? {
+            None => Ok(own),
+            Some(state) => Ok(own * state.factor),
+        }
+    }
+
+    /// The set in a case, if there is one.
+    ///
+    /// # Errors
+    /// The first rule that a number breaks.
+    pub fn state(
+        &self,
+        case: &Case,
+        metre: f64,
+        strengths: &dyn Strengths,
+    ) -> Result<Option<State>, Violation> {
+        self.with_set(case, metre, strengths, |set, motions| {
+            set.state(case, motions)
+        })
+    }
+
+    /// The spectra of the set in a case, if there is one.
+    ///
+    /// # Errors
+    /// The first rule that a number breaks.
+    pub fn set_spectra(
+        &self,
+        periods: &[f64],
+        case: &Case,
+        metre: f64,
+        strengths: &dyn Strengths,
+    ) -> Result<Option<SetSpectra>, Violation> {
+        self.with_set(case, metre, strengths, |set, motions| {
+            set.drawn(periods, case, motions)
+        })
+    }
+
+    /// What is computed of the set and its motions.
+    fn with_set<T>(
+        &self,
+        case: &Case,
+        metre: f64,
+        strengths: &dyn Strengths,
+        of: impl FnOnce(&Set, &Motions) -> Result<T, Violation>,
+    ) -> Result<Option<T>, Violation> {
+        let Some(set) = &self.set else {
+            return Ok(None);
+        };
+        let bits = |case: &Case| {
+            let values = values(self.goal.amounts(), case)?;
+            Ok(values.into_iter().map(f64::to_bits).collect())
+        };
+        let motions = Motions {
+            strengths,
+            factor: &|case| self.own_factor(case, metre, strengths),
+            identity: &bits,
+            ratio: self.damping(case)?,
+            unit: self.unit,
+            metre,
+        };
+        of(set, &motions).map(Some)
+    }
+
+    /// The factor of a motion without that of its set.
+    fn own_factor(
+        &self,
+        case: &Case,
+        metre: f64,
+        strengths: &dyn Strengths,
+    ) -> Result<f64, Violation> {
+        let own = |measure| {
+            let asked = Asked {
+                measure,
+                component: self.component,
+            };
+            strengths.strength(asked, case, metre)
+        };
+        let unit = self.unit;
+        match &self.goal {
+            Goal::Factor(value) => value.value(case),
             Goal::PeakAcceleration(value) => {
                 Ok(unit * value.value(case)? / own(Measure::PeakAcceleration)?)
             }
-            Goal::Spectral {
-                value,
-                period,
-                ratio,
-            } => {
+            Goal::Spectral { value, period } => {
                 let measure = Measure::Spectral {
                     period: period.value(case)?,
-                    ratio: damping(ratio, case)?,
+                    ratio: self.damping(case)?,
                 };
                 Ok(unit * value.value(case)? / own(measure)?)
             }
-            Goal::Spectrum {
-                target,
-                between,
-                ratio,
-            } => {
-                let ratio = damping(ratio, case)?;
+            Goal::Spectrum { target, between } => {
+                let ratio = self.damping(case)?;
                 let target = target.in_case(case, ratio)?;
-                let periods = target::periods(bounds(between, case)?);
+                let periods = self.fit.periods(bounds(between, case)?);
                 let spectral = |period: &f64| {
                     own(Measure::Spectral {
                         period: *period,
@@ -112,7 +185,7 @@ impl ScaleTo {
                 let ordinates = periods.iter().map(spectral);
                 let ordinates = ordinates.collect::<Result<Vec<f64>, Violation>>()?;
                 let wanted: Vec<f64> = periods.iter().map(|t| unit * target.at(*t)).collect();
-                Ok(target::nearest(&ordinates, &wanted))
+                Ok(self.fit.nearest(&ordinates, &wanted))
             }
         }
     }
@@ -120,15 +193,13 @@ impl ScaleTo {
     /// Periods of oscillators, and their damping ratio, whose pseudo-accelerations the motion is scaled to; of a target spectrum a
     /// few. `None` if a number breaks a rule.
     pub fn periods(&self, case: &Case) -> Option<(Vec<f64>, f64)> {
+        let ratio = self.damping(case).ok()?;
         match &self.goal {
-            Goal::PeakAcceleration(_) => Some((Vec::new(), RATIO)),
-            Goal::Spectral { period, ratio, .. } => {
-                Some((vec![period.value(case).ok()?], damping(ratio, case).ok()?))
-            }
-            Goal::Spectrum { between, ratio, .. } => {
-                let all = target::periods(bounds(between, case).ok()?);
-                let few = all.into_iter().step_by(EVERY).collect();
-                Some((few, damping(ratio, case).ok()?))
+            Goal::PeakAcceleration(_) | Goal::Factor(_) => Some((Vec::new(), RATIO)),
+            Goal::Spectral { period, .. } => Some((vec![period.value(case).ok()?], ratio)),
+            Goal::Spectrum { between, .. } => {
+                let all = self.fit.periods(bounds(between, case).ok()?);
+                Some((all.into_iter().step_by(EVERY).collect(), ratio))
             }
         }
     }
@@ -138,67 +209,30 @@ impl ScaleTo {
     /// # Errors
     /// The first rule that a number breaks.
     pub fn check(&self, case: &Case) -> Result<(), Violation> {
+        let ratio = self.damping(case)?;
         match &self.goal {
-            Goal::PeakAcceleration(value) => value.value(case).map(|_| ()),
-            Goal::Spectral {
-                value,
-                period,
-                ratio,
-            } => {
-                damping(ratio, case)?;
-                value.value(case).and(period.value(case)).map(|_| ())
+            Goal::PeakAcceleration(_) | Goal::Factor(_) | Goal::Spectral { .. } => {
+                values(self.goal.amounts(), case).map(|_| ())
             }
-            Goal::Spectrum {
-                target,
-                between,
-                ratio,
-            } => {
+            Goal::Spectrum { target, between } => {
                 bounds(between, case)?;
-                target.in_case(case, damping(ratio, case)?).map(|_| ())
+                target.in_case(case, ratio).map(|_| ())
             }
-        }
+        }?;
+        self.set
+            .as_ref()
+            .map_or(Ok(()), |set| set.check(case, ratio))
     }
 }
 
-impl TargetSpectrum {
-    /// The spectrum in a case.
-    fn in_case(&self, case: &Case, ratio: f64) -> Result<Target, Violation> {
-        let all = |amounts: &[Amount]| {
-            let values = amounts.iter().map(|amount| amount.value(case));
-            values.collect::<Result<Vec<f64>, Violation>>()
-        };
-        let rise = |values: &[f64], amounts: &[Amount]| {
-            let wrong = (1..values.len()).find(|i| values[*i] <= values[i - 1]);
-            wrong.map_or(Ok(()), |i| {
-                Err(amounts[i].violation("the periods must rise"))
-            })
-        };
+impl Goal {
+    /// Its numbers.
+    pub fn amounts(&self) -> Vec<&Amount> {
         match self {
-            TargetSpectrum::Table([periods, ordinates]) => {
-                let values = all(periods)?;
-                rise(&values, periods)?;
-                Ok(Target::Table {
-                    periods: values,
-                    ordinates: all(ordinates)?,
-                })
-            }
-            TargetSpectrum::En1998(amounts) => {
-                let values = all(&**amounts)?;
-                rise(&values[2..], &amounts[2..])?;
-                Ok(Target::En1998 {
-                    ag: values[0],
-                    soil: values[1],
-                    corners: [values[2], values[3], values[4]],
-                    ratio,
-                })
-            }
-            TargetSpectrum::Asce7(amounts) => {
-                let values = all(&**amounts)?;
-                Ok(Target::Asce7 {
-                    short: values[0],
-                    one: values[1],
-                    long: values[2],
-                })
+            Goal::PeakAcceleration(value) | Goal::Factor(value) => vec![value],
+            Goal::Spectral { value, period } => vec![value, period],
+            Goal::Spectrum { target, between } => {
+                target.amounts().into_iter().chain(between).collect()
             }
         }
     }

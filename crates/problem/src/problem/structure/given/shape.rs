@@ -4,6 +4,7 @@ use super::amount::Amount;
 use super::loads::Source;
 use super::scale_to::ScaleTo;
 use super::signal_cache::SignalCache;
+use super::strength::Strengths;
 use crate::problem::{Case, Violation};
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::loads::cut::{cut, delayed, without_baseline};
@@ -22,7 +23,9 @@ pub struct Shape {
     /// What is removed from the part.
     pub baseline: Baseline,
     /// The strength that it gets; none for its own.
-    pub scale_to: Option<ScaleTo>,
+    pub scale_to: Option<Arc<ScaleTo>>,
+    /// The pair of the station that gets this strength in its place.
+    pub pair: Option<Arc<dyn Strengths>>,
     /// Time by which all of it is later, >= 0; none for 0.
     pub delay: Option<Amount>,
     made: Arc<Mutex<Made>>,
@@ -72,13 +75,20 @@ impl Shape {
         }
     }
 
-    /// The part of a function without its baseline, before its delay; and what identifies it.
-    fn part(&self, scaled: &Scaled, case: &Case, metre: f64) -> Result<Part, Violation> {
-        let signal = scaled.source.signal(case, metre)?;
+    /// What identifies the part of a function.
+    pub(super) fn key(&self, scaled: &Scaled, case: &Case) -> Result<Vec<u64>, Violation> {
         let [start, end, _] = self.times(case)?;
         let mut key = scaled.source.key(case)?;
         let bits = |time: Option<f64>| time.unwrap_or(f64::NAN).to_bits();
         key.extend([bits(start), bits(end)]);
+        Ok(key)
+    }
+
+    /// The part of a function without its baseline, before its delay; and what identifies it.
+    fn part(&self, scaled: &Scaled, case: &Case, metre: f64) -> Result<Part, Violation> {
+        let signal = scaled.source.signal(case, metre)?;
+        let [start, end, _] = self.times(case)?;
+        let key = self.key(scaled, case)?;
         let table = points(&signal, &scaled.source)?;
         if start.is_none() && end.is_none() && self.baseline == Baseline::None {
             return Ok(Part { signal, key });
@@ -103,20 +113,21 @@ impl Shape {
         Ok(Part { signal, key })
     }
 
-    /// A measure of a part; computed once.
-    fn measure(
+    /// A measure of the part of a function; computed once.
+    pub(super) fn measure(
         &self,
-        part: &Part,
-        source: &Source,
+        scaled: &Scaled,
         measure: Measure,
+        case: &Case,
         metre: f64,
     ) -> Result<Option<f64>, Violation> {
-        let table = points(&part.signal, source)?;
-        let mut key = part.key.clone();
+        let mut key = self.key(scaled, case)?;
         key.extend(identity(measure));
         if let Some(known) = self.made().measures.get(&key) {
             return Ok(*known);
         }
+        let part = self.part(scaled, case, metre)?;
+        let table = points(&part.signal, &scaled.source)?;
         let value = measure.of(table, STANDARD_GRAVITY / metre);
         let mut made = self.made();
         if made.measures.len() >= MOST_MEASURES {
@@ -125,33 +136,10 @@ impl Shape {
         made.measures.insert(key, value);
         Ok(value)
     }
-
-    /// The factor with which a part reaches its strength.
-    fn factor(
-        &self,
-        part: &Part,
-        scaled: &Scaled,
-        case: &Case,
-        metre: f64,
-    ) -> Result<f64, Violation> {
-        let Some(scale_to) = &self.scale_to else {
-            return Ok(1.0);
-        };
-        let factor = scale_to.factor(case, &|measure| {
-            let value = self.measure(part, &scaled.source, measure, metre)?;
-            let none = "the motion has no such strength, so that it cannot be scaled to one";
-            let value = value.filter(|value| *value > 0.0);
-            value.ok_or_else(|| scaled.source.violation(none))
-        })?;
-        match factor.is_finite() {
-            true => Ok(factor),
-            false => Err(scaled.source.violation("scale_to gives no finite factor")),
-        }
-    }
 }
 
 /// A part of a function, and what identifies it among the parts of this function.
-struct Part {
+pub(super) struct Part {
     signal: Arc<Signal>,
     key: Vec<u64>,
 }
@@ -167,7 +155,7 @@ fn points<'a>(signal: &'a Signal, source: &Source) -> Result<&'a Table, Violatio
 }
 
 /// What identifies a measure.
-fn identity(measure: Measure) -> [u64; 3] {
+pub(super) fn identity(measure: Measure) -> [u64; 3] {
     let kind = match measure {
         Measure::PeakAcceleration => 1,
         Measure::PeakVelocity => 2,
@@ -219,21 +207,30 @@ impl Scaled {
         metre: f64,
     ) -> Result<Option<f64>, Violation> {
         let shape = &self.shape;
-        let part = shape.part(self, case, metre)?;
-        let value = shape.measure(&part, &self.source, measure, metre)?;
+        let value = shape.measure(self, measure, case, metre)?;
         let scale = self
             .scale
             .as_ref()
             .map_or(Ok(1.0), |scale| scale.value(case));
-        let factor = scale? * shape.factor(&part, self, case, metre)?;
+        let factor = scale? * self.factor(case, metre)?;
         Ok(value.map(|value| measure.scaled(value, factor)))
+    }
+
+    /// The part of the function that has a strength.
+    pub(super) fn part(&self, case: &Case, metre: f64) -> Result<Part, Violation> {
+        self.shape.part(self, case, metre)
+    }
+
+    /// The points of this part.
+    pub(super) fn points<'a>(&self, part: &'a Part) -> Result<&'a Table, Violation> {
+        points(&part.signal, &self.source)
     }
 
     /// The signal in a case with all that is done to it, and the factor of its strength.
     fn shaped(&self, case: &Case, metre: f64) -> Result<(Arc<Signal>, f64), Violation> {
         let shape = &self.shape;
         let mut part = shape.part(self, case, metre)?;
-        let factor = shape.factor(&part, self, case, metre)?;
+        let factor = self.factor(case, metre)?;
         let [.., delay] = shape.times(case)?;
         let Some(delay) = delay else {
             return Ok((part.signal, factor));

@@ -76,8 +76,19 @@ impl GroundMetric {
     ///
     /// # Errors
     /// There is none, or there are several.
-    pub fn of<'a>(&self, template: &'a Template) -> Result<&'a Scaled, String> {
+    pub fn of<'a>(
+        &self,
+        reduction: Reduction,
+        template: &'a Template,
+    ) -> Result<&'a Scaled, String> {
         let ground = &template.ground;
+        if of_set(reduction) {
+            if self.direction.is_some() {
+                return Err("a set has one for all directions; begin with ground.".to_owned());
+            }
+            let found = template.set().map(|own| own.0);
+            return found.ok_or_else(|| "the \"scale_to\" of the ground has no \"set\"".to_owned());
+        }
         let chosen =
             |own: &&(Direction, Scaled)| self.direction.is_none_or(|wanted| own.0 == wanted);
         let mut found = ground.iter().filter(chosen);
@@ -126,8 +137,23 @@ impl GroundMetric {
         case: &Case,
         steps: Steps,
     ) -> Option<f64> {
+        let scaled = self.of(reduction, template).ok()?;
+        let state = || scaled.set_state(case, template.metre);
+        match reduction {
+            Reduction::GroundFactor => return scaled.factor(case, template.metre).ok(),
+            Reduction::GroundSetFactor => return Some(state()?.factor),
+            Reduction::GroundSetRatio => return Some(state()?.ratio),
+            _ => {}
+        }
         let measure = self.measure(reduction, case).ok()??;
-        let scaled = self.of(template).ok()?;
         computed_ground::measured(scaled, measure, case, template.metre, steps)
     }
+}
+
+/// Whether a measure is of the set of the ground.
+fn of_set(reduction: Reduction) -> bool {
+    matches!(
+        reduction,
+        Reduction::GroundSetFactor | Reduction::GroundSetRatio
+    )
 }

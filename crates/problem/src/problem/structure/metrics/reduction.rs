@@ -55,6 +55,9 @@ reductions! {
     GroundDuration "ground.d5_95" Ground "time from 5 to 95 % of the Arias intensity",
     GroundSpectral "ground.Sa" GroundAndOscillator "ground.Sa(T, ratio), ratio 0.05 if left out: (2 pi/T)^2 times the largest displacement of an oscillator; exact for straight lines between the steps",
     GroundMeanPeriod "ground.Tm" Ground "mean of 1/f weighted by the squared Fourier amplitudes from 0.25 to 20 Hz (Rathje et al. 1998)",
+    GroundFactor "ground.factor" Ground "factor of the whole motion by \"scale_to\", that of its set included",
+    GroundSetFactor "ground.set_factor" Ground "factor of the set of \"scale_to\", the same for all its motions",
+    GroundSetRatio "ground.set_ratio" Ground "least ratio of the spectrum of the set to what its rule asks for; at least 1 where the rule holds",
 }
 
 /// What a reduction is of.

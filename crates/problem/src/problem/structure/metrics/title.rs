@@ -82,6 +82,9 @@ fn of_ground(reduction: Reduction) -> &'static str {
         Reduction::GroundDuration => "duration of the ground motion from 5 to 95 %",
         Reduction::GroundSpectral => "spectral acceleration of the ground",
         Reduction::GroundMeanPeriod => "mean period of the ground",
+        Reduction::GroundFactor => "factor of the ground motion",
+        Reduction::GroundSetFactor => "factor of the set of ground motions",
+        Reduction::GroundSetRatio => "least ratio of the set to its rule",
         other => other.name(),
     }
 }

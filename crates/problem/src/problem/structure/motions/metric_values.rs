@@ -153,7 +153,10 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         | Reduction::GroundArias
         | Reduction::GroundDuration
         | Reduction::GroundSpectral
-        | Reduction::GroundMeanPeriod => None,
+        | Reduction::GroundMeanPeriod
+        | Reduction::GroundFactor
+        | Reduction::GroundSetFactor
+        | Reduction::GroundSetRatio => None,
     }
 }
 

@@ -9,6 +9,7 @@ use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::loads::Source;
 use crate::problem::structure::given::node::{NodeName, NodeRef};
 use crate::problem::structure::given::rows::Rows;
+use crate::problem::structure::given::set::Set;
 use crate::problem::structure::given::shape::Scaled;
 use crate::problem::structure::given::supports::Support;
 use crate::system::import::Imported;
@@ -86,6 +87,14 @@ impl Template {
     pub fn place_of(&self, node: &str) -> Option<usize> {
         let mass = self.masses.iter().find(|mass| mass.name == node);
         mass.map(|mass| mass.mass.at)
+    }
+
+    /// The first motion of the ground with a set, and this set.
+    pub fn set(&self) -> Option<(&Scaled, &Set)> {
+        self.ground.iter().find_map(|(_, motion)| {
+            let scale_to = motion.shape.scale_to.as_ref()?;
+            Some((motion, scale_to.set.as_deref()?))
+        })
     }
 
     /// The functions of time whose signals are computed sample by sample.

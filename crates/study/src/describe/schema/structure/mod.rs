@@ -6,7 +6,7 @@ mod results;
 mod rules;
 mod springs;
 
-use motions::{by_directions, function, load, support};
+use motions::{function, ground, load, support};
 use results::{check, figure, metric};
 use rules::{all_numbers, any, described, each_required, named, parts_by_name};
 use springs::{bar, mass, spring};
@@ -23,6 +23,7 @@ use serde_json::{Map, Value as Json, json};
 use slipgap_problem::problem::method::PARAMETERS;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
+use slipgap_system::system::loads::Unit;
 
 /// The rules for studies of structures.
 pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
@@ -117,7 +118,7 @@ fn structure(function: &Json, contact: &Json) -> Json {
         "rayleigh" => all_numbers(keys::RAYLEIGH, &[]),
         "contacts" => parts_by_name(contact.clone()),
         "loads" => json!({ "type": "array", "items": load() }),
-        "ground" => json!({ "anyOf": [function, by_directions(function)] }),
+        "ground" => ground(function),
         "supports" => parts_by_name(support(function)),
         "static" => {
             let gravity = json!({ "anyOf": [any(), all_numbers(keys::GROUND, &[])] });
@@ -162,5 +163,25 @@ fn axis_values() -> Json {
 
 /// All files of a folder or a pattern.
 fn files() -> Json {
-    described(keys::FILES, |_| json!({ "type": "string" }), &["files"])
+    let value = |key: &str| match key {
+        "files" => json!({ "type": "string" }),
+        _ => choose(),
+    };
+    described(keys::FILES, value, &["files"])
+}
+
+/// A choice among files.
+fn choose() -> Json {
+    let value = |key: &str| match key {
+        "T" | "median" | "sigma" => {
+            let one = number(keys::range(keys::CHOOSE, key));
+            json!({ "type": "array", "items": one, "minItems": 1 })
+        }
+        "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
+        _ => number(keys::range(keys::CHOOSE, key)),
+    };
+    let needed = ["n", "T", "median", "sigma", "unit"];
+    let mut schema = described(keys::CHOOSE, value, &needed);
+    schema["dependencies"] = json!({ "factor": ["at"] });
+    schema
 }

@@ -6,7 +6,9 @@ use crate::describe::schema::values::{number, whole};
 use crate::structure::keys::{self, FUNCTION, FUNCTIONS};
 use serde_json::{Value as Json, json};
 use slipgap_system::system::loads::Unit;
+use slipgap_system::system::loads::pair::Component;
 use slipgap_system::system::loads::record::Mean;
+use slipgap_system::system::loads::target::Fit;
 use slipgap_system::system::structure::Baseline;
 
 /// Keys of a function with points.
@@ -45,10 +47,19 @@ pub(super) fn load() -> Json {
 }
 
 /// A function in each direction.
-pub(super) fn by_directions(function: &Json) -> Json {
+fn by_directions(function: &Json) -> Json {
     let mut schema = described(keys::GROUND, |_| function.clone(), &[]);
     schema["anyOf"] = each_required(&keys::names(keys::GROUND));
     schema
+}
+
+/// The ground: a function in x, or one in each direction.
+pub(super) fn ground(function: &Json) -> Json {
+    let mut all = by_directions(function);
+    let strength = described(&[keys::OF_GROUND], |_| scale_to(true), &[]);
+    add_properties(&mut all, &strength);
+    all["dependencies"] = json!({ "scale_to": ["x", "y"] });
+    json!({ "anyOf": [function, all] })
 }
 
 fn function_value(key: &str) -> Json {
@@ -60,7 +71,7 @@ fn function_value(key: &str) -> Json {
         "mean" => json!({ "enum": Mean::ALL.map(Mean::name) }),
         "column" | "component" => json!({ "type": "integer", "minimum": 1, "maximum": 1_000_000 }),
         "baseline" => json!({ "enum": Baseline::ALL.map(Baseline::name) }),
-        "scale_to" => scale_to(),
+        "scale_to" => json!({ "anyOf": [scale_to(false), { "const": keys::AS_GROUND }] }),
         "pulse" => pulse(),
         "synthetic" => {
             let seed = whole(0, SEEDS);
@@ -83,8 +94,35 @@ fn pulse() -> Json {
     schema
 }
 
-/// The strength of a motion.
-fn scale_to() -> Json {
+/// The strength of a motion; of `together`, that of x and y.
+fn scale_to(together: bool) -> Json {
+    let components = names_of(Component::ALL.map(Component::name));
+    let value = |key: &str| match key {
+        "spectrum" => spectrum(),
+        "unit" => names_of(Unit::ALL.map(Unit::name)),
+        "fit" => names_of(Fit::ALL.map(Fit::name)),
+        "component" if together => components.clone(),
+        "component" => json!({ "const": "each" }),
+        "set" => set(),
+        _ => number(keys::range(keys::SCALE_TO, key)),
+    };
+    let mut schema = described(keys::SCALE_TO, value, &[]);
+    schema["oneOf"] = each_required(&keys::names(&keys::SCALE_TO[..keys::GOALS]));
+    schema["dependencies"] = json!({
+        "T": ["Sa"],
+        "Sa": ["T"],
+        "from": ["spectrum"],
+        "to": ["spectrum"],
+        "fit": ["spectrum"],
+        "spectrum": ["from", "to"],
+        "factor": ["set"],
+        "ratio": { "anyOf": [{ "not": { "required": ["pga"] } }, { "required": ["set"] }] },
+    });
+    schema
+}
+
+/// A target spectrum.
+fn spectrum() -> Json {
     let mut spectrum = described(
         keys::SPECTRUM,
         |key| match key {
@@ -97,22 +135,30 @@ fn scale_to() -> Json {
         &mut spectrum,
         &described(keys::TARGET_TABLE, |_| numbers(), &[]),
     );
+    spectrum
+}
+
+/// A set of motions.
+fn set() -> Json {
     let value = |key: &str| match key {
-        "spectrum" => spectrum.clone(),
-        "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
-        _ => number(keys::range(keys::SCALE_TO, key)),
+        "rule" => names_of(keys::RULES.map(|rule| rule.name)),
+        "period" => {
+            let one = number(keys::range(keys::SET, key));
+            json!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 1 }] })
+        }
+        "statistic" => names_of(keys::STATISTICS.map(|own| own.0)),
+        "component" => names_of(Component::ALL.map(Component::name)),
+        "spectrum" => spectrum(),
+        _ => number(keys::range(keys::SET, key)),
     };
-    let mut schema = described(keys::SCALE_TO, value, &[]);
-    schema["oneOf"] = each_required(&keys::names(&keys::SCALE_TO[..3]));
-    schema["dependencies"] = json!({
-        "T": ["Sa"],
-        "Sa": ["T"],
-        "from": ["spectrum"],
-        "to": ["spectrum"],
-        "spectrum": ["from", "to"],
-        "ratio": { "not": { "required": ["pga"] } },
-    });
+    let mut schema = described(keys::SET, value, &[]);
+    schema["dependencies"] = json!({ "period": ["rule"] });
     schema
+}
+
+/// One of some names.
+fn names_of<const N: usize>(names: [&str; N]) -> Json {
+    json!({ "enum": names.as_slice() })
 }
 
 /// A support: a function of time in x, or one in each direction, with its delay.

@@ -4,5 +4,6 @@ pub(super) mod curve;
 pub(super) mod history;
 pub(super) mod orbit;
 pub(super) mod profile;
+pub(super) mod set;
 pub(super) mod spectrum;
 pub(super) mod wave;

@@ -40,6 +40,22 @@ impl Piece {
         Piece(c)
     }
 
+    /// A sum of two motions over the same time, each times a factor.
+    pub fn plus(&self, own: f64, other: &Piece, factor: f64) -> Piece {
+        let mut sum = self.0;
+        for (c, other) in sum.iter_mut().zip(other.0) {
+            *c = own * *c + factor * other;
+        }
+        Piece(sum)
+    }
+
+    /// Largest |u| inside and at the end.
+    pub fn peak(&self) -> f64 {
+        let [first, second] = self.extremes();
+        let all = [first, second, Some(1.0)].into_iter().flatten();
+        all.fold(0.0, |peak: f64, tau| peak.max(self.u(tau).abs()))
+    }
+
     /// u.
     pub fn u(&self, tau: f64) -> f64 {
         self.0.iter().rev().fold(0.0, |sum, c| sum * tau + c)
@@ -59,12 +75,23 @@ impl Piece {
             .fold(0.0, |sum, k| sum * tau + (k * (k - 1)) as f64 * self.0[k])
     }
 
-    /// A bound of |u| on the piece: the larger end and the error of the chord, |y|/8.
+    /// A bound of |u| on the piece: the larger end and the sag.
+    pub fn bound(&self, turn: f64) -> f64 {
+        let [start, end] = self.ends();
+        start.abs().max(end.abs()) + self.sag(turn)
+    }
+
+    /// u at the start and at the end.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.0[0], self.u(1.0)]
+    }
+
+    /// A bound of the distance of u from its chord, |y|/8.
     ///
     /// The load is straight, so y is a free vibration and y^2 + (y'/(omega h))^2 never rises.
-    pub fn bound(&self, turn: f64) -> f64 {
+    pub fn sag(&self, turn: f64) -> f64 {
         let [y, slope] = [2.0 * self.0[2], 6.0 * self.0[3] / turn];
-        self.0[0].abs().max(self.u(1.0).abs()) + (y * y + slope * slope).sqrt() / 8.0
+        (y * y + slope * slope).sqrt() / 8.0
     }
 
     /// The extremes of u inside: v is 0.

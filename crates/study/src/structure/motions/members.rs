@@ -1,0 +1,164 @@
+//! The motions of a set: the values of the parameters that choose them, and of those in a `zip` with them.
+
+use crate::source::faults::{Faults, quoted};
+use crate::source::tree::{Node, Tree};
+use crate::structure::reading::given::{given, member, texts};
+use crate::structure::reading::reader::Reader;
+use crate::value::number;
+use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::interned;
+use slipgap_problem::problem::numbers::parameter::{Kind, Range, Value};
+use slipgap_problem::problem::structure::given::amount;
+use slipgap_problem::problem::structure::given::chosen::Chosen;
+use slipgap_problem::problem::structure::given::loads;
+use slipgap_problem::problem::structure::given::shape::Scaled;
+use std::collections::BTreeSet;
+
+/// The values of one motion of a set, by the rows of their parameters.
+type Member = Vec<(usize, Value)>;
+
+/// The motions of the set of these functions; `used` has the rows of all parameters in them.
+///
+/// # Errors
+/// Why they are not known.
+pub(super) fn of_set(
+    functions: &[&Scaled],
+    used: &BTreeSet<usize>,
+    reader: &Reader,
+) -> Result<Vec<Member>, String> {
+    let choosers: BTreeSet<usize> = functions.iter().flat_map(|own| choosers(own)).collect();
+    let Some(first) = choosers.first() else {
+        return Ok(vec![Vec::new()]);
+    };
+    let mut all: Vec<Member> = Vec::new();
+    for block in blocks(reader.root) {
+        let Some(parameters) = member(block, "parameters") else {
+            continue;
+        };
+        let name = |row: usize| &*reader.table[row].name;
+        if member(parameters, name(*first)).is_none() {
+            continue;
+        }
+        let zips = match member(block, "zip").map(|node| &node.tree) {
+            Some(Tree::List(groups)) => groups.iter().map(texts).collect(),
+            _ => Vec::new(),
+        };
+        let zip = zips.into_iter().find(|zip| zip.contains(&name(*first)));
+        let zip = zip.unwrap_or_else(|| vec![name(*first)]);
+        let is_axis = |row: &&usize| {
+            let own = member(parameters, name(**row));
+            own.is_some_and(|own| matches!(&own.tree, Tree::List(items) if items.len() > 1))
+        };
+        let apart = choosers.iter().filter(is_axis);
+        if let Some(row) = apart.into_iter().find(|row| !zip.contains(&name(**row))) {
+            return Err(format!(
+                "{} and {} choose motions of one station and must be in one \"zip\"",
+                name(*first),
+                name(*row)
+            ));
+        }
+        all.extend(rows(parameters, &zip, reader)?);
+    }
+    let mut known: Vec<Member> = Vec::new();
+    for member in all {
+        if !known.contains(&member) {
+            known.push(member);
+        }
+    }
+    let own: BTreeSet<usize> = known.iter().flatten().map(|value| value.0).collect();
+    match follower(used, &own, reader) {
+        Some(row) => Err(format!(
+            "{} follows from a parameter that changes with the motion; give it as a list in the \"zip\" of {}",
+            reader.table[row].name, reader.table[*first].name
+        )),
+        None => Ok(known),
+    }
+}
+
+/// The rows of the parameters that choose a function.
+fn choosers(function: &Scaled) -> Vec<usize> {
+    match function.source.kind() {
+        loads::Kind::Record {
+            name: Chosen::Parameter(row),
+            ..
+        } => vec![*row],
+        loads::Kind::Synthetic { seed, .. } => match &seed.source {
+            amount::Source::Expression(expression) => expression.formula.uses().to_vec(),
+            amount::Source::Number(_) => Vec::new(),
+        },
+        _ => Vec::new(),
+    }
+}
+
+/// The study, or its blocks.
+fn blocks(root: &Node) -> Vec<&Node> {
+    match member(root, "blocks").map(|node| &node.tree) {
+        Some(Tree::List(blocks)) => blocks.iter().collect(),
+        _ => vec![root],
+    }
+}
+
+/// The values of the parameters of a `zip`, one row for each place in their lists.
+fn rows(parameters: &Node, zip: &[&str], reader: &Reader) -> Result<Vec<Member>, String> {
+    let mut all: Vec<Member> = Vec::new();
+    for name in zip {
+        let row = reader.table.iter().position(|own| own.name == *name);
+        let Some((row, node)) = row.zip(member(parameters, name)) else {
+            continue;
+        };
+        let one = std::slice::from_ref(node);
+        let items = match &node.tree {
+            Tree::List(items) => items,
+            _ => one,
+        };
+        let values = items.iter().map(|item| value(item, row, reader));
+        let values = values.collect::<Option<Vec<Value>>>();
+        let values = values.ok_or_else(|| {
+            format!(
+                "{} must be a list of values, so that the motions of the set are known",
+                quoted(name)
+            )
+        })?;
+        all.resize(all.len().max(values.len()), Vec::new());
+        for (member, value) in all.iter_mut().zip(values) {
+            member.push((row, value));
+        }
+    }
+    Ok(all)
+}
+
+/// A value of a parameter.
+fn value(node: &Node, row: usize, reader: &Reader) -> Option<Value> {
+    match (&reader.table[row].kind, &node.tree) {
+        (Kind::Choice(_), Tree::Text(text)) => Some(Value::Name(interned(text))),
+        (Kind::Choice(_), _) => None,
+        (Kind::Whole { .. }, _) => None,
+        (Kind::Number(_), _) => {
+            number(node, "", Range::Any, &mut Faults::default()).map(Value::Number)
+        }
+    }
+}
+
+/// A used parameter that follows by expressions from those of the motions.
+fn follower(used: &BTreeSet<usize>, own: &BTreeSet<usize>, reader: &Reader) -> Option<usize> {
+    let given = given(reader.root);
+    let mut changing = own.clone();
+    // A chain of expressions has at most as many links as there are parameters.
+    for _ in reader.table {
+        for (given, _) in &given {
+            let row = reader.table.iter().position(|own| own.name == given.key);
+            let follows = |text: &&str| {
+                let formula = Formula::number(text, reader.table);
+                formula.is_ok_and(|own| own.uses().iter().any(|row| changing.contains(row)))
+            };
+            if let Some(row) = row
+                && texts(&given.node).iter().any(follows)
+            {
+                changing.insert(row);
+            }
+        }
+    }
+    used.intersection(&changing)
+        .find(|row| !own.contains(row))
+        .copied()
+}

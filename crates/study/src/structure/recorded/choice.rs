@@ -1,0 +1,219 @@
+//! `choose` beside `files`: of many records those whose spectra have the median and the deviation of a target.
+
+use super::cache::Cache;
+use super::pattern::Found;
+use super::selection::{Moments, select};
+use crate::source::faults::{Faults, quoted};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use crate::structure::keys::{CHOOSE, Keys, names, range};
+use crate::structure::reading::files::bytes;
+use crate::value::{name, number};
+use libm::log;
+use rayon::prelude::*;
+use slipgap_problem::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::structure::given::scale_to::RATIO;
+use slipgap_system::system::loads::record::{self, Reading};
+use slipgap_system::system::loads::spectrum::spectrum;
+use slipgap_system::system::loads::{self, Unit};
+use slipgap_system::system::structure::Signal;
+use std::path::Path;
+
+/// Most bytes of a record.
+const LARGEST: u64 = 64 << 20;
+
+/// Most faults of files that are reported.
+const MOST_FAULTS: usize = 5;
+
+/// What is chosen from many records.
+struct Choice {
+    /// Number of motions.
+    n: usize,
+    periods: Vec<f64>,
+    /// Logarithms of the median in m/s2, and their standard deviations.
+    mean: Vec<f64>,
+    deviation: Vec<f64>,
+    /// The place of the period at which all motions are scaled to the median first.
+    at: Option<usize>,
+    /// The largest factor with which they are, and one over the smallest.
+    factor: f64,
+    ratio: f64,
+}
+
+/// The files that are chosen under a key.
+pub(super) fn chosen(
+    node: &Node,
+    path: &str,
+    files: Found,
+    folder: &Path,
+    faults: &mut Faults,
+) -> Option<Found> {
+    let choice = choice(node, path, faults)?;
+    let paths: Vec<String> = files.iter().map(|file| file.1.clone()).collect();
+    match choice.of(&paths, folder, &Cache::of_user()) {
+        Ok(places) => Some(places.into_iter().map(|i| files[i].clone()).collect()),
+        Err(why) => {
+            faults.add(node.at, path, why);
+            None
+        }
+    }
+}
+
+/// The choice under a key.
+fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
+    let object = Object::open(node, path, &names(CHOOSE), faults)?;
+    let before = faults.count();
+    let n = one(&object, "n", faults);
+    if let (Some(n), Some(node)) = (n, object.get("n"))
+        && (n.fract() != 0.0 || !(2.0..=10_000.0).contains(&n))
+    {
+        let message = format!(
+            "must be a whole number from 2 to 10000, got {}",
+            shortest(n)
+        );
+        faults.add(node.at, &object.path("n"), message);
+    }
+    let lists = ["T", "median", "sigma"].map(|key| list(&object, key, faults));
+    let unit = object.need("unit", meaning("unit"), faults);
+    let unit = unit.and_then(|node| {
+        let names = Unit::ALL.map(Unit::name);
+        let place = name(node, &object.path("unit"), "unit", &names, faults)?;
+        Some(Unit::ALL[place].in_m_s2())
+    });
+    let [at, factor, ratio] = ["at", "factor", "ratio"].map(|key| {
+        let node = object.get(key)?;
+        number(node, &object.path(key), range(CHOOSE, key), faults)
+    });
+    let [Some(periods), Some(median), Some(deviation)] = lists else {
+        return None;
+    };
+    if median.len() != periods.len() || deviation.len() != periods.len() {
+        object.fault("needs as many numbers in median and sigma as in T", faults);
+    }
+    if !periods.is_sorted_by(|a, b| a < b) {
+        object.fault("the periods in T must rise", faults);
+    }
+    let place = at.map(|at| periods.iter().position(|period| *period == at));
+    if let (Some(None), Some(node)) = (place, object.get("at")) {
+        faults.add(
+            node.at,
+            &object.path("at"),
+            "must be one of the periods in T",
+        );
+    }
+    if let (Some(node), None) = (object.get("factor"), at) {
+        faults.add(node.at, &object.path("factor"), "needs \"at\"");
+    }
+    if faults.count() > before {
+        return None;
+    }
+    let unit = unit?;
+    Some(Choice {
+        n: n? as usize,
+        mean: median.iter().map(|a| log(a * unit)).collect(),
+        periods,
+        deviation,
+        at: place.flatten(),
+        factor: factor.unwrap_or(f64::INFINITY),
+        ratio: ratio.unwrap_or(RATIO),
+    })
+}
+
+/// The meaning of a key.
+fn meaning(key: &str) -> &'static str {
+    let keys: Keys = CHOOSE;
+    keys.iter().find(|own| own.0 == key).map_or("", |own| own.1)
+}
+
+/// A number that is needed.
+fn one(object: &Object, key: &str, faults: &mut Faults) -> Option<f64> {
+    let node = object.need(key, meaning(key), faults)?;
+    number(node, &object.path(key), range(CHOOSE, key), faults)
+}
+
+/// A list of numbers that is needed.
+fn list(object: &Object, key: &str, faults: &mut Faults) -> Option<Vec<f64>> {
+    let node = object.need(key, meaning(key), faults)?;
+    let path = object.path(key);
+    let Tree::List(items) = &node.tree else {
+        faults.must_be(node, &path, "a list of numbers");
+        return None;
+    };
+    let items = items.iter().enumerate();
+    let values =
+        items.map(|(i, item)| number(item, &format!("{path}[{i}]"), range(CHOOSE, key), faults));
+    // Collected first, so that every fault is reported.
+    let values: Vec<Option<f64>> = values.collect();
+    let values: Option<Vec<f64>> = values.into_iter().collect();
+    values.filter(|values| !values.is_empty())
+}
+
+impl Choice {
+    /// The places of the chosen files, rising.
+    ///
+    /// # Errors
+    /// Files that are no records, or too few of them.
+    fn of(&self, files: &[String], folder: &Path, cache: &Cache) -> Result<Vec<usize>, String> {
+        // Read once, on all threads; in the order of the files, so that the choice is the same everywhere.
+        let spectra: Vec<Result<Vec<f64>, String>> = files
+            .par_iter()
+            .map(|file| self.logarithms(&folder.join(file), file, cache))
+            .collect();
+        let wrong = spectra.iter().filter_map(|own| own.as_ref().err());
+        let wrong: Vec<&str> = wrong.take(MOST_FAULTS).map(String::as_str).collect();
+        if !wrong.is_empty() {
+            return Err(wrong.join("; "));
+        }
+        let spectra = spectra.into_iter().flatten().enumerate();
+        let scaled = spectra.map(|(place, own)| {
+            let shift = self.at.map_or(0.0, |at| self.mean[at] - own[at]);
+            (place, shift, own.iter().map(|x| x + shift).collect())
+        });
+        let most = log(self.factor);
+        let suitable = scaled.filter(|(_, shift, _)| shift.abs() <= most);
+        let (places, spectra): (Vec<usize>, Vec<Vec<f64>>) =
+            suitable.map(|(place, _, own)| (place, own)).unzip();
+        if places.len() < self.n {
+            return Err(format!(
+                "{} motions are to be chosen, but only {} of {} are suitable",
+                self.n,
+                places.len(),
+                files.len()
+            ));
+        }
+        let target = Moments {
+            mean: &self.mean,
+            deviation: &self.deviation,
+        };
+        let chosen = select(&spectra, &target, self.n);
+        Ok(chosen.into_iter().map(|i| places[i]).collect())
+    }
+
+    /// The logarithms of the spectrum of a file, in m/s2.
+    fn logarithms(&self, path: &Path, file: &str, cache: &Cache) -> Result<Vec<f64>, String> {
+        let at_fault = |why: String| format!("{}: {why}", quoted(file));
+        let content = bytes(path, LARGEST).map_err(at_fault)?;
+        let numbers = self.periods.iter().chain([&self.ratio]);
+        let key = Cache::key(&content, numbers.copied());
+        if let Some(known) = cache.read(&key, self.periods.len()) {
+            return Ok(known);
+        }
+        let read = record::parse(file, &content, Reading::default());
+        let read =
+            read.map_err(|fault| at_fault(format!("line {}: {}", fault.line, fault.cause)))?;
+        let signal = loads::signal(&read, None, 1.0).map_err(|why| at_fault(why.to_string()))?;
+        let ordinates = match &*signal {
+            Signal::Table(table) => spectrum(table, &self.periods, self.ratio),
+            Signal::Sine { .. } | Signal::Motion(..) => None,
+        };
+        let none = || at_fault("has no spectrum at these periods".to_owned());
+        let ordinates = ordinates.ok_or_else(none)?;
+        let logarithms = ordinates.iter().map(|own| log(own.pseudo_acceleration()));
+        let logarithms: Vec<f64> = logarithms.collect();
+        if logarithms.iter().any(|x| !x.is_finite()) {
+            return Err(none());
+        }
+        cache.write(&key, &logarithms);
+        Ok(logarithms)
+    }
+}
