@@ -14,7 +14,7 @@ use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
-use slipgap_statistics::lognormal::Fragility as Function;
+use slipgap_statistics::fragility::Fragility as Function;
 use slipgap_study::kinds::{Fit, Fragility};
 use slipgap_study::{ColumnRef, Scale, Study};
 
@@ -29,7 +29,7 @@ fn words(fit: Fit) -> [&'static str; 2] {
     match fit {
         Fit::Likelihood => [
             "Points: part of the cases, with 95 % intervals (Clopper and Pearson).",
-            "Curves: the lognormal function of the largest likelihood.",
+            "Curves: the lognormal function of the largest likelihood; in brackets 95 % intervals.",
         ],
         Fit::Incremental => [
             "Points: part of the ensemble that has reached the limit, with 95 % intervals (Clopper and Pearson).",
@@ -74,8 +74,8 @@ impl Draw for Fragility {
         let x_axis = limits::axis(&title, places, self.x_scale, x_range, grid.width / 40.0);
         let mut panel = Panel::new(grid.frames[0][0], grid.margin, x_axis, y_axis);
         for (k, (ensemble, curve)) in found.iter().zip(curves).enumerate() {
-            if let Ok(fit) = &curve.fit {
-                let line = line(&panel, fit, stroke(look, k));
+            if let Some(function) = curve.function() {
+                let line = line(&panel, &function, stroke(look, k));
                 panel.series.push(line);
             }
             let shift = shift(k, found.len());
@@ -91,7 +91,7 @@ impl Draw for Fragility {
         let key = |(k, (ensemble, curve)): (usize, (&Ensemble, &FragilityCurve))| Key {
             label: label(&ensemble.label, curve),
             stroke: stroke(look, k),
-            width: curve.fit.map_or(0.0, |_| style::CASE_LINE),
+            width: curve.function().map_or(0.0, |_| style::CASE_LINE),
             marker: Some(Marker::of_case(k)),
         };
         let keys = found.iter().zip(curves).enumerate().map(key).collect();
@@ -234,14 +234,13 @@ fn label(name: &str, curve: &FragilityCurve) -> String {
     let fit = match &curve.fit {
         Ok(fit) => {
             let rounded = |x| number::rounded(x, 3);
-            let ends = |i: usize| match curve.intervals {
-                Some(intervals) => {
-                    let [low, high] = intervals[i].map(rounded);
-                    format!(" [{low}, {high}]")
-                }
-                None => String::new(),
+            let intervals = fit.intervals();
+            let ends = |i: usize| {
+                let [low, high] = intervals[i].map(rounded);
+                format!(" [{low}, {high}]")
             };
-            let [median, dispersion] = [fit.median, fit.dispersion].map(rounded);
+            let Function { median, dispersion } = fit.function;
+            let [median, dispersion] = [median, dispersion].map(rounded);
             format!(
                 "median {median}{}, dispersion {dispersion}{}",
                 ends(0),
