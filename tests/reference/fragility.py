@@ -4,9 +4,17 @@ The likelihoods are written in the median and the dispersion (of a cloud in inte
 are zero by Newton's method. The intervals are those of the inverse of the second derivatives. The frequency is the integral of
 P(x) |dH| over the curve H by quadrature, where slipgap has closed forms of the integral of H dP. The numbers are in the tests of
 crates/statistics/src/fragility.
+
+    python fragility.py                     # these numbers
+    python fragility.py results.csv         # of studies/recorded-fragility.json, from its results, into ../data/fragility.json
 """
 
-from mpmath import diff, erfc, exp, findroot, log, matrix, mp, mpf, nstr, quad, sqrt
+import csv
+import json
+import sys
+from pathlib import Path
+
+from mpmath import betainc, diff, erfc, exp, findroot, gammainc, log, matrix, mp, mpf, nstr, quad, sqrt
 
 mp.dps = 40
 Z = sqrt(2) * mp.erfinv(mpf("0.95"))
@@ -41,7 +49,9 @@ def show(name, logarithm, covariance, numbers):
         g = matrix(gradient(of, logarithm))
         half = Z * sqrt((g.T * covariance * g)[0])
         row += [exp(of(*logarithm) - half), exp(of(*logarithm) + half)]
-    print(name, ", ".join(nstr(x.real, 17) for x in row))
+    if name:
+        print(name, ", ".join(nstr(x.real, 17) for x in row))
+    return [x.real for x in row]
 
 
 TWO = [lambda m, s: m, lambda m, s: s]
@@ -50,7 +60,7 @@ TWO = [lambda m, s: m, lambda m, s: s]
 def fit(name, f, start):
     """The largest f of ln(median) and ln(dispersion)."""
     p = stationary(f, start)
-    show(name, p, -(hessian(f, p) ** -1), TWO)
+    return show(name, p, -(hessian(f, p) ** -1), TWO)
 
 
 def trials(rows):
@@ -81,9 +91,10 @@ def cloud(name, points, beyond, limit, start):
         return sum(log_density(u(*p)) - s for p in points) + sum(log(phi(-u(x, limit))) for x in beyond)
 
     p = stationary(f, start)
-    print(name, "slope and deviation", nstr(p[1], 17), nstr(exp(p[2]), 17))
+    if name:
+        print(name, "slope and deviation", nstr(p[1], 17), nstr(exp(p[2]), 17))
     own = [lambda a, b, s: (log(mpf(limit)) - a) / b, lambda a, b, s: s - log(b)]
-    show(name, p, -(hessian(f, p) ** -1), own)
+    return show(name, p, -(hessian(f, p) ** -1), own) + [p[1], exp(p[2]), p[0]]
 
 
 def frequency(name, curve, median, dispersion):
@@ -112,10 +123,130 @@ def frequency(name, curve, median, dispersion):
     outside = density(0, points[0][0] - 60, points[0][0]) + density(last, points[-1][0], points[-1][0] + 60)
     i = max([j for j in range(last + 1) if points[j][0] < log(median)] or [0])
     closed = exp(points[i][1] - steep(i) * (log(median) - points[i][0]) + steep(i) ** 2 * dispersion**2 / 2)
-    print(name, nstr(all, 17), "outside", nstr(outside / all, 17), "closed form", nstr(closed, 17))
+    if name:
+        print(name, nstr(all, 17), "outside", nstr(outside / all, 17), "closed form", nstr(closed, 17))
+    return all, outside / all, closed
 
 
-if __name__ == "__main__":
+def student(free, p):
+    """The t whose magnitude is exceeded with probability 1 - p."""
+    inside = lambda t: 1 - betainc(mpf(free) / 2, mpf(1) / 2, 0, free / (free + t * t), regularized=True)
+    return findroot(lambda t: inside(t) - p, (mpf(1), mpf(5)), solver="anderson", tol=1e-50)
+
+
+def chi_square(free, p):
+    below = lambda x: gammainc(mpf(free) / 2, 0, x / 2, regularized=True)
+    return findroot(lambda x: below(x) - p, (mpf(free) / 20, mpf(free) * 3), solver="anderson", tol=1e-50)
+
+
+def line(points):
+    """Means, slope, deviation and sum of squares of x, and the probability of the slope."""
+    n = len(points)
+    x, y = sum(p[0] for p in points) / n, sum(p[1] for p in points) / n
+    sxx = sum((p[0] - x) ** 2 for p in points)
+    b = sum((p[0] - x) * (p[1] - y) for p in points) / sxx
+    s = sqrt(sum((p[1] - y - b * (p[0] - x)) ** 2 for p in points) / (n - 2))
+    t = b * sqrt(sxx) / s
+    return x, y, b, s, sxx, betainc(mpf(n - 2) / 2, mpf(1) / 2, 0, (n - 2) / (n - 2 + t * t), regularized=True)
+
+
+def of_all(values):
+    """Capacities that are all known: exact intervals."""
+    z, n = [log(x) for x in values], len(values)
+    m = sum(z) / n
+    s = sqrt(sum((x - m) ** 2 for x in z) / (n - 1))
+    half = student(n - 1, mpf("0.95")) * s / sqrt(n)
+    ends = [s * sqrt((n - 1) / chi_square(n - 1, mpf(p))) for p in ("0.975", "0.025")]
+    return [exp(m), s, exp(m - half), exp(m + half)] + ends
+
+
+def study(path):
+    """The rows of studies/recorded-fragility.json."""
+    rows = list(csv.DictReader(open(path)))
+    number = lambda row, name: mpf(float(row[name]))
+    records = sorted({row["record"] for row in rows})
+    levels = [mpf(x) for x in (0.05, 0.02, 0.006, 0.0014, 0.00025, 3e-5)]
+    places = {"pga": [0.05, 0.1, 0.2, 0.4, 0.8, 1.6], "ground.Sa(0.9)": [0.5, 1, 2, 4, 8, 16]}
+    result = {}
+    for name, along, limit, kind, collapse in [
+        ("pga", "pga", 0.08, "incremental", None),
+        ("sa", "ground.Sa(0.9)", 0.08, "incremental", None),
+        ("cloud", "ground.Sa(0.9)", 0.08, "cloud", 0.4),
+        ("truncated", "ground.Sa(0.9)", 0.4, "incremental", None),
+        ("stripes", "pga", 0.08, "likelihood", 0.4),
+    ]:
+        limit = mpf(limit)
+        gone = lambda y: collapse is not None and y >= mpf(collapse)
+        members = {}
+        for record in records:
+            own = [(number(r, along), number(r, "opening"), r) for r in rows if r["record"] == record]
+            members[record] = sorted(own, key=lambda case: case[0])
+        bounds, own = {}, {}
+        for record, cases in members.items():
+            i = next((i for i, case in enumerate(cases) if case[1] > limit), None)
+            if i is None:
+                bounds[record] = [cases[-1][0], mp.inf]
+                continue
+            (x0, y0, _), (x1, y1, _) = cases[i - 1], cases[i]
+            bounds[record] = [x0, x1]
+            own[record] = x0 + (x1 - x0) * (limit - y0) / (y1 - y0)
+        above = {}
+        if kind == "incremental":
+            beyond = [bounds[r][0] for r in records if r not in own]
+            start = [log(x) for x in of_all(list(own.values()))[:2]]
+            found = fit(None, capacities(own.values(), beyond, []), start) if beyond else of_all(list(own.values()))
+            bounds.update({r: [x, x] for r, x in own.items()})
+            above = {r: log(x / found[0]) for r, x in own.items()}
+        elif kind == "likelihood":
+            stripes = sorted({case[0] for cases in members.values() for case in cases})
+            at = lambda x: [case[1] for cases in members.values() for case in cases if case[0] == x]
+            of = trials([(x, sum(y > limit for y in at(x)), len(at(x))) for x in stripes])
+            found = fit(None, of, [log(mpf(0.22)), log(mpf(0.28))])
+        else:
+            cases = [case for own in members.values() for case in own]
+            points = [(x, y) for x, y, _ in cases if not gone(y)]
+            start = line([(log(x), log(y)) for x, y in points])
+            start = [start[1] - start[2] * start[0], start[2], log(start[3])]
+            found = cloud(None, points, [x for x, y, _ in cases if gone(y)], limit, start)
+            b, a = found[6], found[8]
+            for record, own in members.items():
+                residuals = [log(y) - a - b * log(x) for x, y, _ in own if not gone(y)]
+                above[record] = sum(residuals) / len(residuals)
+                bounds[record] = [exp((log(limit) - a - above[record]) / b)] * 2
+        numbers = found[:8] if kind == "cloud" else found[:6]
+        for column in ["magnitude", "ground.Tm"] if kind != "likelihood" else []:
+            if name == "truncated" and column == "ground.Tm":
+                continue
+            of = lambda r: sum(number(case[2], column) for case in members[r]) / len(members[r])
+            trend = line([(of(r), above[r]) for r in above])
+            numbers += [trend[2], trend[5]]
+        curve = list(zip(places[along], levels))
+        numbers += list(frequency(None, curve, found[0], found[1]))
+
+        def hazard(z):
+            i = max([j for j in range(len(curve) - 1) if log(mpf(curve[j][0])) < z] or [0])
+            (x0, y0), (x1, y1) = [(log(mpf(x)), log(y)) for x, y in curve[i : i + 2]]
+            return exp(y0 + (y1 - y0) * (z - x0) / (x1 - x0))
+
+        def mean(low, high):
+            """Over a normal distribution of the logarithm between the bounds."""
+            if low == high:
+                return hazard(log(low))
+            m, s = log(found[0]), found[1]
+            ends = [log(low), log(high) if mp.isfinite(high) else log(low) + 40 * s]
+            breaks = sorted({*ends, *[log(mpf(x)) for x, _ in curve if ends[0] < log(mpf(x)) < ends[1]]})
+            density = lambda z: exp(log_density((z - m) / s)) / s
+            return quad(lambda z: hazard(z) * density(z), breaks) / quad(density, breaks)
+
+        each = [mean(*bounds[r]) for r in records]
+        shares = {r.split("/")[-1]: [float(x), float(x / sum(each))] for r, x in zip(records, each)}
+        result[name] = {"curve": [float(x) for x in numbers], "members": shares}
+    text = json.dumps(result, indent=1)
+    (Path(__file__).parent / "../data/fragility.json").write_text(text + "\n")
+
+
+def recorded_numbers():
+    """The numbers in the tests of the crate."""
     sets = [
         ([(0.25, 0, 20), (0.5, 2, 20), (0.75, 7, 20), (1.0, 11, 20), (1.5, 16, 20), (2.0, 20, 20)], (0.92, 0.45)),
         ([(0.1, 1, 5), (0.2, 1, 5), (0.3, 2, 5), (0.4, 1, 5), (0.8, 4, 5)], (0.49, 1.33)),
@@ -134,3 +265,10 @@ if __name__ == "__main__":
     curve = [(0.05, 0.02), (0.1, 0.008), (0.3, 0.001), (0.8, 1e-4), (2.0, 5e-6)]
     for median, dispersion in [(0.9, 0.45), (0.2, 0.3), (5.0, 0.6)]:
         frequency("frequency", curve, median, dispersion)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        study(sys.argv[1])
+    else:
+        recorded_numbers()

@@ -10,6 +10,7 @@ use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_statistics::bootstrap;
 use slipgap_statistics::fragility::hazard::Hazard;
 use slipgap_statistics::fragility::{Fit, Fragility as Function, Line, NoFit};
+use slipgap_statistics::moments::mean;
 use slipgap_study::kinds::{Fit as Way, Fragility};
 use slipgap_study::{ColumnRef, Study, alike};
 
@@ -29,6 +30,10 @@ pub struct FragilityCurve {
     pub trends: Vec<Option<Line>>,
     /// With a hazard curve, the mean annual frequency.
     pub annual: Option<Annual>,
+    /// How many cases have collapsed.
+    pub collapsed: usize,
+    /// How many members do not reach the limit, and how many exceed it at their smallest value.
+    pub bounded: [usize; 2],
 }
 
 impl FragilityCurve {
@@ -66,6 +71,10 @@ fn curve(study: &Study, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCu
     let interval =
         |of: &dyn Fn(&Function) -> f64| bootstrap::interval(samples.iter().map(of).collect());
     let members = members.all;
+    let of_cases = members.iter().flat_map(|member| &member.cases);
+    let collapsed = of_cases.filter(|(_, point)| point[1].is_infinite());
+    let bounded =
+        |is: fn(&Capacity) -> bool| members.iter().filter(|own| is(&own.capacity)).count();
     let fitted = fit.as_ref().ok();
     let trend = |column: &ColumnRef| Line::through(&residuals(fitted?, *column, &members));
     let annual = fitted
@@ -86,31 +95,29 @@ fn curve(study: &Study, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCu
             .map(<[_; 2]>::from),
         trends: figure.against.iter().map(trend).collect(),
         annual,
+        collapsed: collapsed.count(),
+        bounded: [
+            bounded(|own| matches!(own, Capacity::Beyond(_))),
+            bounded(|own| matches!(own, Capacity::Before(_))),
+        ],
         fit,
     }
 }
 
-/// What a column has, and the logarithm by which a capacity or a case of a cloud is above the function.
+/// For each member the mean of a column over its cases, and the logarithm by which its capacity, or the mean of its cases of a
+/// cloud, is above the function. Cases of one member are not independent, members are.
 fn residuals(fit: &Fit, of: ColumnRef, members: &[Member]) -> Vec<[f64; 2]> {
-    match fit.line {
-        Some(line) => {
-            let cases = members.iter().flat_map(|member| &member.cases);
-            let known = cases.filter(|(_, point)| point[1].is_finite());
-            let residual = |(shown, point): &(DrawnCase, [f64; 2])| {
-                Some([column(of, shown)?, line.residual(point.map(log))])
-            };
-            known.filter_map(residual).collect()
-        }
-        None => {
-            let residual = |member: &Member| match member.capacity {
-                Capacity::At(x, _) => {
-                    Some([column(of, &member.first)?, log(x / fit.function.median)])
-                }
-                Capacity::None | Capacity::Before(_) | Capacity::Beyond(_) => None,
-            };
-            members.iter().filter_map(residual).collect()
-        }
-    }
+    let residual = |member: &Member| {
+        let columns = member.cases.iter();
+        let columns: Option<Vec<f64>> = columns.map(|(shown, _)| column(of, shown)).collect();
+        let above = match (fit.line, member.capacity) {
+            (Some(line), _) => member.residual(&line)?,
+            (None, Capacity::At(x, _)) => log(x / fit.function.median),
+            (None, _) => return None,
+        };
+        Some([mean(&columns?)?, above])
+    };
+    members.iter().filter_map(residual).collect()
 }
 
 /// The parts that exceed at each value of a parameter.

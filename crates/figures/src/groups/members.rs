@@ -5,7 +5,8 @@ use crate::DrawnCase;
 use libm::{exp, log};
 use slipgap_statistics::bootstrap;
 use slipgap_statistics::fragility::{Capacities, Cloud, Fit, Fragility as Function, NoFit};
-use slipgap_statistics::fragility::{Trials, of_trials};
+use slipgap_statistics::fragility::{Line, Trials, of_trials};
+use slipgap_statistics::moments::mean;
 use slipgap_study::kinds::{Fit as Way, Fragility};
 use slipgap_study::{ColumnRef, alike};
 
@@ -186,14 +187,19 @@ impl<'a> Member<'a> {
             Capacity::At(x, _) if figure.fit == Way::Incremental => [x, x],
             Capacity::At(_, between) => between,
         };
-        let points = self.cloud.logarithms();
-        let Some(line) = fit.line.filter(|_| !points.is_empty()) else {
-            return Some(between);
-        };
-        let residuals = points.iter().map(|point| line.residual(*point));
-        let mean = residuals.sum::<f64>() / points.len() as f64;
-        let at = exp(line.x + (log(figure.limit) - line.y - mean) / line.slope);
-        Some([at, at])
+        let line = fit
+            .line
+            .and_then(|line| Some((line, self.residual(&line)?)));
+        Some(line.map_or(between, |(line, above)| {
+            [exp(line.x + (log(figure.limit) - line.y - above) / line.slope); 2]
+        }))
+    }
+
+    /// How far its cases of a cloud are above the line, on average.
+    pub fn residual(&self, line: &Line) -> Option<f64> {
+        let points = self.cloud.logarithms().iter();
+        let residuals: Vec<f64> = points.map(|point| line.residual(*point)).collect();
+        mean(&residuals)
     }
 }
 

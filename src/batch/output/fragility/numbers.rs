@@ -16,6 +16,9 @@ const ENDS: [&str; 8] = [
     "dispersion_high_bootstrap",
 ];
 
+/// Of capacities: members without one, whose bounds are known.
+const BOUNDED: [&str; 2] = ["beyond", "before"];
+
 /// Of clouds.
 const CLOUD: [&str; 2] = ["slope", "deviation"];
 
@@ -30,7 +33,9 @@ const ANNUAL: [&str; 5] = [
 
 /// Which of the columns the figures of a study have.
 pub(super) struct Numbers {
+    bounded: bool,
     cloud: bool,
+    collapsed: bool,
     /// The columns over which a figure tests residuals.
     against: Vec<ColumnRef>,
     annual: bool,
@@ -44,10 +49,13 @@ impl Numbers {
                 against.push(*column);
             }
         }
+        let any = |is: fn(&Fragility) -> bool| figures.iter().any(|figure| is(figure));
         Numbers {
-            cloud: figures.iter().any(|figure| figure.fit == Fit::Cloud),
+            bounded: any(|figure| figure.fit == Fit::Incremental),
+            cloud: any(|figure| figure.fit == Fit::Cloud),
+            collapsed: any(|figure| figure.collapse.is_some()),
             against,
-            annual: figures.iter().any(|figure| !figure.hazard.is_empty()),
+            annual: any(|figure| !figure.hazard.is_empty()),
         }
     }
 
@@ -62,7 +70,9 @@ impl Numbers {
         };
         let text = |name: &str| name.to_owned();
         let mut names: Vec<String> = ENDS.map(text).into();
+        names.extend(BOUNDED.map(text).into_iter().filter(|_| self.bounded));
         names.extend(CLOUD.map(text).into_iter().filter(|_| self.cloud));
+        names.extend(self.collapsed.then(|| "collapsed".to_owned()));
         names.extend(self.against.iter().flat_map(trend));
         names.extend(ANNUAL.map(text).into_iter().filter(|_| self.annual));
         names
@@ -73,9 +83,17 @@ impl Numbers {
         let ends =
             ends.map(|ends| ends.map_or([None; 4], |[[a, b], [c, d]]| [a, b, c, d].map(Some)));
         let mut all: Vec<Option<f64>> = ends.concat();
+        let count = |count: usize| Some(count as f64);
+        if self.bounded {
+            let own = figure.fit == Fit::Incremental;
+            all.extend(curve.bounded.map(|members| count(members).filter(|_| own)));
+        }
         if self.cloud {
             let line = curve.fit.as_ref().ok().and_then(|fit| fit.line);
             all.extend([line.map(|line| line.slope), line.map(|line| line.deviation)]);
+        }
+        if self.collapsed {
+            all.push(count(curve.collapsed).filter(|_| figure.collapse.is_some()));
         }
         for column in &self.against {
             let place = figure.against.iter().position(|own| own == column);
