@@ -283,10 +283,10 @@ fn fragilities_agree_with_an_independent_program() {
         env!("CARGO_MANIFEST_DIR"),
         "/studies/recorded-fragility.json"
     );
-    bench.expect(0, &["run", study, "--threads", "1"]);
+    bench.expect(0, &["run", study, "--jobs", "1"]);
     let table = bench.text("figures/recorded-fragility/fragility.csv");
     let members = bench.text("figures/recorded-fragility/fragility_members.csv");
-    bench.expect(0, &["run", study, "--threads", "3", "--out", "again"]);
+    bench.expect(0, &["run", study, "--jobs", "3", "--out", "again"]);
     assert_eq!(bench.text("again/recorded-fragility/fragility.csv"), table);
     let (table, members) = (rows(&table), rows(&members));
     let place = |name: &str| table[0].iter().position(|own| *own == name).unwrap();

@@ -39,14 +39,16 @@ impl Point {
 /// Trials at several logarithms: ln Phi(u) of each that exceeds and ln Phi(-u) of each other one, without the binomial
 /// coefficients, u = a + b z.
 pub(super) fn of_trials(points: &[Point], [a, b]: [f64; 2]) -> Local {
+    // Most places have trials of one kind only.
+    let of = |count: f64, x: f64, f: fn(f64) -> f64| if count > 0.0 { f(x) } else { 0.0 };
     let value = |p: &Point| {
         let u = a + b * p.z;
-        p.yes * log_cumulative(u) + p.no * log_cumulative(-u)
+        p.yes * of(p.yes, u, log_cumulative) + p.no * of(p.no, -u, log_cumulative)
     };
     let (mut g, mut h) = ([0.0; 2], [0.0; 3]);
     for p in points {
         let u = a + b * p.z;
-        let (up, down) = (hazard(u), hazard(-u));
+        let (up, down) = (of(p.yes, u, hazard), of(p.no, -u, hazard));
         let slope = p.yes * up - p.no * down;
         // The negative second derivative; both terms are positive.
         let bend = p.yes * up * (up + u) + p.no * down * (down - u);

@@ -107,7 +107,11 @@ pub(super) fn of_any_problem(takes: Takes) -> Json {
         Takes::Times => several(number(Range::NotNegative)),
         Takes::Width => width(),
         Takes::Range | Takes::Periods | Takes::Probabilities => pair(),
-        Takes::Hazard => json!({ "type": "array", "minItems": 2, "items": pair() }),
+        Takes::Hazard => {
+            let mut point = pair();
+            point["items"] = number(Range::Positive);
+            json!({ "type": "array", "minItems": 2, "items": point })
+        }
         Takes::Switch => json!({ "type": "boolean" }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),

@@ -6,7 +6,7 @@ P(x) |dH| over the curve H by quadrature, where slipgap has closed forms of the 
 crates/statistics/src/fragility.
 
     python fragility.py                     # these numbers
-    python fragility.py results.csv         # of studies/recorded-fragility.json, from its results, into ../data/fragility.json
+    python fragility.py results.csv         # of studies/recorded-fragility.json, from its results, into ../../data/fragility.json
 """
 
 import csv
@@ -242,7 +242,7 @@ def study(path):
         shares = {r.split("/")[-1]: [float(x), float(x / sum(each))] for r, x in zip(records, each)}
         result[name] = {"curve": [float(x) for x in numbers], "members": shares}
     text = json.dumps(result, indent=1)
-    (Path(__file__).parent / "../data/fragility.json").write_text(text + "\n")
+    (Path(__file__).parent / "../../data/fragility.json").write_text(text + "\n")
 
 
 def recorded_numbers():
