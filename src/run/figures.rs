@@ -2,8 +2,8 @@
 
 use super::{Observer, OutputOptions, Source};
 use crate::batch::groups::sobol::DesignMetrics;
+use crate::batch::output::Folder;
 use crate::batch::output::fragility::FragilityTable;
-use crate::batch::output::{FRAGILITY, Folder};
 use crate::batch::{GroupResults, ShownCases};
 use crate::figures::{self, FigureData};
 use crate::study_figures;
@@ -49,7 +49,7 @@ pub fn write(
     }
     bar.finish_and_clear();
     if let Some(table) = table {
-        paths.push(folder.write(FRAGILITY, &table.bytes()?)?);
+        paths.extend(table.write(folder)?);
     }
     Ok(())
 }

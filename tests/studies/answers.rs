@@ -151,6 +151,47 @@ fn medians_of_samples() {
 }
 
 #[test]
+fn intervals_of_fragilities() {
+    says("0.62…2.5 of it with 6 capacities, 0.78…1.4 with 24, 0.85…1.2 with 60");
+    says("bootstraps of 6 contain it in 28 of 40 (");
+    let rows = table("fragility-size/fragility.csv");
+    let of = |n, column| numbers(&rows, column, &[("figure", "samples"), ("n", n)]);
+    // sqrt((n - 1)/chi2) at 0.975 and 0.025 from printed tables, for every sample.
+    for (n, free, chi_square, page) in [
+        ("6", 5.0, [12.833, 0.831], [0.62, 2.5]),
+        ("24", 23.0, [38.076, 11.689], [0.78, 1.4]),
+        ("60", 59.0, [82.117, 39.662], [0.85, 1.2]),
+    ] {
+        let ends = chi_square.map(|x: f64| (free / x).sqrt());
+        let dispersions = of(n, "dispersion");
+        for (i, column) in ["dispersion_low", "dispersion_high"].iter().enumerate() {
+            // Half of the last digit of the page, and of the tables.
+            let digit = if i == 0 { 0.005 } else { 0.05 };
+            assert!((ends[i] - page[i]).abs() < digit, "{n}: {}", ends[i]);
+            for (end, dispersion) in of(n, column).iter().zip(&dispersions) {
+                assert!((end / dispersion / ends[i] - 1.0).abs() < 1e-3);
+            }
+        }
+    }
+    let all = of("240", "dispersion")[0];
+    let contain = |low, high| {
+        // A row for each capacity, six of each sample.
+        let ends = of("6", low).into_iter().zip(of("6", high)).step_by(6);
+        let ends: Vec<(f64, f64)> = ends.collect();
+        assert_eq!(ends.len(), 40);
+        let inside = ends
+            .iter()
+            .filter(|(low, high)| *low <= all && all <= *high);
+        inside.count()
+    };
+    assert_eq!(
+        contain("dispersion_low_bootstrap", "dispersion_high_bootstrap"),
+        28
+    );
+    assert_eq!(contain("dispersion_low", "dispersion_high"), 38);
+}
+
+#[test]
 fn restitution_of_laws() {
     says(
         "For 0.5 `kelvin-voigt` gives 0.55, `hertz-damp` 0.73; from 0.05 to 0.95 `jankowski` misses by at most 0.009, `ye` by 0.045",

@@ -1364,6 +1364,27 @@ fn ensembles() {
             r#""ensemble": "gap", "figures": [§{"name": "a", "kind": "fragility", "x": "gamma", "y": "peak_force"}]"#,
             &["figures[0].limit: missing"],
         ),
+        (
+            plain,
+            r#""ensemble": "gap", "figures": [{"name": "a", "kind": "fragility", "x": "gamma", "y": "peak_force", "limit": 1, "collapse": §0.5, "against": §"gap"}]"#,
+            &[
+                "figures[0].collapse: must be at least the limit",
+                "figures[0].against: needs \"fit\": incremental or cloud; a likelihood has no residuals",
+            ],
+        ),
+        (
+            plain,
+            r#""ensemble": "gap", "figures": [{"name": "a", "kind": "fragility", "x": "gamma", "y": "peak_force", "limit": 1, "hazard": §[[1, 0.1]]},
+               {"name": "b", "kind": "fragility", "x": "gamma", "y": "peak_force", "limit": 1, "hazard": [[1, 0.1], §[2]]},
+               {"name": "c", "kind": "fragility", "x": "gamma", "y": "peak_force", "limit": 1, "hazard": [[1, 0.1], [2, §0]]},
+               {"name": "d", "kind": "fragility", "x": "gamma", "y": "peak_force", "limit": 1, "hazard": [[1, 0.1], §[2, 0.2]]}]"#,
+            &[
+                "figures[0].hazard: must be a list of at least two points [x, annual frequency]",
+                "figures[1].hazard[1]: must be a point [x, annual frequency]",
+                "figures[2].hazard[1][1]: must be > 0, got 0",
+                "figures[3].hazard[1]: must have a larger x and a smaller frequency than the point before",
+            ],
+        ),
     ] {
         assert_marked(&study(parameters, keys), expected);
     }

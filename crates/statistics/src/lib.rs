@@ -3,17 +3,18 @@
 
 pub mod beta;
 pub mod binomial;
-pub mod capacity;
+pub mod bootstrap;
 pub mod empirical;
 pub mod fisher;
+pub mod fragility;
 pub mod gamma;
 pub mod kolmogorov_smirnov;
-pub mod lognormal;
 pub mod median;
 pub mod moments;
 pub mod normal;
 pub mod quantile;
 pub mod sobol;
+mod student;
 
 /// Confidence of all intervals and bands.
 pub const CONFIDENCE: f64 = 0.95;

@@ -4,16 +4,8 @@
 //! V_Ti = mean((f_A - f_ABi)^2)/2, each over the variance of f_A and f_B together, from which the mean is taken first.
 //! Intervals are the middle 95 % of bootstrap samples over the base points, which are treated as random points.
 
+use super::bootstrap;
 use std::fmt;
-
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
-
-/// Bootstrap samples: the ends of an interval then scatter by a fiftieth of its width.
-const SAMPLES: usize = 1000;
-
-/// Part of the samples below an interval, and above it.
-const TAIL: f64 = 0.025;
 
 /// An index with its interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,20 +79,16 @@ pub fn indices(values: &[Option<f64>], count: usize, seed: u64) -> Result<Vec<In
     if !estimates.iter().flatten().all(|x| x.is_finite()) {
         return Err(Lack::Unbounded);
     }
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let mut samples: Vec<Vec<[f64; 2]>> = Vec::with_capacity(SAMPLES);
-    for _ in 0..SAMPLES {
-        let pick = |_| ((u128::from(random.next_u64()) * rows.len() as u128) >> 64) as usize;
-        let picked: Vec<usize> = (0..rows.len()).map(pick).collect();
-        samples.push(estimate(&rows, &picked, count));
-    }
+    let samples = bootstrap::samples(rows.len(), seed);
+    let samples: Vec<Vec<[f64; 2]>> = samples
+        .map(|picked| estimate(&rows, &picked, count))
+        .collect();
     let index = |parameter: usize, which: usize| {
-        let mut sampled: Vec<f64> = samples.iter().map(|s| s[parameter][which]).collect();
-        sampled.sort_by(f64::total_cmp);
-        let end = |part: f64| sampled[(part * (SAMPLES - 1) as f64).round() as usize];
+        let sampled = samples.iter().map(|s| s[parameter][which]).collect();
+        let value = estimates[parameter][which];
         Index {
-            value: estimates[parameter][which],
-            interval: [end(TAIL), end(1.0 - TAIL)],
+            value,
+            interval: bootstrap::interval(sampled).unwrap_or([value; 2]),
         }
     };
     let both = |parameter| Indices {

@@ -10,14 +10,12 @@ pub mod sobol;
 pub mod tables;
 
 pub use manifest::{is_manifest, is_outdated, manifest, problem_of};
-pub use names::{
-    FAILURES, FRAGILITY, INDICES, QUANTILES, REDUCTIONS, RESULTS, TWO_SAMPLES, history_name,
-};
+pub use names::{FAILURES, INDICES, QUANTILES, REDUCTIONS, RESULTS, TWO_SAMPLES, history_name};
 
 use super::WarnedCases;
 use super::files::atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
 use manifest::Manifest;
-use names::HISTORIES;
+use names::{FRAGILITY, HISTORIES, MEMBERS};
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 use std::fs;
@@ -64,6 +62,7 @@ impl Folder {
             QUANTILES,
             TWO_SAMPLES,
             FRAGILITY,
+            MEMBERS,
         ];
         let tables = tables.map(String::from);
         let names = tables.into_iter().chain(figures).collect();

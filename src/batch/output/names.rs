@@ -21,6 +21,9 @@ pub const TWO_SAMPLES: &str = "two_samples.csv";
 /// Name of the table of fragility figures.
 pub const FRAGILITY: &str = "fragility.csv";
 
+/// Name of the table of the members of their ensembles.
+pub const MEMBERS: &str = "fragility_members.csv";
+
 /// Folder of the histories, each `CASE.csv`.
 pub const HISTORIES: &str = "histories";
 

@@ -105,7 +105,9 @@ fn the_points_of_fragility_figures_are_a_table() {
     let lines: Vec<&str> = table.lines().collect();
     assert_eq!(
         lines[0],
-        "figure,metric,limit,x0,cases,empty,exceeded,probability,probability_low,probability_high,median,dispersion,no_fit"
+        "figure,metric,limit,x0,cases,empty,exceeded,probability,probability_low,probability_high,median,dispersion,no_fit,\
+         median_low,median_high,dispersion_low,dispersion_high,median_low_bootstrap,median_high_bootstrap,dispersion_low_bootstrap,\
+         dispersion_high_bootstrap"
     );
     let starts = [
         "none,rms_error,1e9,8,4,0,0,0,0,0.602",
@@ -119,8 +121,8 @@ fn the_points_of_fragility_figures_are_a_table() {
     for (line, start) in lines[1..].iter().zip(starts) {
         assert!(line.starts_with(start), "{line}");
     }
-    assert!(lines[1].ends_with(",,,no case exceeds the limit"));
-    assert!(lines[3].ends_with(",,,the probability does not rise"));
+    assert!(lines[1].ends_with(",,,no case exceeds the limit,,,,,,,,"));
+    assert!(lines[3].ends_with(",,,the probability does not rise,,,,,,,,"));
     let manifest = bench.text("figures/s/manifest.json");
     assert!(manifest.contains("\"fragility.csv\""));
     // The place of a point has a column even if it is the only one.
@@ -182,7 +184,8 @@ fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
     assert_eq!(
         rows[0].join(","),
         "figure,metric,limit,scale,ground.pga,ground.Sa(T1),cases,empty,exceeded,probability,probability_low,probability_high,median,\
-         dispersion,no_fit,median_low,median_high,dispersion_low,dispersion_high"
+         dispersion,no_fit,median_low,median_high,dispersion_low,dispersion_high,median_low_bootstrap,median_high_bootstrap,\
+         dispersion_low_bootstrap,dispersion_high_bootstrap,beyond,before,slope,deviation"
     );
     let number = |row: &[&str], place: usize| row[place].parse::<f64>().unwrap();
     let of = |figure: &str| -> Vec<Vec<&str>> {
@@ -240,6 +243,7 @@ fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
         own[0][14],
         "5 of the ensemble do not exceed the limit at the largest value"
     );
+    assert_eq!([own[0][23], own[0][24]], ["5", "0"]);
     let picture = bench.text("figures/s/i.svg");
     assert!(picture.contains("dispersion") && picture.contains('['));
 }
@@ -261,4 +265,75 @@ fn a_fragility_figure_over_a_metric_needs_a_fit() {
         found.contains("unknown fit \"best\"; allowed: likelihood, incremental, cloud"),
         "{found}"
     );
+}
+
+/// The numbers of a fragility figure of `studies/recorded-fragility.json` by the independent program, and of its members.
+fn independent(figure: &str) -> (Vec<f64>, serde_json::Value) {
+    let all: serde_json::Value =
+        serde_json::from_str(include_str!("../../data/fragility.json")).unwrap();
+    let curve = all[figure]["curve"].as_array().unwrap().iter();
+    let curve = curve.map(|x| x.as_f64().unwrap()).collect();
+    (curve, all[figure]["members"].clone())
+}
+
+#[test]
+fn fragilities_agree_with_an_independent_program() {
+    let bench = Bench::new();
+    let study = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/studies/recorded-fragility.json"
+    );
+    bench.expect(0, &["run", study, "--jobs", "1"]);
+    let table = bench.text("figures/recorded-fragility/fragility.csv");
+    let members = bench.text("figures/recorded-fragility/fragility_members.csv");
+    bench.expect(0, &["run", study, "--jobs", "3", "--out", "again"]);
+    assert_eq!(bench.text("again/recorded-fragility/fragility.csv"), table);
+    let (table, members) = (rows(&table), rows(&members));
+    let place = |name: &str| table[0].iter().position(|own| *own == name).unwrap();
+    let numbers = [
+        "median",
+        "dispersion",
+        "median_low",
+        "median_high",
+        "dispersion_low",
+        "dispersion_high",
+        "slope",
+        "deviation",
+        "residual_slope(magnitude)",
+        "residual_p(magnitude)",
+        "residual_slope(ground.Tm)",
+        "residual_p(ground.Tm)",
+        "frequency",
+        "frequency_outside",
+        "frequency_closed_form",
+    ];
+    // The capacities are differences of results, which are the same; then rounding, most of it in an exponent of 30.
+    let near = |own: f64, other: f64| assert!((own / other - 1.0).abs() < 1e-11, "{own} {other}");
+    for (figure, bounds) in [
+        ("pga", ["0", "0", ""]),
+        ("sa", ["0", "0", ""]),
+        ("cloud", ["", "", "9"]),
+        ("truncated", ["1", "0", ""]),
+        ("stripes", ["", "", "9"]),
+    ] {
+        let (expected, shares) = independent(figure);
+        let own = table.iter().find(|row| row[0] == figure).unwrap();
+        let found = numbers.map(|name| own[place(name)]);
+        let found: Vec<f64> = found.iter().filter_map(|x| x.parse().ok()).collect();
+        assert_eq!(found.len(), expected.len(), "{figure}");
+        found.iter().zip(expected).for_each(|(x, y)| near(*x, y));
+        let counts = ["beyond", "before", "collapsed"].map(|name| own[place(name)]);
+        assert_eq!(counts, bounds, "{figure}");
+        let mut sum = 0.0;
+        for row in members.iter().filter(|row| row[0] == figure) {
+            let record = row[4].rsplit('/').next().unwrap();
+            let number = |i: usize| row[i].parse::<f64>().unwrap();
+            near(number(7), shares[record][0].as_f64().unwrap());
+            near(number(8), shares[record][1].as_f64().unwrap());
+            sum += number(8);
+        }
+        near(sum, 1.0);
+    }
+    let picture = bench.text("figures/recorded-fragility/truncated.svg");
+    assert!(picture.contains("largest likelihood"));
 }

@@ -266,6 +266,17 @@ fn figure(
             add("x", quoted(parameter(problem, random)));
             add("y", quoted(metric(problem, random)));
             add("limit", random.between(-1.0, 2.0).to_string());
+            if random.once_in(3) {
+                add("fit", quoted(random.of(&["incremental", "cloud"])));
+                add("against", quoted(parameter(problem, random)));
+            }
+            if random.once_in(3) {
+                add("collapse", random.between(1.0, 3.0).to_string());
+            }
+            if random.once_in(3) {
+                let last = random.between(0.0, 2.0);
+                add("hazard", format!("[[0.1, 1], [{last}, 1e-3]]"));
+            }
         }
         "quantiles" => {
             add("x", quoted(parameter(problem, random)));

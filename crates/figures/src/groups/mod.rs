@@ -1,7 +1,8 @@
 //! Results over groups of cases that a figure shows and its table has: Sobol' indices and fragility functions.
 
-mod capacities;
+pub mod annual;
 pub mod fragility;
+mod members;
 pub mod point;
 pub mod sobol;
 

@@ -2,7 +2,6 @@
 
 use crate::DrawnCase;
 use slipgap_statistics::binomial;
-use slipgap_statistics::lognormal::Trials;
 use slipgap_study::kinds::Fragility;
 
 /// The cases of a curve at one value of the parameter along the axis.
@@ -31,35 +30,39 @@ pub struct Probability {
     pub high: f64,
 }
 
+impl Probability {
+    /// The part of `count` cases that exceed.
+    pub(super) fn of(exceeded: u64, count: u64) -> Probability {
+        let [low, high] = binomial::interval(exceeded, count);
+        Probability {
+            value: exceeded as f64 / count as f64,
+            low,
+            high,
+        }
+    }
+}
+
+/// The metric of a case; infinite if it has collapsed.
+pub(crate) fn value(figure: &Fragility, shown: &DrawnCase) -> Option<f64> {
+    let value = shown.metric(figure.y);
+    let Some(collapse) = figure.collapse else {
+        return value;
+    };
+    Some(value.filter(|y| *y < collapse).unwrap_or(f64::INFINITY))
+}
+
 impl FragilityPoint {
     pub(super) fn new(figure: &Fragility, at: f64, cases: &[&&DrawnCase]) -> FragilityPoint {
-        let value = |shown: &&&DrawnCase| shown.metric(figure.y);
+        let value = |shown: &&&DrawnCase| value(figure, shown);
         let values: Vec<f64> = cases.iter().filter_map(value).collect();
         let exceeded = values.iter().filter(|value| **value > figure.limit);
         let (exceeded, count) = (exceeded.count() as u64, values.len() as u64);
-        let probability = || {
-            let [low, high] = binomial::interval(exceeded, count);
-            Probability {
-                value: exceeded as f64 / count as f64,
-                low,
-                high,
-            }
-        };
         FragilityPoint {
             at,
             cases: cases.len() as u64,
             empty: (cases.len() - values.len()) as u64,
             exceeded,
-            probability: (count > 0).then(probability),
-        }
-    }
-
-    /// The cases with a value, as trials.
-    pub(super) fn trials(&self) -> Trials {
-        Trials {
-            at: self.at,
-            exceeded: self.exceeded,
-            count: self.count(),
+            probability: (count > 0).then(|| Probability::of(exceeded, count)),
         }
     }
 

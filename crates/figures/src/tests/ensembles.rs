@@ -298,7 +298,21 @@ fn a_fragility_has_parts_intervals_and_a_fit() {
     // parts for two numbers: by symmetry it goes through all.
     let dispersion = std::f64::consts::LN_2 / 1.281_551_565_544_600_4;
     let labels: Vec<&str> = sheet.legend.iter().map(|key| key.label.as_str()).collect();
-    let expected = format!("*n* = 4: median 2, dispersion {dispersion:.3}");
+    // Intervals by the information n phi(u)^2/(p (1 - p)) of probit regression at each gamma, phi(0)^2 = 1/(2 pi): the variance
+    // of ln(median) is dispersion^2 over its sum, that of ln(dispersion) 1 over its sum times u^2.
+    let end = 10.0 * 0.175_498_331_932_486_85_f64.powi(2) / 0.09;
+    let sum = 2.0 * end + 10.0 / (2.0 * std::f64::consts::PI) / 0.25;
+    let u = std::f64::consts::LN_2 / dispersion;
+    let factor = |variance: f64| libm::exp(1.959_963_984_540_054 * variance.sqrt());
+    let median = factor(dispersion * dispersion / sum);
+    let spread = factor(1.0 / (2.0 * end * u * u));
+    let expected = format!(
+        "*n* = 4: median 2 [{:.2}, {:.2}], dispersion {dispersion:.3} [{:.3}, {:.2}]",
+        2.0 / median,
+        2.0 * median,
+        dispersion / spread,
+        dispersion * spread
+    );
     assert_eq!(
         labels,
         [

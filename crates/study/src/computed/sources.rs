@@ -186,8 +186,8 @@ fn takes_metric(figure: &Node, key: &str) -> bool {
     let mut kinds = KINDS.iter().filter(|kind| of_kind(kind.name));
     kinds.any(|kind| {
         kind.keys.iter().any(|own| {
-            let takes = matches!(own.takes, Takes::Metric | Takes::Metrics | Takes::Column);
-            own.name == key && takes
+            use Takes::{Column, Columns, Metric, Metrics};
+            own.name == key && matches!(own.takes, Metric | Metrics | Column | Columns)
         })
     })
 }

@@ -74,17 +74,22 @@ pub(crate) fn take(
             }
             Some(vec![row])
         }
-        Takes::Column => {
+        Takes::Column | Takes::Columns => {
             let numeric =
                 |row: &usize| !matches!(parameters[*row].kind, parameter::Kind::Choice(_));
             let rows: Vec<usize> = (0..parameters.len()).filter(numeric).collect();
             let named = rows.iter().map(|row| &*parameters[*row].name);
             let all: Vec<&str> = named.chain(scope.metrics()).collect();
-            let place = name(node, path, "parameter or metric", &all, faults)?;
-            return Some(DecodedValue::Column(match rows.get(place) {
+            let what = "parameter or metric";
+            let places = match key.takes {
+                Takes::Columns => names(node, path, what, &all, faults)?,
+                _ => vec![name(node, path, what, &all, faults)?],
+            };
+            let column = |place: &usize| match rows.get(*place) {
                 Some(row) => ColumnRef::Parameter(*row),
-                None => ColumnRef::Metric(place - rows.len()),
-            }));
+                None => ColumnRef::Metric(*place - rows.len()),
+            };
+            return Some(DecodedValue::Columns(places.iter().map(column).collect()));
         }
         Takes::Quantity => {
             name(node, path, "quantity", &quantities(scope), faults).map(|row| vec![row])
@@ -131,6 +136,7 @@ pub(crate) fn take(
             return Some(DecodedValue::Switch(on));
         }
         Takes::Marks => return marks(node, path, faults).map(DecodedValue::Marks),
+        Takes::Hazard => return hazard(node, path, faults).map(DecodedValue::Points),
         Takes::InUnits => {
             let Tree::Bool(on) = node.tree else {
                 faults.must_be(node, path, "true or false");
@@ -199,18 +205,63 @@ fn marks(node: &Node, path: &str, faults: &mut Faults) -> Option<Marks> {
         .need("label", MARKS[0].1, faults)
         .and_then(|node| text(node, &object.path("label"), faults));
     let at = object.items("at", faults, |node, path, faults| {
-        let Tree::List(items) = &node.tree else {
-            faults.must_be(node, path, "a place [x, y]");
-            return None;
-        };
-        let [x, y] = items.as_slice() else {
-            faults.must_be(node, path, "a place [x, y]");
-            return None;
-        };
-        let mut one = |node, i| number(node, &format!("{path}[{i}]"), Range::Any, faults);
-        let (x, y) = (one(x, 0), one(y, 1));
-        Some([x?, y?])
+        pair(node, path, "a place [x, y]", Range::Any, faults)
     });
     object.need("at", MARKS[1].1, faults)?;
     (faults.count() == before).then_some(Marks { label: label?, at })
+}
+
+/// Points of a hazard curve: values rise, and their annual frequencies fall.
+fn hazard(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<[f64; 2]>> {
+    let what = "a list of at least two points [x, annual frequency]";
+    let Tree::List(items) = &node.tree else {
+        faults.must_be(node, path, what);
+        return None;
+    };
+    if items.len() < 2 {
+        faults.must_be(node, path, what);
+        return None;
+    }
+    let own = |i: usize| format!("{path}[{i}]");
+    let point = |(i, item): (usize, &Node)| {
+        pair(
+            item,
+            &own(i),
+            "a point [x, annual frequency]",
+            Range::Positive,
+            faults,
+        )
+    };
+    // Collected first, so that every faulty number is reported.
+    let points: Vec<Option<[f64; 2]>> = items.iter().enumerate().map(point).collect();
+    let points: Option<Vec<[f64; 2]>> = points.into_iter().collect();
+    let points = points?;
+    let wrong = |pair: &[[f64; 2]]| pair[1][0] <= pair[0][0] || pair[1][1] >= pair[0][1];
+    if let Some(i) = points.windows(2).position(wrong) {
+        let message = "must have a larger x and a smaller frequency than the point before";
+        faults.add(items[i + 1].at, &own(i + 1), message);
+        return None;
+    }
+    Some(points)
+}
+
+/// A list of two numbers; `what` is allowed.
+fn pair(
+    node: &Node,
+    path: &str,
+    what: &str,
+    range: Range,
+    faults: &mut Faults,
+) -> Option<[f64; 2]> {
+    let Tree::List(items) = &node.tree else {
+        faults.must_be(node, path, what);
+        return None;
+    };
+    let [x, y] = items.as_slice() else {
+        faults.must_be(node, path, what);
+        return None;
+    };
+    let mut one = |node, i| number(node, &format!("{path}[{i}]"), range, faults);
+    let (x, y) = (one(x, 0), one(y, 1));
+    Some([x?, y?])
 }

@@ -31,6 +31,8 @@ pub(crate) enum Takes {
     Quantities,
     /// A parameter that is a number, or a metric.
     Column,
+    /// One or several of them.
+    Columns,
     /// One of the problem's quantities along the structure.
     Profile,
     /// One or several of the problem's quantities along the structure.
@@ -71,6 +73,8 @@ pub(crate) enum Takes {
     Number,
     /// Two probabilities, rising.
     Probabilities,
+    /// Points of a hazard curve.
+    Hazard,
 }
 
 /// Names of the ordinates of spectra, as `Ordinate` has them, each with its formula.

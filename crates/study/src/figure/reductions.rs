@@ -66,9 +66,11 @@ fn metrics(keys: &'static [Key], values: &Values) -> Vec<(&'static str, usize, u
                 let rows = values.rows(key.name).unwrap_or_default();
                 found.extend(rows.iter().enumerate().map(|(i, row)| (key.name, i, *row)));
             }
-            Takes::Column => {
-                if let Some(ColumnRef::Metric(row)) = values.column(key.name) {
-                    found.push((key.name, 0, row));
+            Takes::Column | Takes::Columns => {
+                for (i, column) in values.columns(key.name).into_iter().enumerate() {
+                    if let ColumnRef::Metric(row) = column {
+                        found.push((key.name, i, row));
+                    }
                 }
             }
             _ => {}

@@ -10,7 +10,7 @@ pub(crate) enum DecodedValue {
     Text(String),
     Filter(Filter),
     Rows(Vec<usize>),
-    Column(ColumnRef),
+    Columns(Vec<ColumnRef>),
     Numbers(Vec<f64>),
     Width(f64),
     Range([f64; 2]),
@@ -18,6 +18,7 @@ pub(crate) enum DecodedValue {
     Ridge(Ridge),
     Fit(Fit),
     Marks(Marks),
+    Points(Vec<[f64; 2]>),
     Switch(bool),
 }
 
@@ -52,7 +53,12 @@ impl Values<'_> {
     }
 
     pub fn column(&self, key: &str) -> Option<ColumnRef> {
-        taken!(self, key, Column)
+        self.columns(key).first().copied()
+    }
+
+    /// Columns of the results; none if the key is not given.
+    pub fn columns(&self, key: &str) -> Vec<ColumnRef> {
+        taken!(self, key, Columns).unwrap_or_default()
     }
 
     pub fn scale(&self, key: &str) -> Scale {
@@ -73,6 +79,11 @@ impl Values<'_> {
 
     pub fn marks(&self, key: &str) -> Option<Marks> {
         taken!(self, key, Marks)
+    }
+
+    /// Points; none if the key is not given.
+    pub fn points(&self, key: &str) -> Vec<[f64; 2]> {
+        taken!(self, key, Points).unwrap_or_default()
     }
 
     pub fn switch(&self, key: &str) -> bool {

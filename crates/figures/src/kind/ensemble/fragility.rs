@@ -1,6 +1,7 @@
 //! The part of the cases in which a metric exceeds a limit, with intervals and a lognormal function.
 
-use super::ensembles::{Ensemble, ensembles, stroke, without_value};
+use super::ensembles::{Ensemble, ensembles, stroke};
+use super::fragility_text as text;
 use crate::GroupResults;
 use crate::groups::fragility::FragilityCurve;
 use crate::groups::point::Probability;
@@ -14,8 +15,8 @@ use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
-use slipgap_statistics::lognormal::Fragility as Function;
-use slipgap_study::kinds::{Fit, Fragility};
+use slipgap_statistics::fragility::Fragility as Function;
+use slipgap_study::kinds::Fragility;
 use slipgap_study::{ColumnRef, Scale, Study};
 
 /// Points of a fitted curve.
@@ -24,24 +25,6 @@ const POINTS: u32 = 200;
 /// Half the width of the ends of the intervals of the first curve, and by how much those of the next one are wider: intervals at
 /// one value of x are told apart where they end.
 const CAP: [f64; 2] = [0.9 * style::MARKER, 0.5 * style::MARKER];
-
-/// What points and intervals, and what curves are.
-fn words(fit: Fit) -> [&'static str; 2] {
-    match fit {
-        Fit::Likelihood => [
-            "Points: part of the cases, with 95 % intervals (Clopper and Pearson).",
-            "Curves: the lognormal function of the largest likelihood.",
-        ],
-        Fit::Incremental => [
-            "Points: part of the ensemble that has reached the limit, with 95 % intervals (Clopper and Pearson).",
-            "Curves: the lognormal function of the values at which it does; in brackets 95 % intervals.",
-        ],
-        Fit::Cloud => [
-            "Points: the cases, at 1 if they exceed.",
-            "Curves: the lognormal function of a line through the logarithms of the cases; in brackets 95 % intervals.",
-        ],
-    }
-}
 
 impl Draw for Fragility {
     fn sheet(&self, data: &FigureData) -> Sheet {
@@ -72,8 +55,8 @@ impl Draw for Fragility {
         let x_axis = limits::axis(&title, places, self.x_scale, x_range, grid.width / 40.0);
         let mut panel = Panel::new(grid.frames[0][0], grid.margin, x_axis, y_axis);
         for (k, (_, curve)) in found.iter().zip(curves).enumerate() {
-            if let Ok(fit) = &curve.fit {
-                let line = line(&panel, fit, stroke(look, k));
+            if let Some(function) = curve.function() {
+                let line = line(&panel, &function, stroke(look, k));
                 panel.series.push(line);
             }
             intervals(&mut panel, curve, stroke(look, k), k);
@@ -90,19 +73,14 @@ impl Draw for Fragility {
         };
         layout::left_out(&mut sheet, found.len(), all);
         let key = |(k, (ensemble, curve)): (usize, (&Ensemble, &FragilityCurve))| Key {
-            label: label(&ensemble.label, curve),
+            label: text::label(&ensemble.label, curve),
             stroke: stroke(look, k),
-            width: curve.fit.map_or(0.0, |_| style::CASE_LINE),
+            width: curve.function().map_or(0.0, |_| style::CASE_LINE),
             marker: Some(Marker::of_case(k)),
         };
         let keys = found.iter().zip(curves).enumerate().map(key).collect();
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
-        let fitted = curves.iter().take(found.len()).any(|of| of.fit.is_ok());
-        let [points_are, curves_are] = words(self.fit);
-        let parts = [Some(points_are), fitted.then_some(curves_are)];
-        let parts: Vec<&str> = parts.into_iter().flatten().collect();
-        layout::small_print(&mut sheet, &parts.join(" "));
-        without_value(&mut sheet, study, cases, &[self.y]);
+        text::small_print(self, data, curves, found.len(), &mut sheet);
         sheet
     }
 
@@ -224,33 +202,6 @@ fn points(
         marked: vec![0],
     };
     panel.series.extend(drawn(curve).map(point));
-}
-
-/// The label of an ensemble with its fit.
-fn label(name: &str, curve: &FragilityCurve) -> String {
-    let fit = match &curve.fit {
-        Ok(fit) => {
-            let rounded = |x| number::rounded(x, 3);
-            let ends = |i: usize| match curve.intervals {
-                Some(intervals) => {
-                    let [low, high] = intervals[i].map(rounded);
-                    format!(" [{low}, {high}]")
-                }
-                None => String::new(),
-            };
-            let [median, dispersion] = [fit.median, fit.dispersion].map(rounded);
-            format!(
-                "median {median}{}, dispersion {dispersion}{}",
-                ends(0),
-                ends(1)
-            )
-        }
-        Err(why) => format!("no fit, {why}"),
-    };
-    match name {
-        "" => fit,
-        name => format!("{name}: {fit}"),
-    }
 }
 
 /// The ensembles of the curves, at most as many as are drawn, and the number of all.

@@ -3,4 +3,5 @@
 pub(super) mod distribution;
 pub(super) mod ensembles;
 pub(super) mod fragility;
+mod fragility_text;
 pub(super) mod quantiles;

@@ -76,6 +76,7 @@ pub(super) fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Quantities => several(quantities()),
         Takes::Number => number(Range::Any),
         Takes::Column => json!({ "anyOf": [parameters(true), defined("column")] }),
+        Takes::Columns => several(json!({ "anyOf": [parameters(true), defined("column")] })),
         Takes::Profile => profiles(),
         Takes::Profiles => several(profiles()),
         Takes::Metric => defined("column"),
@@ -106,6 +107,11 @@ pub(super) fn of_any_problem(takes: Takes) -> Json {
         Takes::Times => several(number(Range::NotNegative)),
         Takes::Width => width(),
         Takes::Range | Takes::Periods | Takes::Probabilities => pair(),
+        Takes::Hazard => {
+            let mut point = pair();
+            point["items"] = number(Range::Positive);
+            json!({ "type": "array", "minItems": 2, "items": point })
+        }
         Takes::Switch => json!({ "type": "boolean" }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),

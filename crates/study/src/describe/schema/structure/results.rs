@@ -62,6 +62,7 @@ fn taken(takes: Takes) -> Json {
         Takes::Quantities
         | Takes::Profiles
         | Takes::Metrics
+        | Takes::Columns
         | Takes::Budgets
         | Takes::Parameters => several(json!({ "type": "string" })),
         Takes::Number => any(),

@@ -32,6 +32,24 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             false,
             "likelihood: of the parts that exceed at each x (if left out); incremental: of the x at which each member reaches the limit, straight between its cases; cloud: from a line through ln y over ln x",
         ),
+        key(
+            "collapse",
+            Takes::Number,
+            false,
+            "value of y, at least the limit, from which on a case has collapsed, as has one without a value: it exceeds the limit by an unknown amount; if left out, cases without a value are left out",
+        ),
+        key(
+            "against",
+            Takes::Columns,
+            false,
+            "parameters or metrics, such as a magnitude: slope of the residuals over each and its p, with the fit incremental or cloud",
+        ),
+        key(
+            "hazard",
+            Takes::Hazard,
+            false,
+            "points [x, annual frequency of larger x] of a hazard curve, straight between their logarithms and beyond: mean annual frequency of exceeding the limit, and the share of each member of the ensemble",
+        ),
         BY_OUTSIDE,
         X_SCALE,
         X_RANGE,
@@ -44,6 +62,9 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             y: values.row("y")?,
             limit: values.numbers("limit").first().copied()?,
             fit: values.fit("fit"),
+            collapse: values.numbers("collapse").first().copied(),
+            against: values.columns("against"),
+            hazard: values.points("hazard"),
             by: values.row("by"),
             x_scale: values.scale("x_scale"),
         }))
@@ -61,6 +82,12 @@ pub struct Fragility {
     pub limit: f64,
     /// How the function is found.
     pub fit: Fit,
+    /// From which value on a case has collapsed; `None`: no case has.
+    pub collapse: Option<f64>,
+    /// Columns over which residuals are tested.
+    pub against: Vec<ColumnRef>,
+    /// Points of the hazard curve; none without one.
+    pub hazard: Vec<[f64; 2]>,
     /// Parameter with one line style for each value; `None`: all outside of the ensemble that vary, but one line if x is a metric.
     pub by: Option<usize>,
     /// Scale of the horizontal axis.
@@ -80,6 +107,16 @@ impl Fragility {
 impl Decoded for Fragility {
     fn limited_axes(&self) -> Option<([Scale; 2], usize)> {
         Some(([self.x_scale, Scale::Linear], 1))
+    }
+
+    fn check_keys(&self, checker: &mut Checker) {
+        if self.collapse.is_some_and(|collapse| collapse < self.limit) {
+            checker.fault("collapse", "must be at least the limit");
+        }
+        if !self.against.is_empty() && self.fit == Fit::Likelihood {
+            let message = "needs \"fit\": incremental or cloud; a likelihood has no residuals";
+            checker.fault("against", message);
+        }
     }
 
     fn check_cases(&self, checker: &mut Checker) {
@@ -107,9 +144,11 @@ impl Decoded for Fragility {
     }
 
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {
-        match self.x {
-            ColumnRef::Parameter(_) => vec![self.y],
-            ColumnRef::Metric(row) => vec![self.y, row],
-        }
+        let columns = [self.x].into_iter().chain(self.against.iter().copied());
+        let metrics = columns.filter_map(|column| match column {
+            ColumnRef::Parameter(_) => None,
+            ColumnRef::Metric(row) => Some(row),
+        });
+        [self.y].into_iter().chain(metrics).collect()
     }
 }

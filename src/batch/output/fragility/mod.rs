@@ -1,11 +1,18 @@
-//! fragility.csv: the points of every fragility figure, with the function of their curve.
+//! fragility.csv: the points of every fragility figure, with the function of their curve. fragility_members.csv: what each
+//! member of the ensemble adds to the mean annual frequency.
 
+mod numbers;
+
+use super::Folder;
+use super::names::{FRAGILITY, MEMBERS};
 use super::tables::cell;
 use crate::batch::groups::fragility::FragilityCurve;
 use crate::batch::groups::point::FragilityPoint;
+use numbers::Numbers;
 use slipgap_study::error::Error;
-use slipgap_study::kinds::{FigureKind, Fit, Fragility};
+use slipgap_study::kinds::{FigureKind, Fragility};
 use slipgap_study::{ColumnRef, Figure, Study};
+use std::path::PathBuf;
 
 /// The columns before the parameters, and after them.
 const COLUMNS: ([&str; 3], [&str; 9]) = (
@@ -23,24 +30,22 @@ const COLUMNS: ([&str; 3], [&str; 9]) = (
     ],
 );
 
-/// The last columns, if a figure has curves with intervals.
-const INTERVALS: [&str; 4] = [
-    "median_low",
-    "median_high",
-    "dispersion_low",
-    "dispersion_high",
-];
+/// The last columns of the members.
+const SHARES: [&str; 4] = ["capacity_low", "capacity_high", "frequency", "share"];
 
-/// fragility.csv, figure by figure.
+/// Both tables, figure by figure.
 pub struct FragilityTable<'a> {
     study: &'a Study,
     /// Rows of the measures that are along an axis; each has a column.
     measures: Vec<usize>,
-    /// Whether a curve may have intervals of its function.
-    intervals: bool,
+    /// The last columns.
+    numbers: Numbers,
     /// Rows of the parameters that are columns: all that vary outside of the ensemble.
     parameters: Vec<usize>,
     writer: csv::Writer<Vec<u8>>,
+    /// Of the members; without rows if no figure has a hazard curve.
+    members: csv::Writer<Vec<u8>>,
+    has_members: bool,
 }
 
 impl<'a> FragilityTable<'a> {
@@ -65,7 +70,7 @@ impl<'a> FragilityTable<'a> {
         let mut measures: Vec<usize> = figures.iter().filter_map(measure).collect();
         measures.sort_unstable();
         measures.dedup();
-        let intervals = figures.iter().any(|figure| figure.fit != Fit::Likelihood);
+        let numbers = Numbers::new(&figures);
         let outside = study.outside_ensemble(&[]);
         let mut parameters = study.varying_columns();
         parameters.retain(|row| outside.contains(row));
@@ -77,16 +82,24 @@ impl<'a> FragilityTable<'a> {
         let names = parameters.iter().map(|row| table[*row].column_name());
         let mut writer = csv::Writer::from_writer(Vec::new());
         let places = measures.iter().map(|row| &*study.measures[*row].name);
-        let header = COLUMNS.0.into_iter().chain(names).chain(places);
-        let more = INTERVALS.into_iter().filter(|_| intervals);
-        let header = header.chain(COLUMNS.1).chain(more);
+        let header = COLUMNS.0.into_iter().chain(names.clone()).chain(places);
+        let last = numbers.names(study);
+        let header = header
+            .chain(COLUMNS.1)
+            .chain(last.iter().map(|name| &**name));
         writer.write_record(header).map_err(failed)?;
+        let mut members = csv::Writer::from_writer(Vec::new());
+        let own = study.ensemble.iter().map(|row| table[*row].column_name());
+        let header = COLUMNS.0.into_iter().chain(names).chain(own).chain(SHARES);
+        members.write_record(header).map_err(failed)?;
         Ok(Some(FragilityTable {
             study,
             measures,
-            intervals,
+            numbers,
             parameters,
             writer,
+            members,
+            has_members: figures.iter().any(|figure| !figure.hazard.is_empty()),
         }))
     }
 
@@ -103,47 +116,68 @@ impl<'a> FragilityTable<'a> {
         let metric = &self.study.measures[figure.y].name;
         let first = [name.to_owned(), metric.clone(), cell(Some(figure.limit))];
         for curve in curves {
+            let last = self.numbers.of(figure, curve).into_iter().map(cell);
+            let last: Vec<String> = last.collect();
             for point in &curve.points {
                 let at = cell(Some(point.at).filter(|at| !at.is_nan()));
-                let value = |row: &usize| match figure.parameter() == Some(*row) {
-                    true => at.clone(),
-                    false => {
-                        let value = curve.shared.get(*row).copied().flatten();
-                        value.map(|value| value.to_string()).unwrap_or_default()
-                    }
-                };
-                let values = self.parameters.iter().map(value);
+                let values = self.values(figure, curve, &at);
                 let place = |row: &usize| match figure.x == ColumnRef::Metric(*row) {
                     true => at.clone(),
                     false => String::new(),
                 };
-                let ends = curve
-                    .intervals
-                    .unwrap_or([[f64::NAN; 2]; 2])
-                    .into_iter()
-                    .flatten();
-                let ends = ends.filter(|_| self.intervals);
-                let ends = ends.map(|end| cell(Some(end).filter(|end| !end.is_nan())));
                 let row = first
                     .iter()
                     .cloned()
                     .chain(values)
                     .chain(self.measures.iter().map(place))
                     .chain(cells(curve, point))
-                    .chain(ends);
+                    .chain(last.iter().cloned());
                 self.writer.write_record(row).map_err(failed)?;
+            }
+            for share in curve.annual.iter().flat_map(|annual| &annual.shares) {
+                let values = self.values(figure, curve, "");
+                let member = share.member.iter();
+                let member = member.map(|value| value.map(|v| v.to_string()).unwrap_or_default());
+                let [low, high] = share.capacity;
+                let numbers = [low, high, share.frequency, share.share]
+                    .map(Some)
+                    .map(cell);
+                let row = first
+                    .iter()
+                    .cloned()
+                    .chain(values)
+                    .chain(member)
+                    .chain(numbers);
+                self.members.write_record(row).map_err(failed)?;
             }
         }
         Ok(())
     }
 
-    /// The file.
+    /// The values of the parameters of a curve; `at` is that along the axis.
+    fn values(&self, figure: &Fragility, curve: &FragilityCurve, at: &str) -> Vec<String> {
+        let value = |row: &usize| match figure.parameter() == Some(*row) {
+            true => at.to_owned(),
+            false => {
+                let value = curve.shared.get(*row).copied().flatten();
+                value.map(|value| value.to_string()).unwrap_or_default()
+            }
+        };
+        self.parameters.iter().map(value).collect()
+    }
+
+    /// Writes the files, and returns their paths.
     ///
     /// # Errors
     /// A table that cannot be made.
-    pub fn bytes(self) -> Result<Vec<u8>, Error> {
-        let bytes = self.writer.into_inner();
-        bytes.map_err(|e| Error::Internal(e.to_string()))
+    pub fn write(self, folder: &mut Folder) -> Result<Vec<PathBuf>, Error> {
+        let tables = [(FRAGILITY, self.writer), (MEMBERS, self.members)];
+        let tables = tables.into_iter().take(1 + usize::from(self.has_members));
+        let write = |(name, table): (&str, csv::Writer<Vec<u8>>)| {
+            let bytes = table.into_inner();
+            folder.write(name, &bytes.map_err(|e| Error::Internal(e.to_string()))?)
+        };
+        tables.map(write).collect()
     }
 }
 
@@ -156,9 +190,10 @@ fn cells(curve: &FragilityCurve, point: &FragilityPoint) -> impl Iterator<Item =
         part.map(|p| p.low),
         part.map(|p| p.high),
     ];
-    let fit = curve.fit.ok();
+    let fit = curve.function();
     let fit = [fit.map(|fit| fit.median), fit.map(|fit| fit.dispersion)];
-    let reason = curve.fit.err().map_or(String::new(), |why| why.to_string());
+    let reason = curve.fit.as_ref().err();
+    let reason = reason.map_or(String::new(), |why| why.to_string());
     let numbers = part.into_iter().chain(fit).map(cell);
     counts.into_iter().chain(numbers).chain([reason])
 }

@@ -1,0 +1,227 @@
+//! The function of a cloud of cases, each a value of an intensity measure and one of a metric.
+
+use super::likelihood::{self, Local, Point};
+use super::spread::Spread;
+use super::{Fit, Fragility, Line, NoFit};
+use crate::CONFIDENCE;
+use libm::{exp, log};
+
+/// A cloud of cases by logarithms.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Cloud {
+    /// ln x and ln y.
+    points: Vec<[f64; 2]>,
+    /// ln x of cases whose y is beyond the limit by an unknown amount.
+    beyond: Vec<f64>,
+    /// Whether a case has no logarithm.
+    lacks_logarithm: bool,
+}
+
+impl Cloud {
+    /// The cloud of points (x, y); an infinite y is beyond any limit.
+    pub fn new(points: &[[f64; 2]]) -> Cloud {
+        let mut cloud = Cloud::default();
+        for [x, y] in points {
+            let has_logarithm = *x > 0.0 && x.is_finite() && *y > 0.0;
+            match y.is_finite() {
+                _ if !has_logarithm => cloud.lacks_logarithm = true,
+                true => cloud.points.push([log(*x), log(*y)]),
+                false => cloud.beyond.push(log(*x)),
+            }
+        }
+        cloud
+    }
+
+    /// Several clouds as one.
+    pub fn together<'a>(clouds: impl Iterator<Item = &'a Cloud>) -> Cloud {
+        clouds.fold(Cloud::default(), |mut all, own| {
+            all.points.extend(&own.points);
+            all.beyond.extend(&own.beyond);
+            all.lacks_logarithm |= own.lacks_logarithm;
+            all
+        })
+    }
+
+    /// The logarithms of the cases with a known y.
+    pub fn logarithms(&self) -> &[[f64; 2]] {
+        &self.points
+    }
+
+    /// The function where ln y = a + b ln x + e, with e normal of the standard deviation s (n - 2), exceeds ln `limit`: median
+    /// exp((ln limit - a)/b), dispersion s/b (Cornell et al. 2002). With cases beyond the limit by an unknown amount a, b and s
+    /// are of the largest likelihood: the density of each y, the probability of each case beyond (Tobin 1958).
+    ///
+    /// # Errors
+    /// There are less than three, one has no logarithm, or y does not rise with x beyond its scatter.
+    pub fn fit(&self, limit: f64) -> Result<Fit, NoFit> {
+        if self.lacks_logarithm || limit.is_nan() || limit <= 0.0 {
+            return Err(NoFit::NoLogarithm);
+        }
+        if self.points.len() < 3 {
+            return Err(NoFit::Few(3));
+        }
+        let line = Line::through(&self.points).filter(|line| line.deviation > 0.0);
+        let line = line.ok_or(NoFit::Equal)?;
+        if !self.beyond.is_empty() {
+            return self.of_bounded(log(limit), &line);
+        }
+        // So that Fieller's interval has ends.
+        if line.slope <= 0.0 || line.p_of_slope() >= 1.0 - CONFIDENCE {
+            return Err(NoFit::NotRisingEnough);
+        }
+        let height = log(limit) - line.y;
+        Ok(Fit {
+            function: Fragility {
+                median: exp(line.x + height / line.slope),
+                dispersion: line.deviation / line.slope,
+            },
+            line: Some(line),
+            spread: Spread::Cloud { line, height },
+        })
+    }
+
+    /// By the largest likelihood. With v = ln(y/limit), z = ln x and u = a + b z the logarithm of the density of a case is
+    /// ln t - (t v - u)^2/2, t = 1/s, which is largest by t at a root of t^2 Svv - t Svu - n = 0. The derivatives are those of
+    /// the likelihood that is largest by t (Olsen 1978 shows that it is concave).
+    fn of_bounded(&self, limit: f64, line: &Line) -> Result<Fit, NoFit> {
+        let middle = line.x;
+        let shifted = self.points.iter().map(|[x, y]| [x - middle, y - limit]);
+        let points: Vec<[f64; 2]> = shifted.collect();
+        let point = |z: &f64| Point {
+            z: z - middle,
+            yes: 1.0,
+            no: 0.0,
+        };
+        let beyond: Vec<Point> = self.beyond.iter().map(point).collect();
+        let sum = |of: &dyn Fn(&[f64; 2]) -> f64| points.iter().map(of).sum::<f64>();
+        let [zv, zz, vv] = [
+            sum(&|[z, v]| z * v),
+            sum(&|[z, _]| z * z),
+            sum(&|[_, v]| v * v),
+        ];
+        let [z, v, n] = [sum(&|p| p[0]), sum(&|p| p[1]), points.len() as f64];
+        let scale = |[a, b]: [f64; 2]| {
+            let vu = a * v + b * zv;
+            (vu + (vu * vu + 4.0 * n * vv).sqrt()) / (2.0 * vv)
+        };
+        let of = |at: [f64; 2]| {
+            let ([a, b], t) = (at, scale(at));
+            let residual = |[z, v]: &[f64; 2]| t * v - a - b * z;
+            let bend = vv + n / (t * t);
+            Local {
+                value: n * log(t) - 0.5 * sum(&|p| residual(p) * residual(p)),
+                slope: [sum(&residual), sum(&|p| residual(p) * p[0])],
+                bend: [n - v * v / bend, z - v * zv / bend, zz - zv * zv / bend],
+            }
+        };
+        // From the line through the other cases.
+        let start = [
+            (line.y - limit) / line.deviation,
+            line.slope / line.deviation,
+        ];
+        let mut fit = likelihood::largest(middle, start, |at| {
+            of(at).and(likelihood::of_trials(&beyond, at))
+        })
+        .map_err(|_| NoFit::NotRisingEnough)?;
+        let Fragility { median, dispersion } = fit.function;
+        let b = 1.0 / dispersion;
+        let a = b * (middle - log(median));
+        let deviation = 1.0 / scale([a, b]);
+        fit.line = Some(Line {
+            x: log(median),
+            y: limit,
+            slope: b * deviation,
+            deviation,
+            ..*line
+        });
+        Ok(fit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fragility::tests::compare;
+
+    const X: [f64; 8] = [0.1, 0.2, 0.35, 0.5, 0.6, 0.9, 1.3, 0.15];
+    const Y: [f64; 8] = [0.012, 0.02, 0.05, 0.048, 0.09, 0.12, 0.15, 0.017];
+
+    fn points() -> Vec<[f64; 2]> {
+        X.into_iter().zip(Y).map(|(x, y)| [x, y]).collect()
+    }
+
+    #[test]
+    fn clouds_have_the_numbers_of_scipy() {
+        // scipy.stats.linregress and t, and brentq for the ends of Fieller's interval: roots by bisection on both sides.
+        let fit = Cloud::new(&points()).fit(0.07).unwrap();
+        let expected = [
+            0.5726330681270653,
+            0.1609224353657489,
+            0.4943500283878246,
+            0.6797801861192778,
+            0.08998544595337081,
+            0.28778020633984075,
+        ];
+        compare(&fit, expected, 1e-10);
+    }
+
+    #[test]
+    fn cases_beyond_are_those_of_the_largest_likelihood() {
+        // tests/reference/structures/fragility.py, by Newton's method on the likelihood of intercept, slope and deviation in 40 digits.
+        for (beyond, line, expected) in [
+            (
+                &[1.2, 1.6][..],
+                [1.0426878049973496, 0.14531199820853444],
+                [
+                    0.5726330629301091,
+                    0.13936290183129532,
+                    0.5136953718292169,
+                    0.6383328383767,
+                    0.08424116114016134,
+                    0.23055259618899007,
+                ],
+            ),
+            (
+                &[0.4],
+                [1.0479218085181834, 0.20042651069848813],
+                [
+                    0.5442923345265861,
+                    0.19126094052942919,
+                    0.47351754779991967,
+                    0.6256455474583181,
+                    0.11245733412256843,
+                    0.32528556414410553,
+                ],
+            ),
+        ] {
+            let beyond = beyond.iter().map(|x| [*x, f64::INFINITY]);
+            let all: Vec<[f64; 2]> = points().into_iter().chain(beyond).collect();
+            let fit = Cloud::new(&all).fit(0.07).unwrap();
+            // Rounding of the likelihood, whose square root is that of its place; the last full step is far closer.
+            compare(&fit, expected, 1e-11);
+            let own = fit.line.unwrap();
+            let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-11, "{a} {b}");
+            close(own.slope, line[0]);
+            close(own.deviation, line[1]);
+        }
+    }
+
+    #[test]
+    fn clouds_without_a_fit_say_why() {
+        let cloud = |points: &[[f64; 2]]| Cloud::new(points).fit(1.0).unwrap_err();
+        assert_eq!(cloud(&[[1.0, 1.0], [2.0, 3.0]]), NoFit::Few(3));
+        assert_eq!(
+            cloud(&[[1.0, 1.0], [2.0, 0.0], [3.0, 1.0]]),
+            NoFit::NoLogarithm
+        );
+        assert_eq!(cloud(&[[1.0, 1.0], [1.0, 2.0], [1.0, 3.0]]), NoFit::Equal);
+        let falling = [[1.0, 3.0], [2.0, 2.0], [3.0, 1.1], [4.0, 0.8]];
+        assert_eq!(cloud(&falling), NoFit::NotRisingEnough);
+        let level = [[1.0, 3.0], [2.0, 1.0], [3.0, 3.1], [4.0, 1.2]];
+        assert_eq!(cloud(&level), NoFit::NotRisingEnough);
+        let beyond = [[1.0, f64::INFINITY]; 3];
+        assert_eq!(cloud(&beyond), NoFit::Few(3));
+        let falling = [[1.0, 3.0], [2.0, 0.5], [3.0, 0.2], [1.0, f64::INFINITY]];
+        assert_eq!(cloud(&falling), NoFit::NotRisingEnough);
+    }
+}
