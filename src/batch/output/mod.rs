@@ -11,7 +11,7 @@ pub mod tables;
 
 pub use manifest::{is_manifest, is_outdated, manifest, problem_of};
 pub use names::{
-    FAILURES, FRAGILITY, INDICES, QUANTILES, REDUCTIONS, RESULTS, TWO_SAMPLES, history_name,
+    FAILURES, FRAGILITY, INDICES, QUANTILES, REDUCTIONS, RESULTS, TESTS, TWO_SAMPLES, history_name,
 };
 
 use super::WarnedCases;
@@ -63,6 +63,7 @@ impl Folder {
             REDUCTIONS,
             QUANTILES,
             TWO_SAMPLES,
+            TESTS,
             FRAGILITY,
         ];
         let tables = tables.map(String::from);

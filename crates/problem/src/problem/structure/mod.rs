@@ -206,6 +206,10 @@ impl Problem for StructureProblem {
         }
     }
 
+    fn in_tests(&self, metric: usize) -> Option<Vec<f64>> {
+        self.sample_of(metric)
+    }
+
     fn structure(&self, case: &Case) -> Option<Structure> {
         Some(self.structure(case, Model::Study).ok()?.0)
     }
@@ -280,6 +284,7 @@ impl Problem for StructureProblem {
         {
             text += &compared.described(case);
         }
+        text += &self.sample_described();
         Some(text)
     }
 }

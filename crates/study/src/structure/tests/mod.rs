@@ -10,6 +10,7 @@ mod initial;
 mod measured;
 mod own_records;
 mod parts;
+mod samples;
 mod supports;
 mod ties;
 mod titles;

@@ -3,3 +3,4 @@
 pub mod channel;
 pub mod measured;
 pub mod names;
+pub mod sample;
