@@ -1,6 +1,5 @@
 //! Metrics that compare with what was measured.
 
-use super::metric_values::of_values;
 use super::recorded::{MetricContext, Recorded};
 use super::sweep::Ready;
 use crate::metrics::measured as reduce;
@@ -19,31 +18,6 @@ impl StructureProblem {
         let measured = self.template.measured.as_ref()?;
         let dt = case.at(self.schema.step)?;
         measured.in_case(case, dt, self.steps(case)).err()
-    }
-
-    /// A metric in each test of the sample: the reduction of the measured values.
-    pub(crate) fn sample_of(&self, metric: usize) -> Option<Vec<f64>> {
-        let metric = self.metrics.get(metric).filter(|own| !own.measured)?;
-        let tests = self.template.sample.as_ref()?;
-        let mut tests = tests.channel(metric.channel.as_ref()?)?;
-        tests.try_fold(Vec::new(), |mut all, (time, values)| {
-            all.push(of_values(metric.reduction, values, |place| time[place])?);
-            Some(all)
-        })
-    }
-
-    /// The line of the sample for `explain`.
-    pub(crate) fn sample_described(&self) -> String {
-        let Some(sample) = &self.template.sample else {
-            return String::new();
-        };
-        let rows = (0..self.metrics.len()).filter(|row| self.sample_of(*row).is_some());
-        let names: Vec<&str> = rows.map(|row| self.metrics[row].name.as_str()).collect();
-        let tests = sample.tests.len();
-        format!(
-            "measured: {} of {tests} tests, compared with each ensemble\n",
-            names.join(", ")
-        )
     }
 
     /// What was measured in a case, if a metric compares with it.
