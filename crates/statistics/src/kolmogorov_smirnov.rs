@@ -72,7 +72,7 @@ pub fn interval(first: &[f64], second: &[f64]) -> Option<[f64; 2]> {
     second.iter().for_each(|place| none[*place] -= others);
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
     let mut draw = |places: &[usize]| {
-        let at = u64::from(random.next_u32()) * places.len() as u64 >> 32;
+        let at = (u64::from(random.next_u32()) * places.len() as u64) >> 32;
         places[at as usize]
     };
     let mut errors = Vec::with_capacity(SAMPLES);
