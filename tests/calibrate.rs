@@ -5,11 +5,13 @@ use indicatif::ProgressBar;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
-use slipgap::calibrate::{Verdict, calibrate};
+use slipgap::calibrate::{Verdict, calibrate, sentences, write};
 use slipgap::recommend::Stop;
-use slipgap::recommend::calibrate::{Best, End, Objective, Stopped, determine};
+use slipgap::recommend::calibrate::{
+    Best, Between, Determined, End, Objective, Stopped, determine,
+};
 use slipgap::run::Source;
-use slipgap::statistics::normal;
+use slipgap::statistics::{CONFIDENCE, fisher, normal};
 use slipgap::study::{self, PointCases, Study};
 use std::fs;
 use tempfile::TempDir;
@@ -53,9 +55,11 @@ fn text(laws: &[&str], dt: f64, more: &str) -> String {
     )
 }
 
-/// Times and forces of the law, by steps of dt/8.
-fn force() -> Vec<[f64; 2]> {
+/// Times and forces of the law with a restitution, by steps of dt/8.
+fn force(restitution: f64) -> Vec<[f64; 2]> {
     let text = text(&[LAW], DT / 8.0, r#""metrics": ["peak(stop.S)"],"#);
+    let own = format!("\"restitution\": {restitution}");
+    let text = text.replace("\"restitution\": 0.6", &own);
     let study = study::parse("truth.json", &text).unwrap_or_else(|e| panic!("{e}"));
     let case = study.case(0).unwrap();
     let columns = study.problem.history_columns(&case);
@@ -77,21 +81,34 @@ fn force() -> Vec<[f64; 2]> {
 
 /// The test with noise of 1 % of its rms, as a study that calibrates these laws.
 fn noisy(folder: &TempDir, force: &[[f64; 2]], seed: u64, laws: &[&str]) -> String {
+    write_noisy(folder, force, seed);
+    let free = TRUTH.map(|(name, _, ends)| format!("\"{name}\": {ends:?}"));
+    of_file(&format!("\"test-{seed}.csv\""), &free.join(", "), laws)
+}
+
+/// Independent values of the standard normal distribution.
+fn normals(seed: u64) -> impl FnMut() -> f64 {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    move || normal::quantile((random.next_u64() as f64 + 0.5) / 2f64.powi(64)).clamp(-9.0, 9.0)
+}
+
+/// Writes the test with noise of 1 % of its rms as test-SEED.csv.
+fn write_noisy(folder: &TempDir, force: &[[f64; 2]], seed: u64) {
     let squares: f64 = force.iter().map(|point| point[1] * point[1]).sum();
     let sigma = 0.01 * (squares / force.len() as f64).sqrt();
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let mut noise =
-        || normal::quantile((random.next_u64() as f64 + 0.5) / 2f64.powi(64)).clamp(-9.0, 9.0);
+    let mut noise = normals(seed);
     let line = |[t, s]: &[f64; 2]| format!("{t},{}\n", s + sigma * noise());
     let lines: String = force.iter().map(line).collect();
     let file = folder.path().join(format!("test-{seed}.csv"));
     fs::write(file, format!("t,force\n{lines}")).unwrap();
-    let free = TRUTH.map(|(name, _, ends)| format!("\"{name}\": {ends:?}"));
+}
+
+/// The study that calibrates these laws to a file by these free parameters.
+fn of_file(file: &str, free: &str, laws: &[&str]) -> String {
     let more = format!(
-        r#""measured": {{ "file": "test-{seed}.csv", "time": "t", "columns": {{ "stop.S": "force" }} }},
-        "calibrate": {{ {}, "minimise": "rms_error(stop.S, measured)" }},
-        "metrics": ["rms_error(stop.S, measured)"],"#,
-        free.join(", ")
+        r#""measured": {{ "file": {file}, "time": "t", "columns": {{ "stop.S": "force" }} }},
+        "calibrate": {{ {free}, "minimise": "rms_error(stop.S, measured)" }},
+        "metrics": ["rms_error(stop.S, measured)"],"#
     );
     text(laws, DT, &more)
 }
@@ -116,12 +133,11 @@ impl Objective for Misfit<'_> {
     }
 }
 
-/// Whether the interval of each parameter holds the truth, by profiles from the true point.
-fn hits(path: &str, text: &str, points: usize) -> [bool; 3] {
+/// The profiles of the first free parameters from their true values, from 0 to 1 in their ranges.
+fn profiles(path: &str, text: &str, at: &[f64], points: usize) -> Determined {
     let study = study::parse(path, text).unwrap_or_else(|e| panic!("{e}"));
     let alternatives = study.alternatives();
     let free = study.free_of(&alternatives[0]);
-    let at = TRUTH.map(|(_, value, [from, to])| (value - from) / (to - from));
     let mut misfit = Misfit {
         study: &study,
         cases: study.point_cases(&alternatives[0], &free),
@@ -133,7 +149,13 @@ fn hits(path: &str, text: &str, points: usize) -> [bool; 3] {
         starts: [1, 1],
         spent: false,
     };
-    let found = determine(&start, &mut misfit, Some(points as f64)).unwrap();
+    determine(&start, &mut misfit, Some(points as f64)).unwrap()
+}
+
+/// Whether the interval of each parameter holds the truth, by profiles from the true point.
+fn hits(path: &str, text: &str, points: usize) -> [bool; 3] {
+    let at = TRUTH.map(|(_, value, [from, to])| (value - from) / (to - from));
+    let found = profiles(path, text, &at, points);
     let holds = |k: usize| match found.profiles[k].interval.unwrap() {
         [End::At(from), End::At(to)] => from <= at[k] && at[k] <= to,
         ends => panic!("{}: {ends:?}", TRUTH[k].0),
@@ -143,7 +165,7 @@ fn hits(path: &str, text: &str, points: usize) -> [bool; 3] {
 
 #[test]
 fn intervals_hold_the_truth_in_95_of_100_tests() {
-    let (folder, force) = (tempfile::tempdir().unwrap(), force());
+    let (folder, force) = (tempfile::tempdir().unwrap(), force(0.6));
     let path = folder.path().join("study.json");
     let repetition = |seed| {
         let text = noisy(&folder, &force, seed, &[LAW]);
@@ -158,7 +180,7 @@ fn intervals_hold_the_truth_in_95_of_100_tests() {
 
 #[test]
 fn whole_searches_choose_the_law_of_the_test() {
-    let (folder, force) = (tempfile::tempdir().unwrap(), force());
+    let (folder, force) = (tempfile::tempdir().unwrap(), force(0.6));
     for seed in 1..=SEARCHES {
         let text = noisy(&folder, &force, 1000 + seed, &[WRONG, LAW]);
         let path = folder.path().join("study.json");
@@ -192,4 +214,113 @@ fn whole_searches_choose_the_law_of_the_test() {
             wrong.misfit()
         );
     }
+}
+
+/// Restitutions of the tests of a set: their mean, their scatter and their number.
+const MEAN: f64 = 0.6;
+const SCATTER: f64 = 0.04;
+const TESTS: u64 = 5;
+
+/// Writes the tests of a set, each with a restitution of its own; gives these.
+fn write_set(folder: &TempDir, set: u64) -> Vec<f64> {
+    let mut random = normals(set);
+    let restitutions: Vec<f64> = (0..TESTS).map(|_| MEAN + SCATTER * random()).collect();
+    for (restitution, seed) in restitutions.iter().zip(set * 10..) {
+        write_noisy(folder, &force(*restitution), seed);
+    }
+    restitutions
+}
+
+const RESTITUTION: &str = "\"restitution\": [0.2, 0.95]";
+
+#[test]
+fn mean_and_scatter_between_tests_are_held_in_95_of_100_sets() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("study.json").display().to_string();
+    let holds = |[low, high]: [f64; 2], x: f64| usize::from(low <= x && x <= high);
+    let of_set = |set: u64| {
+        let of_test = |(truth, seed): (&f64, u64)| {
+            let text = of_file(&format!("\"test-{seed}.csv\""), RESTITUTION, &[LAW]);
+            let points = (DURATION / EVERY) as usize - 1;
+            let found = profiles(&path, &text, &[(truth - 0.2) / 0.75], points);
+            let Some([End::At(low), End::At(high)]) = found.profiles[0].interval else {
+                panic!("{found:?}");
+            };
+            // The interval is t standard errors to both sides.
+            let t = fisher::quantile(CONFIDENCE, 1.0, points as f64 - 1.0).sqrt();
+            (
+                0.2 + 0.75 * found.best.at[0],
+                0.75 * (high - low) / (2.0 * t),
+            )
+        };
+        let restitutions = write_set(&folder, set);
+        let tests = restitutions.iter().zip(set * 10..).map(of_test);
+        let (values, errors): (Vec<f64>, Vec<f64>) = tests.unzip();
+        let found = Between::of(&values, &errors, true).unwrap();
+        [
+            holds(found.mean_interval, MEAN),
+            holds(found.scatter_interval, SCATTER),
+        ]
+    };
+    let held: Vec<[usize; 2]> = (1..=REPETITIONS).into_par_iter().map(of_set).collect();
+    let count = [0, 1].map(|k| held.iter().map(|own| own[k]).sum::<usize>());
+    println!("{count:?}");
+    assert!(count.iter().all(|count| *count >= FEWEST), "{count:?}");
+}
+
+#[test]
+fn a_restitution_that_varies_has_a_mean_and_a_scatter() {
+    let folder = tempfile::tempdir().unwrap();
+    let truth = write_set(&folder, 1);
+    let varies = format!("{RESTITUTION}, \"gap\": [0.01, 0.03], \"varies\": \"restitution\"");
+    let files = "{\"files\": \"test-*.csv\"}";
+    let path = folder.path().join("study.json");
+    fs::write(&path, of_file(files, &varies, &[LAW])).unwrap();
+    let source = Source::read(&path, &[], 100).unwrap_or_else(|e| panic!("{e}"));
+    let found = calibrate(&source, &ProgressBar::hidden(), &Stop::default());
+    let found = found.unwrap_or_else(|e| panic!("{e}"));
+    let fit = &found.fits[0];
+    assert_eq!(fit.each.len(), truth.len());
+    for (test, truth) in fit.each.iter().zip(&truth) {
+        // Four standard errors of a test.
+        assert!(
+            (test.values[0] - truth).abs() < 0.05,
+            "{:?} {truth}",
+            test.values
+        );
+    }
+    let [restitution, gap] = [0, 1].map(|place| fit.scatter(&found, &fit.free[place]).unwrap());
+    assert!(restitution.varies && !gap.varies);
+    let [low, high] = restitution.between.scatter_interval;
+    assert!(0.0 < low && low < SCATTER && SCATTER < high);
+    let [mean, low, high] = restitution.mean();
+    assert!(low < MEAN && MEAN < high && low < mean && mean < high);
+    // The gap is the same in all tests: no scatter, and a mean as sharp as five tests make it.
+    let [mean, low, high] = gap.mean();
+    assert!(
+        (mean - 0.02).abs() < high - low && high - low < 1e-3,
+        "{gap:?}"
+    );
+    let words = sentences(&found).join("\n");
+    let expected = "restitution varies between 5 tests: mean 0.";
+    assert!(words.contains(expected), "{words}");
+    let out = folder.path().join("out");
+    write(&found, &source, &out, 100).unwrap();
+    let table = fs::read_to_string(out.join("scatter.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table
+        .lines()
+        .map(|line| line.split(',').collect())
+        .collect();
+    assert_eq!(rows[1][1..4], ["restitution", "true", "5"]);
+    assert_eq!(rows[1][7].parse(), Ok(restitution.between.scatter));
+    assert_eq!(rows[2][1..4], ["gap", "false", "5"]);
+    assert_eq!(rows[2][7..10], ["", "", ""]);
+    let each = fs::read_to_string(out.join("each-test.csv")).unwrap();
+    assert_eq!(each.lines().count(), 1 + 2 * truth.len());
+    assert!(
+        each.lines()
+            .nth(1)
+            .unwrap()
+            .contains(",test-10.csv,restitution,")
+    );
 }

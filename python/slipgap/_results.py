@@ -52,7 +52,7 @@ class Results:
 
     @property
     def tables(self) -> dict[str, Table]:
-        """The tables over groups of cases by name, with the columns of the files: ``quantiles`` and ``two_samples`` of an ensemble,
+        """The tables over groups of cases by name, with the columns of the files: ``quantiles``, ``two_samples`` and ``tests`` of an ensemble,
         ``sobol`` of a saltelli design, ``reductions``, those that the study has; and ``warnings``, one row for each kind."""
         tables = self._part("tables")
         if not all(isinstance(table, Table) for table in tables.values()):

@@ -36,6 +36,10 @@ pub fn explained(study: &Study) -> String {
         1 => String::new(),
         tests => format!(", {tests} for each point, one of each test"),
     };
+    let each = match calibrate.varies.is_empty() {
+        true => each,
+        false => format!("{each}; and as much for each test alone"),
+    };
     text += &match alternatives.len() {
         1 => format!(
             "calibrate: a search of up to {} cases, then profiles{each}\n",

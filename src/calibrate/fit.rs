@@ -39,7 +39,9 @@ pub struct Fit {
     pub residuals: Option<Residuals>,
     /// The tests at the best point.
     pub tests: Vec<Test>,
-    /// Number of cases solved.
+    /// The fits of each test alone, if a parameter varies from test to test.
+    pub each: Vec<Fit>,
+    /// Number of cases solved, without those of each test.
     pub solved: u64,
 }
 
@@ -124,11 +126,28 @@ pub struct Search<'a> {
 }
 
 impl Search<'_> {
+    /// Fits an alternative, and each of its tests alone if a parameter varies from test to test.
+    ///
+    /// # Errors
+    /// The search was stopped.
+    pub fn fit_each(&self, alternative: Alternative) -> Result<Fit, Stopped> {
+        let tests: Vec<Alternative> = match self.calibrate.varies.is_empty() {
+            true => Vec::new(),
+            false => alternative.each_test().collect(),
+        };
+        let each = tests.into_iter().map(|test| self.fit(test));
+        let each = each.collect::<Result<Vec<Fit>, Stopped>>()?;
+        Ok(Fit {
+            each,
+            ..self.fit(alternative)?
+        })
+    }
+
     /// Fits an alternative.
     ///
     /// # Errors
     /// The search was stopped.
-    pub fn fit(&self, alternative: Alternative) -> Result<Fit, Stopped> {
+    fn fit(&self, alternative: Alternative) -> Result<Fit, Stopped> {
         let [free, unused] = super::used(self.study, &alternative);
         let cases = self.study.point_cases(&alternative, &free);
         let pooling = match series::channel(self.study) {
@@ -174,6 +193,7 @@ impl Search<'_> {
             numerical,
             residuals: point.residuals,
             tests: point.tests,
+            each: Vec::new(),
             solved,
         })
     }

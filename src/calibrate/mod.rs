@@ -2,7 +2,7 @@
 //!
 //! Each alternative, such as a law, has a search of its own over its free parameters (`misfit` solves the cases), then a profile of
 //! the misfit for each of them. `numerics` says how much of the misfit the time step and the mesh may be, `residuals` whether what is
-//! left is noise, `compare` which alternatives are told apart.
+//! left is noise, `scatter` how parameters vary from test to test, `compare` which alternatives are told apart.
 
 mod compare;
 mod explain;
@@ -11,6 +11,7 @@ mod fit;
 mod misfit;
 mod numerics;
 mod residuals;
+mod scatter;
 mod sentences;
 mod series;
 mod tables;
@@ -22,6 +23,7 @@ pub use explain::explained;
 pub use fit::{Fit, State};
 pub use numerics::Numerical;
 pub use residuals::Residuals;
+pub use scatter::Scatter;
 pub use sentences::sentences;
 pub use words::{state_name, text, verdict};
 pub use write::{studies, write};
@@ -55,7 +57,8 @@ impl Calibration {
 
     /// Number of cases solved.
     pub fn solved(&self) -> u64 {
-        self.fits.iter().map(|fit| fit.solved).sum()
+        let each = self.fits.iter().flat_map(|fit| &fit.each);
+        self.fits.iter().chain(each).map(|fit| fit.solved).sum()
     }
 }
 
@@ -91,7 +94,7 @@ pub fn calibrate(source: &Source, bar: &ProgressBar, stop: &Stop) -> Result<Cali
             bar,
             stop,
         };
-        let fit = search.fit(alternative);
+        let fit = search.fit_each(alternative);
         fits.push(fit.map_err(|_| Error::Interrupted)?);
     }
     let (order, comparisons) = compare::compare(&fits);

@@ -1,6 +1,7 @@
 //! What the numbers of a calibration do not say: what is not determined, and which alternatives are told apart.
 
 use super::compare::DECISIVE;
+use super::scatter;
 use super::{Calibration, Fit, Numerical, State, Verdict};
 use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_recommend::format::digits;
@@ -120,6 +121,7 @@ fn of_fit(found: &Calibration, fit: &Fit) -> Vec<String> {
             names.join(", ")
         ));
     }
+    all.extend(scatter::sentences(found, fit, &own));
     if let Some(residuals) = &fit.residuals
         && !residuals.are_white()
     {

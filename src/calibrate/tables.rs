@@ -168,6 +168,71 @@ pub fn correlation(found: &Calibration) -> Result<Vec<u8>, Error> {
     csv(header, rows.into_iter())
 }
 
+/// each-test.csv: each free parameter in each test fitted alone.
+pub fn each_test(found: &Calibration) -> Result<Vec<u8>, Error> {
+    let header = ["alternative", "test", "parameter", "best", "from", "to"];
+    let row = |fit: &Fit, place: usize| {
+        let profile = fit.found.profiles.get(place);
+        let interval = profile.and_then(|own| own.interval);
+        let ends = interval.map(|ends| ends.map(|end| fit.value(place, end)));
+        let solved = fit.misfit().is_finite();
+        let best = fit.values.get(place).copied().filter(|_| solved);
+        let names = [
+            name_of(fit),
+            fit.alternative.tests.join(" "),
+            column(found, &fit.free[place]),
+        ];
+        names
+            .into_iter()
+            .chain([cell(best)])
+            .chain(ends.unwrap_or_default().map(cell))
+            .collect()
+    };
+    let each = found.fits.iter().flat_map(|fit| &fit.each);
+    let rows = each.flat_map(|fit| (0..fit.free.len()).map(move |place| row(fit, place)));
+    csv(header.map(String::from).to_vec(), rows)
+}
+
+/// scatter.csv: mean and scatter of each free parameter between the tests; empty where a test has no interval.
+pub fn scatter(found: &Calibration) -> Result<Vec<u8>, Error> {
+    let header = [
+        "alternative",
+        "parameter",
+        "varies",
+        "tests",
+        "mean",
+        "mean_low",
+        "mean_high",
+        "scatter",
+        "scatter_low",
+        "scatter_high",
+        "p_common",
+    ];
+    let row = |fit: &Fit, free: &Free| {
+        let scatter = fit.scatter(found, free);
+        let calibrate = found.study.calibrate.as_ref();
+        let varies = calibrate.is_some_and(|own| own.varies.contains(&free.parameter));
+        let own = scatter.filter(|_| varies).map(|own| own.between);
+        let mean = scatter.map(|own| own.mean().map(Some));
+        let ends = own.map(|own| own.scatter_interval.map(Some));
+        [
+            name_of(fit),
+            column(found, free),
+            varies.to_string(),
+            fit.each.len().to_string(),
+        ]
+        .into_iter()
+        .chain(mean.unwrap_or_default().map(cell))
+        .chain([cell(own.map(|own| own.scatter))])
+        .chain(ends.unwrap_or_default().map(cell))
+        .chain([cell(scatter.map(|own| own.between.p_common))])
+        .collect()
+    };
+    let fits = found.fits.iter().filter(|fit| !fit.each.is_empty());
+    let rows = fits.flat_map(|fit| fit.free.iter().map(move |free| row(fit, free)));
+    csv(header.map(String::from).to_vec(), rows)
+}
+
 /// All free parameters of the study.
 fn all_free(found: &Calibration) -> Vec<Free> {
     let calibrate = found.study.calibrate.as_ref();

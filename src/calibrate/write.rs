@@ -30,6 +30,10 @@ pub fn write(
         folder.write("profiles.csv", &tables::profiles(found)?)?,
         folder.write("correlation.csv", &tables::correlation(found)?)?,
     ];
+    if found.fits.iter().any(|fit| !fit.each.is_empty()) {
+        written.push(folder.write("each-test.csv", &tables::each_test(found)?)?);
+        written.push(folder.write("scatter.csv", &tables::scatter(found)?)?);
+    }
     for (name, text) in studies(found, source, path)?.values() {
         written.push(folder.write(name, text.as_bytes())?);
     }

@@ -1,9 +1,9 @@
-//! The tables over groups of cases: Sobol' indices, quantiles, two-sample tests; and what they leave out.
+//! The tables over groups of cases: Sobol' indices, quantiles, two-sample tests, ensembles against tests; and what they leave out.
 
 use super::{Observer, Source};
 use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::output::ensemble::EnsembleMetrics;
-use crate::batch::output::{Folder, QUANTILES, TWO_SAMPLES, sobol};
+use crate::batch::output::{Folder, QUANTILES, TESTS, TWO_SAMPLES, sobol};
 use slipgap_study::error::Error;
 use std::path::PathBuf;
 
@@ -50,6 +50,9 @@ pub(super) fn write(
     paths.push(folder.write_with(QUANTILES, |out| ensembles.write_quantiles(out))?);
     if ensembles.has_pairs() {
         paths.push(folder.write_with(TWO_SAMPLES, |out| ensembles.write_two_samples(out))?);
+    }
+    if ensembles.has_tests() {
+        paths.push(folder.write_with(TESTS, |out| ensembles.write_tests(out))?);
     }
     let empty = ensembles
         .empty()

@@ -1,4 +1,4 @@
-"""Two tests made by computation, with noise; writes ../../studies/measured/pounding.csv and bearing.csv.
+"""Tests made by computation; writes pounding.csv, bearing.csv and the folder sliding in ../../studies/measured, and ../data/sliding.json.
 
 Run:  python3 measured.py     (needs numpy and scipy)
 
@@ -6,9 +6,13 @@ Run:  python3 measured.py     (needs numpy and scipy)
 (1 + 3 (1 - e^2)/(4 v0) ddelta/dt), v0 the closing speed at delta = 0. `bearing`: LuGre friction (Canudas de Wit et al. 1995) under a
 displacement that goes from turn to turn as 3 s^2 - 2 s^3. Both are integrated by DOP853 with a tolerance of 1e-11, from event to event
 and from point to point of the ground motion, which is straight between its points. Each channel has normal noise of 1 % of its rms.
-Rounding is below a twentieth of the noise. True numbers are the constants below; studies/calibrate-*.json repeat them.
+Rounding is below a twentieth of the noise.
+`sliding`: a block on a spring slides with Coulomb friction on a table that moves as a sine, whose amplitude, frequency and phase are drawn
+anew for each test. Steps of 0.1 ms by Moreau: the friction is what stops the block, at most its limit. 20 tests are files, the peaks and
+rms of 100 times 30 others are numbers. True numbers are the constants below; studies/calibrate-*.json repeat them.
 """
 
+import json
 import math
 from pathlib import Path
 
@@ -31,6 +35,10 @@ DELAY = 0.1374
 TURNS_T = [0, 1, 3, 5, 7, 9, 11, 12]
 TURNS_U = [0, 0.01, -0.01, 0.02, -0.02, 0.04, -0.04, 0]
 LIMIT, STATIC, STRIBECK, SIGMA0, SIGMA1, SIGMA2 = 8.0, 1.35, 0.006, 16000.0, 15.0, 12.0
+
+# Sliding: kN over t, m, s; DT is the step, TIMES are those of the files.
+SLIDING_OMEGA, SLIDING_LIMIT, SLIDING_DT, SLIDING_TIMES = 2 * math.pi, 1.5, 1e-4, np.arange(301) * 0.02
+DATA = records.HERE.parents[0] / "data" / "sliding.json"
 
 
 def ground():
@@ -107,15 +115,43 @@ def bearing(times):
     return np.array(rows)
 
 
+def sliding(count, seed):
+    """Displacements (m) of the block at SLIDING_TIMES in `count` tests, with the peak and the rms over all steps."""
+    random = np.random.default_rng(seed)
+    amplitude, omega, phase = (random.uniform(*ends, count) for ends in (np.log((3.0, 4.0)), (5.0, 5.5), (0.0, 2 * math.pi)))
+    amplitude = np.exp(amplitude)
+    u, v = np.zeros(count), np.zeros(count)
+    rows, peak, squares, steps = [u], np.zeros(count), np.zeros(count), round(SLIDING_TIMES[-1] / SLIDING_DT)
+    every = round(SLIDING_TIMES[1] / SLIDING_DT)
+    for i in range(1, steps + 1):
+        table = amplitude * np.sin(omega * (i - 0.5) * SLIDING_DT + phase)
+        free = v - SLIDING_DT * (table + SLIDING_OMEGA**2 * (u + 0.5 * SLIDING_DT * v))
+        v = free - np.clip(free, -SLIDING_DT * SLIDING_LIMIT, SLIDING_DT * SLIDING_LIMIT)
+        u = u + SLIDING_DT * v
+        peak, squares = np.maximum(peak, np.abs(u)), squares + u * u
+        if i % every == 0:
+            rows.append(u)
+    return np.array(rows), peak, np.sqrt(squares / (steps + 1))
+
+
+def write_sliding():
+    rows, _, _ = sliding(20, 3)
+    for i, u in enumerate(rows.T, 1):
+        write(f"sliding/{i:02}.csv", "t_s,u_mm", ["%.2f", "%.3f"], np.column_stack([SLIDING_TIMES, 1e3 * u]), "no measurement")
+    _, peak, rms = sliding(3000, 4)
+    text = {name: [[float(f"{x:.6g}") for x in own] for own in all.reshape(100, 30)] for name, all in (("peak", peak), ("rms", rms))}
+    DATA.write_text(json.dumps(text, separators=(",", ":")) + "\n")
+
+
 def noisy(values, seed):
     noise = np.random.default_rng(seed).standard_normal(values.shape)
     return values + 0.01 * np.sqrt(np.mean(values**2, axis=0)) * noise
 
 
-def write(name, header, formats, table):
-    lines = ["# Made by tests/reference/measured.py, with noise of 1 % of the rms of each channel: no measurement.", header]
+def write(name, header, formats, table, what="with noise of 1 % of the rms of each channel: no measurement"):
+    lines = [f"# Made by tests/reference/measured.py, {what}.", header]
     lines += [",".join(form % value for form, value in zip(formats, row)) for row in table]
-    OUT.mkdir(exist_ok=True)
+    (OUT / name).parent.mkdir(parents=True, exist_ok=True)
     (OUT / name).write_text("\n".join(lines) + "\n")
     print(name, len(table), "points")
 
@@ -132,6 +168,7 @@ def main():
     rows = bearing(times)
     print("largest", np.abs(rows).max(axis=0), "rms", np.sqrt(np.mean(rows**2, axis=0)))
     write("bearing.csv", "t_s,u_mm,force_kN", ["%.3f", "%.3f", "%.4f"], np.column_stack([times, noisy(rows, 2) * [1e3, 1]]))
+    write_sliding()
 
 
 if __name__ == "__main__":

@@ -9,5 +9,6 @@ mod bad_studies;
 mod every_case;
 mod findings;
 mod guide;
+mod samples;
 mod study_language;
 mod units;

@@ -123,7 +123,7 @@ impl Results {
         self.warnings.iter().map(record).collect()
     }
 
-    /// The tables over groups of cases by name, with the columns of the files: `quantiles` and `two_samples` of an ensemble, `sobol` of
+    /// The tables over groups of cases by name, with the columns of the files: `quantiles`, `two_samples` and `tests` of an ensemble, `sobol` of
     /// a saltelli design, `reductions`, those that the study has; and `warnings`, one row for each kind.
     #[getter]
     fn tables(&self, py: Python<'_>) -> PyResult<Py<PyDict>> {

@@ -14,13 +14,14 @@ use slipgap::error::Error;
 use std::sync::Arc;
 
 /// Columns of whole numbers: numbers of cases, blocks and samples.
-const WHOLE: [&str; 4] = ["block", "case", "cases", "empty"];
+const WHOLE: [&str; 5] = ["block", "case", "cases", "empty", "tests"];
 
 /// The files over groups of cases, as bytes; `None` if the study has no such groups.
 #[derive(Debug, Default)]
 pub struct Groups {
     quantiles: Option<Vec<u8>>,
     two_samples: Option<Vec<u8>>,
+    tests: Option<Vec<u8>>,
     reductions: Option<Vec<u8>>,
 }
 
@@ -45,6 +46,12 @@ impl Groups {
                 written.map_err(Error::io("cannot write", "two_samples"))?;
                 groups.two_samples = Some(bytes);
             }
+            if ensembles.has_tests() {
+                let mut bytes = Vec::new();
+                let written = ensembles.write_tests(&mut bytes);
+                written.map_err(Error::io("cannot write", "tests"))?;
+                groups.tests = Some(bytes);
+            }
         }
         Ok(groups)
     }
@@ -68,6 +75,7 @@ impl Groups {
         let files = [
             ("quantiles", &self.quantiles),
             ("two_samples", &self.two_samples),
+            ("tests", &self.tests),
             ("sobol", &indices),
             ("reductions", &self.reductions),
         ];

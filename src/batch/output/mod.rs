@@ -10,7 +10,9 @@ pub mod sobol;
 pub mod tables;
 
 pub use manifest::{is_manifest, is_outdated, manifest, problem_of};
-pub use names::{FAILURES, INDICES, QUANTILES, REDUCTIONS, RESULTS, TWO_SAMPLES, history_name};
+pub use names::{
+    FAILURES, INDICES, QUANTILES, REDUCTIONS, RESULTS, TESTS, TWO_SAMPLES, history_name,
+};
 
 use super::WarnedCases;
 use super::files::atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
@@ -61,6 +63,7 @@ impl Folder {
             REDUCTIONS,
             QUANTILES,
             TWO_SAMPLES,
+            TESTS,
             FRAGILITY,
             MEMBERS,
         ];

@@ -18,6 +18,9 @@ pub const QUANTILES: &str = "quantiles.csv";
 /// Name of the table of tests between ensembles.
 pub const TWO_SAMPLES: &str = "two_samples.csv";
 
+/// Name of the table of ensembles against tests.
+pub const TESTS: &str = "tests.csv";
+
 /// Name of the table of fragility figures.
 pub const FRAGILITY: &str = "fragility.csv";
 

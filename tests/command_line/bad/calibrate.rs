@@ -62,6 +62,10 @@ fn parameters_that_cannot_be_free() {
         "gap: \"gap\" is an axis; a free parameter has one value",
     );
     range(
+        r#""k": [1, 2], "varies": ¶["k"]"#,
+        "varies: needs several tests: \"file\" of \"measured\" as an axis",
+    );
+    range(
         r#"¶"v0": [0.1, 0.2]"#,
         "v0: \"v0\" is given by the expression \"2*x\"; name the parameters",
     );

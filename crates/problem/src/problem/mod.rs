@@ -124,6 +124,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn measured(&self, _case: &Case) -> Vec<MeasuredChannel> {
         Vec::new()
     }
+    /// A metric, by its row, in each test that the study compares as a sample; `None` without such tests, and if they do not have it.
+    fn in_tests(&self, _metric: usize) -> Option<Vec<f64>> {
+        None
+    }
     /// What determines results and is neither in the parameters nor in the program; empty if there is nothing.
     fn identity(&self) -> &str {
         ""

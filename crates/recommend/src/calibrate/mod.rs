@@ -2,6 +2,7 @@
 //! coordinates from 0 to 1, and an objective computes many of them in one call.
 
 mod arm;
+mod between;
 mod cma_es;
 mod counted;
 mod determine;
@@ -17,6 +18,7 @@ mod start;
 #[cfg(test)]
 mod tests;
 
+pub use between::Between;
 pub use determine::determine;
 pub use global::search;
 

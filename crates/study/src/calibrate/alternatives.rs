@@ -135,6 +135,16 @@ impl Study {
 type Named = (String, Vec<(usize, Option<Value>)>);
 
 impl Alternative {
+    /// One for each test alone; none without an axis of tests.
+    pub fn each_test(&self) -> impl Iterator<Item = Alternative> {
+        let tests = self.raws.iter().zip(&self.tests);
+        tests.map(|(raw, test)| Alternative {
+            raws: vec![*raw],
+            tests: vec![test.clone()],
+            ..self.clone()
+        })
+    }
+
     /// Its name as a part of a file's name; empty if there is one alternative.
     pub fn file_name(&self) -> String {
         let plain = |c: char| match c {

@@ -8,11 +8,11 @@ use crate::computed::sources::{MINIMISE, items, members};
 use crate::source::faults::{Faults, any_of, join, quoted, unknown};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::value::{number, text};
+use crate::value::{name, number, text};
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, shortest};
 
 /// The keys besides the names of free parameters, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 3] = [
+pub(crate) const KEYS: [(&str, &str); 4] = [
     (
         MINIMISE,
         "the metric that the best values make smallest, such as \"rms_error(deck.u, measured)\"; arithmetic, too",
@@ -21,6 +21,10 @@ pub(crate) const KEYS: [(&str, &str); 3] = [
     (
         "cases",
         "cases for each alternative, of which the search takes three quarters and profiles the rest; 20000 if left out",
+    ),
+    (
+        "varies",
+        "free parameters that vary from test to test, of which mean and scatter are found; each test is fitted alone, too",
     ),
 ];
 
@@ -76,8 +80,10 @@ pub(crate) fn calibrate(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
     let seed = whole(KEYS[1].0, [0, MOST_SEED], 1);
     let cases = whole(KEYS[2].0, LIMITS, CASES);
     let tests = root.get("measured").and_then(|node| file(node, &names));
+    let varies = varies(&object, (&free, tests), scope, faults);
     (faults.count() == before).then_some(Calibrate {
         free,
+        varies,
         minimise: minimise?,
         seed: seed?,
         cases: cases?,
@@ -107,6 +113,35 @@ pub(super) fn free(object: &Object, own: &[&str], scope: &Scope, faults: &mut Fa
         }));
     }
     free
+}
+
+/// Rows of the free parameters under `varies`.
+fn varies(
+    object: &Object,
+    (free, tests): (&[Free], Option<usize>),
+    scope: &Scope,
+    faults: &mut Faults,
+) -> Vec<usize> {
+    let Some(node) = object.get(KEYS[3].0) else {
+        return Vec::new();
+    };
+    let path = object.path(KEYS[3].0);
+    if tests.is_none() {
+        let message = "needs several tests: \"file\" of \"measured\" as an axis, such as {\"files\": \"tests/*.csv\"}";
+        faults.add(node.at, &path, message);
+        return Vec::new();
+    }
+    let table = scope.problem.parameters();
+    let names: Vec<&str> = free.iter().map(|own| &*table[own.parameter].name).collect();
+    let each = match &node.tree {
+        Tree::List(items) => &items[..],
+        _ => std::slice::from_ref(node),
+    };
+    let row = |one: &Node| {
+        let place = name(one, &path, "free parameter", &names, faults)?;
+        Some(free[place].parameter)
+    };
+    each.iter().filter_map(row).collect()
 }
 
 /// Row of the parameter that chooses the file of measurements.

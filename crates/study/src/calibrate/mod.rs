@@ -37,6 +37,8 @@ pub struct Calibrate {
     pub cases: u64,
     /// Row of the parameter that chooses the file of measurements, if it is an axis: its values are tests with one misfit together.
     pub tests: Option<usize>,
+    /// Rows of the free parameters that vary from test to test; each test is then fitted alone, too.
+    pub varies: Vec<usize>,
 }
 
 /// A free parameter.

@@ -17,6 +17,15 @@ impl Study {
         outside(&*self.problem, &self.blocks, &rows)
     }
 
+    /// A measure in each test that is compared as one of a sample, by rising value; `None` if the tests do not have it.
+    pub fn in_tests(&self, measure: usize) -> Option<Vec<f64>> {
+        let own = &self.measures[measure];
+        let plain = own.dimension.is_none() && own.reduction.is_none();
+        let mut values = self.problem.in_tests(own.metric.filter(|_| plain)?)?;
+        values.sort_unstable_by(f64::total_cmp);
+        Some(values)
+    }
+
     /// The parameters whose values distinguish physical cases if those in `chosen` are numerical choices.
     pub fn outside_choice(&self, chosen: &[usize]) -> Vec<usize> {
         outside(&*self.problem, &self.blocks, chosen)

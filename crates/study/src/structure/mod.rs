@@ -22,6 +22,7 @@ use super::source::tree::Node;
 use super::value;
 use crate::structure::reading::reader::{Reader, named, open};
 use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE, range};
+use measured::Given;
 use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::structure::StructureProblem;
 use slipgap_problem::problem::structure::channels::names::Names;
@@ -144,6 +145,7 @@ pub(super) fn problem(
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
         measured: None,
+        sample: None,
         observed: false,
     };
     let decoded = template.contacts.iter().map(|contact| contact.name.clone());
@@ -165,8 +167,15 @@ pub(super) fn problem(
     crate::structure::named::named_metrics::measures(&mut metrics, &template, &reader, faults);
     let mut drawn = crate::structure::named::named_metrics::drawn(root, &known, faults);
     let measured = measured::decode(root, (&known, &template.units), &reader, &mut drawn, faults);
-    template.measured = measured.map(|own| delays::known(own, root_node, reader.table));
-    measured::report_not_measured(root, &metrics, template.measured.as_ref(), faults);
+    match measured {
+        Some(Given::Histories(own)) => {
+            template.measured = Some(delays::known(own, root_node, reader.table));
+        }
+        Some(Given::Sample(own)) => template.sample = Some(own),
+        None => {}
+    }
+    let of_tests = (template.measured.as_ref(), template.sample.as_ref());
+    measured::report_not_measured(root, &metrics, of_tests, faults);
     let reduced = (&of_matrices[..], modes);
     matrices::reduce(&mut template, reduced, (&metrics, &drawn), &reader, faults);
     crate::structure::named::named_metrics::report_errors_without_reference(

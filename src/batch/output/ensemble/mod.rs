@@ -1,5 +1,6 @@
-//! The metrics of ensembles, collected part by part: quantiles.csv and two_samples.csv.
+//! The metrics of ensembles, collected part by part: quantiles.csv, two_samples.csv and tests.csv.
 
+mod against_tests;
 mod pairs;
 mod quantiles;
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Empirical distribution functions of metrics with their confidence bands, a panel for each metric.
+//! Empirical distribution functions of metrics with their confidence bands and that of tests in grey, a panel for each metric.
 
 use super::ensembles::{Ensemble, MOST_BANDS, ensembles, keys, stroke, without_value};
 use crate::FigureData;
@@ -6,8 +6,9 @@ use crate::column::has_place;
 use crate::kind::Draw;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::limits;
-use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
+use slipgap_drawing::layout::sheet::{Band, MEASURED, Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Stroke};
 use slipgap_statistics::empirical;
 use slipgap_study::Scale;
@@ -44,13 +45,16 @@ impl Draw for Distribution {
             y_range,
             height / 24.0,
         );
-        let across = |metric: &usize| {
+        let tests = self.y.iter().map(|metric| study.in_tests(*metric));
+        let tests: Vec<Option<Vec<f64>>> = tests.collect();
+        let across = |(metric, tests): (&usize, &Option<Vec<f64>>)| {
             let values = found.iter().flat_map(|of| of.cases.iter());
             let values = values.filter_map(|shown| shown.metric(*metric));
+            let values = values.chain(tests.iter().flatten().copied());
             let title = &study.title(*metric);
             limits::axis(title, values, self.x_scale, x_range, width / 50.0)
         };
-        let axes: Vec<Axis> = self.y.iter().map(across).collect();
+        let axes: Vec<Axis> = self.y.iter().zip(&tests).map(across).collect();
         // Each panel has its own horizontal axis.
         let rows: Vec<f64> = axes
             .iter()
@@ -65,6 +69,8 @@ impl Draw for Distribution {
             let mut frame = grid.frames[i][0];
             frame.height = height;
             let mut panel = Panel::new(frame, grid.margin, x, y.clone());
+            let of_tests = tests[i].as_deref().map(|rising| function(&panel, rising).0);
+            panel.series.extend(of_tests.map(Series::measured));
             for (k, ensemble) in found.iter().enumerate() {
                 draw(&mut panel, ensemble, *metric, stroke(look, k), banded);
             }
@@ -72,16 +78,27 @@ impl Draw for Distribution {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, found.len(), all);
+        let mut all = sheet.panels.iter().flat_map(|panel| &panel.series);
+        let measured = all.find(|own| own.label == MEASURED).map(Key::of);
         layout::finish(
             &mut sheet,
-            vec![keys(look, &found, |_| None)],
+            vec![
+                keys(look, &found, |_| None)
+                    .into_iter()
+                    .chain(measured)
+                    .collect(),
+            ],
             figure.title.as_deref(),
         );
         let bands = match banded {
             true => BANDS.to_owned(),
             false => format!("Without confidence bands, because there are more than {MOST_BANDS}."),
         };
-        layout::small_print(&mut sheet, &format!("{bands} {}", counts(&found)));
+        let mut counts = counts(&found);
+        if let Some(tests) = tests.iter().flatten().next() {
+            counts += &format!(" Measured are {} tests.", tests.len());
+        }
+        layout::small_print(&mut sheet, &format!("{bands} {counts}"));
         without_value(&mut sheet, study, cases, &self.y);
         sheet
     }
@@ -109,21 +126,8 @@ fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, stroke: Stroke, b
     if rising.is_empty() {
         return;
     }
-    let count = rising.len();
-    let steps = empirical::steps(&rising);
-    let scale = panel.x.scale;
-    let shown = thinned(&steps);
-    let low = steps
-        .iter()
-        .filter(|step| !has_place(scale, step[0]))
-        .map(|step| step[1]);
-    let start = low.fold(0.0, f64::max);
-    let shown: Vec<[f64; 2]> = shown
-        .into_iter()
-        .filter(|s| has_place(scale, s[0]))
-        .collect();
-    let line = staircase(panel.x.range, start, &shown);
-    let half = empirical::half_band(count);
+    let half = empirical::half_band(rising.len());
+    let (line, marked) = function(panel, &rising);
     let moved = |by: f64| -> Vec<[f64; 2]> {
         line.iter()
             .map(|[x, y]| [*x, (y + by).clamp(0.0, 1.0)])
@@ -136,8 +140,6 @@ fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, stroke: Stroke, b
             stroke,
         });
     }
-    // The upper end of each step shows its values.
-    let marked = (0..shown.len()).map(|step| 2 * step + 2).collect();
     panel.series.push(Series {
         label: ensemble.label.clone(),
         points: line,
@@ -146,6 +148,26 @@ fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, stroke: Stroke, b
         marker: None,
         marked,
     });
+}
+
+/// The function of rising values as a line from the left to the right end of an axis, and the places in it that show values.
+fn function(panel: &Panel, rising: &[f64]) -> (Vec<[f64; 2]>, Vec<usize>) {
+    let steps = empirical::steps(rising);
+    let scale = panel.x.scale;
+    let shown = thinned(&steps);
+    let low = steps
+        .iter()
+        .filter(|step| !has_place(scale, step[0]))
+        .map(|step| step[1]);
+    let start = low.fold(0.0, f64::max);
+    let shown: Vec<[f64; 2]> = shown
+        .into_iter()
+        .filter(|s| has_place(scale, s[0]))
+        .collect();
+    let line = staircase(panel.x.range, start, &shown);
+    // The upper end of each step shows its values.
+    let marked = (0..shown.len()).map(|step| 2 * step + 2).collect();
+    (line, marked)
 }
 
 /// A line from the left to the right end of an axis that rises at each step.

@@ -207,6 +207,10 @@ impl Problem for StructureProblem {
         }
     }
 
+    fn in_tests(&self, metric: usize) -> Option<Vec<f64>> {
+        self.sample_of(metric)
+    }
+
     fn structure(&self, case: &Case) -> Option<Structure> {
         Some(self.structure(case, Model::Study).ok()?.0)
     }
@@ -290,6 +294,7 @@ impl Problem for StructureProblem {
         {
             text += &compared.described(case);
         }
+        text += &self.sample_described();
         Some(text)
     }
 }

@@ -110,6 +110,7 @@ pub(super) fn calibrate() -> Json {
         json!({ "type": "string" }),
         number(Range::NotNegative),
         number(Range::Positive),
+        several(json!({ "type": "string" })),
     ]) {
         let mut schema = schema;
         schema["description"] = meaning.into();

@@ -6,7 +6,7 @@ use super::Keys;
 pub(crate) const MEASURED: Keys = &[
     (
         "file",
-        "CSV file with a line of names above its columns, its path relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis",
+        "CSV file with a line of names above its columns, its path relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis; of tests compared as a sample a list of files, or {\"files\": ...}",
     ),
     (
         "time",
@@ -20,7 +20,14 @@ pub(crate) const MEASURED: Keys = &[
         "delay",
         "time of the file at t = 0 of the motion; 0 if left out",
     ),
+    (
+        "compare",
+        "histories, point by point, if left out; or distribution: peak, last, min, max, rms and time_of_peak of each test, over all times of its file, as a sample with those of each ensemble",
+    ),
 ];
+
+/// How tests are compared, the usual way first.
+pub(crate) const COMPARE: [&str; 2] = ["histories", "distribution"];
 
 /// Keys of a column of `measured`.
 pub(crate) const COLUMN: Keys = &[

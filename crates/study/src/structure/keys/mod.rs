@@ -8,7 +8,7 @@ mod ranges;
 mod spectra;
 
 pub(crate) use contacts::{CONTACT, LAW_TABLE, LISTS, NORMAL_TABLE, PART, PRESSING, WEIGHT};
-pub(crate) use measured::{COLUMN, KEY, MEASURED};
+pub(crate) use measured::{COLUMN, COMPARE, KEY, MEASURED};
 pub(crate) use motions::{
     COSINE, DISPLACEMENT, FILES, FUNCTION, FUNCTIONS, GROUND, IMPOSED, IMPOSED_BY_FILE, LOAD_AT,
     PULSE, RICKER, SINE, SUPPORT, SYNTHETIC, TABLE,

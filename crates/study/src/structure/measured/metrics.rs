@@ -4,22 +4,44 @@ use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::structure::keys::KEY;
 use slipgap_problem::problem::structure::channels::measured::{Measured, measured_loop};
+use slipgap_problem::problem::structure::channels::sample::Sample;
 use slipgap_problem::problem::structure::metrics::metric::StructureMetric;
+use slipgap_problem::problem::structure::metrics::reduction::{OF_VALUES, Reduction};
 
 /// Reports metrics of what was not measured.
 pub(in crate::structure) fn report_not_measured(
     root: &Object,
     metrics: &[StructureMetric],
-    measured: Option<&Measured>,
+    (measured, sample): (Option<&Measured>, Option<&Sample>),
     faults: &mut Faults,
 ) {
+    if let Some(sample) = sample {
+        let is_in_tests = |metric: &StructureMetric| {
+            let channel = metric.channel.as_ref();
+            let measured = channel.is_some_and(|channel| sample.channel(channel).is_some());
+            measured && !metric.measured && OF_VALUES.contains(&metric.reduction)
+        };
+        if !metrics.is_empty() && !metrics.iter().any(is_in_tests) {
+            let names = OF_VALUES.map(Reduction::name).join(", ");
+            let message =
+                format!("no metric of the study is of a measured channel and one of {names}");
+            let at = root.get(KEY.0).map_or(0, |node| node.at);
+            faults.add(at, KEY.0, message);
+        }
+    }
     let needs = metrics.iter().filter(|metric| metric.measured);
     for metric in needs {
         let (at, path) = &metric.place;
         let name = quoted(&metric.name);
         let Some(measured) = measured else {
             // With a fault of its own, the key says why.
-            if root.get(KEY.0).is_none() {
+            if sample.is_some() {
+                let message = format!(
+                    "{name} compares point by point, \"{}\" as a distribution",
+                    KEY.0
+                );
+                faults.add(*at, path, message);
+            } else if root.get(KEY.0).is_none() {
                 let message = format!("{name} needs the key \"{}\" of the study", KEY.0);
                 faults.add(*at, path, message);
             }

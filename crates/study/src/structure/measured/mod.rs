@@ -2,34 +2,45 @@
 
 mod column;
 mod metrics;
+mod sample;
 mod table;
 
 pub(super) use column::{Column, column};
 pub(super) use metrics::report_not_measured;
 pub(super) use table::test;
 
-use super::keys::{KEY, MEASURED};
+use super::keys::{COMPARE, KEY, MEASURED};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::named::named_metrics::hinted;
 use crate::structure::reading::reader::{Reader, open};
+use crate::value::name;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::channels::channel::Channel;
-use slipgap_problem::problem::structure::channels::measured::{FEWEST, Measured};
+use slipgap_problem::problem::structure::channels::measured::{FEWEST, Measured, Test};
 use slipgap_problem::problem::structure::channels::names::Names;
+use slipgap_problem::problem::structure::channels::sample::Sample;
 use slipgap_problem::problem::structure::tables::schema::Drawn;
 use std::sync::Arc;
 
-/// What was measured, with the channels added to those that histories draw; `None` without the key, or with a fault.
+/// What was measured.
+pub(super) enum Given {
+    /// Histories that are compared point by point.
+    Histories(Measured),
+    /// Tests that are compared as a sample.
+    Sample(Sample),
+}
+
+/// What was measured, with the channels of histories added to those that are drawn; `None` without the key, or with a fault.
 pub(super) fn decode(
     root: &Object,
     (names, units): (&Names, &str),
     reader: &Reader,
     drawn: &mut Vec<Drawn>,
     faults: &mut Faults,
-) -> Option<Measured> {
+) -> Option<Given> {
     let node = root.get(KEY.0)?;
     let object = open(node, KEY.0, MEASURED, faults)?;
     let need = |key: &str, faults: &mut Faults| {
@@ -42,6 +53,15 @@ pub(super) fn decode(
     let columns = need("columns", faults);
     let time = time.and_then(|(node, path)| column(node, path, Dimension::Time, units, faults));
     let columns = columns.and_then(|(node, path)| channels(node, &path, (names, units), faults));
+    let way = match object.get("compare") {
+        Some(node) => name(node, &object.path("compare"), "way", &COMPARE, faults),
+        None => Some(0),
+    };
+    if way? == 1 {
+        let columns = (time?, columns?);
+        let sample = sample::sample((root, &object), file?, columns, reader, faults)?;
+        return (faults.count() == before).then_some(Given::Sample(sample));
+    }
     let delay = reader.optional(&object, "delay", Range::Any, faults);
     let (node, path) = file?;
     let (chosen, files) = reader.files(node, &path, faults)?;
@@ -51,13 +71,9 @@ pub(super) fn decode(
     }
     let of_channels: Vec<&Column> = columns.iter().map(|own| &own.1).collect();
     let tests = files.into_iter().filter_map(|file| {
-        let test = test(file, (node, &path), (&time, &of_channels), reader, faults)?;
-        let rows = test.time.len();
-        if rows < FEWEST {
-            let name = quoted(file);
-            let message = format!("{name}: {rows} rows of numbers; allowed: at least {FEWEST}");
-            faults.add(node.at, &path, message);
-        }
+        let place = (node, &*path);
+        let (test, bytes) = long_test(file, place, (&time, &of_channels), reader, faults)?;
+        reader.keep(file, bytes);
         Some((file, Arc::new(test)))
     });
     let tests = tests.collect();
@@ -74,7 +90,25 @@ pub(super) fn decode(
         delays: [0.0; 2],
         place: (node.at, path),
     };
-    (faults.count() == before).then_some(measured)
+    (faults.count() == before).then_some(Given::Histories(measured))
+}
+
+/// The content of a file with enough rows, and its bytes.
+fn long_test(
+    file: &str,
+    (node, path): (&Node, &str),
+    columns: (&Column, &[&Column]),
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<(Test, Vec<u8>)> {
+    let found = test(file, (node, path), columns, reader, faults)?;
+    let rows = found.0.time.len();
+    if rows < FEWEST {
+        let name = quoted(file);
+        let message = format!("{name}: {rows} rows of numbers; allowed: at least {FEWEST}");
+        faults.add(node.at, path, message);
+    }
+    Some(found)
 }
 
 /// The number of a channel among those that histories draw, to which it is added if it is not there.

@@ -12,14 +12,14 @@ use slipgap_system::system::measured_table::MeasuredTable;
 /// Most bytes of a file.
 const LARGEST: u64 = 64 << 20;
 
-/// The content of a file, in the units of the study.
+/// The content of a file, in the units of the study, and its bytes.
 pub(in crate::structure) fn test(
     file: &str,
     (node, path): (&Node, &str),
     (time, columns): (&Column, &[&Column]),
     reader: &Reader,
     faults: &mut Faults,
-) -> Option<Test> {
+) -> Option<(Test, Vec<u8>)> {
     let refuse = |why: String, (node, path): (&Node, &str), faults: &mut Faults| {
         faults.add(node.at, path, format!("{}: {why}", quoted(file)));
     };
@@ -69,6 +69,5 @@ pub(in crate::structure) fn test(
     let time = numbers(time, true);
     let values: Vec<Option<Vec<f64>>> = columns.iter().map(|own| numbers(own, false)).collect();
     let (time, values) = (time?, values.into_iter().collect::<Option<Vec<_>>>()?);
-    reader.keep(file, bytes);
-    Some(Test { time, values })
+    Some((Test { time, values }, bytes))
 }

@@ -196,7 +196,9 @@ fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
     let (chosen, files) = reader.files(node, &path, faults)?;
     let mut points = Vec::with_capacity(files.len());
     for file in files {
-        let Test { time, values } = test(file, (node, &path), (&time, &[&u]), reader, faults)?;
+        let (test, bytes) = test(file, (node, &path), (&time, &[&u]), reader, faults)?;
+        reader.keep(file, bytes);
+        let Test { time, values } = test;
         let u = values.into_iter().next()?;
         if u.len() < 2 {
             let message = format!(

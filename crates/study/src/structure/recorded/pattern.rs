@@ -27,6 +27,8 @@ pub(super) fn matching(pattern: &str, folder: &Path) -> Result<Found, String> {
     }
     let place = match pattern.starts_with('/') && parent.is_empty() {
         true => Path::new("/").to_owned(),
+        // A study without a folder in its path is in this one.
+        false if folder.as_os_str().is_empty() => Path::new(".").join(parent),
         false => folder.join(parent),
     };
     let entries = std::fs::read_dir(&place);

@@ -7,7 +7,7 @@ use super::pattern::{Found, matching};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
-use crate::structure::keys::{FILES, KEY, names};
+use crate::structure::keys::{COMPARE, FILES, KEY, names};
 use crate::structure::reading::given::{member, members, texts};
 use crate::value::text;
 use std::path::Path;
@@ -28,11 +28,20 @@ pub(crate) fn expand(root: &mut Node, folder: &Path, faults: &mut Faults) {
         return;
     };
     take(structure, "", "structure", &mut named);
-    if let Some(file) = root.member(MEASURED).and_then(|own| own.member("file"))
-        && has_files(file)
-    {
-        let path = join(MEASURED, "file");
-        named.push((replaced(file, MEASURED.to_owned()), path));
+    if let Some(measured) = root.member(MEASURED) {
+        // Tests that are compared as a sample are no axis.
+        let way = member(measured, "compare").map(texts).unwrap_or_default();
+        let is_sample = way.contains(&COMPARE[1]);
+        if let Some(file) = measured.member("file").filter(|own| has_files(own)) {
+            let path = join(MEASURED, "file");
+            match is_sample {
+                true => {
+                    let found = files(file, &path, folder, faults).unwrap_or_default();
+                    file.tree = listed(file.at, found);
+                }
+                false => named.push((replaced(file, MEASURED.to_owned()), path)),
+            }
+        }
     }
     for (path, block) in blocks(root) {
         let Some(parameters) = block.member("parameters") else {
@@ -215,13 +224,18 @@ fn go_together(block: &mut Node, mut found: Vec<Listed>, faults: &mut Faults) {
             .member("parameters")
             .and_then(|node| node.member(&name));
         if let Some(given) = given {
-            let text = |file: (String, String)| Node {
-                at,
-                tree: Tree::Text(file.1),
-            };
-            given.tree = Tree::List(files.into_iter().map(text).collect());
+            given.tree = listed(at, files);
         }
     }
+}
+
+/// The list of files, at one place of the study.
+fn listed(at: usize, files: Found) -> Tree {
+    let text = |file: (String, String)| Node {
+        at,
+        tree: Tree::Text(file.1),
+    };
+    Tree::List(files.into_iter().map(text).collect())
 }
 
 /// Adds a group to the `zip` of a block.

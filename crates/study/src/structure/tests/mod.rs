@@ -11,6 +11,7 @@ mod initial;
 mod measured;
 mod own_records;
 mod parts;
+mod samples;
 mod supports;
 mod ties;
 mod titles;

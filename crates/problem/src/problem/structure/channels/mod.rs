@@ -3,4 +3,5 @@
 pub mod channel;
 pub mod measured;
 pub mod names;
+pub mod sample;
 pub mod words;

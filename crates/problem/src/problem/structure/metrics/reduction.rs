@@ -111,6 +111,16 @@ pub const ERRORS: [Reduction; 7] = [
     Reduction::MeshError,
 ];
 
+/// Reductions of the values of a channel alone: those that a test has, too.
+pub const OF_VALUES: [Reduction; 6] = [
+    Reduction::Peak,
+    Reduction::Last,
+    Reduction::Min,
+    Reduction::Max,
+    Reduction::Rms,
+    Reduction::TimeOfPeak,
+];
+
 /// What stands in the brackets behind a reduction, in words; `None` without brackets.
 pub fn in_brackets(name: &str) -> Option<&'static str> {
     let place = REDUCTIONS.iter().position(|known| known.0 == name)?;

@@ -82,12 +82,12 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         still.is_channel(channel, (&motions.computed, of.numbering), &c)
     };
     match metric.reduction {
-        Reduction::Peak => Some(reduce::peak(&c)),
-        Reduction::Last => c.last().copied(),
-        Reduction::Min => Some(reduce::extent(&c)[0]),
-        Reduction::Max => Some(reduce::extent(&c)[1]),
-        Reduction::Rms => Some(reduce::rms(&c)),
-        Reduction::TimeOfPeak => reduce::step_of_peak(&c).map(|step| step as f64 * of.dt),
+        Reduction::Peak
+        | Reduction::Last
+        | Reduction::Min
+        | Reduction::Max
+        | Reduction::Rms
+        | Reduction::TimeOfPeak => of_values(metric.reduction, &c, |step| step as f64 * of.dt),
         Reduction::RmsError => Some(reduce::rms_error(&c, &reference()?)),
         Reduction::LastError => Some((c.last()? - reference()?.last()?).abs()),
         Reduction::PeakError => {
@@ -157,6 +157,19 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         | Reduction::GroundFactor
         | Reduction::GroundSetFactor
         | Reduction::GroundSetRatio => None,
+    }
+}
+
+/// A reduction that needs nothing but the values of a channel and the times of their places; `None` for others.
+pub fn of_values(reduction: Reduction, c: &[f64], time: impl Fn(usize) -> f64) -> Option<f64> {
+    match reduction {
+        Reduction::Peak => Some(reduce::peak(c)),
+        Reduction::Last => c.last().copied(),
+        Reduction::Min => Some(reduce::extent(c)[0]),
+        Reduction::Max => Some(reduce::extent(c)[1]),
+        Reduction::Rms => Some(reduce::rms(c)),
+        Reduction::TimeOfPeak => reduce::step_of_peak(c).map(time),
+        _ => None,
     }
 }
 

@@ -3,6 +3,7 @@
 pub(super) mod compared;
 pub(crate) mod derived;
 pub(crate) mod exact_motion;
+mod in_tests;
 pub(crate) mod measured_metrics;
 pub(crate) mod metric_values;
 pub(crate) mod motion;

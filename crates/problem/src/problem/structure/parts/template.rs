@@ -5,6 +5,7 @@ use super::contact::{Contact, Normal};
 use super::reduce::Reduce;
 use crate::problem::Case;
 use crate::problem::structure::channels::measured::Measured;
+use crate::problem::structure::channels::sample::Sample;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::loads::Source;
 use crate::problem::structure::given::node::{NodeName, NodeRef};
@@ -53,6 +54,8 @@ pub struct Template {
     pub reference: Option<Reference>,
     /// What was measured, if the study has it.
     pub measured: Option<Measured>,
+    /// The tests that are compared as a sample, if the study has them.
+    pub sample: Option<Sample>,
     /// Whether a channel needs more of a structure than its equations.
     pub observed: bool,
 }

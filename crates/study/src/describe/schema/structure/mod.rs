@@ -22,6 +22,7 @@ use crate::structure::keys;
 use serde_json::{Map, Value as Json, json};
 use slipgap_problem::problem::method::PARAMETERS;
 use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::channels::sample::FEWEST_TESTS;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
 use slipgap_system::system::loads::Unit;
 
@@ -146,7 +147,12 @@ fn column() -> Json {
 /// What was measured.
 fn measured() -> Json {
     let value = |key: &str| match key {
-        "file" => json!({ "anyOf": [{ "type": "string" }, files()] }),
+        "file" => {
+            let text = || json!({ "type": "string" });
+            let list = json!({ "type": "array", "minItems": FEWEST_TESTS, "items": text() });
+            json!({ "anyOf": [text(), list, files()] })
+        }
+        "compare" => json!({ "enum": keys::COMPARE, "default": keys::COMPARE[0] }),
         "time" => column(),
         "columns" => named(column()),
         _ => any(),

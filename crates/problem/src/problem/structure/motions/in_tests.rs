@@ -1,0 +1,31 @@
+//! Metrics in tests that are compared as a sample.
+
+use super::metric_values::of_values;
+use crate::problem::structure::StructureProblem;
+
+impl StructureProblem {
+    /// A metric in each test of the sample: the reduction of the measured values.
+    pub(crate) fn sample_of(&self, metric: usize) -> Option<Vec<f64>> {
+        let metric = self.metrics.get(metric).filter(|own| !own.measured)?;
+        let tests = self.template.sample.as_ref()?;
+        let mut tests = tests.channel(metric.channel.as_ref()?)?;
+        tests.try_fold(Vec::new(), |mut all, (time, values)| {
+            all.push(of_values(metric.reduction, values, |place| time[place])?);
+            Some(all)
+        })
+    }
+
+    /// The line of the sample for `explain`.
+    pub(crate) fn sample_described(&self) -> String {
+        let Some(sample) = &self.template.sample else {
+            return String::new();
+        };
+        let rows = (0..self.metrics.len()).filter(|row| self.sample_of(*row).is_some());
+        let names: Vec<&str> = rows.map(|row| self.metrics[row].name.as_str()).collect();
+        let tests = sample.tests.len();
+        format!(
+            "measured: {} of {tests} tests, compared with each ensemble\n",
+            names.join(", ")
+        )
+    }
+}

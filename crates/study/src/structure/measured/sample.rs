@@ -1,0 +1,56 @@
+//! Tests that are compared as a sample: a list of files with the same columns.
+
+use super::column::Column;
+use super::long_test;
+use crate::source::faults::Faults;
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use crate::structure::reading::reader::Reader;
+use crate::value::text;
+use slipgap_problem::problem::structure::channels::channel::Channel;
+use slipgap_problem::problem::structure::channels::sample::{FEWEST_TESTS, Sample};
+use std::sync::Arc;
+
+/// The tests of the files at a node; `None` with a fault.
+pub(super) fn sample(
+    (root, object): (&Object, &Object),
+    (node, path): (&Node, String),
+    (time, columns): (Column, Vec<(Channel, Column)>),
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Sample> {
+    let before = faults.count();
+    if let Some(delay) = object.get("delay") {
+        let message = "of histories that are compared point by point; leave it out";
+        faults.add(delay.at, &object.path("delay"), message);
+    }
+    if root.get("ensemble").is_none() {
+        let path = object.path("compare");
+        let at = object.get("compare").map_or(node.at, |own| own.at);
+        let message = "\"distribution\" needs the key \"ensemble\" of the study, with whose cases the tests are compared";
+        faults.add(at, &path, message);
+    }
+    let files = match &node.tree {
+        Tree::List(files) if files.len() >= FEWEST_TESTS => files,
+        _ => {
+            let wanted = format!(
+                "a list of at least {FEWEST_TESTS} files, or {{\"files\": ...}} with as many"
+            );
+            faults.must_be(node, &path, &wanted);
+            return None;
+        }
+    };
+    let of_channels: Vec<&Column> = columns.iter().map(|own| &own.1).collect();
+    // Results of cases do not depend on the tests: their bytes are no part of the identity.
+    let tests = files.iter().enumerate().filter_map(|(i, node)| {
+        let path = format!("{path}[{i}]");
+        let file = text(node, &path, faults)?;
+        let (test, _) = long_test(&file, (node, &path), (&time, &of_channels), reader, faults)?;
+        Some(Arc::new(test))
+    });
+    let tests = tests.collect();
+    (faults.count() == before).then(|| Sample {
+        tests,
+        channels: columns.into_iter().map(|own| own.0).collect(),
+    })
+}
