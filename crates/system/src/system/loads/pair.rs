@@ -288,9 +288,9 @@ mod tests {
         // The values of the pieces are those of the tables.
         for own in pieces(pair) {
             let middle = 0.5 * (own.times[0] + own.times[1]);
-            for i in 0..2 {
+            for (i, table) in pair.into_iter().enumerate() {
                 let mean = 0.5 * (own.accelerations[0][i] + own.accelerations[1][i]);
-                assert!((mean - pair[i].at(middle)).abs() < 1e-12);
+                assert!((mean - table.at(middle)).abs() < 1e-12);
             }
         }
     }
