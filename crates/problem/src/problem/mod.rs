@@ -170,8 +170,7 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn are_side_by_side(&self, _one: &Case, _other: &Case) -> bool {
         false
     }
-    /// The modes, the one contact and the steps of a completed case of a textbook problem, in its scales; `None` for a problem whose
-    /// studies describe a structure.
+    /// The modes, the one contact and the steps of a completed case of a textbook problem, in its scales; `None` for a structure.
     fn system(&self, _case: &Case) -> Option<System> {
         None
     }
@@ -201,8 +200,7 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn has_set(&self) -> bool {
         false
     }
-    /// The spectra of the set of ground motions in a completed case at these periods, and the units of length and time; `None` without a
-    /// set.
+    /// The spectra of this set in a completed case at these periods, and the units of length and time; `None` without a set.
     fn set_spectra(&self, _case: &Case, _periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {
         None
     }
@@ -218,12 +216,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn size(&self, _case: &Case, _dimension: Dimension) -> Option<f64> {
         None
     }
-
     /// The unit of a dimension as the study of a described structure names it; `None` if it names none, and for other problems.
     fn unit_name(&self, _dimension: Dimension) -> Option<String> {
         None
     }
-
     /// Its name in a study's `problem`.
     fn name(&self) -> &str {
         &self.schema().name
