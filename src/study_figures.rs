@@ -201,8 +201,12 @@ mod tests {
         let designs = DesignMetrics::new(study);
         let sheet = with_data(study, figure, &outcomes, &designs, figures::sheet);
         let last = sheet.small_print.last().unwrap();
-        assert!(format!("{:?}", last.text).contains("Each value is taken over"));
-        assert!(sheet.description.contains("Each value is taken over"));
+        assert!(format!("{:?}", last.text).contains("Each value is over all values of"));
+        assert!(
+            sheet
+                .description
+                .contains("Each value is over all values of")
+        );
         let panel = |panel: &figures::sheet::Panel| {
             let series = panel.series.iter();
             series

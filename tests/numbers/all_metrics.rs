@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Shipped studies with a node, a contact, and values of their parameters, that have all that metrics are of: measured values, laws that
-/// are integrated, reduced matrices, bars.
-const STUDIES: [(&str, [&str; 2], &str); 4] = [
+/// are integrated, reduced matrices, bars, sets of motions.
+const STUDIES: [(&str, [&str; 2], &str); 5] = [
     (
         "calibrate-pounding",
         ["light", "bumper"],
@@ -28,6 +28,11 @@ const STUDIES: [(&str, [&str; 2], &str); 4] = [
         "structure-bouncing-bar",
         ["bar.left", "floor"],
         r#"{"n": 20, "gamma": 1}"#,
+    ),
+    (
+        "recorded-set",
+        ["frame", "floor"],
+        r#"{"nu": 0.1, "duration": 1}"#,
     ),
 ];
 

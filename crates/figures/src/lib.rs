@@ -128,5 +128,8 @@ fn taken_over(study: &Study, figure: &Figure) -> Option<String> {
     let table = study.problem.parameters();
     let over = reduction.over.iter().map(|row| &*table[*row].symbol);
     let over: Vec<&str> = over.collect();
-    Some(format!("Each value is taken over {}.", over.join(", ")))
+    Some(format!(
+        "Each value is over all values of {}.",
+        over.join(", ")
+    ))
 }

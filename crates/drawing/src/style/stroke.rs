@@ -37,7 +37,7 @@ pub(super) const COLOURS: [[u8; 3]; 6] = [
 ];
 
 /// Opacity of the areas of bands in colour.
-const OPACITY: f64 = 0.3;
+const OPACITY: f64 = 0.2;
 
 /// Grey of measured curves: no colour of a curve, and lighter than all black ones.
 pub(super) const GREY: [u8; 3] = [150; 3];

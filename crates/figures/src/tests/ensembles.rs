@@ -247,9 +247,9 @@ fn two_bands_show_where_they_overlap() {
     }
     // The vector files have the same opacity.
     let text = svg(&sheet, style::DPI).unwrap();
-    assert_eq!(text.matches("fill-opacity=\"0.3\"").count(), 2);
+    assert_eq!(text.matches("fill-opacity=\"0.2\"").count(), 2);
     let file = pdf(&sheet, style::DPI).unwrap();
-    assert!(file.windows(7).any(|bytes| bytes == b"/ca 0.3"));
+    assert!(file.windows(7).any(|bytes| bytes == b"/ca 0.2"));
 }
 
 #[test]

@@ -218,7 +218,7 @@ fn maps_of_one_range_share_shades_and_contours() {
     assert_eq!(printed(&narrow), [""; 0]);
     assert_eq!(
         printed(&wide),
-        ["Of 9 values 8 below 0.01 and 1 above 1, in the colour of that end"]
+        ["Of 9 values, 8 below 0.01 and 1 above 1 lie outside of the range of colours."]
     );
     // Cells have the same limits. Shades are 128, each of the colour of its middle.
     let cells = map_of(&[1e-5, 0.1, 0.2, 1e3], range);

@@ -152,8 +152,7 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn doubts(&self, _case: &Case) -> Vec<(Warning, String)> {
         Vec::new()
     }
-    /// Whether a change of 1e-10 in start and loads of a completed case reaches 1 % of the peak of a channel that metrics are of;
-    /// `None` if it cannot be solved, and for a problem without such a change.
+    /// Whether a change of 1e-10 in start and loads reaches 1 % of the peak of a channel that metrics are of; `None` if not known.
     fn diverges(&self, _case: &Case) -> Option<bool> {
         None
     }
@@ -161,8 +160,7 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn diverges_by(&self, _metrics: &[Option<f64>]) -> Option<bool> {
         None
     }
-    /// Whether two completed cases have the same equations of motion and measured points to the bit, with the same steps: a parameter in
-    /// which alone they differ is not used. False for a case that cannot be solved.
+    /// Whether two completed cases have the same equations, steps and measured points to the bit. False if one cannot be solved.
     fn has_same_motion(&self, _one: &Case, _other: &Case) -> bool {
         false
     }
@@ -174,8 +172,7 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn system(&self, _case: &Case) -> Option<System> {
         None
     }
-    /// The structure of a completed case; of a textbook problem its modes are masses that the contact joins. `None` if it cannot be
-    /// solved, and for a textbook problem with contact nodes without mass.
+    /// The structure of a completed case; of a textbook problem its modes are masses. `None` if unsolved or without mass there.
     fn structure(&self, case: &Case) -> Option<Structure> {
         preset::structure(&self.system(case)?)
     }
@@ -187,8 +184,7 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn scheme(&self, _case: &Case) -> Option<Scheme> {
         None
     }
-    /// The largest friction force of each contact of a completed case at the times of its motion, >= 0, in the unit of force; `None` for a
-    /// contact without friction. Empty for a problem with one contact.
+    /// The friction limit of each contact at the times of a motion, >= 0; `None` without friction. Empty for textbook problems.
     fn friction_limits(&self, _case: &Case, _motion: &History) -> Vec<Option<Vec<f64>>> {
         Vec::new()
     }

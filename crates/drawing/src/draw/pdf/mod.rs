@@ -8,7 +8,7 @@ use crate::DrawingError;
 use crate::style::{self, UNITS};
 use crate::text::font;
 use fonts::Fonts;
-use objects::Picture;
+use objects::{Opacities, Picture};
 use pdf_writer::{Content, Name, Str};
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
@@ -40,8 +40,7 @@ pub struct Page {
     cells: Vec<(Rgb, [i32; 4])>,
     fonts: Fonts,
     pictures: Vec<Picture>,
-    /// Opacities of areas; each has a name on the page by its place here.
-    opacities: Vec<f64>,
+    opacities: Opacities,
 }
 
 impl Page {
@@ -62,7 +61,7 @@ impl Page {
             cells: Vec::new(),
             fonts: Fonts::default(),
             pictures: Vec::new(),
-            opacities: Vec::new(),
+            opacities: Opacities::default(),
         }
     }
 
@@ -168,9 +167,8 @@ impl DrawingBackend for Page {
         style: &S,
     ) -> Drawn {
         self.flush();
-        let points: Vec<_> = points.into_iter().collect();
         self.stroke_in(style.color().rgb, style.stroke_width());
-        self.trace(&points);
+        self.trace(&points.into_iter().collect::<Vec<_>>());
         self.content.stroke();
         Ok(())
     }
@@ -185,8 +183,8 @@ impl DrawingBackend for Page {
         if !fill {
             return self.draw_path([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)], style);
         }
-        let cell = [x0, y0, x1 - x0, y1 - y0];
-        self.cells.push((style.color().rgb, cell));
+        self.cells
+            .push((style.color().rgb, [x0, y0, x1 - x0, y1 - y0]));
         Ok(())
     }
 
@@ -227,20 +225,14 @@ impl DrawingBackend for Page {
         style: &S,
     ) -> Drawn {
         self.flush();
-        let points: Vec<_> = points.into_iter().collect();
         let BackendColor { rgb, alpha } = style.color();
         self.fill_in(rgb);
         if alpha < 1.0 {
-            let known = self.opacities.iter().position(|own| *own == alpha);
-            let place = known.unwrap_or(self.opacities.len());
-            if known.is_none() {
-                self.opacities.push(alpha);
-            }
+            let name = self.opacities.name(alpha);
             self.content.save_state();
-            self.content
-                .set_parameters(Name(objects::opacity(place).as_bytes()));
+            self.content.set_parameters(Name(name.as_bytes()));
         }
-        self.trace(&points);
+        self.trace(&points.into_iter().collect::<Vec<_>>());
         self.content.fill_nonzero();
         if alpha < 1.0 {
             self.content.restore_state();

@@ -38,8 +38,23 @@ impl Picture {
     }
 }
 
-/// The name on the page of the opacity in this place.
-pub fn opacity(place: usize) -> String {
+/// The opacities of areas; each has a name on the page by its place here.
+#[derive(Default)]
+pub struct Opacities(Vec<f64>);
+
+impl Opacities {
+    /// The name of an opacity on the page.
+    pub fn name(&mut self, alpha: f64) -> String {
+        let known = self.0.iter().position(|own| *own == alpha);
+        let place = known.unwrap_or_else(|| {
+            self.0.push(alpha);
+            self.0.len() - 1
+        });
+        opacity_name(place)
+    }
+}
+
+fn opacity_name(place: usize) -> String {
     format!("G{place}")
 }
 
@@ -50,7 +65,7 @@ pub fn file(
     content: &[u8],
     fonts: &Fonts,
     pictures: &[Picture],
-    opacities: &[f64],
+    opacities: &Opacities,
 ) -> Result<Vec<u8>, DrawingError> {
     let [catalog, pages, page, drawing, info] = [1, 2, 3, 4, 5].map(Ref::new);
     let mut next = Ref::new(6);
@@ -88,9 +103,9 @@ pub fn file(
     }
     named.finish();
     let mut named = resources.ext_g_states();
-    for (place, alpha) in opacities.iter().enumerate() {
+    for (place, alpha) in opacities.0.iter().enumerate() {
         named
-            .insert(Name(opacity(place).as_bytes()))
+            .insert(Name(opacity_name(place).as_bytes()))
             .start::<ExtGraphicsState>()
             .non_stroking_alpha(*alpha as f32);
     }

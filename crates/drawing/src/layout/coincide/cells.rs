@@ -4,8 +4,8 @@ use crate::layout::clip;
 use crate::layout::sheet::{Panel, Series};
 use crate::style;
 
-/// Side of the cells that a line covers with their neighbours: half a line, so that a point in one is within a line of it.
-const CELL: f64 = 0.5 * style::CASE_LINE;
+/// Side of the cells that a line covers with their neighbours: a quarter of a line, so that a point in one is on it or at its edge.
+const CELL: f64 = 0.25 * style::CASE_LINE;
 
 /// Width of the fields in which curves that coincide have their turns: the length of a level dash.
 const DASH: f64 = 6.0;
@@ -20,10 +20,10 @@ pub const LEAST: f64 = 30.0;
 const DENSE: f64 = 3.0;
 
 /// Half the side of the square that an oscillation fills, in cells: 3 lines.
-const HALF: usize = 6;
+const HALF: usize = 12;
 
-/// Least number of cells of an oscillation in that square of 169: a line has 13 to 19, and at a corner or crossing twice as many.
-const FULL: usize = 50;
+/// Least number of cells of an oscillation in that square of 625: a line has 25 to 37, and at a corner or crossing twice as many.
+const FULL: usize = 100;
 
 /// Least part of a curve under the line of another that hides it.
 const HIDDEN: f64 = 0.9;

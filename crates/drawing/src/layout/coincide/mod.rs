@@ -7,7 +7,7 @@ mod tests;
 use crate::layout;
 use crate::layout::clip::{self, Line};
 use crate::layout::sheet::{Gap, Panel, Series, Sheet};
-use crate::style::{Marker, Stroke};
+use crate::style::{self, Marker, Stroke};
 use cells::{Cells, LEAST, Path, distance};
 
 /// Distance of the markers of black curves that coincide.
@@ -96,10 +96,15 @@ pub fn at_distances(places: &[[f64; 2]], spacing: f64, first: f64) -> Vec<usize>
     marked
 }
 
-/// Whether it is a curve, and no rule, order or contour.
+/// Whether it is a curve, and no rule, order, contour, interval or thin grey background.
 pub fn is_curve(series: &Series) -> bool {
     let in_colour = matches!(series.stroke, Stroke::Colour(_) | Stroke::Graded(_));
-    series.width > 0.0 && (!series.label.is_empty() || in_colour)
+    let least = match series.stroke {
+        Stroke::Grey => style::MEASURED_LINE,
+        _ if in_colour && series.label.is_empty() => style::CASE_LINE,
+        _ => f64::MIN_POSITIVE,
+    };
+    series.width >= least && (!series.label.is_empty() || in_colour)
 }
 
 /// A curve with the cells along it and those that its line covers.
@@ -112,11 +117,14 @@ struct Covering {
 }
 
 impl Covering {
-    /// The cells in which another curve coincides with it.
+    /// The cells in which another curve coincides with it. In two oscillations any parts do, unless one is nearly everywhere in the
+    /// other.
     fn cells(&self, other: &Covering) -> &[bool] {
+        let is_in = |a: &Covering, b: &Covering| a.path.is_in(&b.covered);
         match (&self.thin, &other.thin) {
-            (Some(thin), None) => thin,
-            _ => &self.covered,
+            (Some(_), Some(_)) if is_in(self, other) || is_in(other, self) => &self.covered,
+            (Some(thin), _) => thin,
+            (None, _) => &self.covered,
         }
     }
 }
@@ -146,13 +154,12 @@ fn covering(panel: &Panel, curves: &[bool]) -> Vec<Covering> {
 /// The parts of the curves of a panel that are not drawn, because curves under them show there.
 fn gaps(panel: &Panel, curves: &[bool]) -> Vec<Gap> {
     let (cells, all) = (Cells::of(panel), covering(panel, curves));
-    // Whether dashes in turn can tell two curves apart. Two dense ones are dashed if they coincide nearly everywhere.
+    // Whether dashes in turn can tell two curves apart.
     let alternate = |under: &Covering, over: &Covering| {
         let [a, b] = [under, over].map(|own| &panel.series[own.series]);
         let open = b.stroke.pattern().is_empty() && a.width < 2.0 * b.width;
         let apart = a.stroke.colour() != b.stroke.colour();
-        let dense = under.thin.is_some() && over.thin.is_some();
-        open && apart && (!dense || under.path.is_in(&over.covered))
+        open && apart
     };
     let mut gaps = Vec::new();
     for (j, own) in all.iter().enumerate() {

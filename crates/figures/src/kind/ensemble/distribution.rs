@@ -92,11 +92,13 @@ impl Draw for Distribution {
         );
         let bands = match banded {
             true => BANDS.to_owned(),
-            false => format!("Without confidence bands, because there are more than {MOST_BANDS}."),
+            false => format!(
+                "Without confidence bands, because there are more than {MOST_BANDS} curves."
+            ),
         };
         let mut counts = counts(&found);
         if let Some(tests) = tests.iter().flatten().next() {
-            counts += &format!(" Measured are {} tests.", tests.len());
+            counts += &format!(" The measured function has {} tests.", tests.len());
         }
         layout::small_print(&mut sheet, &format!("{bands} {counts}"));
         without_value(&mut sheet, study, cases, &self.y);

@@ -98,12 +98,21 @@ impl Draw for Quantiles {
 /// What lines and bands are.
 fn meaning(figure: &Quantiles, banded: bool) -> String {
     if !banded {
-        return format!("Lines: medians, without bands, because there are more than {MOST_BANDS}.");
+        return format!(
+            "Lines: medians, without bands, because there are more than {MOST_BANDS} curves."
+        );
     }
     let [low, high] = figure
         .band
         .map(|p| number::plain(1e-9 * (1e11 * p).round()));
-    format!("Lines: medians. Bands: from the {low} % to the {high} % quantile of the cases.")
+    match figure.band {
+        [0.0, 1.0] => {
+            "Lines: medians. Bands: from the smallest to the largest of the cases.".into()
+        }
+        _ => format!(
+            "Lines: medians. Bands: from the {low} % to the {high} % quantile of the cases."
+        ),
+    }
 }
 
 /// The points of a curve, by rising x.

@@ -257,7 +257,7 @@ fn outside(values: &[f64], range: Option<[f64; 2]>) -> Option<String> {
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     (!parts.is_empty()).then(|| {
         format!(
-            "Of {all} values {}, in the colour of that end",
+            "Of {all} values, {} lie outside of the range of colours.",
             parts.join(" and ")
         )
     })

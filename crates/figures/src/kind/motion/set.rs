@@ -87,7 +87,7 @@ impl Draw for Set {
         keys.dedup_by(|a, b| a.label == b.label);
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         for (_, set) in &drawn {
-            layout::small_print(&mut sheet, &meaning(set));
+            layout::small_print(&mut sheet, &meaning(set, &units[1]));
         }
         sheet
     }
@@ -171,11 +171,12 @@ fn curves(periods: &[f64], set: &SetSpectra, look: Look) -> Vec<Series> {
 }
 
 /// What the lines of the range are, and the state of the set.
-fn meaning(set: &SetSpectra) -> String {
+fn meaning(set: &SetSpectra, time: &str) -> String {
     let [from, to] = set.between.map(number::short);
     let [factor, ratio, period] =
         [set.state.factor, set.state.ratio, set.state.period].map(number::short);
+    let time = markup::escape(time);
     format!(
-        "Dotted: range of the rule, {from} to {to}. Factor of the set {factor}; least ratio to the rule {ratio} at *T* = {period}."
+        "Dotted: range of the rule, {from} to {to} {time}. Factor of the set {factor}; least ratio to the rule {ratio} at *T* = {period} {time}."
     )
 }

@@ -2,15 +2,14 @@
 
 mod assembled;
 mod channels;
-mod chosen;
 mod contact_duration;
 mod directions;
 mod ground;
 mod imposed;
 mod initial;
 mod measured;
-mod own_records;
 mod parts;
+mod recorded;
 mod samples;
 mod supports;
 mod ties;

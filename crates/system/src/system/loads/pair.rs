@@ -4,13 +4,9 @@
 //! sine, and RotD50 and RotD100 are the median and the largest of its peaks over the angles 0, 1, .., 179 degrees.
 
 use super::measures::Measure;
-use super::spectrum::{spectrum, turned_responses};
+use super::spectrum::{ANGLES, StraightPiece, directions, spectrum, turned_responses};
 use crate::system::structure::Table;
-use libm::{cos, hypot, sin};
-use std::f64::consts::PI;
-
-/// Number of angles, 1 degree apart.
-pub const ANGLES: usize = 180;
+use libm::hypot;
 
 /// The strength of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,22 +85,6 @@ fn turned(pair: [&Table; 2], measure: Measure) -> Option<Vec<f64>> {
     }
 }
 
-/// Cosine and sine of each angle.
-pub(super) fn directions() -> impl Iterator<Item = [f64; 2]> {
-    (0..ANGLES).map(|degrees| {
-        let angle = degrees as f64 * (PI / ANGLES as f64);
-        [cos(angle), sin(angle)]
-    })
-}
-
-/// A time in which both accelerations are straight.
-pub(super) struct StraightPiece {
-    /// Start and end.
-    pub times: [f64; 2],
-    /// Both accelerations at the start and at the end.
-    pub accelerations: [[f64; 2]; 2],
-}
-
 /// The pieces of two accelerations between the points of both; 0 before the own first point, constant after the last one.
 fn pieces(pair: [&Table; 2]) -> Vec<StraightPiece> {
     let mut times = [pair[0].times(), pair[1].times()].concat();
@@ -155,6 +135,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     const RATIO: f64 = 0.05;
 

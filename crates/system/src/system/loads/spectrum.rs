@@ -8,7 +8,8 @@
 mod piece;
 mod turned;
 
-pub(super) use turned::turned_responses;
+pub use turned::ANGLES;
+pub(super) use turned::{StraightPiece, directions, turned_responses};
 
 use crate::system::structure::Table;
 use piece::{Oscillator, Piece};

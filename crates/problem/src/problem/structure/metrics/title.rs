@@ -68,7 +68,7 @@ fn of_channel(reduction: Reduction, channel: &str, threshold: f64) -> String {
         Reduction::ImpactsBeforeDivergence => {
             format!("impacts before divergence of {channel} by {threshold}")
         }
-        Reduction::Difference => format!("difference of {channel} for a start of 1 + 1e-10"),
+        Reduction::Difference => format!("relative difference of {channel} of two starts"),
         other => format!("{} of {channel}", blanks(other.name())),
     }
 }

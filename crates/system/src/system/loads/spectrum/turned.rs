@@ -2,8 +2,27 @@
 
 use super::piece::{Oscillator, Piece};
 use super::{free_turn, is_valid};
-use crate::system::loads::pair::{StraightPiece, directions};
+use libm::{cos, sin};
 use std::f64::consts::PI;
+
+/// Number of angles, 1 degree apart.
+pub const ANGLES: usize = 180;
+
+/// Cosine and sine of each angle.
+pub fn directions() -> impl Iterator<Item = [f64; 2]> {
+    (0..ANGLES).map(|degrees| {
+        let angle = degrees as f64 * (PI / ANGLES as f64);
+        [cos(angle), sin(angle)]
+    })
+}
+
+/// A time in which both accelerations are straight.
+pub struct StraightPiece {
+    /// Start and end.
+    pub times: [f64; 2],
+    /// Both accelerations at the start and at the end.
+    pub accelerations: [[f64; 2]; 2],
+}
 
 /// The pseudo-acceleration of the sum of both accelerations times cosine and sine, for each angle; the exact peaks as of `spectrum`,
 /// for accelerations that are `rest` after the pieces. `None` as of `spectrum`.
