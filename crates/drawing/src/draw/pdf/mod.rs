@@ -79,8 +79,7 @@ impl Page {
         )
     }
 
-    /// Writes the pending filled rectangles. A viewer smooths their edges, so neighbours would leave a light seam: all
-    /// are painted a little larger first, and then to their size.
+    /// Writes the pending filled rectangles, first a little larger: viewers smooth edges, which would leave light seams.
     fn flush(&mut self) {
         let cells = std::mem::take(&mut self.cells);
         let seam = style::units(SEAM);
