@@ -2,6 +2,9 @@
 
 use super::{beta, gamma};
 
+/// Halvings of an interval, to rounding also near its lower end.
+const HALVINGS: usize = 100;
+
 /// The probability of a larger magnitude of t: I_(v/(v + t^2))(v/2, 1/2).
 pub fn beyond(t: f64, free: f64) -> f64 {
     beta::regularised(0.5 * free, 0.5, free / (free + t * t))
@@ -19,18 +22,11 @@ pub fn chi_square(free: f64, p: f64) -> f64 {
 
 /// Where a function that rises from 0 at 0 reaches p, by bisection.
 fn rising(f: impl Fn(f64) -> f64, p: f64) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0);
-    while f(high) < p && high < 1e12 {
-        high *= 2.0;
+    let mut end = 1.0;
+    while f(end) < p && end < 1e12 {
+        end *= 2.0;
     }
-    for _ in 0..100 {
-        let middle = 0.5 * (low + high);
-        match f(middle) < p {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    0.5 * (low + high)
+    beta::root(f, p, end, HALVINGS)
 }
 
 #[cfg(test)]

@@ -89,6 +89,14 @@ pub struct Panel {
     pub inset: Option<Box<Panel>>,
 }
 
+impl Sheet {
+    /// All panels, then all insets.
+    pub fn panels_and_insets(&self) -> impl Iterator<Item = &Panel> {
+        let insets = self.panels.iter().filter_map(|own| own.inset.as_deref());
+        self.panels.iter().chain(insets)
+    }
+}
+
 impl Panel {
     /// An empty panel.
     pub fn new(frame: Rect, margin: f64, x: Axis, y: Axis) -> Panel {

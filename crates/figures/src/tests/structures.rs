@@ -186,7 +186,7 @@ fn the_spectrum_of_a_suddenly_constant_acceleration_is_known() {
         let [first, last] = [series.points[0], series.points[series.points.len() - 1]];
         assert_eq!([first[0], last[0]], [0.1, 10.0]);
     }
-    assert_eq!(above.y.title, "Pseudo-acceleration *S*_a_ (m/s^2^)");
+    assert_eq!(above.y.title, "Pseudo-acceleration *S*_a_, m/s^2^");
     assert_eq!(
         (below.y.title.as_str(), below.x.title.as_str()),
         ("Displacement *S*_d_, m", "Period *T*, s")
@@ -504,10 +504,10 @@ fn stacked_energies_reach_up_to_the_input() {
         assert_eq!(
             labels,
             [
-                "energy.damping",
-                "+ energy.elastic",
-                "+ energy.kinetic",
-                "+ energy.method"
+                "Energy dissipated by damping",
+                "+ elastic energy",
+                "+ kinetic energy",
+                "+ energy taken by the method"
             ]
         );
         let top = &panel.series[3].points;
@@ -523,7 +523,7 @@ fn stacked_energies_reach_up_to_the_input() {
         }
         assert_eq!(panel.bands[3].upper, *top);
     }
-    assert_eq!(first.y.title, "Sum (kN m)");
+    assert_eq!(first.y.title, "Sum, kN·m");
     for (y, by, what) in [
         (
             r#"["energy.input", "k.S"]"#,

@@ -90,9 +90,21 @@ impl Cells {
         Path { cells, length }
     }
 
+    /// The least length of a dense curve.
+    fn least(&self) -> f64 {
+        DENSE * (self.columns + self.rows) as f64 * CELL
+    }
+
+    /// Whether a curve is long enough to be dense, without the cells along it.
+    pub fn is_long(&self, panel: &Panel, series: &Series) -> bool {
+        let steps = steps(panel, series).into_iter();
+        // The sum of the cells along it may be rounded in another way.
+        steps.map(|[a, b]| distance(a, b)).sum::<f64>() > 0.999 * self.least()
+    }
+
     /// The length of a dense curve, each place once; `None` if it is not dense.
     pub fn dense(&self, path: &Path) -> Option<f64> {
-        let least = DENSE * (self.columns + self.rows) as f64 * CELL;
+        let least = self.least();
         if path.length <= least {
             return None;
         }

@@ -37,11 +37,7 @@ pub fn find(sheet: &mut Sheet) {
 
 /// What the dashes of a sheet mean; `None` if it has none.
 pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
-    let insets = sheet
-        .panels
-        .iter()
-        .filter_map(|panel| panel.inset.as_deref());
-    let mut panels = sheet.panels.iter().chain(insets);
+    let mut panels = sheet.panels_and_insets();
     panels
         .any(|panel| !panel.gaps.is_empty())
         .then_some(MEANING)
@@ -51,7 +47,10 @@ pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
 /// them, but they hide others.
 pub fn order(panel: &Panel) -> Vec<usize> {
     let cells = Cells::of(panel);
-    let extent = |series: &Series| cells.dense(&cells.path(panel, series)).unwrap_or(0.0);
+    let extent = |series: &Series| match cells.is_long(panel, series) {
+        true => cells.dense(&cells.path(panel, series)).unwrap_or(0.0),
+        false => 0.0,
+    };
     let extents: Vec<f64> = panel.series.iter().map(extent).collect();
     let mut order: Vec<usize> = (0..extents.len()).collect();
     order.sort_by(|a, b| extents[*b].total_cmp(&extents[*a]));

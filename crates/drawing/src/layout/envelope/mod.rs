@@ -54,17 +54,13 @@ pub fn find(sheet: &mut Sheet, dpi: u32) {
 
 /// What the bands of a sheet mean; `None` if it has none.
 pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
-    let insets = sheet
-        .panels
-        .iter()
-        .filter_map(|panel| panel.inset.as_deref());
     let band = |panel: &Panel| {
         panel
             .envelopes
             .first()
             .map(|band| panel.series[band.series].stroke)
     };
-    let stroke = sheet.panels.iter().chain(insets).find_map(band)?;
+    let stroke = sheet.panels_and_insets().find_map(band)?;
     Some(match stroke.hatching() {
         [] => IN_COLOUR,
         _ => MEANING,
