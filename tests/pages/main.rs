@@ -13,6 +13,7 @@
 
 #[path = "../common/bench.rs"]
 mod bench;
+mod citation;
 mod command;
 mod page;
 mod scene;
@@ -197,6 +198,7 @@ pages! {
     study_files_bar_impact "docs/study-files-bar-impact.md",
     study_files_friction_oscillator "docs/study-files-friction-oscillator.md",
     study_files_structure "docs/study-files-structure.md",
+    versions "docs/versions.md",
 }
 
 #[test]
