@@ -65,7 +65,7 @@ def faults(out: Path) -> list[str]:
 
 
 if __name__ == "__main__":
-    out = Path(sys.argv[1])
+    out = Path(sys.argv[1]).resolve()
     out.parent.mkdir(parents=True, exist_ok=True)
     found = faults(out)
     print("\n".join(found) or f"{out} is complete")
