@@ -15,6 +15,7 @@
 mod bench;
 mod citation;
 mod command;
+mod links;
 mod page;
 mod scene;
 
