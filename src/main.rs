@@ -1,16 +1,18 @@
 //! The `slipgap` program: reads the command line, runs the verb, ends with its exit code.
 
 mod commands;
+mod version;
 
 use clap::Parser;
 use commands::Verb;
 use slipgap::error::Error;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
+use version::VERSION;
 
 /// Parameter studies of friction and impact models in time-history analysis.
 #[derive(Parser)]
-#[command(version, after_help = EXIT_CODES)]
+#[command(version = VERSION.as_str(), after_help = EXIT_CODES)]
 struct Cli {
     #[command(subcommand)]
     verb: Verb,

@@ -26,5 +26,6 @@ assert results.figures["history"].png.startswith(b"\x89PNG")
 
 program = Path(sysconfig.get_path("scripts")) / "slipgap"
 version = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout
-assert version == f"slipgap {slipgap.__version__}\n", version
+# The commit may follow.
+assert version.split()[:2] == ["slipgap", slipgap.__version__], version
 print("the wheel works with Python", sys.version.split()[0])

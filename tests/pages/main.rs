@@ -13,7 +13,9 @@
 
 #[path = "../common/bench.rs"]
 mod bench;
+mod citation;
 mod command;
+mod links;
 mod page;
 mod scene;
 
@@ -197,6 +199,7 @@ pages! {
     study_files_bar_impact "docs/study-files-bar-impact.md",
     study_files_friction_oscillator "docs/study-files-friction-oscillator.md",
     study_files_structure "docs/study-files-structure.md",
+    versions "docs/versions.md",
 }
 
 #[test]

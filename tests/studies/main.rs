@@ -12,3 +12,4 @@ mod guide;
 mod samples;
 mod study_language;
 mod units;
+mod versions;

@@ -1,7 +1,8 @@
 //! Verbs: list, schema, help, version, and mistakes on the command line.
 
 use crate::{Bench, ONE, TWO, friction};
-use std::process::Stdio;
+use std::path::Path;
+use std::process::{Command, Stdio};
 
 #[test]
 fn help_and_version_go_to_stdout() {
@@ -14,7 +15,26 @@ fn help_and_version_go_to_stdout() {
         assert!(bench.expect(0, &[verb, "--help"]).out.contains("--jobs"));
     }
     let version = bench.expect(0, &["--version"]).out;
-    assert_eq!(version, format!("slipgap {}\n", env!("CARGO_PKG_VERSION")));
+    let version = version.strip_suffix('\n').unwrap();
+    let number = concat!("slipgap ", env!("CARGO_PKG_VERSION"));
+    match head() {
+        Some(commit) => assert_eq!(version, format!("{number} ({})", &commit[..8])),
+        None => assert_eq!(version, number),
+    }
+}
+
+/// The commit by git itself, if this is a repository that keeps the log of its HEAD.
+fn head() -> Option<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let git = |words: &[&str]| {
+        let mut command = Command::new("git");
+        let output = command.arg("rev-parse").args(words).current_dir(root);
+        let output = output.output().ok()?;
+        let text = String::from_utf8(output.stdout).unwrap();
+        output.status.success().then(|| text.trim().to_owned())
+    };
+    let log = root.join(git(&["--git-path", "logs/HEAD"])?);
+    (root.join(".git").exists() && log.is_file()).then(|| git(&["HEAD"]).unwrap())
 }
 
 #[test]
