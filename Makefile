@@ -151,13 +151,16 @@ zig_aarch64-unknown-linux-gnu = aarch64-linux-gnu.2.17
 zig_x86_64-unknown-linux-musl = x86_64-linux-musl
 zig_aarch64-unknown-linux-musl = aarch64-linux-musl
 zig_x86_64-pc-windows-gnu = x86_64-windows-gnu
-zig = $(zig_$(WHEEL_TARGET))
 oldest = $(if $(findstring linux-gnu,$(WHEEL_TARGET)),--compatibility manylinux2014,$(if $(findstring musl,$(WHEEL_TARGET)),--compatibility musllinux_1_2))
-wheel: export $(wheel_name)_LINKER = $(if $(zig),$(CURDIR)/$(wheel_env)/linker)
-wheel: export $(wheel_name)_RUSTFLAGS = $(if $(findstring musl,$(WHEEL_TARGET)),-Ctarget-feature=-crt-static)
+ifdef zig_$(WHEEL_TARGET)
+wheel: export $(wheel_name)_LINKER = $(CURDIR)/$(wheel_env)/linker
+endif
+ifneq (,$(findstring musl,$(WHEEL_TARGET)))
+wheel: export $(wheel_name)_RUSTFLAGS = -Ctarget-feature=-crt-static
+endif
 wheel: $(wheel_env)/ready ## a Python wheel with the program in it, in target/wheels, tested in a fresh environment; WHEEL_TARGET=aarch64-unknown-linux-gnu and others
-	printf '#!/bin/sh\nexec maturin zig cc -- -target $(zig) "$$@"\n' > $(wheel_env)/linker && chmod +x $(wheel_env)/linker
-	. $(wheel_env)/bin/activate && cargo build $(wheel_options) --package slipgap --package slipgap-python --bin slipgap --lib
+	printf '#!/bin/sh\nexec maturin zig cc -- -target $(zig_$(WHEEL_TARGET)) "$$@"\n' > $(wheel_env)/linker && chmod +x $(wheel_env)/linker
+	. $(wheel_env)/bin/activate && cargo build $(wheel_options) --package slipgap --package slipgap-python --bin slipgap
 	mkdir -p python/slipgap._slipgap.data/scripts && cp target/$(WHEEL_TARGET)/release/slipgap$(wheel_ending) python/slipgap._slipgap.data/scripts/
 	rm -rf target/wheels
 	. $(wheel_env)/bin/activate && cd python && maturin build $(wheel_options) $(oldest) --out ../target/wheels
@@ -194,7 +197,7 @@ tag: ## check that TAG=v1.2.3 is the version of Cargo.toml
 	test "$(TAG)" = "v$$(cargo metadata --locked --no-deps --format-version 1 | sed 's/.*"name":"slipgap","version":"\([^"]*\)".*/\1/')"
 
 ARCHIVE_TARGET = $(host)
-ARCHIVE_PROGRAM = $(firstword $(wildcard $(built)/$(ARCHIVE_TARGET)/release/slipgap$(if $(findstring windows,$(ARCHIVE_TARGET)),.exe)) $(built)/release/slipgap)
+ARCHIVE_PROGRAM = $(built)/$(if $(filter command,$(origin ARCHIVE_TARGET)),$(ARCHIVE_TARGET)/)release/slipgap$(if $(findstring windows,$(ARCHIVE_TARGET)),.exe)
 ARCHIVE_WRITER = $(ARCHIVE_PROGRAM)
 archive: ## an archive of the release build with manual pages and completions, and its checksum, in target/archives
 	.github/archive $(ARCHIVE_TARGET) $(ARCHIVE_PROGRAM) $(ARCHIVE_WRITER) $(built)/archives
