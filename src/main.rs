@@ -3,7 +3,7 @@
 mod commands;
 mod version;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use commands::Verb;
 use slipgap::error::Error;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -37,5 +37,5 @@ fn main() -> ExitCode {
 /// Runs the verb and returns its exit code.
 fn execute(verb: Verb) -> Result<u8, Error> {
     commands::exit_on_interrupt()?;
-    verb.execute()
+    verb.execute(Cli::command)
 }

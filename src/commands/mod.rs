@@ -5,16 +5,19 @@ mod arguments;
 mod calibrate;
 mod claims;
 mod compare;
+mod describe;
 mod explain;
 mod init;
 mod list;
 mod recommend;
 mod report;
 mod runs;
-mod schema;
 pub mod terminal;
 
-use clap::Subcommand;
+use clap::{Command, Subcommand};
+use describe::completions::CompletionsArgs;
+use describe::man::ManArgs;
+use describe::schema::SchemaArgs;
 use runs::check::CheckArgs;
 use runs::merge::MergeArgs;
 use runs::run::RunArgs;
@@ -73,12 +76,16 @@ pub enum Verb {
     /// Find the values of free parameters with which a study comes nearest to what was measured
     Calibrate(calibrate::CalibrateArgs),
     /// Print the JSON schema of study files
-    Schema(schema::SchemaArgs),
+    Schema(SchemaArgs),
+    /// Print a script with which a shell completes verbs and options
+    Completions(CompletionsArgs),
+    /// Write the manual pages slipgap.1, slipgap-run.1 and so on to a folder
+    Man(ManArgs),
 }
 
 impl Verb {
-    /// Does it and returns the exit code.
-    pub fn execute(self) -> Result<u8, Error> {
+    /// Does it and returns the exit code. Some verbs describe the whole `program`.
+    pub fn execute(self, program: impl FnOnce() -> Command) -> Result<u8, Error> {
         match self {
             Verb::Init(args) => args.execute(),
             Verb::Run(args) => args.execute(),
@@ -94,6 +101,8 @@ impl Verb {
             Verb::Recommend(args) => args.execute(),
             Verb::Calibrate(args) => args.execute(),
             Verb::Schema(args) => args.execute(),
+            Verb::Completions(args) => args.execute(program()),
+            Verb::Man(args) => args.execute(program()),
         }
     }
 }

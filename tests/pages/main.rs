@@ -191,6 +191,7 @@ pages! {
     laws_and_methods "docs/laws-and-methods.md",
     parts "docs/parts.md",
     performance "docs/performance.md",
+    platforms "docs/platforms.md",
     recommend "docs/recommend.md",
     results "docs/results.md",
     scope "docs/scope.md",

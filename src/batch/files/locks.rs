@@ -6,10 +6,11 @@
 use std::fs::{File, TryLockError};
 use std::io::{self, ErrorKind};
 
-/// ENOLCK and EOPNOTSUPP; ENOSYS has a kind of its own.
-const UNSUPPORTED: [i32; 2] = match cfg!(target_os = "linux") {
-    true => [37, 95],
-    false => [77, 45],
+/// ENOLCK and EOPNOTSUPP, on Windows ERROR_INVALID_FUNCTION and ERROR_NOT_SUPPORTED; ENOSYS has a kind of its own.
+const UNSUPPORTED: [i32; 2] = match (cfg!(target_os = "linux"), cfg!(windows)) {
+    (true, _) => [37, 95],
+    (_, true) => [1, 50],
+    _ => [77, 45],
 };
 
 /// Whether a file is locked.

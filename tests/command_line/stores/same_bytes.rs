@@ -1,7 +1,9 @@
-//! The same input gives the same bytes for any number of threads.
+//! The same input gives the same bytes for any number of threads and on processors with narrower instructions.
 
 use crate::{Bench, bars, friction};
 use std::fs;
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+use std::process::Command;
 
 #[test]
 fn with_1_2_and_7_threads() {
@@ -35,6 +37,41 @@ fn with_1_2_and_7_threads() {
         for file in &files {
             let read = |jobs: &str| fs::read(bench.path(jobs).join(file)).unwrap();
             assert!(read("1") == read(jobs), "{file} with {jobs} threads");
+        }
+    }
+}
+
+/// QEMU has no AVX-512, and `qemu64` neither AVX2 nor AVX. `make platforms` compares more studies, and other processors.
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+#[test]
+fn with_avx2_and_with_sse2_alone() {
+    const QEMU: &str = "qemu-x86_64";
+    let found = |folder: std::path::PathBuf| Some(folder.join(QEMU)).filter(|file| file.exists());
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let Some(qemu) = std::env::split_paths(&path).find_map(found) else {
+        eprintln!("no {QEMU} is installed: other processors were not tried");
+        return;
+    };
+    let bench = Bench::new();
+    let studies = ["friction-fig6", "impact-fig4", "structure-oblique-impact"];
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/studies");
+    let studies = studies.map(|name| format!("{root}/{name}.json"));
+    let run = |command: &mut Command, out: &str| {
+        command.arg("run").args(&studies).args(["--out", out]);
+        let done: crate::Done = command.output().unwrap().into();
+        assert_eq!(done.code, Some(0), "{out}: {done:?}");
+    };
+    run(&mut bench.command(), "native");
+    let files = bench.everything("native");
+    assert!(files.iter().any(|file| file.ends_with(".parquet")));
+    for processor in ["max", "qemu64"] {
+        let mut command = bench.command_of(&qemu);
+        let program = env!("CARGO_BIN_EXE_slipgap");
+        run(command.args(["-cpu", processor, program]), processor);
+        assert_eq!(files, bench.everything(processor));
+        for file in &files {
+            let read = |out: &str| fs::read(bench.path(out).join(file)).unwrap();
+            assert!(read("native") == read(processor), "{file}: {processor}");
         }
     }
 }

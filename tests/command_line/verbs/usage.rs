@@ -143,6 +143,45 @@ fn the_schema_allows_one_value_or_a_list_in_where() {
     }
 }
 
+/// The verbs that the help lists.
+fn verbs(bench: &Bench) -> Vec<String> {
+    let help = bench.expect(0, &["--help"]).out;
+    let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let lines = lines.take_while(|line| !line.is_empty());
+    let words = lines.filter_map(|line| line.split_whitespace().next());
+    words.map(String::from).collect()
+}
+
+#[test]
+fn shells_complete_every_verb_and_each_has_a_manual_page() {
+    let bench = Bench::new();
+    let verbs = verbs(&bench);
+    assert!(verbs.len() > 10, "{verbs:?}");
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = bench.expect(0, &["completions", shell]).out;
+        for word in verbs
+            .iter()
+            .map(String::as_str)
+            .chain(["black", "markdown"])
+        {
+            assert!(script.contains(word), "{shell}: {word}");
+        }
+    }
+    bench.expect(2, &["completions", "dos"]);
+    bench.expect(0, &["man", "share/man1"]);
+    let pages = bench.tree("share/man1");
+    for verb in verbs.iter().filter(|verb| *verb != "help") {
+        assert!(pages.contains(&format!("slipgap-{verb}.1")), "{verb}");
+    }
+    assert!(pages.contains(&"slipgap.1".to_owned()), "{pages:?}");
+    let page = bench.text("share/man1/slipgap-run.1");
+    assert!(page.starts_with(".ie") && page.contains(".TH"), "{page}");
+    assert!(page.contains("\\-\\-histories"), "{page}");
+    bench.file("file", "");
+    let done = bench.expect(1, &["man", "file"]);
+    assert!(done.err.contains("cannot make folder file"), "{done:?}");
+}
+
 #[test]
 fn a_closed_pipe_is_not_an_error() {
     let bench = Bench::new();

@@ -75,6 +75,10 @@ fn moved(text: &str, from: &Path, to: &Path) -> Option<String> {
     let (file, to) = (file.canonicalize().ok()?, here(to).canonicalize().ok()?);
     let shared = file.components().zip(to.components());
     let shared = shared.take_while(|(a, b)| a == b).count();
+    if shared == 0 {
+        // Another drive of Windows.
+        return file.to_str().map(str::to_owned);
+    }
     let up = to.components().skip(shared).map(|_| "..".to_owned());
     let down = file.components().skip(shared).map(|part: Component| {
         let name = part.as_os_str().to_str();

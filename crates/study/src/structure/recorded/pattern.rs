@@ -1,6 +1,6 @@
 //! The files of a folder, or of a pattern with one `*`.
 
-use std::path::Path;
+use std::path::{Path, is_separator};
 
 /// Most files of an axis.
 const MOST: usize = 10_000;
@@ -11,8 +11,8 @@ pub(super) type Found = Vec<(String, String)>;
 /// The files that a folder or a pattern names, or why there are none.
 pub(super) fn matching(pattern: &str, folder: &Path) -> Result<Found, String> {
     let is_folder = folder.join(pattern).is_dir();
-    let (parent, name) = match pattern.rsplit_once('/') {
-        _ if is_folder => (pattern.trim_end_matches('/'), "*"),
+    let (parent, name) = match pattern.rsplit_once(is_separator) {
+        _ if is_folder => (pattern.trim_end_matches(is_separator), "*"),
         Some((parent, name)) => (parent, name),
         None => ("", pattern),
     };
@@ -25,7 +25,7 @@ pub(super) fn matching(pattern: &str, folder: &Path) -> Result<Found, String> {
     if parent.contains('*') {
         return Err("must have its * in the name of the files, not in that of a folder".into());
     }
-    let place = match pattern.starts_with('/') && parent.is_empty() {
+    let place = match pattern.starts_with(is_separator) && parent.is_empty() {
         true => Path::new("/").to_owned(),
         // A study without a folder in its path is in this one.
         false if folder.as_os_str().is_empty() => Path::new(".").join(parent),
@@ -51,7 +51,7 @@ pub(super) fn matching(pattern: &str, folder: &Path) -> Result<Found, String> {
         if let Some(star) = star
             && entry.path().is_file()
         {
-            let path = match pattern.contains('/') || is_folder {
+            let path = match pattern.contains(is_separator) || is_folder {
                 true => format!("{parent}/{name}"),
                 false => name.clone(),
             };

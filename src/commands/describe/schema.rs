@@ -1,6 +1,6 @@
 //! `slipgap schema`: the schema of study files, or a page about them.
 
-use super::terminal::print;
+use crate::commands::terminal::print;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use slipgap::error::Error;
