@@ -14,7 +14,7 @@ use std::time::{Duration, SystemTime};
 /// Time before the first sign, so that short runs write none.
 const FIRST: Duration = Duration::from_millis(500);
 
-/// Time between two signs.
+/// Time between two signs, after some that come sooner.
 const EVERY: Duration = Duration::from_secs(5);
 
 /// Age after which a process surely does not run: several signs, the delay of a network, and clocks that differ.
@@ -69,7 +69,10 @@ impl Heartbeat {
                 return;
             }
             // A sign that cannot be written is no reason to stop a run, which itself reports a full disk.
-            while !ends(EVERY) && write(&path, &computed()).is_ok() {}
+            let mut wait = 2 * FIRST;
+            while !ends(wait) && write(&path, &computed()).is_ok() {
+                wait = (2 * wait).min(EVERY);
+            }
             let _ = fs::remove_file(&path);
             remove_when_interrupted(&path, false);
         };

@@ -10,9 +10,9 @@ use std::path::Path;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// 10^7 cases of 400 steps.
+/// 10^7 cases of 200 steps.
 const STUDY: &str = r#"{ "problem": "friction-oscillator", "parameters": {
-    "law": "velocity-control", "beta": {"linspace": [0.1, 10, 1000]}, "dT": "pi/50", "duration": "8*pi",
+    "law": "velocity-control", "beta": {"linspace": [0.1, 10, 1000]}, "dT": "pi/25", "duration": "8*pi",
     "x0": {"linspace": [1, 20, 10000]} } }"#;
 
 const CASES: u64 = 10_000_000;
