@@ -46,7 +46,7 @@ fn run(section: &str, test: &[&str]) {
         Some(command.args(words).output().unwrap().into())
     };
     let there = run(test[0], &test[1..]);
-    if !there.is_some_and(|done| done.code == Some(0)) {
+    if there.is_none_or(|done| done.code != Some(0)) {
         eprintln!("no {section}, so its recipe was not run: {test:?} fails");
         return;
     }
