@@ -9,7 +9,7 @@ released = SLIPGAP_PROGRAM=$(abspath $(built))/release/slipgap
 # Where `make fresh` and `make test` run all studies. `make test` does not compute again what `make figures` has computed.
 fresh = $(built)/tmp/fresh
 
-.PHONY: help figures report test lint fresh licences deny schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows
+.PHONY: help figures report test lint fresh licences deny schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -80,7 +80,18 @@ torture: ## kill and disturb runs in many ways, and check that the next run give
 # The daemons run in a temporary folder with free ports; nothing is written elsewhere. Debian: apt-get install
 # --no-install-recommends slurm-wlm munge. Without them the test says that it did not run.
 slurm-test: ## shards as a Slurm array on four virtual nodes: killed, requeued, preempted and cancelled tasks, then the merge
-	cargo test --locked --workspace --test slurm -- --ignored --nocapture
+	cargo test --locked --workspace --test slurm -- --ignored --nocapture killed_
+
+# Half an hour on two cores and 5 GB of disk, and not part of CI. docs/clusters.md has what it printed.
+slurm-long: ## 10^7 cases in a hundred shards on the virtual nodes, most of them killed: nothing is lost (needs Slurm)
+	cargo build --release --locked
+	$(released) cargo test --locked --workspace --test slurm -- --ignored --nocapture ten_million
+
+# The engines that PyPI has are installed into a folder of their own; GNU parallel is in Debian (parallel). Nextflow is in neither.
+recipes_env = target/recipes
+recipes: ## the recipes of docs/clusters.md with GNU parallel, HyperQueue, Snakemake, Dask (and Nextflow, if it is installed)
+	$(recipes_env)/bin/python -c "import snakemake, distributed, hyperqueue" 2> /dev/null || { $(PYTHON) -m venv $(recipes_env) && $(recipes_env)/bin/pip install --quiet snakemake "dask[distributed]" hyperqueue; }
+	PATH="$(CURDIR)/$(recipes_env)/bin:$$PATH" cargo test --locked --workspace --test recipes -- --ignored --nocapture
 
 # Days on two cores for all parts (tests/mutants.md has the number of changes of each), and not part of CI. `make mutants PART=batch`
 # changes one part, and `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a

@@ -4,6 +4,7 @@ pub mod files;
 pub mod output;
 pub mod parts;
 pub mod solve;
+pub mod status;
 pub mod store;
 #[cfg(test)]
 mod tests;

@@ -22,6 +22,7 @@ use runs::check::CheckArgs;
 use runs::merge::MergeArgs;
 use runs::run::RunArgs;
 use runs::sbatch::SbatchArgs;
+use runs::status::StatusArgs;
 use slipgap::batch::files::atomic::stop_writing;
 use slipgap::error::Error;
 use terminal::note;
@@ -57,6 +58,8 @@ pub enum Verb {
     Merge(MergeArgs),
     /// Print a script that submits the shards of a study to Slurm as an array, and then the merge
     Sbatch(SbatchArgs),
+    /// Show how far studies are that run here or on other machines: cases done and failed, rate and time left of each shard
+    Status(StatusArgs),
     /// Run studies and test their checks; write no files
     Check(CheckArgs),
     /// Show studies with their axes, cases and steps; compute nothing
@@ -91,6 +94,7 @@ impl Verb {
             Verb::Run(args) => args.execute(),
             Verb::Merge(args) => args.execute(),
             Verb::Sbatch(args) => args.execute(),
+            Verb::Status(args) => args.execute(),
             Verb::Check(args) => args.execute(),
             Verb::List(args) => args.execute(),
             Verb::Explain(args) => args.execute(),

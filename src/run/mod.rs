@@ -21,6 +21,7 @@ pub use tally::{Tally, cases_run};
 pub use unsolved::UnsolvedCases;
 
 use crate::batch::WarnedCases;
+use crate::batch::files::heartbeat::Heartbeat;
 use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::output::ensemble::EnsembleMetrics;
 use crate::batch::output::reductions::ReducedMetrics;
@@ -127,6 +128,8 @@ pub fn run_study(
     let histories_of = if output.histories { cases } else { 0 };
     folder.begin(study, &source.file, histories_of)?;
     let (bar, work) = observer.begin_cases(source);
+    let computed = work.clone();
+    let heart = Heartbeat::start(store.folder(), None, move || computed.computed());
     let mut tables = Tables::create(source, &folder, output.table.unwrap_or(cases <= MOST_ROWS))?;
     let mut tally = Tally::new(store.is_empty(), output.histories);
     let needed = study_figures::needed(study);
@@ -178,6 +181,7 @@ pub fn run_study(
         study_figures::add(study, &needed, &mut part, &mut shown);
         Ok(())
     })?;
+    drop(heart);
     observer.end_cases(source, &bar, &tally.summary());
     folder.list(histories.into_iter());
     let mut paths = Vec::new();

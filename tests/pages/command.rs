@@ -50,7 +50,7 @@ impl Command {
 }
 
 /// Programs that the pages name and that are not run here, each with the reason.
-const OTHERS: [(&str, &str); 7] = [
+const OTHERS: [(&str, &str); 10] = [
     (
         "make",
         "targets take minutes; this test compares their names with the Makefile",
@@ -68,8 +68,14 @@ const OTHERS: [(&str, &str); 7] = [
     ("srun", "a program of Slurm"),
     (
         "seq",
-        "a pipe to GNU parallel, which is not installed everywhere",
+        "a pipe to GNU parallel; tests/stress/recipes runs it where it is installed",
     ),
+    (
+        "python",
+        "a recipe of docs/clusters.md; tests/stress/recipes runs it",
+    ),
+    ("snakemake", "the same"),
+    ("nextflow", "the same, where it is installed"),
 ];
 
 /// Tests that a command is one of another program that is known.

@@ -22,8 +22,19 @@ pub(crate) enum Piece {
 }
 
 /// Programs whose commands belong into fenced blocks.
-const PROGRAMS: [&str; 8] = [
-    "slipgap ", "make ", "cargo ", "pip ", "bash ", "srun ", "seq ", "sbatch ",
+const PROGRAMS: [&str; 12] = [
+    "slipgap ",
+    "make ",
+    "cargo ",
+    "pip ",
+    "bash ",
+    "srun ",
+    "seq ",
+    "sbatch ",
+    "hq ",
+    "snakemake ",
+    "nextflow ",
+    "python ",
 ];
 
 /// The pieces of a page, each with its place.

@@ -228,6 +228,14 @@ fn new_temporary(folder: &Path) -> io::Result<NamedTempFile> {
     }
 }
 
+/// Whether an interrupt, as of Ctrl-C, removes this file, too.
+pub(super) fn remove_when_interrupted(path: &Path, removed: bool) {
+    match removed {
+        true => temporary_files().insert(path.to_owned()),
+        false => temporary_files().remove(path),
+    };
+}
+
 /// Whether a name is a temporary name.
 fn is_temporary(name: &OsStr) -> bool {
     let name = name.to_str().and_then(|name| name.strip_prefix(NAME[0]));
@@ -235,7 +243,7 @@ fn is_temporary(name: &OsStr) -> bool {
     random.is_some_and(|r| r.len() == RANDOM && r.bytes().all(|b| b.is_ascii_alphanumeric()))
 }
 
-fn writing() -> RwLockReadGuard<'static, ()> {
+pub(super) fn writing() -> RwLockReadGuard<'static, ()> {
     WRITING.read().unwrap_or_else(PoisonError::into_inner)
 }
 

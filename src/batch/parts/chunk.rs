@@ -84,6 +84,16 @@ pub struct Part {
 }
 
 impl Part {
+    /// Number of its cases.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether it has no cases; there is no such part.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
     /// Its cases.
     pub fn cases(self) -> Cases {
         match self.rows.len() == self.chunk.len() {

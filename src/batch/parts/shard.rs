@@ -15,6 +15,21 @@ pub struct Shard {
 }
 
 impl Shard {
+    /// All shards, if there are `of`.
+    pub fn all(of: u64) -> impl Iterator<Item = Shard> {
+        (1..=of).map(move |index| Shard { index, of })
+    }
+
+    /// Its number, from 1.
+    pub fn index(self) -> u64 {
+        self.index
+    }
+
+    /// The number of shards.
+    pub fn of(self) -> u64 {
+        self.of
+    }
+
     /// Whether the shard has the part with this number, from 0.
     pub fn has(self, part: u64) -> bool {
         shard_of(part, self.of) == self.index

@@ -2,6 +2,7 @@
 
 use super::options::RunOptions;
 use super::part_result::{PartResult, Solutions};
+use super::work_progress::WorkProgress;
 use super::{compute, computed};
 use crate::batch::parts::chunk::Part;
 use crate::batch::store::key::{CaseHash, Key};
@@ -76,6 +77,7 @@ pub(in crate::batch) fn keep_part(
     part: Part,
     bar: &ProgressBar,
     store: &Store,
+    progress: &WorkProgress,
 ) -> Result<KeptPart, Error> {
     let (start, first, work) = (part.start, part.first, part.work as f64);
     let cases = part.cases();
@@ -89,7 +91,11 @@ pub(in crate::batch) fn keep_part(
     }
     let earlier = EarlierCases::default();
     let missing = Missing::new(&cases, &earlier);
-    let (metrics, _) = missing.compute(study, (first, work), bar, &RunOptions::METRICS)?;
+    let options = RunOptions {
+        progress: Some(progress),
+        ..RunOptions::METRICS
+    };
+    let (metrics, _) = missing.compute(study, (first, work), bar, &options)?;
     store.save(study, start, &key, (first, &cases), &metrics)?;
     Ok(KeptPart {
         computed: true,
@@ -151,7 +157,7 @@ impl<'a> Missing<'a> {
         let tick = |rows: usize| {
             bar.inc(rows as u64);
             if let Some(progress) = options.progress {
-                progress.add_computed(work_per_case * rows as f64);
+                progress.add_computed(rows as u64, work_per_case * rows as f64);
             }
         };
         let (mut metrics, solutions) =

@@ -2,6 +2,8 @@
 
 use super::compute;
 use super::run_part::{KeptPart, keep_part};
+use super::work_progress::WorkProgress;
+use crate::batch::files::heartbeat::Heartbeat;
 use crate::batch::parts::chunk;
 use crate::batch::parts::queue::PartQueue;
 use crate::batch::parts::shard::Shard;
@@ -10,6 +12,7 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
+use std::sync::Arc;
 
 /// Number of parts for each thread that are computed at a time.
 const PARTS: usize = 4;
@@ -36,6 +39,9 @@ pub fn run_shard(
     bar: &ProgressBar,
 ) -> Result<ShardResult, Error> {
     compute::keep_memory();
+    let progress = Arc::new(WorkProgress::new(0.0));
+    let shown = progress.clone();
+    let _heart = Heartbeat::start(store.folder(), Some(shard), move || shown.computed());
     let mut queue = PartQueue::of_shard(study, shard);
     let count = chunk::parts_at_a_time(study, PARTS * rayon::current_num_threads());
     let mut result = ShardResult::default();
@@ -46,7 +52,7 @@ pub fn run_shard(
         }
         let parts = parts.into_par_iter();
         let kept: Vec<KeptPart> = parts
-            .map(|(_, part)| keep_part(study, part, bar, store))
+            .map(|(_, part)| keep_part(study, part, bar, store, &progress))
             .collect::<Result<_, Error>>()?;
         for part in kept {
             result.parts += 1;

@@ -1,5 +1,6 @@
 //! The finished work of a run, and the time left. Cases from the store do not count as speed. A run can be stopped by it.
 
+use crate::batch::files::heartbeat::Computed;
 use slipgap_study::error::Error;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -20,6 +21,8 @@ pub struct Finished {
     pub stored: f64,
     /// Of cases that this run computed.
     pub computed: f64,
+    /// Number of cases that this run computed.
+    pub cases: u64,
     /// When this run started to compute.
     started: Option<Instant>,
 }
@@ -57,9 +60,22 @@ impl WorkProgress {
         self.lock().stored += work;
     }
 
-    /// Adds work of cases that this run computed.
-    pub fn add_computed(&self, work: f64) {
-        self.lock().computed += work;
+    /// Adds cases that this run computed, with their work.
+    pub fn add_computed(&self, cases: u64, work: f64) {
+        let mut finished = self.lock();
+        finished.computed += work;
+        finished.cases += cases;
+    }
+
+    /// What this run has computed so far, and the time since it started to.
+    pub fn computed(&self) -> Computed {
+        let finished = self.finished();
+        let elapsed = finished.started.map(|started| started.elapsed());
+        Computed {
+            seconds: elapsed.unwrap_or_default().as_secs_f64(),
+            cases: finished.cases,
+            work: finished.computed,
+        }
     }
 
     /// The work finished so far.
@@ -113,6 +129,8 @@ mod tests {
             run(&study, &ProgressBar::hidden(), &options, |_| Ok(())).unwrap();
             store.close().unwrap();
             let finished = progress.finished();
+            // 30 steps a case.
+            assert_eq!(finished.computed, 30.0 * finished.cases as f64);
             [finished.stored, finished.computed]
         };
         let steps = |cases: u64| 30.0 * cases as f64;
@@ -128,7 +146,7 @@ mod tests {
         assert_eq!(progress.time_left_after(elapsed), None);
         progress.add_stored(60.0);
         assert_eq!(progress.time_left_after(elapsed), None);
-        progress.add_computed(10.0);
+        progress.add_computed(1, 10.0);
         // 30 are left, and 10 took 4 s. With the stored 60 as speed it would be 30/70 of 4 s.
         assert_eq!(
             progress.time_left_after(elapsed),
@@ -141,7 +159,7 @@ mod tests {
             Some(Duration::from_secs(4))
         );
         // The total of very many cases is an estimate. No time is left if more than the total is finished.
-        progress.add_computed(50.0);
+        progress.add_computed(1, 50.0);
         assert_eq!(progress.time_left_after(elapsed), Some(Duration::ZERO));
     }
     #[test]

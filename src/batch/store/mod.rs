@@ -20,7 +20,7 @@ mod writing;
 
 pub use earlier_cases::EarlierCases;
 pub use miss::Miss;
-pub use part_file::{STORE, rows};
+pub use part_file::{STORE, all_in, failures, rows};
 pub use rows::Rows;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -30,6 +30,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::files::atomic::{can_write, remove_leftovers, write_atomically};
+use super::files::heartbeat::remove_signs;
 use super::parts::chunk::{self, starts_in_same_chunk};
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
@@ -256,6 +257,7 @@ impl Store {
                 failed = failed.or(Some((path, e)));
             }
         }
+        remove_signs(&self.folder);
         // Sub-folders without parts: a folder that is not empty is not removed.
         for folder in part_file::folders(&self.folder)?.iter().skip(1) {
             let _ = fs::remove_dir(folder);

@@ -1,12 +1,13 @@
 //! The files of a store: their names, and their content if it has the checksum in the name.
 
 use super::catch_panic::catch_panic;
-use super::key::checksum;
+use super::key::{Key, checksum};
+use super::miss::Miss;
 use super::reading;
 use super::rows::Rows;
 use crate::batch::files::atomic::read_file;
 use slipgap_study::error::Error;
-use std::fs;
+use std::fs::{self, File};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
@@ -94,6 +95,18 @@ fn similar_in_one(folder: &Path) -> Result<Vec<PathBuf>, Error> {
 pub fn read_checked(path: &Path) -> Option<Vec<u8>> {
     let bytes = read_file(path).ok()?;
     is_undamaged(path, &bytes).then_some(bytes)
+}
+
+/// The number of cases of a part that could not be solved, from its footer. Damage of its rows is not seen.
+pub fn failures(path: &Path, key: &Key, cases: usize) -> Result<u64, Miss> {
+    let damaged = || Miss::Damaged(path.to_owned());
+    // A pipe would wait for a writer.
+    let file = fs::metadata(path).ok().filter(|found| found.is_file());
+    let file = file
+        .and_then(|_| File::open(path).ok())
+        .ok_or_else(damaged)?;
+    let read = catch_panic(|| reading::failures(file, key, cases).ok()).flatten();
+    read.ok_or_else(damaged)?.map_err(Miss::Outdated)
 }
 
 fn is_undamaged(path: &Path, bytes: &[u8]) -> bool {

@@ -4,7 +4,8 @@ use bytes::Bytes;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{ByteArray, DataType};
 use parquet::errors::{ParquetError, Result};
-use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
+use std::fs::File;
 
 use super::key::{CaseHash, Difference, Key};
 use super::rows::Rows;
@@ -51,8 +52,29 @@ pub fn check(
     check_file(&SerializedFileReader::new(Bytes::from(bytes))?, key, cases)
 }
 
-fn check_file(
-    file: &SerializedFileReader<Bytes>,
+/// The number of cases of a part that could not be solved, if it has this key and so many cases, or the difference of its key. Only
+/// the footer is read.
+pub fn failures(
+    file: File,
+    key: &Key,
+    cases: usize,
+) -> Result<std::result::Result<u64, Difference>> {
+    let file = SerializedFileReader::new(file)?;
+    if let Err(difference) = check_file(&file, key, cases)? {
+        return Ok(Err(difference));
+    }
+    let group = file.metadata().row_group(0);
+    let place = group.num_columns().checked_sub(OWN_TEXTS);
+    let column = place.map(|place| group.column(place).statistics());
+    let empty = column.flatten().and_then(|column| column.null_count_opt());
+    let failed = empty.and_then(|empty| (cases as u64).checked_sub(empty));
+    failed
+        .map(Ok)
+        .ok_or_else(|| general("the number of failures is not given"))
+}
+
+fn check_file<R: ChunkReader + 'static>(
+    file: &SerializedFileReader<R>,
     key: &Key,
     cases: usize,
 ) -> Result<std::result::Result<(), Difference>> {
@@ -140,7 +162,7 @@ fn values(
 }
 
 /// The key of a part.
-fn stored_key(file: &SerializedFileReader<Bytes>) -> Key {
+fn stored_key<R: ChunkReader + 'static>(file: &SerializedFileReader<R>) -> Key {
     let metadata = file.metadata().file_metadata();
     let pairs = metadata
         .key_value_metadata()
@@ -242,7 +264,7 @@ pub fn read_text(bytes: Vec<u8>) -> Result<Rows> {
 }
 
 /// Number of rows, if a part can have as many: memory is allocated before they are read.
-fn rows(file: &SerializedFileReader<Bytes>) -> Result<usize> {
+fn rows<R: ChunkReader + 'static>(file: &SerializedFileReader<R>) -> Result<usize> {
     let rows = usize::try_from(file.metadata().file_metadata().num_rows()).ok();
     let one = file.num_row_groups() == 1;
     let rows = rows.filter(|rows| one && *rows <= MOST_ROWS);

@@ -1,7 +1,8 @@
-//! The verbs that compute the cases of studies: run with its shards, merge, Slurm, and check.
+//! The verbs that compute the cases of studies: run with its shards, status, merge, Slurm, and check.
 
 pub(super) mod check;
 pub(super) mod merge;
 pub(super) mod run;
 pub(super) mod sbatch;
 pub(super) mod shard;
+pub(super) mod status;

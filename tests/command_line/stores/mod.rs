@@ -8,4 +8,5 @@ mod kept;
 mod large;
 mod same_bytes;
 mod shards;
+mod status;
 mod store;

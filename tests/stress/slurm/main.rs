@@ -2,6 +2,7 @@
 #![cfg(unix)]
 
 mod cluster;
+mod long;
 
 #[path = "../../common/bench.rs"]
 mod bench;
@@ -87,13 +88,25 @@ fn submit<'a>(
         &format!("slipgap='{wrapper}'"),
     );
     assert_ne!(script, made.out);
+    let marks = marks.path("").display().to_string();
+    let variables = [("SLIPGAP", program), ("MARKS", &marks)];
+    submitted(cluster, work, &script, &variables, shards)
+}
+
+/// Submits a script, with these variables and only these shards, and returns the numbers of its jobs.
+fn submitted<'a>(
+    cluster: &'a Cluster,
+    work: &Bench,
+    script: &str,
+    variables: &[(&str, &str)],
+    shards: Option<&str>,
+) -> Submission<'a> {
     work.file("submit.sh", script);
     let mut command = cluster.command("bash");
     command
         .arg("submit.sh")
         .current_dir(work.path(""))
-        .env("SLIPGAP", program)
-        .env("MARKS", marks.path(""));
+        .envs(variables.iter().copied());
     if let Some(shards) = shards {
         command.env("SHARDS", shards);
     }

@@ -1,0 +1,31 @@
+"""The shards of a study as tasks of HyperQueue, then the merge: python hyperqueue_shards.py STUDY DIR SHARDS [SERVER]
+
+SERVER is the folder of a server that runs; if left out, a server and a worker are started on this machine.
+"""
+
+import sys
+
+from hyperqueue import Client, Job, LocalCluster
+from hyperqueue.cluster import WorkerConfig
+
+
+def submit(client, study, out, shards):
+    job = Job(name="slipgap")
+    program = ["slipgap", "run", study, "--out", out, "--jobs", "1", "--shard"]
+    numbers = range(1, int(shards) + 1)
+    # A shard whose worker is lost runs again on another one.
+    tasks = [job.program([*program, f"{index}/{shards}"], name=f"shard {index}", crash_limit=3) for index in numbers]
+    job.program(["slipgap", "merge", study, "--out", out, "--shards", shards], name="merge", deps=tasks)
+    client.wait_for_jobs([client.submit(job)])
+
+
+def main(study, out, shards, server=None):
+    if server:
+        submit(Client(server), study, out, shards)
+        return
+    with LocalCluster(worker_config=WorkerConfig()) as cluster:
+        submit(cluster.client(), study, out, shards)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
