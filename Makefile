@@ -9,7 +9,7 @@ released = SLIPGAP_PROGRAM=$(abspath $(built))/release/slipgap
 # Where `make fresh` and `make test` run all studies. `make test` does not compute again what `make figures` has computed.
 fresh = $(built)/tmp/fresh
 
-.PHONY: help figures report test lint fresh licences schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel
+.PHONY: help figures report test lint fresh licences schema bench guard peers speed maps mutants fuzz torture slurm-test s3-test python-test wheel
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -76,6 +76,14 @@ torture: ## kill and disturb runs in many ways, and check that the next run give
 # --no-install-recommends slurm-wlm munge. Without them the test says that it did not run.
 slurm-test: ## shards as a Slurm array on four virtual nodes: killed, requeued, preempted and cancelled tasks, then the merge
 	cargo test --locked --workspace --test slurm -- --ignored --nocapture
+
+# A server of moto keeps the objects in memory, on free ports of this machine. Not part of CI, since the HTTP client takes minutes to
+# compile.
+s3_env = target/s3-python
+s3-test: ## results in an object store: runs, killed shards, merges, failing requests; the same bytes as in a folder
+	$(s3_env)/bin/python -c "import moto.server, boto3" 2> /dev/null || { $(PYTHON) -m venv $(s3_env) && $(s3_env)/bin/pip install --quiet 'moto[server,s3]'; }
+	cargo clippy --locked --features object-store --lib --bins --test s3 -- -D warnings
+	SLIPGAP_PYTHON=$(abspath $(s3_env))/bin/python cargo test --locked --features object-store --test s3 -- --ignored
 
 # Days on two cores for all parts (tests/mutants.md has the number of changes of each), and not part of CI. `make mutants PART=batch`
 # changes one part, and `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a
