@@ -181,27 +181,34 @@ fn plain(bucket: &str, error: &Error) -> io::Error {
         }
         _ => ErrorKind::Other,
     };
+    let cause = cause(error);
     let why = match (code, between("<Message>", "</Message>")) {
         (Some(code), Some(message)) => format!("{code}: {message}"),
         _ if text.contains("169.254.169.254") => {
             "no credentials; set AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY".to_owned()
         }
-        _ if text.contains("scheme is not allowed") => {
+        _ if cause.contains("scheme is not allowed") => {
             "the endpoint is not https; AWS_ALLOW_HTTP=true allows http".to_owned()
         }
-        _ => format!("{text}{}", cause(error, &text)),
+        _ => match url(&text) {
+            Some(url) => format!("{url}: {cause}"),
+            None => text,
+        },
     };
     io::Error::new(kind, why)
 }
 
-/// The first cause of an error, if its text does not have it.
-fn cause(error: &Error, text: &str) -> String {
+/// The method and the address in `Error performing METHOD ADDRESS in SECONDS, ...`.
+fn url(text: &str) -> Option<&str> {
+    let (_, request) = text.rsplit_once("Error performing ")?;
+    request.split_once(" in ").map(|(url, _)| url)
+}
+
+/// The first cause of an error.
+fn cause(error: &Error) -> String {
     let mut cause: &dyn std::error::Error = error;
     while let Some(source) = cause.source() {
         cause = source;
     }
-    match cause.to_string() {
-        first if text.contains(&first) => String::new(),
-        first => format!(": {first}"),
-    }
+    cause.to_string()
 }

@@ -88,7 +88,11 @@ fn without_credentials_or_network_a_command_ends() {
                 // The discard port, on which nothing listens.
                 command.env("AWS_ENDPOINT_URL", "http://127.0.0.1:9");
             });
-            assert!(said.contains("refused"), "{said}");
+            assert!(said.contains("GET http://127.0.0.1:9/network?"), "{said}");
+            assert!(
+                said.ends_with(": Connection refused (os error 111)\n"),
+                "{said}"
+            );
         });
         scope.spawn(|| {
             let said = fails(&bench, Port::Good, &to, |command| {
