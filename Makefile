@@ -9,7 +9,7 @@ released = SLIPGAP_PROGRAM=$(abspath $(built))/release/slipgap
 # Where `make fresh` and `make test` run all studies. `make test` does not compute again what `make figures` has computed.
 fresh = $(built)/tmp/fresh
 
-.PHONY: help figures report test lint fresh licences deny schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes
+.PHONY: help figures report test lint fresh licences deny schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -92,6 +92,14 @@ recipes_env = target/recipes
 recipes: ## the recipes of docs/clusters.md with GNU parallel, HyperQueue, Snakemake, Dask (and Nextflow, if it is installed)
 	$(recipes_env)/bin/python -c "import snakemake, distributed, hyperqueue" 2> /dev/null || { $(PYTHON) -m venv $(recipes_env) && $(recipes_env)/bin/pip install --quiet snakemake "dask[distributed]" hyperqueue; }
 	PATH="$(CURDIR)/$(recipes_env)/bin:$$PATH" cargo test --locked --workspace --test recipes -- --ignored --nocapture
+
+# A server of moto keeps the objects in memory, on free ports of this machine. Not part of CI, since the HTTP client takes minutes to
+# compile.
+s3_env = target/s3-python
+s3-test: ## results in an object store: runs, killed shards, merges, failing requests; the same bytes as in a folder
+	$(s3_env)/bin/python -c "import moto.server, boto3" 2> /dev/null || { $(PYTHON) -m venv $(s3_env) && $(s3_env)/bin/pip install --quiet 'moto[server,s3]'; }
+	cargo clippy --locked --features object-store --lib --bins --test s3 -- -D warnings
+	SLIPGAP_PYTHON=$(abspath $(s3_env))/bin/python cargo test --locked --features object-store --test s3 -- --ignored
 
 # Days on two cores for all parts (tests/mutants.md has the number of changes of each), and not part of CI. `make mutants PART=batch`
 # changes one part, and `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a

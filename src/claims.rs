@@ -3,6 +3,7 @@
 pub use slipgap_validation::*;
 
 use crate::batch;
+use crate::batch::files::place::is_folder;
 use crate::batch::store::{STORE, Store};
 use indicatif::ProgressBar;
 use ledger::{Ledger, LedgerStudy};
@@ -12,7 +13,7 @@ use std::path::Path;
 
 /// The store of a folder of results; none without results, or while another command uses it.
 fn store(results: &Path) -> Result<Option<Store>, Error> {
-    if !results.join(STORE).is_dir() {
+    if !is_folder(&results.join(STORE)) {
         return Ok(None);
     }
     match Store::open(results) {

@@ -26,7 +26,7 @@ pub use residuals::Residuals;
 pub use scatter::Scatter;
 pub use sentences::sentences;
 pub use words::{state_name, text, verdict};
-pub use write::{studies, write};
+pub use write::{check_folder, studies, write};
 
 use crate::run::Source;
 use indicatif::ProgressBar;

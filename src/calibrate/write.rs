@@ -1,6 +1,7 @@
 //! The files of a calibration in the folder of the study.
 
 use super::{Calibration, Fit, figures, tables};
+use crate::batch::files::place::is_object;
 use crate::batch::output::Folder;
 use crate::figures::{pdf, png, svg};
 use crate::run::Source;
@@ -13,6 +14,18 @@ use std::path::{Path, PathBuf};
 /// Names of the figures. No figure of a study may have them, because both are in one folder.
 pub use slipgap_study::CALIBRATION_FIGURES as FIGURES;
 
+/// Refuses an object store: the studies with the best values name their files relative to their folder.
+///
+/// # Errors
+/// The path names objects.
+pub fn check_folder(path: &Path) -> Result<(), Error> {
+    let why = "calibrate writes studies that name files in folders; give a folder";
+    match is_object(path) {
+        true => Err(Error::Usage(format!("{}: {why}", path.display()))),
+        false => Ok(()),
+    }
+}
+
 /// Writes tables, figures and the studies with the best values into the folder at `path`; returns the paths of the files.
 ///
 /// # Errors
@@ -23,6 +36,7 @@ pub fn write(
     path: &Path,
     dpi: u32,
 ) -> Result<Vec<PathBuf>, Error> {
+    check_folder(path)?;
     let mut folder = Folder::open(path)?;
     let mut written = vec![
         folder.write("calibration.csv", &tables::parameters(found)?)?,

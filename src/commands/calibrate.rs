@@ -6,7 +6,7 @@ use super::arguments::{JobsArgs, SettingsArgs, whole};
 use super::terminal::{note, print, progress, table};
 use clap::Args;
 use slipgap::batch::output::Folder;
-use slipgap::calibrate::{calibrate, text, write};
+use slipgap::calibrate::{calibrate, check_folder, text, write};
 use slipgap::error::Error;
 use slipgap::figures::style;
 use slipgap::recommend::Stop;
@@ -52,6 +52,7 @@ impl CalibrateArgs {
     fn run(&self, source: &Source) -> Result<u8, Error> {
         let path = self.out.join(&source.name);
         // A folder that cannot be written ends the command before any computing.
+        check_folder(&path)?;
         Folder::open(&path)?;
         for own in source.study.problem.notes() {
             note(&source.line(own));

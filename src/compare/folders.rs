@@ -1,6 +1,7 @@
 //! Comparison of two folders of results, study by study.
 
 use super::{Comparison, compare, parameters, problem_of_columns};
+use crate::batch::files::place::is_object;
 use crate::batch::output::{RESULTS, problem_of};
 use crate::batch::store::{self, Rows, STORE};
 use crate::run::files;
@@ -71,6 +72,11 @@ fn compare_studies(a: &Path, b: &Path, tolerance: f64) -> Result<Finding, Error>
 
 /// The folders with results in `path`, by relative path, which is empty for `path` itself.
 fn results(path: &Path) -> Result<BTreeMap<String, PathBuf>, Error> {
+    if is_object(path) {
+        let why =
+            "only folders are compared; copy the objects into one, for example by `aws s3 sync`";
+        return Err(Error::Usage(format!("{}: {why}", path.display())));
+    }
     std::fs::metadata(path).map_err(Error::io("cannot read", path))?;
     let wanted = |entry: &DirEntry| {
         let folder = entry.path();

@@ -86,6 +86,7 @@ fn misfit(expression: Option<&str>) -> Option<String> {
 fn metadata() -> Value {
     let output = Command::new(env!("CARGO"))
         .args(["metadata", "--format-version", "1", "--locked"])
+        .arg("--all-features")
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()
         .unwrap_or_else(|e| panic!("cannot start {}: {e}", env!("CARGO")));

@@ -1,10 +1,14 @@
-//! Files that are complete or absent: written under a temporary name, then renamed.
+//! Files that are complete or absent: written under a temporary name, then renamed. What becomes an object is uploaded instead,
+//! from a folder for temporary files.
 //!
 //! The temporary name is random and new, so that no other process and no link can have it. The file is locked while it is
 //! written, which distinguishes the files of another run from those that a killed run left.
 
 use super::locks::{self, Locked};
+use super::place::is_object;
+use super::{objects, place};
 use slipgap_study::error::Error;
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions};
@@ -44,7 +48,7 @@ pub(in crate::batch) fn write_atomically(
     path: &Path,
     write: impl FnOnce(&mut AtomicFile) -> io::Result<()>,
 ) -> Result<(), Error> {
-    let _writing = writing();
+    let _writing = writing(path);
     let mut out = AtomicFile::new(path)?;
     write(&mut out).map_err(Error::io("cannot write", path))?;
     out.rename()
@@ -70,14 +74,15 @@ pub struct AtomicFile {
 impl AtomicFile {
     /// Creates the temporary file of `path`, in the same folder.
     pub fn create(path: &Path) -> Result<AtomicFile, Error> {
-        let _writing = writing();
+        let _writing = writing(path);
         AtomicFile::new(path)
     }
 
     fn new(path: &Path) -> Result<AtomicFile, Error> {
         refuse_others(path).map_err(Error::io("cannot write", path))?;
         let folder = path.parent().unwrap_or(Path::new("."));
-        let file = new_temporary(folder).map_err(Error::io("cannot write", path))?;
+        let file = new_temporary(&of_temporaries(folder));
+        let file = file.map_err(Error::io("cannot write", path))?;
         let temporary = file.path().to_owned();
         temporary_files().insert(temporary.clone());
         Ok(AtomicFile {
@@ -89,7 +94,7 @@ impl AtomicFile {
 
     /// Gives the file its final name and replaces a file of that name.
     pub fn commit(self) -> Result<(), Error> {
-        let _writing = writing();
+        let _writing = writing(&self.path);
         self.rename()
     }
 
@@ -107,11 +112,11 @@ impl AtomicFile {
             return Ok(());
         };
         let renamed = match out.into_inner() {
-            Ok(file) => file.persist(&self.path).map_err(|e| e.error),
+            Ok(file) if is_object(&self.path) => objects::write(&self.path, file.path()),
+            Ok(file) => file.persist(&self.path).map(drop).map_err(|e| e.error),
             Err(e) => Err(e.into_error()),
         };
-        renamed.map_err(Error::io("cannot write", &self.path))?;
-        Ok(())
+        renamed.map_err(Error::io("cannot write", &self.path))
     }
 }
 
@@ -159,21 +164,18 @@ fn refuse_others(path: &Path) -> io::Result<()> {
     }
 }
 
-/// The bytes of a file, or of the one that a link leads to: a pipe would wait for a writer, and a device may have no end.
-pub(in crate::batch) fn read_file(path: &Path) -> io::Result<Vec<u8>> {
-    match fs::metadata(path)?.is_file() {
-        true => fs::read(path),
-        false => Err(io::Error::other("it is not a file; remove it")),
-    }
-}
-
 /// Whether files can be written in a folder.
 pub(in crate::batch) fn can_write(folder: &Path) -> io::Result<()> {
-    new_temporary(folder).map(drop)
+    match is_object(folder) {
+        // Only that the bucket answers: the first upload shows the rest.
+        true => place::entries(folder).map(drop),
+        false => new_temporary(folder).map(drop),
+    }
 }
 
 /// Removes the temporary files of killed runs from a folder.
 pub(in crate::batch) fn remove_leftovers(folder: &Path) {
+    let folder = of_temporaries(folder);
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let temporary = is_temporary(&entry.file_name());
         if !temporary || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
@@ -199,6 +201,14 @@ fn is_dead(path: &Path) -> bool {
             age.is_some_and(|age| age > DEAD)
         }
         Ok(Locked::Elsewhere) | Err(_) => false,
+    }
+}
+
+/// The folder in which the files of a folder are written.
+fn of_temporaries(folder: &Path) -> Cow<'_, Path> {
+    match is_object(folder) {
+        true => Cow::Owned(std::env::temp_dir()),
+        false => Cow::Borrowed(folder),
     }
 }
 
@@ -243,8 +253,10 @@ fn is_temporary(name: &OsStr) -> bool {
     random.is_some_and(|r| r.len() == RANDOM && r.bytes().all(|b| b.is_ascii_alphanumeric()))
 }
 
-pub(super) fn writing() -> RwLockReadGuard<'static, ()> {
-    WRITING.read().unwrap_or_else(PoisonError::into_inner)
+/// `None` for an object: nobody sees it before its upload has ended, for which an interrupted program need not wait.
+pub(super) fn writing(path: &Path) -> Option<RwLockReadGuard<'static, ()>> {
+    let guard = || WRITING.read().unwrap_or_else(PoisonError::into_inner);
+    (!is_object(path)).then(guard)
 }
 
 fn temporary_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
@@ -309,24 +321,6 @@ mod tests {
         file.write_all(b"complete").unwrap();
         file.commit().unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"complete");
-    }
-
-    #[test]
-    fn only_files_are_read() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.csv");
-        fs::write(&path, "own").unwrap();
-        assert_eq!(read_file(&path).unwrap(), b"own");
-        let why = |path: &Path| read_file(path).unwrap_err();
-        assert!(why(folder.path()).to_string().contains("not a file"));
-        assert!(
-            !cfg!(unix)
-                || why(Path::new("/dev/zero"))
-                    .to_string()
-                    .contains("not a file")
-        );
-        let none = folder.path().join("b.csv");
-        assert_eq!(why(&none).kind(), io::ErrorKind::NotFound);
     }
 
     #[cfg(unix)]

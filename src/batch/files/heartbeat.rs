@@ -141,7 +141,7 @@ fn parse_name(path: &Path) -> Option<Option<Shard>> {
 
 /// Replaces the sign of an earlier process.
 fn create(path: &PathBuf, computed: &Computed) -> io::Result<()> {
-    let _writing = writing();
+    let _writing = writing(path);
     let _ = fs::remove_file(path);
     let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
     remove_when_interrupted(path, true);

@@ -4,13 +4,13 @@
 
 use super::names::{HISTORIES, RESULTS, history_name};
 use crate::batch::WarnedCases;
-use crate::batch::files::atomic::{read_file, write_atomically};
+use crate::batch::files::atomic::write_atomically;
+use crate::batch::files::place::{Entry, entries, is_file, read_file};
 use crate::batch::store::key::SOLVER_VERSION;
 use serde_json::{Map, Value, json};
 use slipgap_study::error::Error;
 use slipgap_study::{Setting, Study};
 use std::collections::BTreeSet;
-use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 use std::process::Command;
@@ -35,7 +35,7 @@ pub fn is_outdated(results: &Path, study: &Study) -> bool {
         let manifest = json_of(&results.join(MANIFEST))?;
         Some(manifest["study_sha256"].as_str()? != study.sha256)
     };
-    results.join(RESULTS).is_file() && changed().unwrap_or(false)
+    is_file(&results.join(RESULTS)) && changed().unwrap_or(false)
 }
 
 /// Name of the problem in the manifest of a folder; `None` without a manifest, or in one of an earlier version.
@@ -112,9 +112,9 @@ impl Manifest {
             self.unfinished.others = present.filter(others).collect();
             self.unfinished.cases = self.unfinished.cases.max(cases);
         }
-        let new = names
-            .into_iter()
-            .filter(|name| fs::symlink_metadata(folder.join(name)).is_err());
+        let present = entries(folder).map_err(Error::io("cannot read", folder))?;
+        let present: BTreeSet<String> = present.into_iter().map(|own| own.name).collect();
+        let new = names.into_iter().filter(|name| !present.contains(name));
         self.files.extend(new);
         // The origin of a former run is kept, because its results are still in the folder.
         let mut entries = match self.entries.is_empty() {
@@ -185,11 +185,10 @@ fn parse(bytes: &[u8]) -> Option<Manifest> {
 
 /// The histories of the first cases in the folder.
 fn histories(folder: &Path, cases: u64) -> impl Iterator<Item = String> {
-    let entries = fs::read_dir(folder.join(HISTORIES)).into_iter().flatten();
-    entries.flatten().filter_map(move |entry| {
-        let name = entry.file_name();
-        let case = name.to_str()?.strip_suffix(".csv")?.parse().ok()?;
-        let matches = case < cases && name.to_str() == Some(&format!("{case}.csv"));
+    let entries = entries(&folder.join(HISTORIES)).into_iter().flatten();
+    entries.filter_map(move |Entry { name, .. }| {
+        let case = name.strip_suffix(".csv")?.parse().ok()?;
+        let matches = case < cases && name == format!("{case}.csv");
         matches.then(|| history_name(case))
     })
 }

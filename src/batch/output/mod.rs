@@ -16,11 +16,11 @@ pub use names::{
 
 use super::WarnedCases;
 use super::files::atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
+use super::files::place::{make_folder, remove_empty_folder, remove_file};
 use manifest::Manifest;
 use names::{FRAGILITY, HISTORIES, MEMBERS};
 use slipgap_study::Study;
 use slipgap_study::error::Error;
-use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};
 
@@ -34,7 +34,7 @@ pub struct Folder {
 impl Folder {
     /// Makes the folder and tests whether it can be written to, before any case is computed.
     pub fn open(path: &Path) -> Result<Folder, Error> {
-        fs::create_dir_all(path).map_err(Error::io("cannot make folder", path))?;
+        make_folder(path).map_err(Error::io("cannot make folder", path))?;
         can_write(path).map_err(Error::io("cannot write in folder", path))?;
         remove_leftovers(path);
         Ok(Folder {
@@ -96,7 +96,7 @@ impl Folder {
     ) -> Result<PathBuf, Error> {
         let path = self.path_of(name);
         if let Some(parent) = path.parent() {
-            fs::create_dir_all(parent).map_err(Error::io("cannot make folder", parent))?;
+            make_folder(parent).map_err(Error::io("cannot make folder", parent))?;
         }
         write_atomically(&path, write)?;
         Ok(path)
@@ -161,15 +161,14 @@ impl Folder {
         if path.is_dir() {
             return Ok(());
         }
-        match fs::remove_file(&path) {
+        match remove_file(&path) {
             Err(e) if !matches!(e.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
                 return Err(Error::io("cannot remove", path)(e));
             }
             Err(_) | Ok(()) => {}
         }
-        // An empty sub-folder is removed too. The call fails if it is not empty.
         if let Some(parent) = path.parent().filter(|parent| *parent != self.path) {
-            let _ = fs::remove_dir(parent);
+            remove_empty_folder(parent);
         }
         Ok(())
     }

@@ -6,6 +6,7 @@ mod progress;
 pub use progress::{Progress, State};
 
 use super::files::heartbeat;
+use super::files::place::is_object;
 use super::parts::chunk::{self, Part};
 use super::parts::queue::PartQueue;
 use super::parts::shard::{Shard, shard_of};
@@ -113,7 +114,7 @@ impl Files {
     /// Those of a store, which may not be there yet.
     fn of(store: &Path) -> Result<Files, Error> {
         let mut files: BTreeMap<u64, Vec<PathBuf>> = BTreeMap::new();
-        if fs::exists(store).map_err(Error::io("cannot read", store))? {
+        if is_object(store) || fs::exists(store).map_err(Error::io("cannot read", store))? {
             for (start, path) in all_in(store)? {
                 files.entry(start).or_default().push(path);
             }

@@ -1,4 +1,4 @@
-//! The store of a study: a folder of Parquet parts, each with its checksum in its name.
+//! The store of a study: a folder of Parquet parts, or a prefix of an object store, each with its checksum in its name.
 //!
 //! `part-000000016384-<checksum>.parquet` is written under a temporary name and renamed, so that it is complete or absent.
 //! The checksum detects later damage. The parts of a large study are in sub-folders `000000`, `000001`, so that none has very
@@ -24,13 +24,14 @@ pub use part_file::{STORE, all_in, failures, rows};
 pub use rows::Rows;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs::{self, File, TryLockError};
+use std::fs::{File, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::files::atomic::{can_write, remove_leftovers, write_atomically};
 use super::files::heartbeat::remove_signs;
+use super::files::place::{is_object, make_folder, remove_empty_folder, remove_file};
 use super::parts::chunk::{self, starts_in_same_chunk};
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
@@ -43,7 +44,7 @@ use slipgap_study::error::Error;
 /// How often a part is written again whose temporary file another process has removed.
 const ATTEMPTS: usize = 5;
 
-/// A store. The run that opens it alone has locked it, if the file system has locks.
+/// A store. The run that opens it alone has locked it, if the file system has locks. An object store has none.
 #[derive(Debug)]
 pub struct Store {
     folder: PathBuf,
@@ -54,7 +55,7 @@ pub struct Store {
     constant_columns: ConstantColumns,
     /// Whether other processes write to the store.
     shared: bool,
-    _lock: Option<File>,
+    lock: Option<File>,
 }
 
 impl Store {
@@ -74,7 +75,7 @@ impl Store {
     /// Opens the store for a shard, beside others, or makes it. No lock is taken and no file removed.
     pub fn open_shared(results: &Path) -> Result<Store, Error> {
         let folder = Store::make_folder(results)?;
-        Store::of_folder(folder, None)
+        Store::of_folder(folder, None, true)
     }
 
     fn open_with(
@@ -82,28 +83,31 @@ impl Store {
         acquire: impl Fn(&File) -> Result<(), TryLockError>,
     ) -> Result<Store, Error> {
         let folder = Store::make_folder(results)?;
-        let lock = lock::acquire(&folder, acquire)?;
+        let lock = match is_object(&folder) {
+            true => None,
+            false => Some(lock::acquire(&folder, acquire)?),
+        };
         lock::remove_former(&folder);
         part_file::folders(&folder)?
             .iter()
             .for_each(|folder| remove_leftovers(folder));
-        Store::of_folder(folder, Some(lock))
+        Store::of_folder(folder, lock, false)
     }
 
     fn make_folder(results: &Path) -> Result<PathBuf, Error> {
         let folder = results.join(STORE);
-        fs::create_dir_all(&folder).map_err(Error::io("cannot make folder", &folder))?;
+        make_folder(&folder).map_err(Error::io("cannot make folder", &folder))?;
         Ok(folder)
     }
 
-    fn of_folder(folder: PathBuf, lock: Option<File>) -> Result<Store, Error> {
+    fn of_folder(folder: PathBuf, lock: Option<File>, shared: bool) -> Result<Store, Error> {
         let mut store = Store {
             folder,
             parts: BTreeMap::new(),
             current: Mutex::default(),
             constant_columns: ConstantColumns::default(),
-            shared: lock.is_none(),
-            _lock: lock,
+            shared,
+            lock,
         };
         store.list_parts()?;
         Ok(store)
@@ -219,7 +223,7 @@ impl Store {
         let write = || {
             // A merge that finds no parts removes the folders that it has made.
             if let Some(folder) = path.parent() {
-                fs::create_dir_all(folder).map_err(Error::io("cannot make folder", folder))?;
+                make_folder(folder).map_err(Error::io("cannot make folder", folder))?;
             }
             write_atomically(path, |out| {
                 out.write_all(bytes)?;
@@ -251,16 +255,16 @@ impl Store {
         let mut failed = None;
         for path in part_file::similar_in(&self.folder)? {
             if !current.contains(&path)
-                && let Err(e) = fs::remove_file(&path)
+                && let Err(e) = remove_file(&path)
                 && e.kind() != ErrorKind::NotFound
             {
                 failed = failed.or(Some((path, e)));
             }
         }
         remove_signs(&self.folder);
-        // Sub-folders without parts: a folder that is not empty is not removed.
+        // Sub-folders without parts.
         for folder in part_file::folders(&self.folder)?.iter().skip(1) {
-            let _ = fs::remove_dir(folder);
+            remove_empty_folder(folder);
         }
         match failed {
             None => Ok(()),
@@ -276,7 +280,7 @@ impl Store {
 
     /// Closes the store without a change. If it has no parts, its lock is removed.
     pub fn leave(self) {
-        if self.is_empty() {
+        if self.is_empty() && self.lock.is_some() {
             lock::remove(&self.folder);
         }
     }

@@ -5,10 +5,11 @@ use super::key::{Key, checksum};
 use super::miss::Miss;
 use super::reading;
 use super::rows::Rows;
-use crate::batch::files::atomic::read_file;
+use crate::batch::files::place::{entries, is_object, read_file};
+use bytes::Bytes;
 use slipgap_study::error::Error;
 use std::fs::{self, File};
-use std::io::{self, ErrorKind};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Name of the store in a folder of results.
@@ -41,15 +42,11 @@ pub fn folder_name(number: u64) -> String {
 /// A folder that cannot be read.
 pub fn folders(store: &Path) -> Result<Vec<PathBuf>, Error> {
     let mut folders = vec![store.to_owned()];
-    let unread = |e| Error::io("cannot read", store)(e);
-    for entry in fs::read_dir(store).map_err(unread)? {
-        let entry = entry.map_err(unread)?;
-        let name = entry.file_name();
-        let name = name.to_string_lossy();
+    for entry in entries(store).map_err(Error::io("cannot read", store))? {
+        let name = &entry.name;
         let numbered = name.len() >= 6 && name.bytes().all(|b| b.is_ascii_digit());
-        // A link is no sub-folder: it could lead anywhere.
-        if numbered && entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-            folders.push(entry.path());
+        if numbered && entry.is_folder {
+            folders.push(entry.path);
         }
     }
     Ok(folders)
@@ -75,17 +72,10 @@ pub fn similar_in(store: &Path) -> Result<Vec<PathBuf>, Error> {
 
 fn similar_in_one(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let mut paths = Vec::new();
-    let unread = |e| Error::io("cannot read", folder)(e);
-    for entry in fs::read_dir(folder).map_err(unread)? {
-        let entry = entry.map_err(unread)?;
-        let name = entry.file_name();
-        let name = name.to_string_lossy();
-        let similar = name.starts_with("part-") && name.ends_with(".parquet");
-        let kind = entry.file_type();
-        // Another process may have removed it.
-        let removed = |e: &io::Error| e.kind() == ErrorKind::NotFound;
-        if similar && !kind.as_ref().is_err_and(removed) && !kind.map_err(unread)?.is_dir() {
-            paths.push(entry.path());
+    for entry in entries(folder).map_err(Error::io("cannot read", folder))? {
+        let similar = entry.name.starts_with("part-") && entry.name.ends_with(".parquet");
+        if similar && !entry.is_folder {
+            paths.push(entry.path);
         }
     }
     Ok(paths)
@@ -100,12 +90,20 @@ pub fn read_checked(path: &Path) -> Option<Vec<u8>> {
 /// The number of cases of a part that could not be solved, from its footer. Damage of its rows is not seen.
 pub fn failures(path: &Path, key: &Key, cases: usize) -> Result<u64, Miss> {
     let damaged = || Miss::Damaged(path.to_owned());
-    // A pipe would wait for a writer.
-    let file = fs::metadata(path).ok().filter(|found| found.is_file());
-    let file = file
-        .and_then(|_| File::open(path).ok())
-        .ok_or_else(damaged)?;
-    let read = catch_panic(|| reading::failures(file, key, cases).ok()).flatten();
+    let read = match is_object(path) {
+        true => {
+            let bytes = Bytes::from(read_file(path).map_err(|_| damaged())?);
+            catch_panic(|| reading::failures(bytes, key, cases).ok())
+        }
+        false => {
+            // A pipe would wait for a writer.
+            let is_file = fs::metadata(path).is_ok_and(|found| found.is_file());
+            let file = is_file.then(|| File::open(path).ok()).flatten();
+            let file = file.ok_or_else(damaged)?;
+            catch_panic(|| reading::failures(file, key, cases).ok())
+        }
+    };
+    let read = read.flatten();
     read.ok_or_else(damaged)?.map_err(Miss::Outdated)
 }
 

@@ -5,7 +5,6 @@ use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{ByteArray, DataType};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
-use std::fs::File;
 
 use super::key::{CaseHash, Difference, Key};
 use super::rows::Rows;
@@ -54,8 +53,8 @@ pub fn check(
 
 /// The number of cases of a part that could not be solved, if it has this key and so many cases, or the difference of its key. Only
 /// the footer is read.
-pub fn failures(
-    file: File,
+pub fn failures<R: ChunkReader + 'static>(
+    file: R,
     key: &Key,
     cases: usize,
 ) -> Result<std::result::Result<u64, Difference>> {

@@ -216,6 +216,24 @@ fn an_output_folder_that_cannot_be_written_is_reported_before_computing() {
     assert!(done.err.contains("slipgap: cannot write "), "{done:?}");
 }
 
+#[cfg(not(feature = "object-store"))]
+#[test]
+fn an_object_store_needs_a_program_built_with_it() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(ONE, ""));
+    let why = "this slipgap is built without object stores; `cargo install slipgap --features object-store` builds it with them\n";
+    for (verb, place) in [
+        (&["run"][..], "write in folder s3://bucket/s"),
+        (&["run", "--shard", "1/2"], "read s3://bucket/s/store"),
+        (&["merge"], "write in folder s3://bucket/s"),
+        (&["report"], "write in folder s3://bucket"),
+    ] {
+        let done = bench.expect(1, &[verb, &["s.json", "--out", "s3://bucket"]].concat());
+        assert_eq!(done.err, format!("slipgap: cannot {place}: {why}"));
+    }
+    assert_eq!(bench.everything("."), ["s.json"]);
+}
+
 #[test]
 fn figures_of_more_steps_than_fit_in_memory() {
     let long = ONE

@@ -9,6 +9,7 @@ use crate::commands::arguments::{SettingsArgs, whole};
 use crate::commands::terminal::print;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
+use slipgap::batch::files::place::is_object;
 use slipgap::error::Error;
 use slipgap::study::{MOST_CASES, unprintable};
 use std::path::{Path, PathBuf, absolute};
@@ -122,9 +123,13 @@ options=({})
     ))
 }
 
-/// A path from the root: the jobs may begin in another folder.
+/// A path from the root: the jobs may begin in another folder. An object store is the same from everywhere.
 fn full(path: &Path) -> Result<String, Error> {
-    let full = absolute(path).map_err(Error::io("cannot find", path))?;
+    let full = match is_object(path) {
+        true => Ok(path.to_owned()),
+        false => absolute(path),
+    };
+    let full = full.map_err(Error::io("cannot find", path))?;
     let text = full.to_str().map(String::from);
     text.ok_or_else(|| Error::Usage(format!("{}: must be UTF-8 text", path.display())))
 }
