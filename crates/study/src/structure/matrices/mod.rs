@@ -111,7 +111,7 @@ pub(super) fn reduce(
             continue;
         }
         let rows: Vec<String> = kept.iter().map(|row| row.to_string()).collect();
-        reader.keep(&format!("{name}\0kept"), rows.join(",").into_bytes());
+        reader.keep(&format!("{name}\0kept"), rows.join(",").as_bytes());
         matrices.reduce = Some(Reduce::new(matrices.imported.clone(), kept, modes));
     }
 }

@@ -1,41 +1,63 @@
 //! Sparse symmetric matrices.
 
 use nalgebra::DMatrix;
+use std::sync::Arc;
 
-/// A sparse symmetric matrix: the entries on and below the diagonal.
+/// Entries (column, value), which rise.
+type Row = Vec<(usize, f64)>;
+
+/// A sparse symmetric matrix: the entries on and below the diagonal. Copies share them until one is changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Symmetric {
-    /// The entries (column, value) of each row, which rise.
-    rows: Vec<Vec<(usize, f64)>>,
+    size: usize,
+    /// Each row; none while the matrix has no entry.
+    rows: Arc<Vec<Row>>,
+}
+
+/// Adds a value to an entry of a row.
+fn add(row: &mut Row, column: usize, value: f64) {
+    // Most matrices are filled by rising columns.
+    let last = row.last().is_none_or(|(last, _)| *last < column);
+    let place = if last {
+        Err(row.len())
+    } else {
+        row.binary_search_by_key(&column, |(j, _)| *j)
+    };
+    match place {
+        Ok(place) => row[place].1 += value,
+        Err(place) => {
+            if row.len() == row.capacity() {
+                // Doubling would leave half of the memory unused.
+                row.reserve_exact(4 + row.len() / 4);
+            }
+            row.insert(place, (column, 0.0 + value));
+        }
+    }
 }
 
 impl Symmetric {
     /// A matrix of zeros.
     pub fn zeros(size: usize) -> Symmetric {
-        Symmetric {
-            rows: vec![Vec::new(); size],
-        }
+        let rows = Arc::default();
+        Symmetric { size, rows }
     }
 
     /// Number of rows.
     pub fn size(&self) -> usize {
-        self.rows.len()
+        self.size
+    }
+
+    fn rows_mut(&mut self) -> &mut [Row] {
+        let rows = Arc::make_mut(&mut self.rows);
+        if rows.is_empty() {
+            rows.resize(self.size, Row::new());
+        }
+        rows
     }
 
     /// Adds `value` to entries (i, j) and (j, i), which may be one.
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
-        let (row, column) = (&mut self.rows[i.max(j)], i.min(j));
-        // Most matrices are filled by rising columns.
-        let last = row.last().is_none_or(|(last, _)| *last < column);
-        let place = if last {
-            Err(row.len())
-        } else {
-            row.binary_search_by_key(&column, |(j, _)| *j)
-        };
-        match place {
-            Ok(place) => row[place].1 += value,
-            Err(place) => row.insert(place, (column, 0.0 + value)),
-        }
+        add(&mut self.rows_mut()[i.max(j)], i.min(j), value);
     }
 
     /// Adds a spring between two nodes; `None` is the ground.
@@ -59,11 +81,14 @@ impl Symmetric {
 
     /// Adds another matrix times a factor.
     pub fn add_matrix(&mut self, other: &Symmetric, factor: f64) {
-        for (row, other) in self.rows.iter_mut().zip(&other.rows) {
-            row.reserve_exact(other.len().saturating_sub(row.len()));
+        if other.is_empty() {
+            return;
         }
-        for ((i, j), value) in other.entries() {
-            self.add(i, j, factor * value);
+        for (row, other) in self.rows_mut().iter_mut().zip(&*other.rows) {
+            row.reserve_exact(other.len().saturating_sub(row.len()));
+            for (column, value) in other {
+                add(row, *column, factor * value);
+            }
         }
     }
 

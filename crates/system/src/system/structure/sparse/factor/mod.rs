@@ -20,6 +20,7 @@ use crate::system::structure::Symmetric;
 use numeric::Numeric;
 use order::{Order, order};
 use panels::{Panel, panels};
+use std::borrow::Borrow;
 use std::fmt;
 
 /// A matrix in the order of elimination, factored: P A P^T = L D L^T, L with a diagonal of 1.
@@ -66,19 +67,21 @@ impl Factor {
     ///
     /// # Errors
     /// [`NotPositive`] if the matrix is not positive definite.
-    pub fn new(matrix: &Symmetric, late: &[bool]) -> Result<Factor, NotPositive> {
+    pub fn new(matrix: impl Borrow<Symmetric>, late: &[bool]) -> Result<Factor, NotPositive> {
         let Order {
             rows,
             numbers,
             fills,
-        } = order(&neighbours(matrix), late);
-        let (diagonal, columns) = ordered(matrix, &rows);
+        } = order(&neighbours(matrix.borrow()), late);
+        let (diagonal, columns) = ordered(matrix.borrow(), &rows);
+        // A matrix that is given away is in memory no longer than needed.
+        drop(matrix);
         let panels = panels(&columns);
-        let numeric = Numeric::new(&panels, &numbers, diagonal, &columns)
+        let numeric = Numeric::new(&panels, &numbers, diagonal, columns)
             .map_err(|place| NotPositive { row: rows[place] })?;
         let (pivots, values) = numeric.finish();
         let triangle = match fills {
-            true => Triangle::Blocks(Blocks::new(&panels, &pivots, &values)),
+            true => Triangle::Blocks(Blocks::new(&panels, &pivots, values)),
             false => Triangle::Columns {
                 reciprocals: pivots.into_iter().map(|pivot| 1.0 / pivot).collect(),
                 columns: by_columns(&panels, &values),
