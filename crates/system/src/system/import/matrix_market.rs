@@ -234,7 +234,12 @@ fn symmetric(
         let found = entries.binary_search_by_key(&place, |entry| entry.place);
         found.ok().map(|place| entries[place].value)
     };
-    let mut matrix = Symmetric::zeros(n);
+    let mut counts = vec![0; n];
+    let below = entries.iter().map(|entry| entry.place);
+    below
+        .filter(|[i, j]| i >= j)
+        .for_each(|[i, _]| counts[i as usize] += 1);
+    let mut matrix = Symmetric::with_room(&counts);
     let mut diagonal = vec![size; n];
     for Entry { place, value, line } in entries {
         let [i, j] = place.map(|place| place as usize);

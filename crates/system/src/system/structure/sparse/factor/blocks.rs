@@ -121,6 +121,12 @@ impl Blocks {
         &self.reciprocals
     }
 
+    /// Its size in memory.
+    pub(super) fn bytes(&self) -> usize {
+        let numbers = size_of_val(&self.values[..]) + size_of_val(&self.reciprocals[..]);
+        size_of_val(&self.blocks[..]) + size_of_val(&self.rows[..]) + numbers
+    }
+
     /// Number of entries of L.
     pub(super) fn entries(&self) -> usize {
         self.values.len()

@@ -68,14 +68,16 @@ impl Factor {
     /// # Errors
     /// [`NotPositive`] if the matrix is not positive definite.
     pub fn new(matrix: impl Borrow<Symmetric>, late: &[bool]) -> Result<Factor, NotPositive> {
+        // A matrix that is given away is in memory no longer than needed.
+        let packed = matrix.borrow().packed(|_| true);
+        drop(matrix);
         let Order {
             rows,
             numbers,
             fills,
-        } = order(&neighbours(matrix.borrow()), late);
-        let (diagonal, columns) = ordered(matrix.borrow(), &rows);
-        // A matrix that is given away is in memory no longer than needed.
-        drop(matrix);
+        } = order(neighbours(&packed), late);
+        let (diagonal, columns) = ordered(&packed, &rows);
+        drop(packed);
         let panels = panels(&columns);
         let numeric = Numeric::new(&panels, &numbers, diagonal, columns)
             .map_err(|place| NotPositive { row: rows[place] })?;
@@ -128,6 +130,18 @@ impl Factor {
     /// L and D.
     pub fn into_triangle(self) -> Triangle {
         self.triangle
+    }
+
+    /// Its size in memory, with the order of elimination.
+    pub fn bytes(&self) -> usize {
+        let triangle = match &self.triangle {
+            Triangle::Columns {
+                reciprocals,
+                columns,
+            } => size_of_val(&reciprocals[..]) + columns.bytes(),
+            Triangle::Blocks(blocks) => blocks.bytes(),
+        };
+        size_of_val(&self.order[..]) + triangle
     }
 
     /// Number of entries of L below its diagonal.
