@@ -9,7 +9,7 @@ released = SLIPGAP_PROGRAM=$(abspath $(built))/release/slipgap
 # Where `make fresh` and `make test` run all studies. `make test` does not compute again what `make figures` has computed.
 fresh = $(built)/tmp/fresh
 
-.PHONY: help figures report test lint fresh licences deny schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test
+.PHONY: help figures report test lint fresh licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -57,12 +57,8 @@ guard: ## compare the instruction counts of sweeps with recorded ones (needs val
 	cargo run --release --locked --quiet --package slipgap-guard
 
 # OpenSees needs the system's BLAS and LAPACK (Debian: libblas3, liblapack3).
-peers: ## the same sweeps, girders with contacts and large models by slipgap and other programs, in tables
+peers: ## whole runs, kernels and floors of slipgap, numba and OpenSees: the table of docs/performance.md, in minutes
 	benches/peers/run
-
-# With PROGRAM=path, the times of another build beside it.
-speed: ## whole runs beside loops by numba, written to docs/performance.md with the name of the machine
-	benches/peers/run speed $(PROGRAM)
 
 maps: ## the sensitivity maps with a thousand cases along each axis, in docs/maps/
 	cargo run --release --locked -- run docs/maps/*.json --out target/maps

@@ -1,15 +1,15 @@
-"""Modules that need a program which may be absent."""
+"""Modules that need a package which may be absent."""
 
 import importlib
 
 
-def opensees(module):
-    """A module that imports OpenSees, or `None` and a message why it cannot be had here."""
+def module(name):
+    """A module that imports numba or OpenSees, or `None` and a message why it cannot be had here."""
     try:
-        return importlib.import_module(module)
+        return importlib.import_module(name)
     except (ImportError, RuntimeError) as fault:
         first = fault
         while first.__context__ is not None:
             first = first.__context__
-        print(f"OpenSees cannot be had here, its rows are left out: {first}", flush=True)
+        print(f"{name} cannot be had here, its cells are left out: {first}", flush=True)
         return None

@@ -10,7 +10,6 @@ import numpy as np
 from record import DT as SAMPLE
 from record import check, synthetic
 
-ELEMENTS = (1, 10, 20, 40)
 STEP, STEPS, EVERY = 0.001, 20_000, 100  # s; displacements are written at every 0.1 s
 L, EA, MASS, STIFFNESS_DAMPING = 40.0, 1.5e8, 500.0, 1.5e-4
 PERIODS, PIER, ON_PIER, RATIO = (1.0, 0.7, 1.2), 100.0, 600.0, 0.05
@@ -55,10 +54,3 @@ def acceleration():
     samples = record()
     return np.interp(np.arange(STEPS + 1) * STEP, np.arange(len(samples)) * SAMPLE, samples)
 
-
-def write(path, names, times, rows):
-    """Displacements of all nodes as CSV."""
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(",".join(["t", *names]) + "\n")
-        for t, row in zip(times, rows):
-            file.write(",".join(repr(float(x)) for x in (t, *row)) + "\n")

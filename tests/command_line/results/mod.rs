@@ -3,6 +3,7 @@
 mod cut;
 mod designs;
 mod ensembles;
+mod memory;
 mod pictures;
 mod plane;
 mod reductions;

@@ -4,20 +4,34 @@ use crate::source::tree::{Member, Node, Tree};
 use sha2::{Digest, Sha256};
 use slipgap_problem::problem::structure::given::set::Set;
 
+/// The names of records and matrices, each once, and a hash of the names and their bytes.
+#[derive(Default)]
+pub(in crate::structure) struct Records {
+    names: Vec<String>,
+    digest: Sha256,
+}
+
+impl Records {
+    /// Adds the bytes of a name that is new.
+    pub fn add(&mut self, name: &str, bytes: &[u8]) {
+        if self.names.iter().any(|known| known == name) {
+            return;
+        }
+        self.names.push(name.to_owned());
+        self.digest.update(name.as_bytes());
+        self.digest.update([0]);
+        self.digest.update((bytes.len() as u64).to_le_bytes());
+        self.digest.update(bytes);
+    }
+}
+
 /// A hash of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records. What
 /// `measured` says belongs to it, with the range of the delays, which decides the points that are compared.
 pub(super) fn identity(
     structure: &Node,
     (measured, set): (Option<(&Node, [f64; 2])>, Option<&Set>),
-    records: &[(String, Vec<u8>)],
+    records: &Records,
 ) -> String {
-    let mut digest = Sha256::new();
-    for (name, bytes) in records {
-        digest.update(name.as_bytes());
-        digest.update([0]);
-        digest.update((bytes.len() as u64).to_le_bytes());
-        digest.update(bytes);
-    }
     let hex = |bytes: &[u8]| -> String { bytes.iter().map(|byte| format!("{byte:02x}")).collect() };
     let mut written = written(structure);
     if let Some((node, delays)) = measured {
@@ -29,7 +43,7 @@ pub(super) fn identity(
         written += &format!("{:?}", set.members);
     }
     let structure = Sha256::digest(written);
-    let records = digest.finalize();
+    let records = records.digest.clone().finalize();
     format!("{}.{}", hex(&structure), hex(&records))
 }
 

@@ -111,7 +111,7 @@ pub(super) fn reduce(
             continue;
         }
         let rows: Vec<String> = kept.iter().map(|row| row.to_string()).collect();
-        reader.keep(&format!("{name}\0kept"), rows.join(",").into_bytes());
+        reader.keep(&format!("{name}\0kept"), rows.join(",").as_bytes());
         matrices.reduce = Some(Reduce::new(matrices.imported.clone(), kept, modes));
     }
 }
@@ -165,7 +165,12 @@ fn variants(
     let of_key = |key: &str, faults: &mut Faults| -> Option<Vec<File>> {
         let node = object.need(key, meaning(key), faults)?;
         let path = object.path(key);
-        let parse = |bytes: &[u8]| checked(Matrix::parse(bytes)?, name, key, dofs.as_ref());
+        let parse = |bytes: &[u8]| {
+            let matrix = checked(Matrix::parse(bytes)?, name, key, dofs.as_ref())?;
+            // A reduction eliminates all places that the file has.
+            let keeps_zeros = object.get("reduce").is_some();
+            Ok(matrix.packed(|value| keeps_zeros || value != 0.0))
+        };
         if let Tree::Text(content) = &node.tree
             && content.starts_with(BEGINNING)
         {

@@ -73,7 +73,7 @@ pub(super) fn decode(
     let tests = files.into_iter().filter_map(|file| {
         let place = (node, &*path);
         let (test, bytes) = long_test(file, place, (&time, &of_channels), reader, faults)?;
-        reader.keep(file, bytes);
+        reader.keep(file, &bytes);
         Some((file, Arc::new(test)))
     });
     let tests = tests.collect();

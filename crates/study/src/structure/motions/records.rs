@@ -117,7 +117,7 @@ fn read(
         None => headings.push((file.to_owned(), heading)),
     }
     drop(headings);
-    reader.keep(file, bytes);
+    reader.keep(file, &bytes);
     Ok(signal)
 }
 

@@ -197,7 +197,7 @@ fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
     let mut points = Vec::with_capacity(files.len());
     for file in files {
         let (test, bytes) = test(file, (node, &path), (&time, &[&u]), reader, faults)?;
-        reader.keep(file, bytes);
+        reader.keep(file, &bytes);
         let Test { time, values } = test;
         let u = values.into_iter().next()?;
         if u.len() < 2 {

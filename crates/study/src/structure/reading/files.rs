@@ -32,7 +32,7 @@ pub(in crate::structure) fn read<T>(
     };
     match parse(&bytes) {
         Ok(content) => {
-            reader.keep(file, bytes);
+            reader.keep(file, &bytes);
             Some(content)
         }
         Err(why) => {
@@ -62,11 +62,8 @@ pub(in crate::structure) fn bytes(path: &Path, largest: u64) -> Result<Vec<u8>, 
 
 impl Reader<'_> {
     /// Keeps the bytes of a file for the identity of the structure.
-    pub fn keep(&self, file: &str, bytes: Vec<u8>) {
-        let mut all = self.records.borrow_mut();
-        if !all.iter().any(|(known, _)| known == file) {
-            all.push((file.to_owned(), bytes));
-        }
+    pub fn keep(&self, file: &str, bytes: &[u8]) {
+        self.records.borrow_mut().add(file, bytes);
     }
 }
 

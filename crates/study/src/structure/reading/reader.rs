@@ -3,6 +3,7 @@
 use crate::source::faults::{Faults, in_words, quoted, unknown};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::structure::identity::Records;
 use crate::structure::keys::{Keys, names, range};
 use crate::value::{name, number, with_unit};
 use slipgap_problem::problem::ParameterExpression;
@@ -49,8 +50,8 @@ pub(in crate::structure) struct Reader<'a> {
     pub headings: RefCell<Vec<(String, Heading)>>,
     /// The strength of the ground for other motions, if it has one.
     pub of_ground: RefCell<Option<OfGround>>,
-    /// The bytes of the records and matrices, for the identity of the structure.
-    pub records: RefCell<Vec<(String, Vec<u8>)>>,
+    /// The records and matrices, for the identity of the structure.
+    pub records: RefCell<Records>,
 }
 
 impl Reader<'_> {

@@ -4,12 +4,13 @@ use super::ties::Tie;
 use super::{ImportFault, cells, fault, is_plain, lines, number, shown};
 use crate::system::structure::Direction;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// A degree of freedom.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dof {
-    /// Its node.
-    pub node: String,
+    /// Its node; rows of one node share its name.
+    pub node: Arc<str>,
     /// Its direction.
     pub direction: Direction,
     /// The support that it moves with, by its place in [`Dofs::supports`].
@@ -26,7 +27,7 @@ pub struct Dofs {
     rows: Vec<Dof>,
     /// Names of supports, in the order of their first lines.
     pub supports: Vec<String>,
-    places: HashMap<(String, Direction), usize>,
+    places: HashMap<(Arc<str>, Direction), usize>,
     /// The degrees of freedom that are sums of rows.
     pub(super) ties: Vec<Tie>,
     /// Their places by node and direction.
@@ -52,7 +53,7 @@ impl Dofs {
             .iter()
             .enumerate()
             .all(|(i, name)| place(name) == Some(i));
-        let (Some(node), Some(direction), true, true) =
+        let (Some(of_node), Some(direction), true, true) =
             (place("node"), place("direction"), known, once)
         else {
             let message = "the header must be node,direction and, if wanted, support and X,Y,Z";
@@ -61,7 +62,7 @@ impl Dofs {
         let at = [place("X"), place("Y"), place("Z")];
         let support = place("support");
         let mut dofs = Dofs::default();
-        let mut supported: HashMap<String, Option<usize>> = HashMap::new();
+        let mut supported: HashMap<Arc<str>, Option<usize>> = HashMap::new();
         let rows = lines.iter().enumerate().skip(1);
         for (index, line) in rows.filter(|(_, line)| !line.trim().is_empty()) {
             let own: Vec<&str> = cells(line).collect();
@@ -69,7 +70,7 @@ impl Dofs {
                 let message = format!("must have {} cells, got {}", header.len(), own.len());
                 return Err(fault(index, message));
             }
-            let name = own[node];
+            let name = own[of_node];
             if name.is_empty() || !is_plain(name) {
                 let message = format!(
                     "a node is named by letters, digits and _, got {}",
@@ -95,7 +96,9 @@ impl Dofs {
                     return Err(fault(index, message));
                 }
             };
-            let before = supported.entry(name.to_owned()).or_insert(of_support);
+            let known = supported.get_key_value(name);
+            let node: Arc<str> = known.map_or_else(|| name.into(), |(known, _)| known.clone());
+            let before = supported.entry(node.clone()).or_insert(of_support);
             match (*before, of_support) {
                 (Some(one), Some(two)) if one != two => {
                     let [one, two] = [one, two].map(|place| &dofs.supports[place]);
@@ -115,7 +118,7 @@ impl Dofs {
                 }
                 coordinates = Some(point);
             }
-            let key = (name.to_owned(), direction);
+            let key = (node.clone(), direction);
             if let Some(first) = dofs.places.insert(key, dofs.rows.len()) {
                 let message = format!(
                     "{name}.{} is there twice, first in line {}",
@@ -125,7 +128,7 @@ impl Dofs {
                 return Err(fault(index, message));
             }
             dofs.rows.push(Dof {
-                node: name.to_owned(),
+                node,
                 direction,
                 support: of_support,
                 at: coordinates,
@@ -165,7 +168,7 @@ impl Dofs {
     /// The row with a name such as `7.x`.
     pub fn row(&self, name: &str) -> Option<usize> {
         let (node, direction) = name.rsplit_once('.')?;
-        let key = (node.to_owned(), Direction::named(direction)?);
+        let key = (node.into(), Direction::named(direction)?);
         self.places.get(&key).copied()
     }
 
@@ -190,8 +193,8 @@ impl Dofs {
     /// The directions of a node; none if it is not there.
     pub fn directions(&self, node: &str) -> Vec<Direction> {
         let is_there = |direction: &Direction| {
-            let key = (node.to_owned(), *direction);
-            self.places.contains_key(&key) || self.tied.contains_key(&key)
+            self.places.contains_key(&(node.into(), *direction))
+                || self.tied.contains_key(&(node.to_owned(), *direction))
         };
         Direction::ALL.into_iter().filter(is_there).collect()
     }

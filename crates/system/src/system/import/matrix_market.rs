@@ -4,10 +4,9 @@
 //! entry and an upper triangle have no line there, and it does not say at which line an entry is, as the checks of symmetry and
 //! pivots need.
 
-use super::{ImportFault, fault, lines, number, shown};
+use super::{ImportFault, fault, number, shown, text};
 use crate::system::structure::Symmetric;
 use crate::system::structure::sparse::factor::negative_pivot;
-use std::collections::BTreeMap;
 
 /// Most rows.
 const MOST_ROWS: usize = 1_000_000;
@@ -33,63 +32,78 @@ struct Form {
     symmetric: bool,
 }
 
+/// An entry of a file. Rows and lines fit in 32 bits: a file has 2 GiB at most.
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    /// Row and column.
+    place: [u32; 2],
+    value: f64,
+    /// Index of its line.
+    line: u32,
+}
+
 impl Matrix {
     /// The matrix of a file.
     ///
     /// # Errors
     /// The first line that is wrong; also where the matrix is not square or not symmetric.
     pub fn parse(bytes: &[u8]) -> Result<Matrix, ImportFault> {
-        let lines = lines(bytes)?;
-        let form = form(lines.first().copied().unwrap_or_default())?;
-        let mut content = lines
-            .iter()
-            .enumerate()
-            .skip(1)
-            .filter(|(_, line)| !line.starts_with('%') && !line.trim().is_empty());
-        let end = lines.len().saturating_sub(1);
+        let text = text(bytes)?;
+        let mut lines = text.lines().enumerate();
+        let form = form(lines.next().map_or("", |(_, line)| line))?;
+        let mut content =
+            lines.filter(|(_, line)| !line.starts_with('%') && !line.trim().is_empty());
+        let end = || text.lines().count().saturating_sub(1);
         let Some((at, size)) = content.next() else {
-            return Err(fault(end, "the file ends before the size of the matrix"));
+            return Err(fault(end(), "the file ends before the size of the matrix"));
         };
         let (n, count) = sizes(size, form).map_err(|message| fault(at, message))?;
-        // The values of both triangles with their lines.
-        let mut entries: BTreeMap<(usize, usize), (f64, usize)> = BTreeMap::new();
-        let mut read = 0;
-        let mut place = (0, 0);
-        for (index, line) in content {
-            if read == count {
-                return Err(fault(
-                    index,
-                    format!("more entries than the {count} announced"),
-                ));
+        // A line of an entry has two bytes at least.
+        let mut entries = Vec::with_capacity(count.min(text.len() / 2));
+        let mut next = (0, 0);
+        let read = content.try_for_each(|(line, text)| {
+            if entries.len() == count {
+                let message = format!("more entries than the {count} announced");
+                return Err(fault(line, message));
             }
-            let (i, j, value) = match form.coordinate {
-                true => entry(line, n).map_err(|message| fault(index, message))?,
-                false => {
-                    let value = number(line.trim()).map_err(|message| fault(index, message))?;
-                    let (i, j) = place;
-                    place = match (i + 1 < n, form.symmetric) {
-                        (true, _) => (i + 1, j),
-                        (false, true) => (j + 1, j + 1),
-                        (false, false) => (0, j + 1),
-                    };
-                    (i, j, value)
-                }
+            let (place, value) = match form.coordinate {
+                true => entry(text, n),
+                false => number(text.trim()).map(|value| (next, value)),
+            }
+            .map_err(|message| fault(line, message))?;
+            let (i, j) = place;
+            next = match (i + 1 < n, form.symmetric) {
+                (true, _) => (i + 1, j),
+                (false, true) => (j + 1, j + 1),
+                (false, false) => (0, j + 1),
             };
             if form.symmetric && j > i {
                 let message = "a symmetric file has entries on and below the diagonal only";
-                return Err(fault(index, message));
+                return Err(fault(line, message));
             }
-            if entries.insert((i, j), (value, index)).is_some() {
-                let message = format!("row {} and column {} are there twice", i + 1, j + 1);
-                return Err(fault(index, message));
-            }
-            read += 1;
+            entries.push(Entry {
+                place: [i as u32, j as u32],
+                value,
+                line: line as u32,
+            });
+            Ok(())
+        });
+        // Equal places stay in the order of the lines.
+        entries.sort_by_key(|entry| entry.place);
+        let pairs = entries.windows(2);
+        let twice = pairs.filter(|pair| pair[0].place == pair[1].place);
+        if let Some(entry) = twice.map(|pair| pair[1]).min_by_key(|entry| entry.line) {
+            let [i, j] = entry.place.map(|place| place + 1);
+            let message = format!("row {i} and column {j} are there twice");
+            return Err(fault(entry.line as usize, message));
         }
-        if read < count {
+        read?;
+        if entries.len() < count {
+            let read = entries.len();
             let message = format!("the file ends after {read} entries of {count}");
-            return Err(fault(end, message));
+            return Err(fault(end(), message));
         }
-        symmetric(entries, form, (n, at))
+        symmetric(&entries, form, (n, at))
     }
 
     /// Number of rows.
@@ -190,7 +204,7 @@ fn sizes(line: &str, form: Form) -> Result<(usize, usize), String> {
 }
 
 /// Row and column from 0, and the value.
-fn entry(line: &str, n: usize) -> Result<(usize, usize, f64), String> {
+fn entry(line: &str, n: usize) -> Result<((usize, usize), f64), String> {
     let words: Vec<&str> = line.split_whitespace().collect();
     let [i, j, value] = words[..] else {
         return Err(format!(
@@ -205,29 +219,41 @@ fn entry(line: &str, n: usize) -> Result<(usize, usize, f64), String> {
             shown(text)
         )),
     };
-    Ok((index(i)?, index(j)?, number(value)?))
+    Ok(((index(i)?, index(j)?), number(value)?))
 }
 
-/// The symmetric matrix of n rows of these entries; `size` is the line of its size.
+/// The symmetric matrix of n rows of these entries, which rise; `size` is the line of its size.
 fn symmetric(
-    entries: BTreeMap<(usize, usize), (f64, usize)>,
+    entries: &[Entry],
     form: Form,
     (n, size): (usize, usize),
 ) -> Result<Matrix, ImportFault> {
-    let largest = entries.values().fold(0.0, |a: f64, (x, _)| a.max(x.abs()));
-    let mut matrix = Symmetric::zeros(n);
+    let values = entries.iter().map(|entry| entry.value);
+    let largest = values.fold(0.0, |a: f64, x| a.max(x.abs()));
+    let at = |place: [u32; 2]| {
+        let found = entries.binary_search_by_key(&place, |entry| entry.place);
+        found.ok().map(|place| entries[place].value)
+    };
+    let mut counts = vec![0; n];
+    let below = entries.iter().map(|entry| entry.place);
+    below
+        .filter(|[i, j]| i >= j)
+        .for_each(|[i, _]| counts[i as usize] += 1);
+    let mut matrix = Symmetric::with_room(&counts);
     let mut diagonal = vec![size; n];
-    for ((i, j), (value, line)) in &entries {
+    for Entry { place, value, line } in entries {
+        let [i, j] = place.map(|place| place as usize);
         if i == j {
-            diagonal[*i] = *line;
-            matrix.add(*i, *i, *value);
+            diagonal[i] = *line as usize;
+            matrix.add(i, i, *value);
             continue;
         }
         if form.symmetric {
-            matrix.add(*i, *j, *value);
+            matrix.add(i, j, *value);
             continue;
         }
-        let other = entries.get(&(*j, *i)).map_or(0.0, |other| other.0);
+        let across = at([place[1], place[0]]);
+        let other = across.unwrap_or(0.0);
         if (value - other).abs() > ROUND_OFF * largest {
             let message = format!(
                 "the matrix is not symmetric: {value} in row {} and column {}, {other} in row {} and column {}",
@@ -236,12 +262,12 @@ fn symmetric(
                 j + 1,
                 i + 1
             );
-            return Err(fault(*line, message));
+            return Err(fault(*line as usize, message));
         }
         // Each of the two adds its half; equal ones give their value without round-off.
-        matrix.add(*i, *j, 0.5 * value);
-        if !entries.contains_key(&(*j, *i)) {
-            matrix.add(*i, *j, 0.5 * other);
+        matrix.add(i, j, 0.5 * value);
+        if across.is_none() {
+            matrix.add(i, j, 0.5 * other);
         }
     }
     Ok(Matrix {

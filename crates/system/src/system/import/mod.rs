@@ -74,13 +74,18 @@ fn fault(index: usize, message: impl Into<String>) -> ImportFault {
     }
 }
 
-/// The lines of a file without its byte order mark.
-fn lines(bytes: &[u8]) -> Result<Vec<&str>, ImportFault> {
+/// The text of a file without its byte order mark.
+fn text(bytes: &[u8]) -> Result<&str, ImportFault> {
     let text = std::str::from_utf8(bytes).map_err(|why| {
         let line = bytes[..why.valid_up_to()].iter().filter(|b| **b == b'\n');
         fault(line.count(), "must be text in UTF-8")
     })?;
-    Ok(text.trim_start_matches('\u{feff}').lines().collect())
+    Ok(text.trim_start_matches('\u{feff}'))
+}
+
+/// The lines of a file.
+fn lines(bytes: &[u8]) -> Result<Vec<&str>, ImportFault> {
+    Ok(text(bytes)?.lines().collect())
 }
 
 /// The cells of a line of a CSV file without quotes.

@@ -27,7 +27,7 @@ impl Inertia {
                         matrix.add(i, i, 1.0);
                     }
                 }
-                Some(Factor::new(&matrix, &vec![false; masses.len()])?)
+                Some(Factor::new(matrix, &vec![false; masses.len()])?)
             }
         };
         Ok(Inertia { masses, factor })

@@ -123,13 +123,13 @@ impl<const L: usize> Average<'_, L> {
         let prepared = self.prepared;
         let (p, w, work) = (&self.p[..], &self.w[..], &mut self.work[..]);
         for link in &prepared.elimination.links {
-            let Link { from, to, k, c } = *link;
+            let ([from, to], Link { k, c, .. }) = (link.ends(), *link);
             let flow = (p[to] - p[from]) * k + (w[to] - w[from]) * c;
             work[from] = work[from] + flow;
             work[to] = work[to] - flow;
         }
         for coupling in &prepared.couplings {
-            let Link { from, to, k, c } = *coupling;
+            let ([from, to], Link { k, c, .. }) = (coupling.ends(), *coupling);
             work[from] = work[from] - (p[to] * k + w[to] * c);
             work[to] = work[to] - (p[from] * k + w[from] * c);
         }

@@ -70,7 +70,8 @@ impl<const L: usize> General<'_, L> {
                 unbalanced = unbalanced - (a(*i) * moved(*j) + a(*j) * moved(*i)) * *mass;
             }
             for link in linear.elimination.all_links() {
-                let difference = |of: &dyn Fn(usize) -> Lane<L>| of(link.to) - of(link.from);
+                let [from, to] = link.ends();
+                let difference = |of: &dyn Fn(usize) -> Lane<L>| of(to) - of(from);
                 let du = difference(&moved);
                 let u = difference(&|at| start.nodes[at][0]) + du * w1;
                 let [v, v_end] = [start, end].map(|stage| difference(&|at| stage.nodes[at][1]));
@@ -81,7 +82,8 @@ impl<const L: usize> General<'_, L> {
                 supplied = supplied - work;
             }
             for coupling in &linear.couplings {
-                for (at, other) in [(coupling.from, coupling.to), (coupling.to, coupling.from)] {
+                let [from, to] = coupling.ends();
+                for (at, other) in [(from, to), (to, from)] {
                     let u = start.nodes[other][0] + moved(other) * w1;
                     let [v, v_end] = [start, end].map(|stage| stage.nodes[other][1]);
                     let force = u * coupling.k + (v * w0 + v_end * w1) * coupling.c;
@@ -194,11 +196,12 @@ impl<const L: usize> General<'_, L> {
     fn add_twice_strain(&self, mut twice: Lane<L>) -> Lane<L> {
         let nodes = &self.last().nodes;
         for link in self.prepared.sub_steps[0].elimination.all_links() {
-            let change = nodes[link.to][0] - nodes[link.from][0];
+            let [from, to] = link.ends();
+            let change = nodes[to][0] - nodes[from][0];
             twice = twice + change * change * link.k;
         }
         for coupling in &self.prepared.sub_steps[0].couplings {
-            let [u, other] = [coupling.from, coupling.to].map(|at| nodes[at][0]);
+            let [u, other] = coupling.ends().map(|at| nodes[at][0]);
             twice = twice + u * other * (2.0 * coupling.k);
         }
         twice

@@ -135,13 +135,13 @@ impl<const L: usize> General<'_, L> {
             (u1 - u0) * k + (v1 - v0) * c
         };
         for link in &linear.elimination.links {
-            let Link { from, to, k, c } = *link;
+            let ([from, to], Link { k, c, .. }) = (link.ends(), *link);
             let flow = flow(from, to, k, c);
             work[from] = work[from] + flow;
             work[to] = work[to] - flow;
         }
         for coupling in &linear.couplings {
-            let Link { from, to, k, c } = *coupling;
+            let ([from, to], Link { k, c, .. }) = (coupling.ends(), *coupling);
             let force = |of: usize| at[of][0] * k + at[of][1] * c;
             work[from] = work[from] - force(to);
             work[to] = work[to] - force(from);

@@ -33,9 +33,8 @@ impl Linear {
         touches: &[bool],
         sub_step: SubStep,
     ) -> Result<(Linear, Vec<usize>), Unsolvable> {
-        let matrix = matrix(structure, &sub_step);
         let [of_c, of_k] = [sub_step.d1, sub_step.d2].map(|d| sub_step.weights[1] * d);
-        let factor = Factor::new(&matrix, touches).map_err(|NotPositive { row }| {
+        let factor = Factor::new(matrix(structure, &sub_step), touches).map_err(|NotPositive { row }| {
             Unsolvable::BrokenRules(format!(
                 "the matrix of a step, {m} M + {of_c:e} C + {of_k:e} K, is not positive definite at node {}",
                 structure.nodes[row].name,

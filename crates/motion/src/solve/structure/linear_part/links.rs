@@ -1,7 +1,7 @@
 //! K and C as springs, dashpots and couplings, and the rows of Khat with its factor.
 
-use crate::system::structure::Structure;
 use crate::system::structure::sparse::factor::{Blocks, Columns, Entry, Factor, Triangle};
+use crate::system::structure::{Structure, Symmetric};
 
 /// A row of Khat/4. Most nodes have one neighbour that is eliminated later, in trees all of them.
 #[derive(Debug, Clone, Copy)]
@@ -20,15 +20,28 @@ pub(crate) struct Row {
     pub(crate) more: bool,
 }
 
-/// Spring and dashpot between two places.
+/// Spring and dashpot between two places, which fit in 32 bits: the matrices of a step have 24 bytes for each place of K and C.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Link {
-    pub(crate) from: usize,
-    pub(crate) to: usize,
+    from: u32,
+    to: u32,
     /// Stiffness.
     pub(crate) k: f64,
     /// c/dt.
     pub(crate) c: f64,
+}
+
+impl Link {
+    fn new([i, j]: [usize; 2], k: f64, c: f64) -> Link {
+        let [from, to] = [i.min(j), i.max(j)].map(|place| place as u32);
+        Link { from, to, k, c }
+    }
+
+    /// The smaller place and the other one.
+    #[inline(always)]
+    pub(crate) fn ends(&self) -> [usize; 2] {
+        [self.from as usize, self.to as usize]
+    }
 }
 
 /// K and C as springs and dashpots between places of one direction and to the ground, and as couplings of different directions,
@@ -38,20 +51,22 @@ pub(crate) struct Link {
 /// displacement and a rotation there is no such difference: their sizes depend on the units.
 pub(crate) fn links(structure: &Structure, place: &[usize], dt: f64) -> [Vec<Link>; 2] {
     let n = structure.len();
-    let (mut links, mut couplings) = (Vec::new(), Vec::new());
     let direction = |node: usize| structure.nodes[node].direction;
+    // Vectors that grow would take twice the memory.
+    let entries = [&structure.stiffness, &structure.damping].map(Symmetric::entries);
+    let others = entries.into_iter().flatten().filter(|((i, j), _)| i != j);
+    let [mut own, mut crossing] = [n, 0];
+    for ((i, j), _) in others {
+        match direction(i) == direction(j) {
+            true => own += 1,
+            false => crossing += 1,
+        }
+    }
+    let (mut links, mut couplings) = (Vec::with_capacity(own), Vec::with_capacity(crossing));
     for (matrix, damps) in [(&structure.stiffness, false), (&structure.damping, true)] {
-        let between = |[i, j]: [usize; 2], value: f64| {
-            let [k, c] = match damps {
-                false => [value, 0.0],
-                true => [0.0, value * (1.0 / dt)],
-            };
-            Link {
-                from: i.min(j),
-                to: i.max(j),
-                k,
-                c,
-            }
+        let between = |places: [usize; 2], value: f64| match damps {
+            false => Link::new(places, value, 0.0),
+            true => Link::new(places, 0.0, value * (1.0 / dt)),
         };
         // The sum of a row is the spring to the ground. For a row without ground it is round-off.
         let (mut sums, mut sizes) = (vec![0.0; n], vec![0.0; n]);
@@ -82,7 +97,7 @@ pub(crate) fn links(structure: &Structure, place: &[usize], dt: f64) -> [Vec<Lin
 
 /// The same with one link between two places, by places.
 fn merged(mut links: Vec<Link>) -> Vec<Link> {
-    links.sort_by_key(|link| (link.from, link.to));
+    links.sort_unstable_by_key(|link| (link.from, link.to));
     links.dedup_by(|link, kept| {
         let same = (link.from, link.to) == (kept.from, kept.to);
         if same {
@@ -141,8 +156,9 @@ impl Elimination {
         };
         let mut rows: Vec<Row> = reciprocals.iter().enumerate().map(row).collect();
         links.retain(|link| {
-            let row = &mut rows[link.from];
-            let own = row.to == link.to;
+            let [from, to] = link.ends();
+            let row = &mut rows[from];
+            let own = row.to == to;
             if own {
                 (row.k, row.c) = (link.k, link.c);
             }
@@ -168,12 +184,7 @@ impl Elimination {
 
     /// All springs and dashpots.
     pub(crate) fn all_links(&self) -> impl Iterator<Item = Link> + '_ {
-        let link = |(from, row): (usize, &Row)| Link {
-            from,
-            to: row.to,
-            k: row.k,
-            c: row.c,
-        };
+        let link = |(from, row): (usize, &Row)| Link::new([from, row.to], row.k, row.c);
         let of_rows = self.rows.iter().enumerate().map(link);
         of_rows.chain(self.links.iter().copied())
     }

@@ -71,14 +71,15 @@ impl Prepared {
     /// [`Unsolvable::Indefinite`] with the name of a node if Khat is not positive definite.
     pub fn new(structure: &Structure, dt: f64) -> Result<Prepared, Unsolvable> {
         let inertia = |node: usize| structure.nodes[node].mass / (dt * dt);
-        let matrix = step_matrix(structure, dt);
-        let factor = Factor::new(&matrix, &touches(structure)).map_err(|NotPositive { row }| {
-            let node = structure.nodes[row].name.clone();
-            match longest_step(dt, |dt| step_matrix(structure, dt)) {
-                Some(longest) => Unsolvable::TooLongStep { node, longest },
-                None => Unsolvable::Indefinite { node },
-            }
-        })?;
+        let factor = Factor::new(step_matrix(structure, dt), &touches(structure)).map_err(
+            |NotPositive { row }| {
+                let node = structure.nodes[row].name.clone();
+                match longest_step(dt, |dt| step_matrix(structure, dt)) {
+                    Some(longest) => Unsolvable::TooLongStep { node, longest },
+                    None => Unsolvable::Indefinite { node },
+                }
+            },
+        )?;
         let place = place_of(&factor);
         let places = places(structure, &place);
         let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();

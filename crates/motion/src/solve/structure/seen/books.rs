@@ -125,13 +125,15 @@ impl<const L: usize> Books<L> {
             supplied = supplied + work;
         }
         for link in prepared.elimination.all_links() {
-            let change = change(link.to) - change(link.from);
+            let [from, to] = link.ends();
+            let change = change(to) - change(from);
             let work = change * change * link.c;
             each(Work::Damping, work);
             supplied = supplied - work;
         }
         for coupling in &prepared.couplings {
-            let both = change(coupling.from) * change(coupling.to);
+            let [from, to] = coupling.ends();
+            let both = change(from) * change(to);
             let work = both * (2.0 * coupling.c);
             each(Work::Damping, work);
             supplied = supplied - work;
@@ -226,11 +228,13 @@ impl<const L: usize> Average<'_, L> {
     fn add_twice_strain(&self, mut twice: Lane<L>) -> Lane<L> {
         let u = |place: usize| self.p[place] - self.w[place] * 0.5;
         for link in self.prepared.elimination.all_links() {
-            let change = u(link.to) - u(link.from);
+            let [from, to] = link.ends();
+            let change = u(to) - u(from);
             twice = twice + change * change * link.k;
         }
         for coupling in &self.prepared.couplings {
-            twice = twice + u(coupling.from) * u(coupling.to) * (2.0 * coupling.k);
+            let [from, to] = coupling.ends();
+            twice = twice + u(from) * u(to) * (2.0 * coupling.k);
         }
         twice
     }

@@ -1,41 +1,136 @@
 //! Sparse symmetric matrices.
 
 use nalgebra::DMatrix;
+use std::sync::Arc;
 
-/// A sparse symmetric matrix: the entries on and below the diagonal.
-#[derive(Debug, Clone, PartialEq)]
+/// Entries (column, value), which rise.
+type Row = Vec<(usize, f64)>;
+
+/// A sparse symmetric matrix: the entries on and below the diagonal. Copies share them until one is changed.
+#[derive(Debug, Clone)]
 pub struct Symmetric {
-    /// The entries (column, value) of each row, which rise.
-    rows: Vec<Vec<(usize, f64)>>,
+    size: usize,
+    /// Each row; none while the matrix has no entry, or is packed.
+    rows: Arc<Vec<Row>>,
+    packed: Arc<Packed>,
+}
+
+/// The rows one behind the other, in half of the memory: 12 bytes for an entry.
+#[derive(Debug, Clone, Default)]
+struct Packed {
+    /// Where each row ends.
+    ends: Vec<u32>,
+    columns: Vec<u32>,
+    values: Vec<f64>,
+}
+
+impl Packed {
+    /// The entries of each row.
+    fn rows(&self) -> impl Iterator<Item = impl Iterator<Item = (usize, f64)>> {
+        let starts = std::iter::once(&0).chain(&self.ends);
+        starts.zip(&self.ends).map(|(start, end)| {
+            let own = *start as usize..*end as usize;
+            let columns = self.columns[own.clone()].iter();
+            let columns = columns.map(|column| *column as usize);
+            columns.zip(self.values[own].iter().copied())
+        })
+    }
+}
+
+impl PartialEq for Symmetric {
+    fn eq(&self, other: &Symmetric) -> bool {
+        let is_same =
+            Arc::ptr_eq(&self.rows, &other.rows) && Arc::ptr_eq(&self.packed, &other.packed);
+        self.size == other.size && (is_same || self.entries().eq(other.entries()))
+    }
+}
+
+/// Adds a value to an entry of a row.
+fn add(row: &mut Row, column: usize, value: f64) {
+    // Most matrices are filled by rising columns.
+    let last = row.last().is_none_or(|(last, _)| *last < column);
+    let place = if last {
+        Err(row.len())
+    } else {
+        row.binary_search_by_key(&column, |(j, _)| *j)
+    };
+    match place {
+        Ok(place) => row[place].1 += value,
+        Err(place) => {
+            if row.len() == row.capacity() {
+                // Doubling would leave half of the memory unused.
+                row.reserve_exact(4 + row.len() / 4);
+            }
+            row.insert(place, (column, 0.0 + value));
+        }
+    }
 }
 
 impl Symmetric {
     /// A matrix of zeros.
     pub fn zeros(size: usize) -> Symmetric {
+        let (rows, packed) = Default::default();
+        Symmetric { size, rows, packed }
+    }
+
+    /// A matrix of zeros with room for so many entries in each row.
+    pub(crate) fn with_room(counts: &[usize]) -> Symmetric {
+        let rows = counts.iter().map(|count| Row::with_capacity(*count));
         Symmetric {
-            rows: vec![Vec::new(); size],
+            size: counts.len(),
+            rows: Arc::new(rows.collect()),
+            packed: Arc::default(),
+        }
+    }
+
+    /// The entries that are kept, in half of the memory. A change unpacks them.
+    #[must_use]
+    pub fn packed(&self, keeps: impl Fn(f64) -> bool) -> Symmetric {
+        let kept = || self.entries().filter(|(_, value)| keeps(*value));
+        let count = kept().count();
+        // More entries do not fit in memory.
+        if u32::try_from(count.max(self.size)).is_err() {
+            return self.clone();
+        }
+        let mut packed = Packed {
+            ends: vec![0; self.size],
+            columns: Vec::with_capacity(count),
+            values: Vec::with_capacity(count),
+        };
+        let mut last = 0;
+        for ((row, column), value) in kept() {
+            packed.ends[last..row].fill(packed.columns.len() as u32);
+            last = row;
+            packed.columns.push(column as u32);
+            packed.values.push(value);
+        }
+        packed.ends[last..].fill(count as u32);
+        Symmetric {
+            packed: Arc::new(packed),
+            ..Symmetric::zeros(self.size)
         }
     }
 
     /// Number of rows.
     pub fn size(&self) -> usize {
-        self.rows.len()
+        self.size
+    }
+
+    fn rows_mut(&mut self) -> &mut [Row] {
+        if self.rows.is_empty() {
+            let mut rows: Vec<Row> = self.packed.rows().map(Iterator::collect).collect();
+            rows.resize(self.size, Row::new());
+            *self = Symmetric {
+                rows: Arc::new(rows),
+                ..Symmetric::zeros(self.size)
+            };
+        }
+        Arc::<Vec<Row>>::make_mut(&mut self.rows)
     }
 
     /// Adds `value` to entries (i, j) and (j, i), which may be one.
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
-        let (row, column) = (&mut self.rows[i.max(j)], i.min(j));
-        // Most matrices are filled by rising columns.
-        let last = row.last().is_none_or(|(last, _)| *last < column);
-        let place = if last {
-            Err(row.len())
-        } else {
-            row.binary_search_by_key(&column, |(j, _)| *j)
-        };
-        match place {
-            Ok(place) => row[place].1 += value,
-            Err(place) => row.insert(place, (column, 0.0 + value)),
-        }
+        add(&mut self.rows_mut()[i.max(j)], i.min(j), value);
     }
 
     /// Adds a spring between two nodes; `None` is the ground.
@@ -54,23 +149,35 @@ impl Symmetric {
 
     /// Whether it has no entries.
     pub fn is_empty(&self) -> bool {
-        self.rows.iter().all(Vec::is_empty)
+        self.entries().next().is_none()
     }
 
     /// Adds another matrix times a factor.
     pub fn add_matrix(&mut self, other: &Symmetric, factor: f64) {
-        for (row, other) in self.rows.iter_mut().zip(&other.rows) {
-            row.reserve_exact(other.len().saturating_sub(row.len()));
+        if other.is_empty() {
+            return;
+        }
+        let rows = self.rows_mut();
+        for (row, count) in rows.iter_mut().zip(other.counts()) {
+            row.reserve_exact(count.saturating_sub(row.len()));
         }
         for ((i, j), value) in other.entries() {
-            self.add(i, j, factor * value);
+            add(&mut rows[i], j, factor * value);
         }
     }
 
     /// The entries (row, column) on and below the diagonal, by rows.
     pub fn entries(&self) -> impl Iterator<Item = ((usize, usize), f64)> + '_ {
         let rows = self.rows.iter().enumerate();
-        rows.flat_map(|(i, row)| row.iter().map(move |(j, value)| ((i, *j), *value)))
+        let of_rows = rows.flat_map(|(i, row)| row.iter().map(move |(j, value)| ((i, *j), *value)));
+        let packed = self.packed.rows().enumerate();
+        of_rows.chain(packed.flat_map(|(i, row)| row.map(move |(j, value)| ((i, j), value))))
+    }
+
+    /// Number of entries of each row on and below the diagonal.
+    fn counts(&self) -> impl Iterator<Item = usize> + '_ {
+        let packed = self.packed.rows().map(Iterator::count);
+        self.rows.iter().map(Vec::len).chain(packed)
     }
 
     /// Largest absolute value of its entries.
@@ -153,5 +260,24 @@ mod tests {
             ((3, 3), 1.0),
         ];
         assert_eq!(entries, expected);
+    }
+
+    #[test]
+    fn a_packed_matrix_has_the_entries_that_are_kept_until_it_is_changed() {
+        let mut matrix = Symmetric::zeros(6);
+        for (i, j, value) in [(1, 0, 2.0), (1, 1, 0.0), (3, 1, -1.0), (3, 3, 4.0)] {
+            matrix.add(i, j, value);
+        }
+        assert_eq!(matrix.packed(|_| true), matrix);
+        let kept = matrix.packed(|value| value != 0.0);
+        let expected = [((1, 0), 2.0), ((3, 1), -1.0), ((3, 3), 4.0)];
+        assert_eq!(kept.entries().collect::<Vec<_>>(), expected);
+        let mut changed = kept.clone();
+        changed.add(1, 1, 0.0);
+        assert_eq!(changed, matrix);
+        changed.add(5, 2, 1.0);
+        assert_eq!(changed.entries().last(), Some(((5, 2), 1.0)));
+        assert_eq!(kept.entries().count(), 3);
+        assert!(Symmetric::zeros(3).packed(|_| true).is_empty());
     }
 }

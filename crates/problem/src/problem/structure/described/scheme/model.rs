@@ -73,7 +73,7 @@ impl Model {
             imported.stiffness.entries().filter_map(couples).collect();
         let mut names = vec![String::new(); count];
         for (dof, node) in imported.dofs.rows().iter().zip(nodes) {
-            names[*node].clone_from(&dof.node);
+            names[*node] = dof.node.to_string();
         }
         Model {
             held: held(imported, nodes, count),

@@ -65,33 +65,47 @@ impl Block {
 
 impl Blocks {
     /// The entries of L by columns, and D, of fewer than 2^32 rows.
-    pub(super) fn new(panels: &[Panel], pivots: &[f64], by_columns: &[f64]) -> Blocks {
+    pub(super) fn new(panels: &[Panel], pivots: &[f64], by_columns: Vec<f64>) -> Blocks {
         let mut blocks = Vec::with_capacity(panels.len());
         let count = panels.iter().map(|panel| panel.rows.len()).sum();
         let mut rows = Vec::with_capacity(count);
-        let mut values = Vec::with_capacity(by_columns.len());
-        let mut left = by_columns;
+        // A panel has the same place in both orders.
+        let mut values = by_columns;
+        let (mut start, mut panel_by_columns) = (0, Vec::new());
         for panel in panels {
-            let start = rows.len();
+            let first_row = rows.len();
             rows.extend(panel.rows.iter().map(|row| *row as u32));
             let block = Block {
                 first: panel.first,
                 end: panel.end,
-                rows: [start, rows.len()],
-                values: values.len(),
+                rows: [first_row, rows.len()],
+                values: start,
+            };
+            let columns = panel.first..panel.end;
+            let end = start + columns.map(|column| panel.entries(column)).sum::<usize>();
+            panel_by_columns.clear();
+            panel_by_columns.extend_from_slice(&values[start..end]);
+            let mut left = &panel_by_columns[..];
+            let mut to = values[start..end].iter_mut();
+            let mut write = |from: &f64| {
+                if let Some(to) = to.next() {
+                    *to = *from;
+                }
             };
             for (columns, _) in block.groups() {
                 let mut below = [&[][..]; GROUP];
                 for (column, below) in columns.clone().zip(&mut below) {
                     let (own, after) = left.split_at(panel.entries(column));
                     let (inside, own) = own.split_at(columns.end - 1 - column);
-                    values.extend(inside);
+                    inside.iter().for_each(&mut write);
                     (*below, left) = (own, after);
                 }
                 for row in 0..below[0].len() {
-                    values.extend(below[..columns.len()].iter().map(|column| column[row]));
+                    let own = &below[..columns.len()];
+                    own.iter().for_each(|column| write(&column[row]));
                 }
             }
+            start = end;
             blocks.push(block);
         }
         Blocks {
@@ -105,6 +119,12 @@ impl Blocks {
     /// 1/D.
     pub fn reciprocals(&self) -> &[f64] {
         &self.reciprocals
+    }
+
+    /// Its size in memory.
+    pub(super) fn bytes(&self) -> usize {
+        let numbers = size_of_val(&self.values[..]) + size_of_val(&self.reciprocals[..]);
+        size_of_val(&self.blocks[..]) + size_of_val(&self.rows[..]) + numbers
     }
 
     /// Number of entries of L.

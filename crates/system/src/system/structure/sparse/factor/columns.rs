@@ -51,6 +51,11 @@ impl Columns {
         &self.entries[self.ends[i + 1]..self.ends[i]]
     }
 
+    /// Its size in memory.
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&self.ends[..]) + size_of_val(&self.entries[..])
+    }
+
     /// Number of entries.
     pub fn entries(&self) -> usize {
         self.entries.len()

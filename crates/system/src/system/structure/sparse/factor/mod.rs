@@ -20,6 +20,7 @@ use crate::system::structure::Symmetric;
 use numeric::Numeric;
 use order::{Order, order};
 use panels::{Panel, panels};
+use std::borrow::Borrow;
 use std::fmt;
 
 /// A matrix in the order of elimination, factored: P A P^T = L D L^T, L with a diagonal of 1.
@@ -66,19 +67,23 @@ impl Factor {
     ///
     /// # Errors
     /// [`NotPositive`] if the matrix is not positive definite.
-    pub fn new(matrix: &Symmetric, late: &[bool]) -> Result<Factor, NotPositive> {
+    pub fn new(matrix: impl Borrow<Symmetric>, late: &[bool]) -> Result<Factor, NotPositive> {
+        // A matrix that is given away is in memory no longer than needed.
+        let packed = matrix.borrow().packed(|_| true);
+        drop(matrix);
         let Order {
             rows,
             numbers,
             fills,
-        } = order(&neighbours(matrix), late);
-        let (diagonal, columns) = ordered(matrix, &rows);
+        } = order(neighbours(&packed), late);
+        let (diagonal, columns) = ordered(&packed, &rows);
+        drop(packed);
         let panels = panels(&columns);
-        let numeric = Numeric::new(&panels, &numbers, diagonal, &columns)
+        let numeric = Numeric::new(&panels, &numbers, diagonal, columns)
             .map_err(|place| NotPositive { row: rows[place] })?;
         let (pivots, values) = numeric.finish();
         let triangle = match fills {
-            true => Triangle::Blocks(Blocks::new(&panels, &pivots, &values)),
+            true => Triangle::Blocks(Blocks::new(&panels, &pivots, values)),
             false => Triangle::Columns {
                 reciprocals: pivots.into_iter().map(|pivot| 1.0 / pivot).collect(),
                 columns: by_columns(&panels, &values),
@@ -125,6 +130,18 @@ impl Factor {
     /// L and D.
     pub fn into_triangle(self) -> Triangle {
         self.triangle
+    }
+
+    /// Its size in memory, with the order of elimination.
+    pub fn bytes(&self) -> usize {
+        let triangle = match &self.triangle {
+            Triangle::Columns {
+                reciprocals,
+                columns,
+            } => size_of_val(&reciprocals[..]) + columns.bytes(),
+            Triangle::Blocks(blocks) => blocks.bytes(),
+        };
+        size_of_val(&self.order[..]) + triangle
     }
 
     /// Number of entries of L below its diagonal.

@@ -13,12 +13,12 @@ pub(super) struct Numeric<'a> {
     starts: Vec<usize>,
     /// D.
     pivots: Vec<f64>,
-    /// L D by columns.
-    scaled: Vec<f64>,
-    /// L by columns.
+    /// By columns: an entry is one of L D until its row is eliminated, and then one of L. So the factor is in memory once.
     entries: Vec<f64>,
     /// Place of each row among the entries of the first column of the present panel.
     places: Vec<usize>,
+    /// L of the columns of another panel in the rows that are columns of the present one.
+    divided: Vec<f64>,
 }
 
 /// Columns of a panel that change another panel.
@@ -41,7 +41,7 @@ impl<'a> Numeric<'a> {
         panels: &'a [Panel],
         numbers: &'a [usize],
         diagonal: Vec<f64>,
-        columns: &Lists<(usize, f64)>,
+        columns: Lists<(usize, f64)>,
     ) -> Result<Self, usize> {
         let size = diagonal.len();
         let mut starts = vec![0; size + 1];
@@ -52,19 +52,19 @@ impl<'a> Numeric<'a> {
                 panel_of[column] = number;
             }
         }
-        let entries = starts[size];
         let mut numeric = Numeric {
             panels,
             numbers,
+            entries: vec![0.0; starts[size]],
             starts,
             pivots: diagonal,
-            scaled: vec![0.0; entries],
-            entries: vec![0.0; entries],
             places: vec![0; size],
+            divided: Vec::new(),
         };
+        numeric.begin(columns);
         let mut sources: Vec<Vec<Source>> = vec![Vec::new(); panels.len()];
         for (number, panel) in panels.iter().enumerate() {
-            numeric.begin(panel, columns);
+            numeric.place(panel);
             let mut own = std::mem::take(&mut sources[number]);
             own.sort_unstable_by_key(|source| source.panel);
             for source in &mut own {
@@ -89,16 +89,23 @@ impl<'a> Numeric<'a> {
         (self.pivots, self.entries)
     }
 
-    /// Writes the entries of A to a panel.
-    fn begin(&mut self, panel: &Panel, columns: &Lists<(usize, f64)>) {
+    /// Writes the entries of A.
+    fn begin(&mut self, columns: Lists<(usize, f64)>) {
+        for panel in self.panels {
+            self.place(panel);
+            for column in panel.first..panel.end {
+                let start = self.offset(panel, column);
+                for (row, value) in columns.list(column) {
+                    self.entries[start + self.places[*row]] = *value;
+                }
+            }
+        }
+    }
+
+    /// Finds the places of the rows of a panel.
+    fn place(&mut self, panel: &Panel) {
         for (place, row) in panel.rows_of(panel.first).enumerate() {
             self.places[row] = place;
-        }
-        for column in panel.first..panel.end {
-            let start = self.offset(panel, column);
-            for (row, value) in columns.list(column) {
-                self.scaled[start + self.places[*row]] = *value;
-            }
         }
     }
 
@@ -113,33 +120,46 @@ impl<'a> Numeric<'a> {
         let from = &self.panels[source.panel];
         let rows = &from.rows[..];
         let end = source.first + rows[source.first..].partition_point(|row| *row < panel.end);
+        let columns = source.first..end;
         let first = |k: usize| self.starts[k] + from.end - 1 - k;
-        for (i, row) in rows.iter().enumerate().take(end).skip(source.first) {
-            for k in (from.first..from.end).map(first) {
-                self.pivots[*row] -= self.entries[k + i] * self.scaled[k + i];
+        let firsts: Vec<usize> = (from.first..from.end).map(first).collect();
+        let pivots = from.first..from.end;
+        let mut divided = std::mem::take(&mut self.divided);
+        for (first, k) in firsts.iter().zip(pivots.clone()) {
+            let (pivot, first) = (self.pivots[k], first + columns.start);
+            for (row, a) in rows[columns.clone()].iter().zip(&self.entries[first..]) {
+                let l = a / pivot;
+                self.pivots[*row] -= l * a;
+                divided.push(l);
             }
         }
         // In a tree, nothing else changes.
-        if source.first + 1 == rows.len() {
-            return end;
+        if source.first + 1 < rows.len() {
+            let base = self.starts[panel.first];
+            let offset = |row: &usize| self.offset(panel, *row) - base;
+            let offsets: Vec<usize> = rows[columns.clone()].iter().map(offset).collect();
+            let (scaled, entries) = self.entries.split_at_mut(base);
+            let products = Products {
+                firsts: &firsts,
+                scaled,
+                columns: columns.clone(),
+                divided: &divided,
+                pivots: &self.pivots[pivots],
+                rows,
+                numbers: self.numbers,
+            };
+            let target = Target {
+                entries,
+                offsets: &offsets,
+                places: &self.places,
+            };
+            products.subtract(target);
         }
-        let base = self.starts[panel.first];
-        let offset = |row: &usize| self.offset(panel, *row) - base;
-        let offsets: Vec<usize> = rows[source.first..end].iter().map(offset).collect();
-        let (scaled, entries) = self.scaled.split_at_mut(base);
-        let products = Products {
-            firsts: &(from.first..from.end).map(first).collect::<Vec<_>>(),
-            scaled,
-            entries: &self.entries,
-            rows,
-            numbers: self.numbers,
-        };
-        let target = Target {
-            entries,
-            offsets: &offsets,
-            places: &self.places,
-        };
-        products.subtract(source.first..end, target);
+        for (first, l) in firsts.iter().zip(divided.chunks_exact(columns.len())) {
+            self.entries[first + columns.start..][..columns.len()].copy_from_slice(l);
+        }
+        divided.clear();
+        self.divided = divided;
         end
     }
 
@@ -150,31 +170,28 @@ impl<'a> Numeric<'a> {
             let rows = || panel.rows_of(column).map(|row| self.numbers[row]);
             let number = self.numbers[column];
             let rising = rows().all(|other| other > number);
-            let (before, own) = self.scaled.split_at_mut(start);
+            let (before, own) = self.entries.split_at_mut(start);
             let own = &mut own[..panel.entries(column)];
             for k in panel.first..column {
                 let at = self.starts[k] + column - k - 1;
-                let (l, a) = (self.entries[at], before[at]);
+                let (a, pivot) = (before[at], self.pivots[k]);
+                let l = a / pivot;
                 self.pivots[column] -= l * a;
-                let below = at + 1..at + 1 + own.len();
-                let others = own.iter_mut().zip(&before[below.clone()]);
+                before[at] = l;
+                let others = own.iter_mut().zip(&before[at + 1..]);
                 if rising {
                     for (entry, b) in others {
                         *entry -= b * l;
                     }
                     continue;
                 }
-                let divided = &self.entries[below];
-                for (((entry, b), m), other) in others.zip(divided).zip(rows()) {
-                    *entry -= if other < number { m * a } else { b * l };
+                for ((entry, b), other) in others.zip(rows()) {
+                    *entry -= if other < number { b / pivot * a } else { b * l };
                 }
             }
             let pivot = self.pivots[column];
             if !(pivot > 0.0 && pivot.is_finite()) {
                 return Err(column);
-            }
-            for (l, a) in self.entries[start..].iter_mut().zip(own) {
-                *l = *a / pivot;
             }
         }
         Ok(())

@@ -26,10 +26,10 @@ pub(super) struct Order {
 /// Exact degrees cost too much in a large matrix with much fill-in, where they also give more of it than the approximate degrees
 /// of Amestoy, Davis and Duff (1996): 18 % in a grid of 10^4 rows. In small matrices, trees and narrow bands they cost little.
 /// There they let rows of contacts come late and chains alternate, which makes steps faster.
-pub(super) fn order(neighbours: &Lists<usize>, late: &[bool]) -> Order {
+pub(super) fn order(neighbours: Lists<usize>, late: &[bool]) -> Order {
     let size = late.len();
     let most = if size > SMALL { FEW } else { size };
-    let exact = minimum_degree(neighbours, late, most);
+    let exact = minimum_degree(&neighbours, late, most);
     if let Some(rows) = exact {
         let numbers = rows.clone();
         return Order {
@@ -48,11 +48,12 @@ pub(super) fn order(neighbours: &Lists<usize>, late: &[bool]) -> Order {
 }
 
 /// The order by approximate degrees; `None` if there are too many neighbours for its 32 bits.
-fn approximate(neighbours: &Lists<usize>) -> Option<Vec<usize>> {
+fn approximate(neighbours: Lists<usize>) -> Option<Vec<usize>> {
     let narrow = |x: &usize| i32::try_from(*x).ok();
     let starts: Option<Vec<i32>> = neighbours.starts().iter().map(narrow).collect();
     let entries: Option<Vec<i32>> = neighbours.entries().iter().map(narrow).collect();
     let (starts, entries) = (starts?, entries?);
+    drop(neighbours);
     let pattern = CscPattern::new(starts.len() - 1, &starts, &entries)?;
     let rows = amd_order(&pattern).ok()?;
     rows.into_iter()

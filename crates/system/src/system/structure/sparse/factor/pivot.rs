@@ -16,6 +16,6 @@ pub fn negative_pivot(matrix: &Symmetric) -> Option<usize> {
     for i in 0..n {
         shifted.add(i, i, ROUND_OFF * largest);
     }
-    let factor = Factor::new(&shifted, &vec![false; n]);
+    let factor = Factor::new(shifted, &vec![false; n]);
     factor.err().map(|NotPositive { row }| row)
 }

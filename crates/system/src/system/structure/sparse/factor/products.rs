@@ -9,13 +9,18 @@ const ROWS: usize = 8;
 const COLUMNS: usize = 4;
 
 /// The columns of a panel.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub(super) struct Products<'a> {
     /// For each column, the place of its entry in the first row below the panel.
     pub(super) firsts: &'a [usize],
-    /// L D and L by columns.
+    /// L D by columns.
     pub(super) scaled: &'a [f64],
-    pub(super) entries: &'a [f64],
+    /// The rows that are columns of the target, as places in `rows`.
+    pub(super) columns: Range<usize>,
+    /// L in these rows, by columns.
+    pub(super) divided: &'a [f64],
+    /// D of the columns.
+    pub(super) pivots: &'a [f64],
     /// The rows below the panel.
     pub(super) rows: &'a [usize],
     /// The number of each row.
@@ -33,9 +38,17 @@ pub(super) struct Target<'a> {
 }
 
 impl Products<'_> {
-    /// Subtracts the products of the rows in this range, which are the columns of the target, and all rows below each.
-    pub(super) fn subtract(&self, columns: Range<usize>, mut from: Target) {
-        subtract(self, columns, &mut from);
+    /// Subtracts the products of the rows that are columns of the target, and all rows below each.
+    pub(super) fn subtract(&self, mut from: Target) {
+        subtract(self, &mut from);
+    }
+
+    /// The place of each column in its first row below the panel, and L of the rows from `column` on.
+    #[inline(always)]
+    fn from(&self, column: usize) -> impl Iterator<Item = (&usize, &[f64])> {
+        let all = self.divided.chunks_exact(self.columns.len());
+        let from = column - self.columns.start;
+        self.firsts.iter().zip(all.map(move |l| &l[from..]))
     }
 
     /// Subtracts the products of C rows from `column` on and R rows from `row` on. Each entry loses one product after the other.
@@ -82,10 +95,9 @@ impl Products<'_> {
         [row, column]: [usize; 2],
         sums: &mut [[f64; R]; C],
     ) {
-        for first in self.firsts {
+        for (first, l) in self.from(column) {
             let a = self.scaled[first + row..].first_chunk::<R>();
-            let l = self.entries[first + column..].first_chunk::<C>();
-            let (Some(a), Some(l)) = (a, l) else {
+            let (Some(a), Some(l)) = (a, l.first_chunk::<C>()) else {
                 return;
             };
             for (sums, l) in sums.iter_mut().zip(l) {
@@ -101,12 +113,15 @@ impl Products<'_> {
         [row, column]: [usize; 2],
         sums: &mut [[f64; R]; C],
     ) {
-        for first in self.firsts {
-            for (j, sums) in (column..).zip(sums.iter_mut()) {
+        for ((first, l), pivot) in self.from(column).zip(self.pivots) {
+            for ((j, l), sums) in (column..).zip(l).zip(sums.iter_mut()) {
                 for (i, sum) in (row..).zip(sums) {
                     let smaller = self.numbers[self.rows[i]] < self.numbers[self.rows[j]];
-                    let [l, a] = if smaller { [i, j] } else { [j, i] };
-                    *sum -= self.entries[first + l] * self.scaled[first + a];
+                    let b = self.scaled[first + i];
+                    *sum -= match smaller {
+                        true => b / pivot * self.scaled[first + j],
+                        false => l * b,
+                    };
                 }
             }
         }
@@ -136,8 +151,9 @@ impl Products<'_> {
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn subtract(products: &Products, columns: Range<usize>, from: &mut Target) {
+fn subtract(products: &Products, from: &mut Target) {
     let mut offsets = from.offsets;
+    let columns = &products.columns;
     let mut column = columns.start;
     while column + COLUMNS <= columns.end {
         products.stripe::<COLUMNS>(column, offsets, from);
