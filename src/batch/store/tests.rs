@@ -3,6 +3,7 @@ use super::*;
 use crate::batch::parts::chunk::parts;
 use slipgap_motion::solve::Unsolvable;
 use slipgap_study::parse;
+use std::fs;
 
 /// A study with numbers, names, an axis, and a case that has no solution.
 fn study() -> Study {
