@@ -78,15 +78,16 @@ torture: ## kill and disturb runs in many ways, and check that the next run give
 slurm-test: ## shards as a Slurm array on four virtual nodes: killed, requeued, preempted and cancelled tasks, then the merge
 	cargo test --locked --workspace --test slurm -- --ignored --nocapture killed_
 
-# Half an hour on two cores and 5 GB of disk, and not part of CI. docs/clusters.md has what it printed.
-slurm-long: ## 10^7 cases in a hundred shards on the virtual nodes, most of them killed: nothing is lost (needs Slurm)
+# Ten minutes on two cores and 2 GB of disk, and not part of CI. docs/clusters.md has what it printed.
+slurm-long: ## 10^7 cases in a hundred shards on the virtual nodes, many of them killed: nothing is lost (needs Slurm)
 	cargo build --release --locked
 	$(released) cargo test --locked --workspace --test slurm -- --ignored --nocapture ten_million
 
 # The engines that PyPI has are installed into a folder of their own; GNU parallel is in Debian (parallel). Nextflow is in neither.
 recipes_env = target/recipes
 recipes: ## the recipes of docs/clusters.md with GNU parallel, HyperQueue, Snakemake, Dask (and Nextflow, if it is installed)
-	$(recipes_env)/bin/python -c "import snakemake, distributed, hyperqueue" 2> /dev/null || { $(PYTHON) -m venv $(recipes_env) && $(recipes_env)/bin/pip install --quiet snakemake "dask[distributed]" hyperqueue; }
+	$(recipes_env)/bin/python -c "import snakemake, distributed, hyperqueue" 2> /dev/null || { $(PYTHON) -m venv $(recipes_env) && $(recipes_env)/bin/pip install --quiet snakemake "dask[distributed]" hyperqueue; } \
+	  || echo "no packages to be had: only engines that are installed are tried"
 	PATH="$(CURDIR)/$(recipes_env)/bin:$$PATH" cargo test --locked --workspace --test recipes -- --ignored --nocapture
 
 # A server of moto keeps the objects in memory, on free ports of this machine. Not part of CI, since the HTTP client takes minutes to

@@ -1,5 +1,5 @@
 //! A hundred shards of 10^7 cases on the virtual nodes, of which many are killed: nothing is lost. `make slurm-long` runs it; it takes
-//! half an hour on two cores, and some gigabytes of disk.
+//! ten minutes on two cores, and 2 GB of disk.
 
 use crate::cluster::Cluster;
 use crate::{Bench, Done, field, submitted};
@@ -106,7 +106,7 @@ fn ended(cluster: &Cluster, job: &str) -> Option<String> {
 }
 
 #[test]
-#[ignore = "half an hour; make slurm-long"]
+#[ignore = "ten minutes; make slurm-long"]
 fn ten_million_cases_in_a_hundred_shards_with_kills() {
     let base = Bench::new();
     let cluster = match Cluster::start(&base.path("cluster")) {
