@@ -29,7 +29,10 @@ pub fn kernel(file: &str) {
     let study = read(Path::new(file)).expect("a study without faults");
     let (_, cases) = study.columns(0, study.raw_len());
     let rows: Vec<u32> = (0..cases.len() as u32).collect();
-    println!("{}", shortest(|| drop(black_box(study.problem.sweep(&cases, &rows)))));
+    println!(
+        "{}",
+        shortest(|| drop(black_box(study.problem.sweep(&cases, &rows))))
+    );
 }
 
 /// Independent sums, enough for the units of the processor, and additions to each one.

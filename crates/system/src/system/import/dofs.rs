@@ -135,6 +135,7 @@ impl Dofs {
                 line: index + 1,
             });
         }
+        dofs.rows.shrink_to_fit();
         match dofs.rows.is_empty() {
             true => Err(fault(lines.len().saturating_sub(1), "the file has no rows")),
             false => Ok(dofs),

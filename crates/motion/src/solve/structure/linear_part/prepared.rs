@@ -221,14 +221,13 @@ impl Key {
 
 /// The matrix of a step, K^/4.
 fn step_matrix(structure: &Structure, dt: f64) -> Symmetric {
-    let n = structure.len();
-    let mut matrix = Symmetric::zeros(n);
-    for (i, node) in structure.nodes.iter().enumerate() {
-        matrix.add(i, i, node.mass / (dt * dt));
-    }
-    matrix.add_matrix(&structure.coupled_mass, 1.0 / (dt * dt));
-    matrix.add_matrix(&structure.damping, 0.5 / dt);
-    matrix.add_matrix(&structure.stiffness, 0.25);
+    let inertia = structure.nodes.iter().map(|node| node.mass / (dt * dt));
+    let terms = [
+        (&structure.coupled_mass, 1.0 / (dt * dt)),
+        (&structure.damping, 0.5 / dt),
+        (&structure.stiffness, 0.25),
+    ];
+    let mut matrix = Symmetric::sum(&inertia.collect::<Vec<_>>(), &terms);
     between::hold(structure, &mut matrix);
     matrix
 }

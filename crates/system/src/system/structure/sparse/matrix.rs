@@ -15,7 +15,7 @@ pub struct Symmetric {
     packed: Arc<Packed>,
 }
 
-/// The rows one behind the other, in half of the memory: 12 bytes for an entry.
+/// The rows one behind the other, in half of the memory: 12 bytes for an entry. There are fewer than 2^32.
 #[derive(Debug, Clone, Default)]
 struct Packed {
     /// Where each row ends.
@@ -25,6 +25,30 @@ struct Packed {
 }
 
 impl Packed {
+    /// Adds a row behind the last one.
+    fn push(&mut self, row: &Row) {
+        if self.columns.len() + row.len() > self.columns.capacity() {
+            // Doubling would leave much of the memory unused.
+            let room = row.len() + self.columns.len() / 8 + 16;
+            self.columns.reserve_exact(room);
+            self.values.reserve_exact(room);
+        }
+        self.columns
+            .extend(row.iter().map(|(column, _)| *column as u32));
+        self.values.extend(row.iter().map(|(_, value)| *value));
+        self.ends.push(self.values.len() as u32);
+    }
+
+    fn matrix(mut self) -> Symmetric {
+        self.columns.shrink_to_fit();
+        self.values.shrink_to_fit();
+        Symmetric {
+            size: self.ends.len(),
+            rows: Arc::default(),
+            packed: Arc::new(self),
+        }
+    }
+
     /// The entries of each row.
     fn rows(&self) -> impl Iterator<Item = impl Iterator<Item = (usize, f64)>> {
         let starts = std::iter::once(&0).chain(&self.ends);
@@ -83,31 +107,47 @@ impl Symmetric {
         }
     }
 
+    /// The sum of a diagonal and of matrices times factors, packed. Each entry is added up in the order of the terms.
+    pub fn sum(diagonal: &[f64], terms: &[(&Symmetric, f64)]) -> Symmetric {
+        let mut packed = Packed::default();
+        let terms = terms.iter().copied();
+        let of_term = terms.map(|(matrix, factor)| (matrix.entries().peekable(), factor));
+        let mut terms: Vec<_> = of_term.collect();
+        let mut sums = Row::new();
+        for (row, own) in diagonal.iter().enumerate() {
+            sums.clear();
+            add(&mut sums, row, *own);
+            for (entries, factor) in &mut terms {
+                while let Some(((_, column), value)) = entries.next_if(|((i, _), _)| *i == row) {
+                    add(&mut sums, column, *factor * value);
+                }
+            }
+            packed.push(&sums);
+        }
+        packed.matrix()
+    }
+
     /// The entries that are kept, in half of the memory. A change unpacks them.
     #[must_use]
     pub fn packed(&self, keeps: impl Fn(f64) -> bool) -> Symmetric {
-        let kept = || self.entries().filter(|(_, value)| keeps(*value));
-        let count = kept().count();
-        // More entries do not fit in memory.
-        if u32::try_from(count.max(self.size)).is_err() {
-            return self.clone();
+        let mut packed = Packed::default();
+        let mut kept = self.entries().filter(|(_, value)| keeps(*value)).peekable();
+        let mut own = Row::new();
+        for row in 0..self.size {
+            own.clear();
+            while let Some(((_, column), value)) = kept.next_if(|((i, _), _)| *i == row) {
+                own.push((column, value));
+            }
+            packed.push(&own);
         }
-        let mut packed = Packed {
-            ends: vec![0; self.size],
-            columns: Vec::with_capacity(count),
-            values: Vec::with_capacity(count),
-        };
-        let mut last = 0;
-        for ((row, column), value) in kept() {
-            packed.ends[last..row].fill(packed.columns.len() as u32);
-            last = row;
-            packed.columns.push(column as u32);
-            packed.values.push(value);
-        }
-        packed.ends[last..].fill(count as u32);
-        Symmetric {
-            packed: Arc::new(packed),
-            ..Symmetric::zeros(self.size)
+        packed.matrix()
+    }
+
+    /// The same, packed.
+    pub(crate) fn pack(&self) -> Symmetric {
+        match self.rows.is_empty() {
+            true => self.clone(),
+            false => self.packed(|_| true),
         }
     }
 

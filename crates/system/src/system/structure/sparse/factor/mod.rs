@@ -69,7 +69,7 @@ impl Factor {
     /// [`NotPositive`] if the matrix is not positive definite.
     pub fn new(matrix: impl Borrow<Symmetric>, late: &[bool]) -> Result<Factor, NotPositive> {
         // A matrix that is given away is in memory no longer than needed.
-        let packed = matrix.borrow().packed(|_| true);
+        let packed = matrix.borrow().pack();
         drop(matrix);
         let Order {
             rows,
