@@ -4,7 +4,6 @@ use super::impact::*;
 use super::offer::{self, Offered, Place};
 use super::*;
 use crate::lane::Lane;
-use multiversion::multiversion;
 
 /// The laws. Loops over steps are compiled once for each of the `direct` laws, which the recorded speeds are of, and once for all
 /// others together, with a choice in every step.
@@ -211,7 +210,7 @@ macro_rules! laws {
         }
 
         // A function of its own: it is compiled once, and not in every loop over steps.
-        #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+        #[cfg_attr(not(debug_assertions), multiversion::multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2")))]
         fn answer<const L: usize>(law: &mut AnyRunningLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
             match law {
                 $(AnyRunningLaw::$law(law) => law.force(part, trial)),+

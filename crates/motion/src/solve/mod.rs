@@ -15,7 +15,6 @@ use crate::methods::{
     ContactWork, ManyModes, Method, ModeCount, ModeStart, Recursion, Scheme, Start,
 };
 use crate::system::System;
-use multiversion::multiversion;
 use std::cell::Cell;
 pub use table::MetricTable;
 pub use track::{ContactTrack, Displacements, Track};
@@ -274,7 +273,13 @@ impl<const L: usize, N: Recursion<L>, T: Track<L>> Visitor<L> for Steps<'_, L, N
 
 // A separate small function: with other code around it, its loop compiles to slower instructions. Returns the work on the contact,
 // or zero in a method in which it is the energy that the modes lose.
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(debug_assertions),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+        "x86_64+avx2"
+    ))
+)]
 fn step_all<const L: usize, N: Recursion<L>, T: Track<L>, W: ContactResponse<L> + Copy>(
     stepper: &mut N,
     law: &mut W,

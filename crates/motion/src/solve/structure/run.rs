@@ -7,7 +7,6 @@ use crate::solve::structure::average::state::Average;
 use crate::solve::structure::inputs::loads::Inputs;
 use crate::solve::structure::seen::step_view::Kind;
 use crate::system::structure::Structure;
-use multiversion::multiversion;
 
 /// Steps L structures to step `steps`, by the method that they are prepared for; `visit` gets the number of each step, from 0 on, and
 /// the state.
@@ -61,7 +60,13 @@ pub fn run<const L: usize>(
 }
 
 // A separate small function: with other code around it, its loop compiles to slower instructions.
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(debug_assertions),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+        "x86_64+avx2"
+    ))
+)]
 fn step_all<const L: usize, V: FnMut(usize, &State<L>)>(
     state: &mut State<L>,
     steps: usize,
@@ -76,7 +81,13 @@ fn step_all<const L: usize, V: FnMut(usize, &State<L>)>(
 }
 
 // Without the visitor: every visitor would compile it again.
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(debug_assertions),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+        "x86_64+avx2"
+    ))
+)]
 fn step_generally<const L: usize>(state: &mut General<L>, step: usize) {
     state.step(step);
 }

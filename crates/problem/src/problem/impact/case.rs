@@ -13,7 +13,6 @@ use crate::problem::preset::Preset;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
 use crate::solve::{FEWEST_STEPS, Motion, ToSystem, Warning, Warnings};
 use crate::system::{Linear, System};
-use multiversion::multiversion;
 
 /// Cases in lanes: more of them, with all their modes, would not fit in the caches of the processor.
 pub const LANES: usize = 16;
@@ -199,7 +198,13 @@ impl<const L: usize> LawsVisitor<L> for Condense<'_, L> {
 }
 
 /// The motion of all contacts.
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(debug_assertions),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+        "x86_64+avx2"
+    ))
+)]
 fn condense_all<const L: usize, W: StoredEnergy>(
     track: &mut Track<L>,
     laws: &[W; L],
@@ -228,7 +233,13 @@ impl LawsVisitor<LANES> for Evaluate<'_> {
 
 /// All metrics of a group.
 #[allow(unused_braces, reason = "the macro puts them")]
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(debug_assertions),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+        "x86_64+avx2"
+    ))
+)]
 fn evaluate_all<W: StoredEnergy>(of: Evaluate, laws: &[W; LANES]) -> [Lane<LANES>; COUNT] {
     let Evaluate {
         track,

@@ -1,7 +1,6 @@
 //! The loops over all coordinates of a piece, eight at a time. Each number has the same bits with any vector instructions.
 
 use super::row::LANES;
-use multiversion::multiversion;
 
 /// One order of a piece of modes: u_(k+2) = factor (p - w^2 u_k - rate c u_(k+1) - B S).
 pub struct Order<'a> {
@@ -23,7 +22,13 @@ pub struct Order<'a> {
 
 /// Computes one order into `next`, and r of it for each contact in as many parts as there are lanes. The number of modes is a
 /// multiple of the lanes.
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(debug_assertions),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+        "x86_64+avx2"
+    ))
+)]
 pub fn order(of: &Order, next: &mut [f64], r: &mut [[f64; LANES]]) {
     r.fill([0.0; LANES]);
     let [u, u1] = of.u.map(|u| u.as_chunks::<LANES>().0);
@@ -64,7 +69,13 @@ pub fn order(of: &Order, next: &mut [f64], r: &mut [[f64; LANES]]) {
 }
 
 /// u and u' at s from all terms, those of one power together.
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(debug_assertions),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+        "x86_64+avx2"
+    ))
+)]
 pub fn motion(terms: &[f64], [s, length]: [f64; 2], [u, v]: [&mut [f64]; 2]) {
     let n = u.len();
     let mut from = 0;

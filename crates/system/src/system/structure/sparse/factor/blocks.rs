@@ -4,7 +4,6 @@ use super::Entry;
 use super::panels::Panel;
 use super::products::products;
 use crate::lane::Lane;
-use multiversion::multiversion;
 use std::ops::Range;
 
 /// Most columns of a group.
@@ -285,12 +284,24 @@ impl Blocks {
 }
 
 // Functions of their own, so that the steps of small structures keep their registers.
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(debug_assertions),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+        "x86_64+avx2"
+    ))
+)]
 fn eliminate<const L: usize>(blocks: &Blocks, x: &mut [Lane<L>]) {
     blocks.eliminate_all(x);
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(debug_assertions),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+        "x86_64+avx2"
+    ))
+)]
 fn substitute<const L: usize>(blocks: &Blocks, y: &mut [Lane<L>]) {
     blocks.substitute_all(y);
 }

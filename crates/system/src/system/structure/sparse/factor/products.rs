@@ -1,7 +1,6 @@
 //! Products of the entries of a panel, the loop in which a factor spends its time.
 
 use crate::lane::Lane;
-use multiversion::multiversion;
 use std::ops::Range;
 
 /// Rows and columns of a tile, whose entries stay in the registers of the processor.
@@ -150,7 +149,13 @@ impl Products<'_> {
     }
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+#[cfg_attr(
+    not(debug_assertions),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+        "x86_64+avx2"
+    ))
+)]
 fn subtract(products: &Products, from: &mut Target) {
     let mut offsets = from.offsets;
     let columns = &products.columns;
