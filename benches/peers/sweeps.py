@@ -7,7 +7,7 @@ import numpy as np
 import at_hand
 from cases import BAR_STEPS, STEPS, alphas, gammas, slipgap, study
 
-loops, opensees = at_hand.module("loops"), at_hand.module("opensees")
+loops, opensees = at_hand.module("loops"), at_hand.module("sweeps_opensees")
 # Problem, its name, steps, cases of slipgap, numba and OpenSees, additions of a step: those of the bars are for 22 modes.
 SWEEPS = [
     ("oscillator", "friction oscillators", STEPS, alphas, (1_000_000, 40_000, 100), 10),

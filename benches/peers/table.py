@@ -5,6 +5,7 @@
 With `quick`, a tenth of the cases and one turn; the table is only printed.
 """
 
+import math
 import pathlib
 import sys
 import time
@@ -34,7 +35,7 @@ def cells(row):
 
 def short(ns):
     """Three digits without an exponent."""
-    digits = max(0, 2 - len(str(int(ns))) + (ns >= 1))
+    digits = max(0, 2 - math.floor(math.log10(ns)))
     return f"{float(f'{ns:.3g}'):.{digits}f}"
 
 

@@ -117,7 +117,7 @@ impl Weights {
             ..self.clone()
         };
         for _ in 0..DOUBLINGS {
-            if Factor::new(&half.weighted(structure, mass), &free).is_ok() {
+            if Factor::new(half.weighted(structure, mass), &free).is_ok() {
                 self.q = 2.0 * half.q;
                 return;
             }
