@@ -10,9 +10,15 @@ type Row = Vec<(usize, f64)>;
 #[derive(Debug, Clone)]
 pub struct Symmetric {
     size: usize,
-    /// Each row; none while the matrix has no entry, or is packed.
-    rows: Arc<Vec<Row>>,
-    packed: Arc<Packed>,
+    entries: Entries,
+}
+
+#[derive(Debug, Clone)]
+enum Entries {
+    None,
+    /// Each row.
+    Rows(Arc<Vec<Row>>),
+    Packed(Arc<Packed>),
 }
 
 /// The rows one behind the other, in half of the memory: 12 bytes for an entry. There are fewer than 2^32.
@@ -44,8 +50,7 @@ impl Packed {
         self.values.shrink_to_fit();
         Symmetric {
             size: self.ends.len(),
-            rows: Arc::default(),
-            packed: Arc::new(self),
+            entries: Entries::Packed(Arc::new(self)),
         }
     }
 
@@ -63,8 +68,11 @@ impl Packed {
 
 impl PartialEq for Symmetric {
     fn eq(&self, other: &Symmetric) -> bool {
-        let is_same =
-            Arc::ptr_eq(&self.rows, &other.rows) && Arc::ptr_eq(&self.packed, &other.packed);
+        let is_same = match (&self.entries, &other.entries) {
+            (Entries::Rows(own), Entries::Rows(other)) => Arc::ptr_eq(own, other),
+            (Entries::Packed(own), Entries::Packed(other)) => Arc::ptr_eq(own, other),
+            _ => false,
+        };
         self.size == other.size && (is_same || self.entries().eq(other.entries()))
     }
 }
@@ -93,8 +101,10 @@ fn add(row: &mut Row, column: usize, value: f64) {
 impl Symmetric {
     /// A matrix of zeros.
     pub fn zeros(size: usize) -> Symmetric {
-        let (rows, packed) = Default::default();
-        Symmetric { size, rows, packed }
+        Symmetric {
+            size,
+            entries: Entries::None,
+        }
     }
 
     /// A matrix of zeros with room for so many entries in each row.
@@ -102,8 +112,7 @@ impl Symmetric {
         let rows = counts.iter().map(|count| Row::with_capacity(*count));
         Symmetric {
             size: counts.len(),
-            rows: Arc::new(rows.collect()),
-            packed: Arc::default(),
+            entries: Entries::Rows(Arc::new(rows.collect())),
         }
     }
 
@@ -145,9 +154,9 @@ impl Symmetric {
 
     /// The same, packed.
     pub(crate) fn pack(&self) -> Symmetric {
-        match self.rows.is_empty() {
-            true => self.clone(),
-            false => self.packed(|_| true),
+        match self.entries {
+            Entries::Rows(_) => self.packed(|_| true),
+            _ => self.clone(),
         }
     }
 
@@ -156,16 +165,26 @@ impl Symmetric {
         self.size
     }
 
-    fn rows_mut(&mut self) -> &mut [Row] {
-        if self.rows.is_empty() {
-            let mut rows: Vec<Row> = self.packed.rows().map(Iterator::collect).collect();
-            rows.resize(self.size, Row::new());
-            *self = Symmetric {
-                rows: Arc::new(rows),
-                ..Symmetric::zeros(self.size)
-            };
+    /// The rows, and the packed form: one of them at most has entries.
+    fn forms(&self) -> (&[Row], Option<&Packed>) {
+        match &self.entries {
+            Entries::None => (&[], None),
+            Entries::Rows(rows) => (rows, None),
+            Entries::Packed(packed) => (&[], Some(packed)),
         }
-        Arc::<Vec<Row>>::make_mut(&mut self.rows)
+    }
+
+    fn rows_mut(&mut self) -> &mut [Row] {
+        let rows = match std::mem::replace(&mut self.entries, Entries::None) {
+            Entries::None => Arc::new(vec![Row::new(); self.size]),
+            Entries::Rows(rows) => rows,
+            Entries::Packed(packed) => Arc::new(packed.rows().map(Iterator::collect).collect()),
+        };
+        self.entries = Entries::Rows(rows);
+        match &mut self.entries {
+            Entries::Rows(rows) => Arc::<Vec<Row>>::make_mut(rows),
+            Entries::None | Entries::Packed(_) => &mut [],
+        }
     }
 
     /// Adds `value` to entries (i, j) and (j, i), which may be one.
@@ -208,16 +227,20 @@ impl Symmetric {
 
     /// The entries (row, column) on and below the diagonal, by rows.
     pub fn entries(&self) -> impl Iterator<Item = ((usize, usize), f64)> + '_ {
-        let rows = self.rows.iter().enumerate();
+        let (rows, packed) = self.forms();
+        let rows = rows.iter().enumerate();
         let of_rows = rows.flat_map(|(i, row)| row.iter().map(move |(j, value)| ((i, *j), *value)));
-        let packed = self.packed.rows().enumerate();
+        let packed = packed
+            .into_iter()
+            .flat_map(|packed| packed.rows().enumerate());
         of_rows.chain(packed.flat_map(|(i, row)| row.map(move |(j, value)| ((i, j), value))))
     }
 
     /// Number of entries of each row on and below the diagonal.
     fn counts(&self) -> impl Iterator<Item = usize> + '_ {
-        let packed = self.packed.rows().map(Iterator::count);
-        self.rows.iter().map(Vec::len).chain(packed)
+        let (rows, packed) = self.forms();
+        let packed = packed.into_iter().flat_map(Packed::rows);
+        rows.iter().map(Vec::len).chain(packed.map(Iterator::count))
     }
 
     /// Largest absolute value of its entries.
