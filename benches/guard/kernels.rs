@@ -13,13 +13,13 @@ const SWEEPS: [(&str, &str, u64); 4] = [
         "displacement-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "displacement-control", "x0": 12, "dT": "pi/10",
             "duration": "8*pi", "alpha": {"geomspace": [0.01, 10, 1024]}}"#,
-        1777,
+        1920,
     ),
     (
         "velocity-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": 12, "dT": "pi/10",
             "duration": "8*pi", "beta": {"geomspace": [0.01, 10, 1024]}}"#,
-        1777,
+        1920,
     ),
     (
         "bars",
@@ -41,13 +41,13 @@ const OTHERS: [(&str, &str, u64); 7] = [
         "hht on displacement-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "displacement-control", "method": "hht", "x0": 12,
             "dT": "pi/10", "duration": "8*pi", "alpha": {"geomspace": [0.1, 10, 1024]}}"#,
-        2996,
+        3370,
     ),
     (
         "tanh",
         r#""problem": "friction-oscillator", "parameters": {"law": "tanh", "x0": 12, "dT": "pi/10", "duration": "8*pi",
             "beta": {"geomspace": [0.01, 10, 1024]}}"#,
-        7129,
+        7790,
     ),
     (
         "lugre",

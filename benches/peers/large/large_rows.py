@@ -30,7 +30,7 @@ def row(place, program, folder, turns, part, rate):
     found["MB"], found["factor"] = max(pair[1][1] for pair in runs), factor / 1e6
     if opensees := at_hand.module("large_opensees"):
         free, touching = STEPS_OF_OPENSEES[place]
-        *_, u = superlu(of, free)
+        u = superlu(of, free)
         *_, own = opensees.run(of, False, free)
         apart = np.max(np.abs(own - u)) / np.max(np.abs(u))
         assert apart < DEMANDED, (len(of), apart)

@@ -54,9 +54,10 @@ fn peak(child: &mut Child) -> Option<u64> {
 }
 
 #[test]
-fn a_run_of_a_large_structure_needs_two_and_a_half_times_the_memory_of_its_factor() {
+fn a_run_of_a_large_structure_needs_twice_the_memory_of_its_factor_beside_its_matrices() {
     let bench = Bench::new();
     let entries = stiffness();
+    let count = entries.len() as u64;
     let size = 2 * (MESH[0] + 1) * (MESH[1] + 1);
     let head = "%%MatrixMarket matrix coordinate real symmetric\n";
     let mut text = format!("{head}{size} {size} {}\n", entries.len());
@@ -94,6 +95,10 @@ fn a_run_of_a_large_structure_needs_two_and_a_half_times_the_memory_of_its_facto
         return;
     };
     let factor = Factor::new(step, &vec![false; size]).unwrap().bytes() as u64;
-    // 178 MB were measured, 75 MB of them the factor.
-    assert!(2 * peak <= 5 * factor, "{peak} bytes, the factor {factor}");
+    // Each entry of K is kept once, in 12 bytes, and as a spring in 24. The program itself has up to 24 MB.
+    let most = 2 * factor + 36 * count + (24 << 20);
+    assert!(
+        peak <= most,
+        "{peak} bytes, {most} at most, the factor {factor}"
+    );
 }

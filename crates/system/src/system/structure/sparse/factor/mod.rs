@@ -406,7 +406,7 @@ mod tests {
     #[test]
     fn a_few_entries_are_eliminated_as_in_a_full_right_side() {
         let chain: Vec<_> = (1..40).map(|i| (i / 2, i, 1.0)).collect();
-        let tree = Factor::new(&springs(40, &chain), &[false; 40]).unwrap();
+        let tree = Factor::new(springs(40, &chain), &[false; 40]).unwrap();
         for factor in [filled().1, tree] {
             let n = factor.order().len();
             let few = [(3, 1.5), (n / 2, -2.0), (n - 2, 0.5), (3, 0.25)];
@@ -426,7 +426,7 @@ mod tests {
     #[test]
     fn a_large_grid_has_little_fill_in() {
         // Nested dissection of a square grid of n nodes: 31/8 n log2 n entries to leading order (George 1973).
-        let factor = Factor::new(&grid(64), &[false; 4096]).unwrap();
+        let factor = Factor::new(grid(64), &[false; 4096]).unwrap();
         assert!((factor.entries() as f64) < 31.0 / 8.0 * 4096.0 * 12.0);
     }
 
@@ -434,7 +434,7 @@ mod tests {
     fn a_large_chain_is_eliminated_by_exact_degrees() {
         let edges: Vec<_> = (1..5000).map(|i| (i - 1, i, 1.0)).collect();
         let late: Vec<bool> = (0..5000).map(|i| i == 4999).collect();
-        let factor = Factor::new(&springs(5000, &edges), &late).unwrap();
+        let factor = Factor::new(springs(5000, &edges), &late).unwrap();
         assert_eq!(factor.entries(), 4999);
         assert_eq!(factor.order()[4999], 4999);
     }
@@ -444,7 +444,7 @@ mod tests {
         // Eliminating a node of a ring joins its neighbours: n - 3 new entries.
         let edges: Vec<_> = (0..10).map(|i| (i, (i + 1) % 10, 1.0)).collect();
         assert_eq!(
-            Factor::new(&springs(10, &edges), &[false; 10])
+            Factor::new(springs(10, &edges), &[false; 10])
                 .unwrap()
                 .entries(),
             17
@@ -455,7 +455,7 @@ mod tests {
     fn late_rows_of_a_chain_come_last() {
         let edges: Vec<_> = (1..9).map(|i| (i - 1, i, 1.0)).collect();
         let late: Vec<bool> = (0..9).map(|i| i == 8).collect();
-        let factor = Factor::new(&springs(9, &edges), &late).unwrap();
+        let factor = Factor::new(springs(9, &edges), &late).unwrap();
         assert_eq!(factor.order(), [0, 1, 2, 3, 4, 5, 6, 7, 8]);
     }
 
