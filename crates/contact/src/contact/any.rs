@@ -3,6 +3,7 @@
 use super::impact::*;
 use super::offer::{self, Offered, Place};
 use super::*;
+use crate::for_widest;
 use crate::lane::Lane;
 
 /// The laws. Loops over steps are compiled once for each of the `direct` laws, which the recorded speeds are of, and once for all
@@ -210,10 +211,11 @@ macro_rules! laws {
         }
 
         // A function of its own: it is compiled once, and not in every loop over steps.
-        #[cfg_attr(not(debug_assertions), multiversion::multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2")))]
-        fn answer<const L: usize>(law: &mut AnyRunningLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
-            match law {
-                $(AnyRunningLaw::$law(law) => law.force(part, trial)),+
+        for_widest! {
+            fn answer<const L: usize>(law: &mut AnyRunningLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
+                match law {
+                    $(AnyRunningLaw::$law(law) => law.force(part, trial)),+
+                }
             }
         }
     };

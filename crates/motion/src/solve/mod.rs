@@ -273,33 +273,28 @@ impl<const L: usize, N: Recursion<L>, T: Track<L>> Visitor<L> for Steps<'_, L, N
 
 // A separate small function: with other code around it, its loop compiles to slower instructions. Returns the work on the contact,
 // or zero in a method in which it is the energy that the modes lose.
-#[cfg_attr(
-    not(debug_assertions),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
-        "x86_64+avx2"
-    ))
-)]
-fn step_all<const L: usize, N: Recursion<L>, T: Track<L>, W: ContactResponse<L> + Copy>(
-    stepper: &mut N,
-    law: &mut W,
-    track: &mut T,
-    from: usize,
-    steps: usize,
-) -> Lane<L> {
-    let (mut own, mut own_law) = (stepper.take(), *law);
-    let mut work = Lane::splat(0.0);
-    let form = ContactWork::new(N::Scheme::FORCE_AT_END, own.flexibilities()[0].dt);
-    for row in track.rows(from, steps) {
-        let before = own.contact();
-        let after = own.step(&mut own_law);
-        T::write(row, &after);
-        if !N::Scheme::CONSERVES {
-            let force = form.force([before.force, after.force]);
-            let r = [before.displacement, after.displacement];
-            work = work + force * form.displacement(r, [before.velocity, after.velocity]);
+slipgap_contact::for_widest! {
+    fn step_all<const L: usize, N: Recursion<L>, T: Track<L>, W: ContactResponse<L> + Copy>(
+        stepper: &mut N,
+        law: &mut W,
+        track: &mut T,
+        from: usize,
+        steps: usize,
+    ) -> Lane<L> {
+        let (mut own, mut own_law) = (stepper.take(), *law);
+        let mut work = Lane::splat(0.0);
+        let form = ContactWork::new(N::Scheme::FORCE_AT_END, own.flexibilities()[0].dt);
+        for row in track.rows(from, steps) {
+            let before = own.contact();
+            let after = own.step(&mut own_law);
+            T::write(row, &after);
+            if !N::Scheme::CONSERVES {
+                let force = form.force([before.force, after.force]);
+                let r = [before.displacement, after.displacement];
+                work = work + force * form.displacement(r, [before.velocity, after.velocity]);
+            }
         }
+        (*stepper, *law) = (own, own_law);
+        work
     }
-    (*stepper, *law) = (own, own_law);
-    work
 }

@@ -7,6 +7,7 @@ use crate::solve::structure::average::state::Average;
 use crate::solve::structure::inputs::loads::Inputs;
 use crate::solve::structure::seen::step_view::Kind;
 use crate::system::structure::Structure;
+use slipgap_contact::for_widest;
 
 /// Steps L structures to step `steps`, by the method that they are prepared for; `visit` gets the number of each step, from 0 on, and
 /// the state.
@@ -60,34 +61,24 @@ pub fn run<const L: usize>(
 }
 
 // A separate small function: with other code around it, its loop compiles to slower instructions.
-#[cfg_attr(
-    not(debug_assertions),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
-        "x86_64+avx2"
-    ))
-)]
-fn step_all<const L: usize, V: FnMut(usize, &State<L>)>(
-    state: &mut State<L>,
-    steps: usize,
-    visit: &mut V,
-) {
-    for step in 1..=steps {
-        if let Kind::Average(average) = &mut state.0 {
-            average.step(step);
+for_widest! {
+    fn step_all<const L: usize, V: FnMut(usize, &State<L>)>(
+        state: &mut State<L>,
+        steps: usize,
+        visit: &mut V,
+    ) {
+        for step in 1..=steps {
+            if let Kind::Average(average) = &mut state.0 {
+                average.step(step);
+            }
+            visit(step, state);
         }
-        visit(step, state);
     }
 }
 
 // Without the visitor: every visitor would compile it again.
-#[cfg_attr(
-    not(debug_assertions),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
-        "x86_64+avx2"
-    ))
-)]
-fn step_generally<const L: usize>(state: &mut General<L>, step: usize) {
-    state.step(step);
+for_widest! {
+    fn step_generally<const L: usize>(state: &mut General<L>, step: usize) {
+        state.step(step);
+    }
 }

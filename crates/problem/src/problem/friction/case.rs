@@ -12,6 +12,7 @@ use crate::problem::{Case, method};
 use crate::solve::sweep::{LaneCase, ReferenceKey};
 use crate::solve::{Displacements, Motion, ToSystem};
 use crate::system::{Linear, Mode, System};
+use slipgap_contact::for_widest;
 
 /// The oscillator: X'' + X + S = 0.
 const UNIT: Mode = Mode::new(1.0, 1.0);
@@ -164,15 +165,10 @@ impl<W: Copy + Into<ContactLaw>, M: Copy + Into<Method>> LaneCase<LANES> for Osc
     }
 }
 
-/// All metrics of a group.
-#[allow(unused_braces, reason = "the macro puts them")]
-#[cfg_attr(
-    not(debug_assertions),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
-        "x86_64+avx2"
-    ))
-)]
-fn evaluate_all(x: &[Lane<LANES>], work: Lane<LANES>, exact: &Sampled) -> [Lane<LANES>; COUNT] {
-    evaluate(x, work, exact)
+for_widest! {
+    /// All metrics of a group.
+    #[allow(unused_braces, reason = "the macro puts them")]
+    fn evaluate_all(x: &[Lane<LANES>], work: Lane<LANES>, exact: &Sampled) -> [Lane<LANES>; COUNT] {
+        evaluate(x, work, exact)
+    }
 }

@@ -13,6 +13,7 @@ use crate::problem::preset::Preset;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
 use crate::solve::{FEWEST_STEPS, Motion, ToSystem, Warning, Warnings};
 use crate::system::{Linear, System};
+use slipgap_contact::for_widest;
 
 /// Cases in lanes: more of them, with all their modes, would not fit in the caches of the processor.
 pub const LANES: usize = 16;
@@ -197,20 +198,15 @@ impl<const L: usize> LawsVisitor<L> for Condense<'_, L> {
     }
 }
 
-/// The motion of all contacts.
-#[cfg_attr(
-    not(debug_assertions),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
-        "x86_64+avx2"
-    ))
-)]
-fn condense_all<const L: usize, W: StoredEnergy>(
-    track: &mut Track<L>,
-    laws: &[W; L],
-    c0: &Lane<L>,
-) {
-    track.condense(laws, c0);
+for_widest! {
+    /// The motion of all contacts.
+    fn condense_all<const L: usize, W: StoredEnergy>(
+        track: &mut Track<L>,
+        laws: &[W; L],
+        c0: &Lane<L>,
+    ) {
+        track.condense(laws, c0);
+    }
 }
 
 /// What the metrics of a group are computed from.
@@ -231,24 +227,19 @@ impl LawsVisitor<LANES> for Evaluate<'_> {
     }
 }
 
-/// All metrics of a group.
-#[allow(unused_braces, reason = "the macro puts them")]
-#[cfg_attr(
-    not(debug_assertions),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
-        "x86_64+avx2"
-    ))
-)]
-fn evaluate_all<W: StoredEnergy>(of: Evaluate, laws: &[W; LANES]) -> [Lane<LANES>; COUNT] {
-    let Evaluate {
-        track,
-        start,
-        work,
-        restitution,
-        exact,
-    } = of;
-    let books = |r, s| energies(laws, r, s);
-    let energy: Energy<LANES> = energy_of_books(track, start, &work, books, exact.count());
-    evaluate(track, &energy, restitution, exact)
+for_widest! {
+    /// All metrics of a group.
+    #[allow(unused_braces, reason = "the macro puts them")]
+    fn evaluate_all<W: StoredEnergy>(of: Evaluate, laws: &[W; LANES]) -> [Lane<LANES>; COUNT] {
+        let Evaluate {
+            track,
+            start,
+            work,
+            restitution,
+            exact,
+        } = of;
+        let books = |r, s| energies(laws, r, s);
+        let energy: Energy<LANES> = energy_of_books(track, start, &work, books, exact.count());
+        evaluate(track, &energy, restitution, exact)
+    }
 }

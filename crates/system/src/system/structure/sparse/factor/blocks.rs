@@ -4,6 +4,7 @@ use super::Entry;
 use super::panels::Panel;
 use super::products::products;
 use crate::lane::Lane;
+use slipgap_contact::for_widest;
 use std::ops::Range;
 
 /// Most columns of a group.
@@ -284,24 +285,14 @@ impl Blocks {
 }
 
 // Functions of their own, so that the steps of small structures keep their registers.
-#[cfg_attr(
-    not(debug_assertions),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
-        "x86_64+avx2"
-    ))
-)]
-fn eliminate<const L: usize>(blocks: &Blocks, x: &mut [Lane<L>]) {
-    blocks.eliminate_all(x);
+for_widest! {
+    fn eliminate<const L: usize>(blocks: &Blocks, x: &mut [Lane<L>]) {
+        blocks.eliminate_all(x);
+    }
 }
 
-#[cfg_attr(
-    not(debug_assertions),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
-        "x86_64+avx2"
-    ))
-)]
-fn substitute<const L: usize>(blocks: &Blocks, y: &mut [Lane<L>]) {
-    blocks.substitute_all(y);
+for_widest! {
+    fn substitute<const L: usize>(blocks: &Blocks, y: &mut [Lane<L>]) {
+        blocks.substitute_all(y);
+    }
 }

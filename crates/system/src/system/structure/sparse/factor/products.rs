@@ -1,6 +1,7 @@
 //! Products of the entries of a panel, the loop in which a factor spends its time.
 
 use crate::lane::Lane;
+use slipgap_contact::for_widest;
 use std::ops::Range;
 
 /// Rows and columns of a tile, whose entries stay in the registers of the processor.
@@ -149,27 +150,22 @@ impl Products<'_> {
     }
 }
 
-#[cfg_attr(
-    not(debug_assertions),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
-        "x86_64+avx2"
-    ))
-)]
-fn subtract(products: &Products, from: &mut Target) {
-    let mut offsets = from.offsets;
-    let columns = &products.columns;
-    let mut column = columns.start;
-    while column + COLUMNS <= columns.end {
-        products.stripe::<COLUMNS>(column, offsets, from);
-        column += COLUMNS;
-        offsets = &offsets[COLUMNS..];
-    }
-    match columns.end - column {
-        3 => products.stripe::<3>(column, offsets, from),
-        2 => products.stripe::<2>(column, offsets, from),
-        1 => products.stripe::<1>(column, offsets, from),
-        _ => {}
+for_widest! {
+    fn subtract(products: &Products, from: &mut Target) {
+        let mut offsets = from.offsets;
+        let columns = &products.columns;
+        let mut column = columns.start;
+        while column + COLUMNS <= columns.end {
+            products.stripe::<COLUMNS>(column, offsets, from);
+            column += COLUMNS;
+            offsets = &offsets[COLUMNS..];
+        }
+        match columns.end - column {
+            3 => products.stripe::<3>(column, offsets, from),
+            2 => products.stripe::<2>(column, offsets, from),
+            1 => products.stripe::<1>(column, offsets, from),
+            _ => {}
+        }
     }
 }
 
