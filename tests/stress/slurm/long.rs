@@ -2,7 +2,7 @@
 //! ten minutes on two cores, and 2 GB of disk.
 
 use crate::cluster::Cluster;
-use crate::{Bench, Done, field, submitted};
+use crate::{Bench, Done, field, started, submitted};
 use serde_json::Value as Json;
 use std::collections::BTreeMap;
 use std::fs;
@@ -109,12 +109,8 @@ fn ended(cluster: &Cluster, job: &str) -> Option<String> {
 #[ignore = "ten minutes; make slurm-long"]
 fn ten_million_cases_in_a_hundred_shards_with_kills() {
     let base = Bench::new();
-    let cluster = match Cluster::start(&base.path("cluster")) {
-        Ok(cluster) => cluster,
-        Err(why) => {
-            eprintln!("no Slurm, so shards were not tested on it: {why}");
-            return;
-        }
+    let Some(cluster) = started(&base) else {
+        return;
     };
     let work = Bench::new();
     work.file("s.json", STUDY);

@@ -125,16 +125,19 @@ fn submitted<'a>(
     }
 }
 
+/// The daemons in a folder; `None`, and a word why, without Slurm.
+fn started(base: &Bench) -> Option<Cluster> {
+    let cluster = Cluster::start(&base.path("cluster"));
+    let said = |why: &_| eprintln!("no Slurm, so shards were not tested on it: {why}");
+    cluster.inspect_err(said).ok()
+}
+
 #[test]
 #[ignore = "starts the daemons of Slurm; make slurm-test"]
 fn killed_requeued_preempted_and_cancelled_tasks_then_the_merge() {
     let base = Bench::new();
-    let cluster = match Cluster::start(&base.path("cluster")) {
-        Ok(cluster) => cluster,
-        Err(why) => {
-            eprintln!("no Slurm, so shards were not tested on it: {why}");
-            return;
-        }
+    let Some(cluster) = started(&base) else {
+        return;
     };
     let (work, marks, whole) = (Bench::new(), Bench::new(), Bench::new());
     for bench in [&work, &whole] {
