@@ -1,9 +1,7 @@
-//! The speed of the solver: steps and default metrics of many cases in lanes and one at a time, and the rate of additions
-//! of this machine, which is the limit of both.
+//! The speed of the solver: steps and default metrics of many cases in lanes and one at a time. `slipgap-guard rates` measures
+//! the rate of additions, which is the limit of both.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use multiversion::multiversion;
-use slipgap::lane::Lane;
 use slipgap::problem::Case;
 use slipgap::study::{Study, parse};
 use std::hint::black_box;
@@ -95,31 +93,5 @@ fn case(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Number of independent sums.
-const SUMS: usize = 8;
-
-/// Number of additions to each sum.
-const ADDITIONS: usize = 10_000;
-
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn add(sums: &mut [Lane<8>; SUMS], term: Lane<8>) {
-    let [mut a, mut b, mut c, mut d, mut e, mut f, mut g, mut h] = *sums;
-    for _ in 0..ADDITIONS {
-        (a, b, c, d) = (a + term, b + term, c + term, d + term);
-        (e, f, g, h) = (e + term, f + term, g + term, h + term);
-    }
-    *sums = [a, b, c, d, e, f, g, h];
-}
-
-fn limit(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("limit");
-    group.throughput(Throughput::Elements((SUMS * 8 * ADDITIONS) as u64));
-    group.bench_function("additions", |bencher| {
-        let mut sums = [Lane::splat(1.0); SUMS];
-        bencher.iter(|| add(&mut sums, black_box(Lane::splat(1e-9))));
-    });
-    group.finish();
-}
-
-criterion_group!(benches, limit, sweep, case);
+criterion_group!(benches, sweep, case);
 criterion_main!(benches);

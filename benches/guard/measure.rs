@@ -1,11 +1,11 @@
 //! Numbers that the table of `make peers` needs besides the times of whole runs.
 
-use multiversion::multiversion;
 use slipgap::lane::Lane;
 use slipgap::study::read;
 use slipgap::system::import::Matrix;
 use slipgap::system::structure::Symmetric;
 use slipgap::system::structure::sparse::factor::Factor;
+use slipgap_contact::for_widest;
 use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
@@ -39,25 +39,27 @@ pub fn kernel(file: &str) {
 const SUMS: usize = 8;
 const ADDITIONS: usize = 1_000_000;
 
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn add(sums: &mut [Lane<8>; SUMS], term: Lane<8>) {
-    let [mut a, mut b, mut c, mut d, mut e, mut f, mut g, mut h] = *sums;
-    for _ in 0..ADDITIONS {
-        (a, b, c, d) = (a + term, b + term, c + term, d + term);
-        (e, f, g, h) = (e + term, f + term, g + term, h + term);
+for_widest! {
+    fn add(sums: &mut [Lane<8>; SUMS], term: Lane<8>) {
+        let [mut a, mut b, mut c, mut d, mut e, mut f, mut g, mut h] = *sums;
+        for _ in 0..ADDITIONS {
+            (a, b, c, d) = (a + term, b + term, c + term, d + term);
+            (e, f, g, h) = (e + term, f + term, g + term, h + term);
+        }
+        *sums = [a, b, c, d, e, f, g, h];
     }
-    *sums = [a, b, c, d, e, f, g, h];
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn sum(numbers: &[f64]) -> Lane<8> {
-    let mut sums = [Lane::splat(0.0); SUMS];
-    for rows in numbers.as_chunks::<64>().0 {
-        for (sum, row) in sums.iter_mut().zip(rows.as_chunks::<8>().0) {
-            *sum = *sum + Lane(*row);
+for_widest! {
+    fn sum(numbers: &[f64]) -> Lane<8> {
+        let mut sums = [Lane::splat(0.0); SUMS];
+        for rows in numbers.as_chunks::<64>().0 {
+            for (sum, row) in sums.iter_mut().zip(rows.as_chunks::<8>().0) {
+                *sum = *sum + Lane(*row);
+            }
         }
+        sums.into_iter().fold(Lane::splat(0.0), |a, b| a + b)
     }
-    sums.into_iter().fold(Lane::splat(0.0), |a, b| a + b)
 }
 
 /// Bytes that are read in a turn at least.

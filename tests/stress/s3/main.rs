@@ -100,35 +100,24 @@ fn a_run_writes_the_same_bytes_and_the_next_one_removes_what_is_outdated() {
 fn killed_shards_keep_their_parts_and_the_merge_writes_the_same_bytes() {
     let bench = begin("shards");
     bench.file("s.json", LONG);
-    let run = |shard: &str, port, code| {
-        let args = [
-            "run",
-            "s.json",
-            "--jobs",
-            "1",
-            "--out",
-            "s3://shards/x",
-            "--shard",
-            shard,
-        ];
-        SERVER.run(&bench, port, code, &args)
+    let out = ["--out", "s3://shards/x"];
+    let args = |shard| {
+        [
+            &["run", "s.json", "--jobs", "1", "--shard", shard][..],
+            &out,
+        ]
+        .concat()
     };
-    let merge = ["merge", "s.json", "--out", "s3://shards/x", "--shards", "2"];
+    let run = |shard, port, code| SERVER.run(&bench, port, code, &args(shard));
+    let compare = || {
+        let plain = bench.run(&["run", "s.json", "--out", "out/x"]);
+        assert_eq!(plain.code, Some(0));
+        let found = objects(&bench, "shards");
+        assert_eq!(differences(&found, &folder(&bench, "out")), "");
+    };
+    let merge = [&["merge", "s.json", "--shards", "2"][..], &out].concat();
     // Both at once; the first is killed when a part of it is there.
-    let mut killed = SERVER.slipgap(
-        &bench,
-        Port::Good,
-        &[
-            "run",
-            "s.json",
-            "--jobs",
-            "1",
-            "--out",
-            "s3://shards/x",
-            "--shard",
-            "1/2",
-        ],
-    );
+    let mut killed = SERVER.slipgap(&bench, Port::Good, &args("1/2"));
     let mut killed = killed.stderr(Stdio::null()).spawn().unwrap();
     let begun = Instant::now();
     while parts(&objects(&bench, "shards")) == 0 {
@@ -162,14 +151,7 @@ fn killed_shards_keep_their_parts_and_the_merge_writes_the_same_bytes() {
         assert_eq!(line, "s, shard 2/2: 6 of 6 parts computed\n");
     });
     SERVER.run(&bench, Port::Good, 0, &merge);
-    assert_eq!(
-        bench.run(&["run", "s.json", "--out", "out/x"]).code,
-        Some(0)
-    );
-    assert_eq!(
-        differences(&objects(&bench, "shards"), &folder(&bench, "out")),
-        ""
-    );
+    compare();
 
     // The study has changed: its parts replace the former ones, which the merge removes.
     bench.file("s.json", LONG.replace("pi/125000", "pi/100000"));
@@ -181,14 +163,7 @@ fn killed_shards_keep_their_parts_and_the_merge_writes_the_same_bytes() {
     );
     run("2/2", Port::Good, 0);
     SERVER.run(&bench, Port::Good, 0, &merge);
-    assert_eq!(
-        bench.run(&["run", "s.json", "--out", "out/x"]).code,
-        Some(0)
-    );
-    assert_eq!(
-        differences(&objects(&bench, "shards"), &folder(&bench, "out")),
-        ""
-    );
+    compare();
 }
 
 #[test]
