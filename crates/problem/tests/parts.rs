@@ -644,7 +644,7 @@ fn collisions_are_those_of_the_independent_program() {
             .expect("a closed form");
         for (key, value) in [
             ("restitution", found.restitution),
-            ("duration", found.duration),
+            ("duration", found.duration()),
             ("overlap", found.overlap),
         ] {
             // Of the program: that of its two tolerances at most.

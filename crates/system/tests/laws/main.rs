@@ -232,11 +232,11 @@ fn impacts_push_as_their_stored_energy_and_never_pull() {
         let restitution = collision.restitution;
         assert!((0.0..=1.0).contains(&restitution), "{made:?} {collision:?}");
         if is_rigid(made) {
-            assert_eq!([collision.duration, collision.overlap], [0.0; 2]);
+            assert_eq!([collision.duration(), collision.overlap], [0.0; 2]);
             continue;
         }
         assert!(
-            collision.duration > 0.0 && collision.overlap > 0.0,
+            collision.duration() > 0.0 && collision.overlap > 0.0,
             "{}",
             law.offer.name
         );

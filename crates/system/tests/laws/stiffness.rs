@@ -159,7 +159,7 @@ fn no_impact_is_shorter_than_its_touching_time() {
                 let overlap = Some(collision.overlap);
                 let stated = made.properties().touching_time(1.0 / mass, overlap);
                 let stated = stated.unwrap_or_else(|| panic!("{}", law.offer.name));
-                let share = stated / collision.duration;
+                let share = stated / collision.duration();
                 // The closed forms of damped impacts are integrals with this tolerance.
                 let most = match made {
                     // Damping of the approach alone makes it shorter for the same overlap; the return, half of the time, stays.

@@ -64,7 +64,7 @@ impl Linear {
 ///
 /// With the time out of it, u du/(1 + kappa u) = -x^1.5 dx: 2/5 x^2.5 + W(u) is constant,
 /// W(u) = u/kappa - ln(1 + kappa u)/kappa^2.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DampedHertz {
     /// kappa.
     pub damping: f64,
@@ -128,7 +128,7 @@ impl DampedHertz {
 ///
 /// In y = x^1.25 and the time s with dtau = ds/(1.25 x^0.25) the approach is a linear oscillator, dy/ds = u,
 /// du/ds = -(0.8 y + 1.6 xi u). The elastic energy 2/5 y^2 of the largest overlap comes back.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzDashpot {
     /// xi.
     pub ratio: f64,

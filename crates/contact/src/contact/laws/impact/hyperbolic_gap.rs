@@ -1,7 +1,7 @@
 //! The backfill of an abutment.
 
 use super::hertz::POINTS;
-use super::rigid_impact::integral;
+use super::rigid_impact::{Duration, integral};
 use super::{RigidImpact, loop_of, resisting};
 use crate::contact::prelude::*;
 use libm::{log1p, sqrt};
@@ -121,7 +121,7 @@ impl HyperbolicGap {
         RigidImpact {
             // Round-off of an impact that hardly bends.
             restitution: (force / (omega * mass * speed)).min(1.0),
-            duration: approach + FRAC_PI_2 / omega,
+            duration: Duration::Known(approach + FRAC_PI_2 / omega),
             overlap,
         }
     }

@@ -1,5 +1,6 @@
 //! Contact without compliance.
 
+use super::rigid_impact::Duration;
 use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
 use crate::contact::prelude::*;
 
@@ -72,7 +73,7 @@ impl Described for Rigid {
         )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, _, _| RigidImpact {
         restitution: law.restitution,
-        duration: 0.0,
+        duration: Duration::Known(0.0),
         overlap: 0.0,
     });
 }

@@ -1,6 +1,7 @@
 //! Two rigid masses that collide with a spring that yields: closed forms.
 
 use super::RigidImpact;
+use super::rigid_impact::Duration;
 use libm::{acos, asin, atan, sqrt};
 use std::f64::consts::FRAC_PI_2;
 
@@ -61,7 +62,7 @@ impl Yielding {
         };
         RigidImpact {
             restitution,
-            duration: turn.time + FRAC_PI_2 / omega,
+            duration: Duration::Known(turn.time + FRAC_PI_2 / omega),
             overlap: turn.overlap,
         }
     }
@@ -73,7 +74,7 @@ impl Yielding {
         if !turn.yielded {
             return RigidImpact {
                 restitution: 1.0,
-                duration: 2.0 * turn.time,
+                duration: Duration::Known(2.0 * turn.time),
                 overlap: turn.overlap,
             };
         }
@@ -89,7 +90,7 @@ impl Yielding {
         let end = sqrt(parting * parting + soft * soft * left * left);
         RigidImpact {
             restitution: end / speed,
-            duration: turn.time + first + second,
+            duration: Duration::Known(turn.time + first + second),
             overlap: turn.overlap,
         }
     }

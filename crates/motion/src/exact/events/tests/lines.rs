@@ -243,7 +243,7 @@ fn a_mass_meets_a_part_that_yields_as_two_bodies_do() {
             .contact([None, Some(0)], gap, law)
             .moving(&[0.0], &[-speed]);
         let touch = gap / speed;
-        let end = touch + expected.duration;
+        let end = touch + expected.duration();
         let mut rows = Vec::new();
         let summary = run(&structure, &[touch, end, end + 1.0], |_, state| {
             rows.push([state.r[0], state.rate[0], state.force[0]]);
