@@ -35,21 +35,29 @@ pub fn turned_responses(
     if !is_valid(period, ratio, last.times[1] - first.times[0]) {
         return None;
     }
-    let omega = 2.0 * PI / period;
-    let directions: Vec<[f64; 2]> = directions().collect();
-    let mut walk = Walk {
-        oscillator: Oscillator { omega, ratio },
-        states: [[0.0; 2]; 2],
-        peaks: vec![0.0; directions.len()],
-        directions,
-        least: 0.0,
+    let oscillator = Oscillator {
+        omega: 2.0 * PI / period,
+        ratio,
     };
-    for piece in pieces {
-        walk.advance(piece.times[1] - piece.times[0], piece.accelerations);
-    }
-    walk.advance(free_turn(ratio) / omega, [rest, rest]);
-    let scale = omega * omega;
-    Some(walk.peaks.into_iter().map(|peak| scale * peak).collect())
+    let free = free_turn(ratio) / oscillator.omega;
+    let each = |visit: &mut dyn FnMut(&[Piece; 2], f64)| {
+        let mut walk = Walk {
+            oscillator,
+            states: [[0.0; 2]; 2],
+        };
+        for piece in pieces {
+            let length = piece.times[1] - piece.times[0];
+            walk.advance(length, piece.accelerations, visit);
+        }
+        walk.advance(free, [rest, rest], visit);
+    };
+    // Few pieces are larger anywhere than the ends of all of them are.
+    let mut peaks = Peaks::new();
+    each(&mut |pieces, _| peaks.see_end(pieces));
+    peaks.lower();
+    each(&mut |pieces, turn| peaks.reach(pieces, turn));
+    let scale = oscillator.omega * oscillator.omega;
+    Some(peaks.peaks.into_iter().map(|peak| scale * peak).collect())
 }
 
 /// An oscillator under way in two directions.
@@ -57,17 +65,17 @@ struct Walk {
     oscillator: Oscillator,
     /// u and u' under each acceleration.
     states: [[f64; 2]; 2],
-    /// Cosine and sine of each angle.
-    directions: Vec<[f64; 2]>,
-    /// Largest |u| so far for each angle.
-    peaks: Vec<f64>,
-    /// The least of them.
-    least: f64,
 }
 
 impl Walk {
-    /// Goes on by `length` under accelerations that are straight from the first to the second ones.
-    fn advance(&mut self, length: f64, [from, to]: [[f64; 2]; 2]) {
+    /// Goes on by `length` under accelerations that are straight from the first to the second ones, and shows each part of at most
+    /// a radian, and this turn.
+    fn advance(
+        &mut self,
+        length: f64,
+        [from, to]: [[f64; 2]; 2],
+        visit: &mut dyn FnMut(&[Piece; 2], f64),
+    ) {
         let parts = (self.oscillator.omega * length).ceil();
         let h = length / parts;
         for part in 0..parts as usize {
@@ -76,9 +84,51 @@ impl Walk {
                 let ends = [at(part), at(part + 1)];
                 Piece::new(self.oscillator, self.states[i], h, ends)
             });
-            self.reach(&pieces, self.oscillator.omega * h);
+            visit(&pieces, self.oscillator.omega * h);
             self.states = pieces.map(|piece| [piece.u(1.0), piece.v(1.0) / h]);
         }
+    }
+}
+
+/// The part of an end that is below its exact value, by round-off, for sure.
+const BELOW: f64 = 1.0 - 1e-12;
+
+/// The peaks for each angle.
+struct Peaks {
+    /// Cosine and sine of each angle.
+    directions: Vec<[f64; 2]>,
+    /// Largest |u| so far, or a value below it.
+    peaks: Vec<f64>,
+    /// The least of them.
+    least: f64,
+}
+
+impl Peaks {
+    fn new() -> Peaks {
+        let directions: Vec<[f64; 2]> = directions().collect();
+        Peaks {
+            peaks: vec![0.0; directions.len()],
+            directions,
+            least: 0.0,
+        }
+    }
+
+    /// Takes the end of a piece into the peaks.
+    fn see_end(&mut self, [one, other]: &[Piece; 2]) {
+        let [x, y] = [one, other].map(|piece| piece.u(1.0));
+        if x.hypot(y) <= self.least {
+            return;
+        }
+        for (peak, [c, s]) in self.peaks.iter_mut().zip(&self.directions) {
+            *peak = peak.max((c * x + s * y).abs());
+        }
+        self.find_least();
+    }
+
+    /// Makes the peaks so far values below them.
+    fn lower(&mut self) {
+        self.peaks.iter_mut().for_each(|peak| *peak *= BELOW);
+        self.find_least();
     }
 
     /// Takes the extremes of a piece into the peaks.
@@ -94,7 +144,10 @@ impl Walk {
                 *peak = peak.max(one.plus(*c, other, *s).peak());
             }
         }
-        let least = self.peaks.iter().copied();
-        self.least = least.fold(f64::INFINITY, f64::min);
+        self.find_least();
+    }
+
+    fn find_least(&mut self) {
+        self.least = self.peaks.iter().copied().fold(f64::INFINITY, f64::min);
     }
 }
