@@ -19,8 +19,9 @@ fn verbs_that_write_files_write_objects_with_the_same_bytes() {
     bench.file("s.json", short("f", 3));
     bench.file("searched.json", SEARCHED);
     bench.file("ledgers/a.json", LEDGER);
-    let calls: [&[&str]; 5] = [
+    let calls: [&[&str]; 6] = [
         &["run", "s.json", "--out", "OUT"],
+        &["status", "s.json", "--out", "OUT"],
         &["report", "s.json", "--out", "OUT"],
         &["claims", "ledgers", "--out", "OUT"],
         &["recommend", "searched.json", "--out", "OUT"],
