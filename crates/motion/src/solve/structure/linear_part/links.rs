@@ -32,6 +32,7 @@ pub(crate) struct Link {
 }
 
 impl Link {
+    #[inline(always)]
     fn new([i, j]: [usize; 2], k: f64, c: f64) -> Link {
         let [from, to] = [i.min(j), i.max(j)].map(|place| place as u32);
         Link { from, to, k, c }
@@ -183,6 +184,7 @@ impl Elimination {
     }
 
     /// All springs and dashpots.
+    #[inline(always)]
     pub(crate) fn all_links(&self) -> impl Iterator<Item = Link> + '_ {
         let link = |(from, row): (usize, &Row)| Link::new([from, row.to], row.k, row.c);
         let of_rows = self.rows.iter().enumerate().map(link);

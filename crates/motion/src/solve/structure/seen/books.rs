@@ -4,6 +4,7 @@ use super::step_view::Kind;
 use crate::lane::Lane;
 use crate::solve::structure::State;
 use crate::solve::structure::average::state::Average;
+use crate::solve::structure::linear_part::links::Link;
 use crate::solve::structure::linear_part::massless::Massless;
 
 /// Energy books of L structures. For the kinetic and strain energy E without the contacts
@@ -124,20 +125,19 @@ impl<const L: usize> Books<L> {
             each(Work::Loads, work);
             supplied = supplied + work;
         }
-        for link in prepared.elimination.all_links() {
-            let [from, to] = link.ends();
-            let change = change(to) - change(from);
-            let work = change * change * link.c;
-            each(Work::Damping, work);
-            supplied = supplied - work;
-        }
-        for coupling in &prepared.couplings {
-            let [from, to] = coupling.ends();
-            let both = change(from) * change(to);
-            let work = both * (2.0 * coupling.c);
-            each(Work::Damping, work);
-            supplied = supplied - work;
-        }
+        // Work and strain energy in one pass: one addition does not wait for the other.
+        let energy =
+            state.add_twice_strain(state.twice_kinetic(), |[from, to], link, is_spring| {
+                let work = match is_spring {
+                    true => {
+                        let change = change(to) - change(from);
+                        change * change * link.c
+                    }
+                    false => change(from) * change(to) * (2.0 * link.c),
+                };
+                each(Work::Damping, work);
+                supplied = supplied - work;
+            });
         let contacts = self.contacts.iter_mut().zip(&mut self.work);
         for (c, ((before, work), [r, s])) in contacts.zip(state.contact_states()).enumerate() {
             let mean = state.mean_force(c, [before[1], s]);
@@ -153,7 +153,7 @@ impl<const L: usize> Books<L> {
             *before = [r, s];
         }
         self.supplied = supplied;
-        self.energy = state.energy();
+        self.energy = energy * 0.5;
         self.energy - self.start - supplied
     }
 
@@ -201,14 +201,14 @@ impl<const L: usize> Average<'_, L> {
     /// Kinetic and strain energy, without the contacts.
     #[inline(always)]
     pub(crate) fn energy(&self) -> Lane<L> {
-        self.add_twice_strain(self.twice_kinetic()) * 0.5
+        self.add_twice_strain(self.twice_kinetic(), |_, _, _| {}) * 0.5
     }
 
     /// Both by themselves.
     pub(crate) fn kinetic_and_strain(&self) -> [Lane<L>; 2] {
         [
             self.twice_kinetic() * 0.5,
-            self.add_twice_strain(Lane::splat(0.0)) * 0.5,
+            self.add_twice_strain(Lane::splat(0.0), |_, _, _| {}) * 0.5,
         ]
     }
 
@@ -224,17 +224,24 @@ impl<const L: usize> Average<'_, L> {
         twice
     }
 
+    /// `each` gets the ends of all springs, and then of all couplings.
     #[inline(always)]
-    fn add_twice_strain(&self, mut twice: Lane<L>) -> Lane<L> {
+    fn add_twice_strain(
+        &self,
+        mut twice: Lane<L>,
+        mut each: impl FnMut([usize; 2], &Link, bool),
+    ) -> Lane<L> {
         let u = |place: usize| self.p[place] - self.w[place] * 0.5;
-        for link in self.prepared.elimination.all_links() {
+        self.prepared.elimination.all_links().for_each(|link| {
             let [from, to] = link.ends();
             let change = u(to) - u(from);
             twice = twice + change * change * link.k;
-        }
+            each([from, to], &link, true);
+        });
         for coupling in &self.prepared.couplings {
             let [from, to] = coupling.ends();
             twice = twice + u(from) * u(to) * (2.0 * coupling.k);
+            each([from, to], coupling, false);
         }
         twice
     }
