@@ -1,11 +1,8 @@
 # `make` alone lists the targets. Everything is built by cargo; nothing else is needed.
 
-# Tests run in a build that stops at an overflow. What computes all studies runs the release build, which is compiled once, without what
-# only tests need.
+# The program and its tests are one build, in which an overflow stops both: `make test` compiles only what `make figures` did not.
 
 built = $(or $(CARGO_TARGET_DIR),target)
-debug = $(built)/debug
-released = SLIPGAP_PROGRAM=$(abspath $(built))/release/slipgap
 # Where `make fresh` and `make test` run all studies. `make test` does not compute again what `make figures` has computed.
 fresh = $(built)/tmp/fresh
 
@@ -21,28 +18,25 @@ figures: ## run every study in studies/, judge the claims, write tables, picture
 report: ## one page about all studies, figures/report.html: tables to sort and filter, figures with values on hover
 	cargo run --release --locked -- report
 
-# The tests come last, so that their summary ends the output. `--workspace` builds no more, but all with the same features of the
-# crates below, so that the library is compiled once for all tests and for the Python package.
+# The tests come last, so that their summary ends the output.
 test: ## check results and verdicts against recorded values, run all tests
-	cargo build --release --locked
-	cargo build --locked --workspace --examples
+	cargo test --release --locked --no-run
 	mkdir -p $(fresh) && cp -R figures/. $(fresh)
-	$(released) cargo test --locked --workspace --test shipped -- --ignored --test-threads 1
-	for example in one_case sweep figure own_metric; do $(debug)/examples/$$example > target/$$example.txt || exit 1; done
-	cargo test --locked --workspace
+	cargo test --release --locked --test shipped -- --ignored --test-threads 1
+	for example in one_case sweep figure own_metric; do $(built)/release/examples/$$example > target/$$example.txt || exit 1; done
+	cargo test --release --locked
 
 # All packages at once, so that each crate is checked once. As an extension, the Python package is checked without Python, too.
 lint: ## formatting, clippy and documentation without warnings
 	cargo fmt --all --check
-	PYO3_BUILD_EXTENSION_MODULE=1 cargo clippy --locked --workspace --all-targets -- -D warnings
-	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
+	PYO3_BUILD_EXTENSION_MODULE=1 cargo clippy --release --locked --workspace --all-targets -- -D warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps
 
 fresh: ## compare committed tables, pictures and schema with what is written now
-	cargo build --release --locked
-	$(released) cargo test --locked --workspace --test fresh -- --ignored
+	cargo test --release --locked --test fresh -- --ignored
 
 licences: ## check that the licences of all dependencies are in the list of deny.toml
-	cargo test --locked --workspace --test licences -- --ignored
+	cargo test --release --locked --test licences -- --ignored
 
 # Advisories come from a database on GitHub.
 deny: ## licences, known weaknesses, bans and sources of all dependencies (needs cargo-deny)
@@ -50,11 +44,11 @@ deny: ## licences, known weaknesses, bans and sources of all dependencies (needs
 	cargo deny check
 
 bench: ## measure sweeps, expansion and store; not part of CI, since no test measures time
-	cargo bench --locked --bench kernel --bench expansion --bench store --bench explain
+	cargo bench --locked --package slipgap-benches --bench kernel --bench expansion --bench store --bench explain
 
 guard: ## compare the instruction counts of sweeps with recorded ones (needs valgrind), and test the gain of lanes
 	cargo build --release --locked
-	cargo run --release --locked --quiet --package slipgap-guard
+	cargo run --release --locked --quiet --package slipgap-benches
 
 # OpenSees needs the system's BLAS and LAPACK (Debian: libblas3, liblapack3).
 peers: ## whole runs, kernels and floors of slipgap, numba and OpenSees: the table of docs/performance.md, in minutes
@@ -66,37 +60,36 @@ maps: ## the sensitivity maps with a thousand cases along each axis, in docs/map
 
 # A short form is among the tests. SLIPGAP_FUZZ_SECONDS sets how long (300), SLIPGAP_FUZZ_SEED repeats a run.
 fuzz: ## read, list, solve and draw random and randomly changed studies, for minutes
-	cargo test --locked --test fuzz -- --ignored --nocapture
+	cargo test --release --locked --test fuzz -- --ignored --nocapture
 
 # Random kills, kills and errors at every system call (with strace), full disks, damaged stores, processes together,
 # 1 to 16 threads. Minutes, and not part of CI, which runs the short forms; TORTURE=10 takes ten times as long.
 torture: ## kill and disturb runs in many ways, and check that the next run gives the same bytes
-	cargo test --locked --test torture -- --ignored --nocapture --test-threads 2
+	cargo test --release --locked --test torture -- --ignored --nocapture --test-threads 2
 
 # The daemons run in a temporary folder with free ports; nothing is written elsewhere. Debian: apt-get install
 # --no-install-recommends slurm-wlm munge. Without them the test says that it did not run.
 slurm-test: ## shards as a Slurm array on four virtual nodes: killed, requeued, preempted and cancelled tasks, then the merge
-	cargo test --locked --workspace --test slurm -- --ignored --nocapture killed_
+	cargo test --release --locked --test slurm -- --ignored --nocapture killed_
 
 # Ten minutes on two cores and 2 GB of disk, and not part of CI. docs/clusters.md has what it printed.
 slurm-long: ## 10^7 cases in a hundred shards on the virtual nodes, many of them killed: nothing is lost (needs Slurm)
-	cargo build --release --locked
-	$(released) cargo test --locked --workspace --test slurm -- --ignored --nocapture ten_million
+	cargo test --release --locked --test slurm -- --ignored --nocapture ten_million
 
 # The engines that PyPI has are installed into a folder of their own; GNU parallel is in Debian (parallel). Nextflow is in neither.
 recipes_env = target/recipes
 recipes: ## the recipes of docs/clusters.md with GNU parallel, HyperQueue, Snakemake, Dask (and Nextflow, if it is installed)
 	$(recipes_env)/bin/python -c "import snakemake, distributed, hyperqueue" 2> /dev/null || { $(PYTHON) -m venv $(recipes_env) && $(recipes_env)/bin/pip install --quiet snakemake "dask[distributed]" hyperqueue; } \
 	  || echo "no packages to be had: only engines that are installed are tried"
-	PATH="$(CURDIR)/$(recipes_env)/bin:$$PATH" cargo test --locked --workspace --test recipes -- --ignored --nocapture
+	PATH="$(CURDIR)/$(recipes_env)/bin:$$PATH" cargo test --release --locked --test recipes -- --ignored --nocapture
 
 # A server of moto keeps the objects in memory, on free ports of this machine. Not part of CI, since the HTTP client takes minutes to
 # compile.
 s3_env = target/s3-python
 s3-test: ## results in an object store: runs, killed shards, merges, failing requests; the same bytes as in a folder
 	$(s3_env)/bin/python -c "import moto.server, boto3" 2> /dev/null || { $(PYTHON) -m venv $(s3_env) && $(s3_env)/bin/pip install --quiet 'moto[server,s3]'; }
-	cargo clippy --locked --features object-store --lib --bins --test s3 -- -D warnings
-	SLIPGAP_PYTHON=$(abspath $(s3_env))/bin/python cargo test --locked --features object-store --test s3 -- --ignored
+	cargo clippy --release --locked --package slipgap --package slipgap-tests --features slipgap-tests/object-store --lib --bins --test s3 -- -D warnings
+	SLIPGAP_PYTHON=$(abspath $(s3_env))/bin/python cargo test --release --locked --package slipgap-tests --features object-store --test s3 -- --ignored
 
 # Days on two cores for all parts (tests/mutants.md has the number of changes of each), and not part of CI. `make mutants PART=batch`
 # changes one part, and `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a
@@ -166,13 +159,13 @@ PYTHON = python3
 python_env = target/python
 python_tools = pytest mypy numpy pandas polars pyarrow xarray duckdb scipy joblib matplotlib tqdm nbclient nbformat ipykernel jsonschema
 
-# The extension is built for development, as `maturin develop` does, but with the library that the other tests have compiled.
+# The extension is put into the package's folder, as `maturin develop` does, but with the library that the program has, too.
 # SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
 python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
 	$(python_env)/bin/python -c "import pytest, xarray, joblib" 2> /dev/null || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
 	$(python_env)/bin/pip install --quiet openseespy || echo "no openseespy: the export of its models is not tested"
-	PYO3_BUILD_EXTENSION_MODULE=1 cargo build --locked --workspace --lib --bins --tests
-	cp $(debug)/lib_slipgap.so python/slipgap/_slipgap.abi3.so
+	PYO3_BUILD_EXTENSION_MODULE=1 cargo build --release --locked --package slipgap --package slipgap-python
+	cp $(built)/release/lib_slipgap.so python/slipgap/_slipgap.abi3.so
 	echo $(CURDIR)/python > $$($(python_env)/bin/python -c "import sysconfig; print(sysconfig.get_path('purelib'))")/slipgap.pth
 	$(python_env)/bin/pytest --quiet python/tests
 

@@ -1,13 +1,17 @@
 //! The file in which the program finds the commit that it is built from. The compiler reads this file for the program alone, so that
-//! a new commit compiles `src/main.rs` anew and no library.
+//! a new commit compiles `src/main.rs` anew and no library. Tests read the folder of the repository from here, too.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("cargo::rerun-if-changed=build.rs");
-    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
+    let root = root(PathBuf::from(env::var("CARGO_MANIFEST_DIR")?));
+    println!(
+        "cargo::rerun-if-changed={}",
+        root.join("build.rs").display()
+    );
+    println!("cargo::rustc-env=SLIPGAP_ROOT={}", root.display());
     // A package has no repository of its own, but may be unpacked inside one.
     let package = root.join(".cargo_vcs_info.json");
     let log = if package.is_file() {
@@ -21,6 +25,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     println!("cargo::rustc-env=SLIPGAP_LOG_OF_HEAD={}", log.display());
     Ok(())
+}
+
+/// The folder of this file. The package of the tests, in a folder of it, has the same build script.
+fn root(package: PathBuf) -> PathBuf {
+    match package.parent() {
+        Some(above) if !package.join("build.rs").is_file() => above.to_owned(),
+        _ => package,
+    }
 }
 
 /// The log of git's HEAD, if the folder is the root of a repository: its last line has the commit before and the present one.

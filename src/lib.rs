@@ -24,7 +24,7 @@
 //!                -> results -> figures, checks, reports
 //! ```
 //!
-//! The modules from top to bottom; each uses only those below it: [`animate`], [`report`], [`claims`], [`compare`], [`calibrate`], [`run`], [`warnings`],
+//! The modules from top to bottom; each uses only those below it: [`program`] with the verbs, [`animate`], [`report`], [`claims`], [`compare`], [`calibrate`], [`run`], [`warnings`],
 //! [`checks`], [`study_figures`], [`batch`] with the store. Below them are crates, whose modules are named here, too: [`recommend`], [`figures`],
 //! [`study`] with [`error`], the solver with [`problem`], [`metrics`], [`solve`], [`textbook`], [`exact`], [`system`], [`methods`],
 //! [`contact`], [`expression`], [`lane`] and [`history`], and [`statistics`]. [`textbook`] has the papers' matrices and iteration,
@@ -72,7 +72,9 @@ pub mod batch;
 pub mod calibrate;
 pub mod checks;
 pub mod claims;
+mod commands;
 pub mod compare;
+pub mod program;
 pub mod report;
 pub mod run;
 pub mod study_figures;

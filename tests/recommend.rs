@@ -683,7 +683,7 @@ fn one_bad_neighbour_at_any_index_is_enough() {
 }
 
 fn slipgap(folder: &Path, words: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_slipgap"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"));
     let words = words.split(' ').collect::<Vec<&str>>();
     command.args(words).current_dir(folder).output().unwrap()
 }
@@ -953,7 +953,7 @@ fn exit_codes_of_unreachable_targets_and_wrong_arguments() {
 fn an_answer_that_depends_on_its_step_has_a_warning() {
     let folder = tempfile::tempdir().unwrap();
     let printed = |words: &[&str]| {
-        let output = std::process::Command::new(env!("CARGO_BIN_EXE_slipgap"))
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
             .arg("recommend")
             .args(words)
             .current_dir(folder.path())

@@ -16,7 +16,7 @@ def studies() -> Path:
 @pytest.fixture(scope="session")
 def program() -> str:
     """The program built from the same sources, see `make python-test`."""
-    path = os.environ.get("SLIPGAP_PROGRAM", str(ROOT / "target" / "debug" / "slipgap"))
+    path = os.environ.get("SLIPGAP_PROGRAM", str(ROOT / "target" / "release" / "slipgap"))
     if not Path(path).is_file():
         pytest.fail(f"no program at {path}; run `make python-test`")
     return path

@@ -3,10 +3,10 @@
 use super::arguments::sources::{self, Source};
 use super::arguments::{SettingsArgs, whole};
 use super::terminal::{note, print};
+use crate::animate::{Shown, animate};
+use crate::batch::output::Folder;
+use crate::error::Error;
 use clap::Args;
-use slipgap::animate::{Shown, animate};
-use slipgap::batch::output::Folder;
-use slipgap::error::Error;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 

@@ -3,12 +3,12 @@
 use super::NOT_MET;
 use super::arguments::JobsArgs;
 use super::terminal::{note, print, progress, table};
+use crate::batch::output::Folder;
+use crate::claims::ledger::{self, Ledger};
+use crate::claims::{self, Judged, Verdict};
+use crate::error::Error;
+use crate::run::{cases_run, files};
 use clap::Args;
-use slipgap::batch::output::Folder;
-use slipgap::claims::ledger::{self, Ledger};
-use slipgap::claims::{self, Judged, Verdict};
-use slipgap::error::Error;
-use slipgap::run::{cases_run, files};
 use std::path::{Path, PathBuf};
 
 /// Name of the page.

@@ -3,10 +3,10 @@
 use super::NOT_MET;
 use super::arguments::Expected;
 use super::terminal::{note, print, table};
+use crate::compare::{Comparison, Finding, compare_folders};
+use crate::error::Error;
+use crate::problem::numbers::parameter::shortest;
 use clap::Args;
-use slipgap::compare::{Comparison, Finding, compare_folders};
-use slipgap::error::Error;
-use slipgap::problem::numbers::parameter::shortest;
 use std::path::{Path, PathBuf};
 
 const HEADER: [&str; 7] = [

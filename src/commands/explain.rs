@@ -5,16 +5,16 @@ use super::arguments::sources::{self, Source};
 use super::arguments::{SettingsArgs, whole};
 use super::list::cases;
 use super::terminal::{duration, print, table};
+use crate::batch::solve::cost::{MEASURING, measure, sampling, total};
+use crate::batch::{RunOptions, parts::chunk, solution, solve::divergence};
+use crate::calibrate::explained;
+use crate::error::Error;
+use crate::problem::numbers::parameter::{Default, Parameter};
+use crate::problem::{Case, Violation};
+use crate::solve::Warning;
+use crate::study::Study;
+use crate::study_figures;
 use clap::Args;
-use slipgap::batch::solve::cost::{MEASURING, measure, sampling, total};
-use slipgap::batch::{RunOptions, parts::chunk, solution, solve::divergence};
-use slipgap::calibrate::explained;
-use slipgap::error::Error;
-use slipgap::problem::numbers::parameter::{Default, Parameter};
-use slipgap::problem::{Case, Violation};
-use slipgap::solve::Warning;
-use slipgap::study::Study;
-use slipgap::study_figures;
 use std::path::PathBuf;
 
 /// The arguments of `slipgap explain`.

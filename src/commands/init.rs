@@ -2,11 +2,11 @@
 
 use super::arguments::Expected;
 use super::terminal::print;
+use crate::batch::files::atomic::write_file;
+use crate::error::Error;
+use crate::problem;
+use crate::study;
 use clap::Args;
-use slipgap::batch::files::atomic::write_file;
-use slipgap::error::Error;
-use slipgap::problem;
-use slipgap::study;
 use std::fs;
 use std::path::{Path, PathBuf};
 

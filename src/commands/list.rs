@@ -3,10 +3,10 @@
 use super::arguments::StudiesArgs;
 use super::arguments::sources::Source;
 use super::terminal::{GAP, print, table};
+use crate::error::Error;
+use crate::study::{Axis, Block, Study};
 use clap::Args;
 use console::Term;
-use slipgap::error::Error;
-use slipgap::study::{Axis, Block, Study};
 
 /// The arguments of `slipgap list`.
 #[derive(Args)]

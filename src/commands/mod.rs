@@ -14,6 +14,8 @@ mod report;
 mod runs;
 pub mod terminal;
 
+use crate::batch::files::atomic::stop_writing;
+use crate::error::Error;
 use clap::{Command, Subcommand};
 use describe::completions::CompletionsArgs;
 use describe::man::ManArgs;
@@ -23,8 +25,6 @@ use runs::merge::MergeArgs;
 use runs::run::RunArgs;
 use runs::sbatch::SbatchArgs;
 use runs::status::StatusArgs;
-use slipgap::batch::files::atomic::stop_writing;
-use slipgap::error::Error;
 use terminal::note;
 
 /// Exit code if a case could not be solved.

@@ -4,27 +4,27 @@ use super::arguments::sources::Source;
 use super::arguments::{JobsArgs, StudiesArgs};
 use super::claims;
 use super::terminal::{Terminal, note, print};
+use crate::batch::groups::sobol::DesignMetrics;
+use crate::batch::output::ensemble::EnsembleMetrics;
+use crate::batch::output::{Folder, is_outdated};
+use crate::batch::store::Store;
+use crate::batch::{self, RunOptions, ShownCases};
+use crate::checks::ReducedChecks;
+use crate::claims::compute;
+use crate::claims::ledger::Ledger;
+use crate::error::Error;
+use crate::figures::FigureData;
+use crate::problem::Case;
+use crate::report::{
+    self, Checks, Counts, Drawing, Indices, MOST_BYTES, Quantiles, Results, Section, TestedReading,
+};
+use crate::run::{self, Observer, OutputOptions, Tally};
+use crate::study::Study;
+use crate::study_figures;
+use crate::warnings::StudyWarnings;
 use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use slipgap::batch::groups::sobol::DesignMetrics;
-use slipgap::batch::output::ensemble::EnsembleMetrics;
-use slipgap::batch::output::{Folder, is_outdated};
-use slipgap::batch::store::Store;
-use slipgap::batch::{self, RunOptions, ShownCases};
-use slipgap::checks::ReducedChecks;
-use slipgap::claims::compute;
-use slipgap::claims::ledger::Ledger;
-use slipgap::error::Error;
-use slipgap::figures::FigureData;
-use slipgap::problem::Case;
-use slipgap::report::{
-    self, Checks, Counts, Drawing, Indices, MOST_BYTES, Quantiles, Results, Section, TestedReading,
-};
-use slipgap::run::{self, Observer, OutputOptions, Tally};
-use slipgap::study::Study;
-use slipgap::study_figures;
-use slipgap::warnings::StudyWarnings;
 use std::path::{Path, PathBuf};
 use std::slice;
 

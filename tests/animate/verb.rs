@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 fn slipgap(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_slipgap"))
+    Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
         .args(arguments)
         .current_dir(folder)
         .output()

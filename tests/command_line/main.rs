@@ -78,5 +78,5 @@ pub(crate) const ONE: &str = r#""law": "velocity-control", "beta": 1, "dT": 0.5,
 
 /// The folder of the studies that the project ships.
 pub(crate) fn shipped() -> String {
-    format!("{}/studies", env!("CARGO_MANIFEST_DIR"))
+    format!("{}/studies", env!("SLIPGAP_ROOT"))
 }

@@ -43,7 +43,7 @@ impl Bench {
 
     /// The program, to be run in the folder.
     pub(crate) fn command(&self) -> Command {
-        self.command_of(env!("CARGO_BIN_EXE_slipgap"))
+        self.command_of(env!("CARGO_BIN_EXE_slipgap-tested"))
     }
 
     /// Runs the program. A panic or a signal fails the test.

@@ -38,7 +38,7 @@ const STUDIES: [(&str, [&str; 2], &str); 5] = [
 
 /// A shipped study with other metrics; `None` where it has no such metric.
 fn shipped(name: &str, changed: &str, metrics: &[String]) -> Option<Study> {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("studies/{name}.json"));
+    let file = Path::new(env!("SLIPGAP_ROOT")).join(format!("studies/{name}.json"));
     let text = std::fs::read_to_string(&file).unwrap();
     let mut study: Json = serde_json::from_str(&text).unwrap();
     let Json::Object(changed) = serde_json::from_str(changed).unwrap() else {

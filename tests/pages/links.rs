@@ -6,7 +6,7 @@ use std::path::Path;
 
 /// The targets of the links of a page that are files of the repository, without places inside them.
 fn targets(page: &str) -> Vec<String> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(page);
+    let path = Path::new(env!("SLIPGAP_ROOT")).join(page);
     let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{page}: {e}"));
     // What is inside code is no link.
     let prose = text.split("```").step_by(2);
@@ -19,7 +19,7 @@ fn targets(page: &str) -> Vec<String> {
 
 #[test]
 fn links_of_pages_lead_to_files() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(env!("SLIPGAP_ROOT"));
     let more = ["CHANGELOG.md", "SECURITY.md", "records/README.md"];
     let mut count = 0;
     for page in super::PAGES.iter().chain(&more) {

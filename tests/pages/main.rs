@@ -205,7 +205,7 @@ pages! {
 
 #[test]
 fn every_page_is_among_them() {
-    let docs = format!("{}/docs", env!("CARGO_MANIFEST_DIR"));
+    let docs = format!("{}/docs", env!("SLIPGAP_ROOT"));
     for entry in std::fs::read_dir(docs).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
         if name.ends_with(".md") {
@@ -222,7 +222,7 @@ fn the_page_has_every_column_with_a_name_of_its_own() {
     for problem in slipgap::problem::PROBLEMS.iter() {
         let page = format!(
             "{}/docs/study-files-{}.md",
-            env!("CARGO_MANIFEST_DIR"),
+            env!("SLIPGAP_ROOT"),
             problem.name()
         );
         let page = std::fs::read_to_string(page).unwrap();

@@ -39,7 +39,7 @@ const PROGRAMS: [&str; 12] = [
 
 /// The pieces of a page, each with its place.
 pub(crate) fn pieces(name: &str) -> Vec<(Place, Piece)> {
-    let path = format!("{}/{name}", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/{name}", env!("SLIPGAP_ROOT"));
     let page = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
     let mut reader = Reader::default();
     let mut lines = page.lines().enumerate();

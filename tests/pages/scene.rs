@@ -31,7 +31,7 @@ impl Scene {
 
     /// `FILE from PATH`: a file of the repository under the name that the page gives it.
     pub(crate) fn copy(&mut self, file: &str, path: &str) {
-        let bytes = fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(path));
+        let bytes = fs::read(Path::new(env!("SLIPGAP_ROOT")).join(path));
         self.bench
             .file(file, bytes.unwrap_or_else(|e| panic!("{path}: {e}")));
     }
@@ -96,7 +96,7 @@ impl Scene {
         }
         let mut args = command.args().to_vec();
         for study in args.clone().iter().filter(|arg| arg.ends_with(".json")) {
-            let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join(study);
+            let repository = Path::new(env!("SLIPGAP_ROOT")).join(study);
             if !self.bench.path(study).exists() && repository.is_file() {
                 self.copy(study, study);
                 self.shipped.push(study.clone());

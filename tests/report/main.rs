@@ -19,7 +19,7 @@ fn page_of(study: &str, verbs: &[&str]) -> (TempDir, String) {
     fs::write(folder.path().join("s.json"), study).unwrap();
     let mut printed = String::new();
     for verb in verbs {
-        let output = Command::new(env!("CARGO_BIN_EXE_slipgap"))
+        let output = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
             .args([verb, "s.json", "--out", "out"])
             .current_dir(folder.path())
             .output()

@@ -46,7 +46,7 @@ static REPORT: LazyLock<(TempDir, String)> = LazyLock::new(|| {
         fs::write(folder.path().join("studies").join(file), text).unwrap();
     }
     for verb in ["run", "report"] {
-        let output = Command::new(env!("CARGO_BIN_EXE_slipgap"))
+        let output = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
             .args([verb, "--out", "out"])
             .current_dir(folder.path())
             .output()

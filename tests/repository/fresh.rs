@@ -17,7 +17,7 @@ const BESIDE: [&str; 2] = ["manifest.json", "report.html"];
 #[test]
 #[ignore = "runs every study; run by `make fresh`"]
 fn committed_results_are_what_a_run_writes_now() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(env!("SLIPGAP_ROOT"));
     // The test of the claims reads these stores later. Here everything is computed.
     let now = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fresh");
     if now.exists() {
@@ -61,7 +61,7 @@ fn committed_results_are_what_a_run_writes_now() {
 #[test]
 #[ignore = "run by `make fresh`, beside the other committed output"]
 fn committed_schema_and_its_pages_are_what_the_program_prints_now() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(env!("SLIPGAP_ROOT"));
     let mut files = vec![
         ("schema/study.json".to_owned(), vec!["schema"]),
         (
@@ -85,14 +85,14 @@ fn committed_schema_and_its_pages_are_what_the_program_prints_now() {
 
 /// The release build that the Makefile names, or else the one of the tests, which is slower.
 fn program() -> String {
-    std::env::var("SLIPGAP_PROGRAM").unwrap_or_else(|_| env!("CARGO_BIN_EXE_slipgap").into())
+    std::env::var("SLIPGAP_PROGRAM").unwrap_or_else(|_| env!("CARGO_BIN_EXE_slipgap-tested").into())
 }
 
 /// Runs the program in the project's folder and gives its stdout.
 fn slipgap(words: &[&str]) -> Vec<u8> {
     let output = Command::new(program())
         .args(words)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .current_dir(env!("SLIPGAP_ROOT"))
         .output()
         .unwrap();
     let said = String::from_utf8_lossy(&output.stderr);

@@ -8,7 +8,7 @@ use std::process::Command;
 
 /// The licences that `deny.toml` allows.
 fn allowed() -> Vec<String> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("deny.toml");
+    let path = Path::new(env!("SLIPGAP_ROOT")).join("deny.toml");
     let text = std::fs::read_to_string(path).unwrap();
     let list = text.split("\nallow = [").nth(1).unwrap();
     let list = list.split("\n]").next().unwrap();
@@ -62,7 +62,7 @@ fn an_expression_fits_where_one_of_its_choices_does() {
 
 #[test]
 fn the_fonts_carry_their_licence() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/drawing/assets/fonts");
+    let folder = Path::new(env!("SLIPGAP_ROOT")).join("crates/drawing/assets/fonts");
     let licence = std::fs::read_to_string(folder.join("OFL.txt")).unwrap();
     assert!(licence.contains("SIL OPEN FONT LICENSE Version 1.1"));
     assert!(licence.starts_with("Copyright"));
@@ -87,7 +87,7 @@ fn metadata() -> Value {
     let output = Command::new(env!("CARGO"))
         .args(["metadata", "--format-version", "1", "--locked"])
         .arg("--all-features")
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .current_dir(env!("SLIPGAP_ROOT"))
         .output()
         .unwrap_or_else(|e| panic!("cannot start {}: {e}", env!("CARGO")));
     let said = String::from_utf8_lossy(&output.stderr);

@@ -4,14 +4,14 @@ use std::process::Command;
 
 /// The release build that the Makefile names, or else the one of the tests, which is slower.
 fn program() -> String {
-    std::env::var("SLIPGAP_PROGRAM").unwrap_or_else(|_| env!("CARGO_BIN_EXE_slipgap").into())
+    std::env::var("SLIPGAP_PROGRAM").unwrap_or_else(|_| env!("CARGO_BIN_EXE_slipgap-tested").into())
 }
 
 /// Standard output and standard error of a command that succeeds.
 fn slipgap(words: &[&str]) -> (String, String) {
     let output = Command::new(program())
         .args(words)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .current_dir(env!("SLIPGAP_ROOT"))
         .output()
         .unwrap();
     let [out, err] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());

@@ -239,7 +239,7 @@ fn friction_with_rest() {
 /// The results of a study of claims with this step and these values in every block.
 fn results(study: &str, set: &[(&str, Json)]) -> Vec<Vec<(String, String)>> {
     let folder = tempfile::tempdir().unwrap();
-    let path = format!("{}/studies/claims/{study}.json", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/studies/claims/{study}.json", env!("SLIPGAP_ROOT"));
     let mut study: Json = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let given = study.as_object_mut().unwrap();
     for key in ["$schema", "checks"] {
@@ -257,7 +257,7 @@ fn results(study: &str, set: &[(&str, Json)]) -> Vec<Vec<(String, String)>> {
         }
     }
     std::fs::write(folder.path().join("a.json"), study.to_string()).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_slipgap"))
+    let output = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
         .args(["run", "a.json"])
         .current_dir(folder.path())
         .output()

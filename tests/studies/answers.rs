@@ -9,7 +9,7 @@ type Row = BTreeMap<String, String>;
 
 /// The rows of a table; none of its cells has a comma.
 fn table(path: &str) -> Vec<Row> {
-    let path = format!("{}/figures/{path}", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/figures/{path}", env!("SLIPGAP_ROOT"));
     let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
     let mut lines = text.lines();
     let columns: Vec<&str> = lines.next().unwrap().split(',').collect();

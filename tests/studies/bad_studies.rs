@@ -1503,7 +1503,7 @@ fn a_list_of_names_that_is_empty_says_so() {
 
 #[test]
 fn a_reduction_says_what_it_lacks() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/own_structure");
+    let folder = concat!(env!("SLIPGAP_ROOT"), "/tests/data/own_structure");
     let found = |reduce: &str, rest: &str| {
         let text = format!(
             "{{\n\"problem\": \"structure\", \"parameters\": {{ \"n\": [1, 2], \"x\": 0.5, \"dt\": 0.1, \"duration\": \"n + x\" }},\n\"structure\": {{ \"matrices\": {{ \"f\": {{ \"M\": \"frames.M.mtx\", \"K\": \"frames.K.mtx\", \"dofs\": \"frames.dofs.csv\",\n{reduce} }} }} }},\n{rest}\n}}"

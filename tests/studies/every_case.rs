@@ -164,7 +164,7 @@ fn the_program_names_the_case_and_ends_with_3() {
     );
     std::fs::write(folder.path().join("s.json"), study).unwrap();
     let run = |words: &[&str]| {
-        let mut program = Command::new(env!("CARGO_BIN_EXE_slipgap"));
+        let mut program = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"));
         let done = program
             .current_dir(folder.path())
             .args(words)

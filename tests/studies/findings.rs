@@ -14,7 +14,7 @@ use std::process::Command;
 /// The rows of a study's table, by column.
 fn table(study: &Path) -> Vec<BTreeMap<String, f64>> {
     let out = tempfile::tempdir().unwrap();
-    let run = Command::new(env!("CARGO_BIN_EXE_slipgap"))
+    let run = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
         .arg("run")
         .arg(study)
         .arg("--out")
@@ -37,7 +37,7 @@ fn table(study: &Path) -> Vec<BTreeMap<String, f64>> {
 }
 
 fn shipped(name: &str) -> Vec<BTreeMap<String, f64>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(env!("SLIPGAP_ROOT"));
     table(&root.join("studies").join(format!("{name}.json")))
 }
 
@@ -171,7 +171,7 @@ fn the_error_of_r_falls_to_the_end_of_the_range_of_gamma() {
 
 #[test]
 fn a_step_that_is_not_iterated_makes_energy_on_the_way() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(env!("SLIPGAP_ROOT"));
     let rows = table(&root.join("studies/claims/impact-once.json"));
     let own = |dt: f64| {
         let rows = rows
@@ -286,7 +286,7 @@ fn a_disturbance_grows_a_thousand_times_more_in_the_force_than_in_r() {
 #[test]
 fn a_small_change_grows_with_every_impact_and_the_step_decides_by_how_much() {
     // docs/findings-structures.md, question 3: short bridge, k = 100 EA/L, twenty records.
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(env!("SLIPGAP_ROOT"));
     let text = std::fs::read_to_string(root.join("studies/bridges-divergence.json")).unwrap();
     let mut study: serde_json::Value = serde_json::from_str(&text).unwrap();
     let mut block = study["blocks"][0].clone();

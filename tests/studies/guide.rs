@@ -31,7 +31,7 @@ fn peaks(parameters: &str) -> Vec<f64> {
             {parameters}, "duration": 1.5 }} }}"#
     );
     fs::write(folder.path().join("a.json"), study).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_slipgap"))
+    let output = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
         .args(["run", "a.json"])
         .current_dir(folder.path())
         .output()

@@ -8,9 +8,9 @@ use std::process::Command;
 
 /// Runs the shipped study; gives results.csv and tests.csv as cells.
 fn run(jobs: &str) -> [Vec<Vec<String>>; 2] {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(env!("SLIPGAP_ROOT"));
     let out = tempfile::tempdir().unwrap();
-    let run = Command::new(env!("CARGO_BIN_EXE_slipgap"))
+    let run = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
         .args(["run", "studies/sliding-tests.json", "--jobs", jobs, "--out"])
         .arg(out.path())
         .current_dir(root)
@@ -51,7 +51,7 @@ const METRICS: [(&str, &str); 2] = [("peak(block.u)", "peak"), ("rms(block.u)", 
 fn the_right_law_is_accepted_in_95_of_100_sets_and_wrong_ones_are_refused() {
     let [results, tests] = run("2");
     // The peaks of the files as they are written, in mm.
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/measured/sliding");
+    let folder = Path::new(env!("SLIPGAP_ROOT")).join("studies/measured/sliding");
     let mut files: Vec<_> = fs::read_dir(folder)
         .unwrap()
         .map(|own| own.unwrap().path())
@@ -102,8 +102,7 @@ fn the_right_law_is_accepted_in_95_of_100_sets_and_wrong_ones_are_refused() {
     assert_eq!(run("1")[1], tests);
 
     // 100 sets of 30 tests of the same program.
-    let data =
-        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/sliding.json"));
+    let data = fs::read_to_string(Path::new(env!("SLIPGAP_ROOT")).join("tests/data/sliding.json"));
     let data: Json = serde_json::from_str(&data.unwrap()).unwrap();
     let accepted = |slider: &str, metric: (&str, &str)| {
         let cases = cases(&results, slider, metric.0);

@@ -3,11 +3,11 @@
 pub(super) mod sources;
 
 use super::terminal::print;
+use crate::error::Error;
+use crate::figures::style;
+use crate::run::{OutputOptions, Written};
+use crate::study::{MOST_CASES, Setting};
 use clap::{Args, ValueEnum};
-use slipgap::error::Error;
-use slipgap::figures::style;
-use slipgap::run::{OutputOptions, Written};
-use slipgap::study::{MOST_CASES, Setting};
 use sources::Source;
 use std::borrow::Cow;
 use std::fmt;

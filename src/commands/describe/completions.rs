@@ -1,9 +1,9 @@
 //! `slipgap completions`: what a shell needs to complete verbs and options.
 
 use crate::commands::terminal::print;
+use crate::error::Error;
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
-use slipgap::error::Error;
 
 /// The arguments of `slipgap completions`.
 #[derive(Args)]

@@ -1,7 +1,7 @@
 //! `slipgap man`: the manual pages of the program and its verbs.
 
+use crate::error::Error;
 use clap::{Args, Command};
-use slipgap::error::Error;
 use std::fs;
 use std::path::PathBuf;
 

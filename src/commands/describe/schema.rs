@@ -1,10 +1,10 @@
 //! `slipgap schema`: the schema of study files, or a page about them.
 
 use crate::commands::terminal::print;
+use crate::error::Error;
+use crate::study;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use slipgap::error::Error;
-use slipgap::study;
 
 /// The arguments of `slipgap schema`.
 #[derive(Args)]

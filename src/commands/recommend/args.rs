@@ -4,8 +4,8 @@ use super::friction::FrictionArgs;
 use super::impact::ImpactArgs;
 use super::recommend;
 use super::study::StudyArgs;
+use crate::error::Error;
 use clap::{Args, Subcommand};
-use slipgap::error::Error;
 
 #[derive(Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]

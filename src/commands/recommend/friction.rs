@@ -1,12 +1,12 @@
 //! The arguments of a search for a friction model.
 
 use super::task::{CommonArgs, SearchTask, parse_target};
+use crate::error::Error;
+use crate::problem::friction::FrictionOscillator;
+use crate::recommend::friction::{ENERGY_GAIN, FrictionTask, Releases, X0, law_names};
+use crate::recommend::setting::choices;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use slipgap::error::Error;
-use slipgap::problem::friction::FrictionOscillator;
-use slipgap::recommend::friction::{ENERGY_GAIN, FrictionTask, Releases, X0, law_names};
-use slipgap::recommend::setting::choices;
 
 #[derive(Args)]
 pub struct FrictionArgs {

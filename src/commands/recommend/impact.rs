@@ -2,14 +2,14 @@
 
 use super::task::{CommonArgs, SearchTask, parse_target};
 use crate::commands::arguments::Expected;
+use crate::error::Error;
+use crate::problem::impact::BarImpact;
+use crate::problem::numbers::parameter::Value;
+use crate::problem::table::schema::Text;
+use crate::recommend::impact::{ENERGY_GAIN, ENERGY_LOSS, ImpactTask, bar};
+use crate::recommend::setting::choices;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use slipgap::error::Error;
-use slipgap::problem::impact::BarImpact;
-use slipgap::problem::numbers::parameter::Value;
-use slipgap::problem::table::schema::Text;
-use slipgap::recommend::impact::{ENERGY_GAIN, ENERGY_LOSS, ImpactTask, bar};
-use slipgap::recommend::setting::choices;
 
 /// The names of a parameter of the bars.
 fn names(parameter: &str) -> Vec<&'static str> {

@@ -12,11 +12,11 @@ pub use args::RecommendArgs;
 
 use super::NOT_MET;
 use super::terminal::{note, print};
-use slipgap::batch::output::Folder;
-use slipgap::error::Error;
-use slipgap::figures::style::DPI;
-use slipgap::figures::{self, Front};
-use slipgap::recommend::{self, Answer, LEAST_HALVINGS, MOST_HALVINGS, SETTLED};
+use crate::batch::output::Folder;
+use crate::error::Error;
+use crate::figures::style::DPI;
+use crate::figures::{self, Front};
+use crate::recommend::{self, Answer, LEAST_HALVINGS, MOST_HALVINGS, SETTLED};
 use std::time::Instant;
 use tables::Row;
 use task::SearchTask;

@@ -2,20 +2,20 @@
 
 use super::task::CommonArgs;
 use super::write_front;
+use crate::batch::output::Folder;
 use crate::commands::NOT_MET;
 use crate::commands::arguments::SettingsArgs;
 use crate::commands::arguments::sources;
 use crate::commands::terminal::{note, print, table};
+use crate::error::Error;
+use crate::figures::Front;
+use crate::problem::numbers::parameter::{Value, shortest};
+use crate::recommend::Stop;
+use crate::recommend::format::digits;
+use crate::recommend::study::{Advice, Choice, From, Mesh, State, advise};
+use crate::run::Source;
+use crate::study::MOST_CASES;
 use clap::Args;
-use slipgap::batch::output::Folder;
-use slipgap::error::Error;
-use slipgap::figures::Front;
-use slipgap::problem::numbers::parameter::{Value, shortest};
-use slipgap::recommend::Stop;
-use slipgap::recommend::format::digits;
-use slipgap::recommend::study::{Advice, Choice, From, Mesh, State, advise};
-use slipgap::run::Source;
-use slipgap::study::MOST_CASES;
 use std::path::PathBuf;
 use std::time::Instant;
 

@@ -1,7 +1,7 @@
 //! The survey in words: which laws and methods were searched on the fine grid, and the cheapest of each on the coarse one.
 
 use crate::commands::terminal::table;
-use slipgap::recommend::{MOST, MOST_OWN_STEP, Recommendation, Setting, Survey, Variant, Variants};
+use crate::recommend::{MOST, MOST_OWN_STEP, Recommendation, Setting, Survey, Variant, Variants};
 
 /// A variant in words.
 fn words(variant: &Variant) -> String {

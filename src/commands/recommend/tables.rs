@@ -1,11 +1,11 @@
 //! The tables of an answer: errors of the candidates, their metrics, and the parameters for a study.
 
 use crate::commands::terminal::table;
-use slipgap::error::Error;
-use slipgap::problem::Case;
-use slipgap::problem::numbers::parameter::{Value, shortest};
-use slipgap::recommend::format::digits;
-use slipgap::recommend::{
+use crate::error::Error;
+use crate::problem::Case;
+use crate::problem::numbers::parameter::{Value, shortest};
+use crate::recommend::format::digits;
+use crate::recommend::{
     Answer, Candidate, LEAST_HALVINGS, Outcome, Refined, Request, Robustness, SearchSpace, Target,
     refine, with_finer_step,
 };
@@ -270,14 +270,14 @@ pub fn front(space: &dyn SearchSpace, request: &Request, answer: &Answer) -> Str
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipgap::history::History;
-    use slipgap::problem::friction::FrictionOscillator;
-    use slipgap::problem::table::cases::Cases;
-    use slipgap::problem::table::schema::Schema;
-    use slipgap::problem::{Problem, Solution, Violation};
-    use slipgap::recommend::friction::Friction;
-    use slipgap::recommend::{CostLevel, EnergyChange, Fixed, Stop, metric};
-    use slipgap::solve::{MetricTable, Unsolvable};
+    use crate::history::History;
+    use crate::problem::friction::FrictionOscillator;
+    use crate::problem::table::cases::Cases;
+    use crate::problem::table::schema::Schema;
+    use crate::problem::{Problem, Solution, Violation};
+    use crate::recommend::friction::Friction;
+    use crate::recommend::{CostLevel, EnergyChange, Fixed, Stop, metric};
+    use crate::solve::{MetricTable, Unsolvable};
     use std::sync::Arc;
 
     /// Smallest step with a solution.

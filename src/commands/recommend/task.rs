@@ -1,8 +1,8 @@
 //! A search with the arguments of every search.
 
 use crate::commands::arguments::{Expected, JobsArgs};
+use crate::recommend::task::{Search, is_target};
 use clap::Args;
-use slipgap::recommend::task::{Search, is_target};
 use std::path::PathBuf;
 
 #[derive(Args)]

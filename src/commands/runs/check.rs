@@ -1,16 +1,16 @@
 //! `slipgap check`: every check of every study, with the value tested.
 
+use crate::batch::{self, RunOptions};
+use crate::checks::{CheckCollector, TestedValues, Verdict};
 use crate::commands::arguments::sources::Source;
 use crate::commands::arguments::{JobsArgs, StudiesArgs};
 use crate::commands::terminal::{note, print_all, progress, table_lines};
 use crate::commands::{NOT_MET, UNSOLVED};
+use crate::error::Error;
+use crate::problem::numbers::parameter::shortest;
+use crate::run::{UnsolvedCases, cases_run, without_value};
+use crate::warnings::StudyWarnings;
 use clap::Args;
-use slipgap::batch::{self, RunOptions};
-use slipgap::checks::{CheckCollector, TestedValues, Verdict};
-use slipgap::error::Error;
-use slipgap::problem::numbers::parameter::shortest;
-use slipgap::run::{UnsolvedCases, cases_run, without_value};
-use slipgap::warnings::StudyWarnings;
 
 /// The arguments of `slipgap check`.
 #[derive(Args)]

@@ -1,14 +1,14 @@
 //! `slipgap merge`: tables, figures and manifest of studies whose cases shards have computed.
 
+use crate::batch::output::Folder;
+use crate::batch::store::{STORE, Store};
 use crate::commands::arguments::sources::Source;
 use crate::commands::arguments::{JobsArgs, OutputArgs, StudiesArgs, whole};
 use crate::commands::terminal::{Terminal, report_error};
 use crate::commands::{NOT_MET, PARTS_MISSING, UNSOLVED};
+use crate::error::Error;
+use crate::run::merge_study;
 use clap::Args;
-use slipgap::batch::output::Folder;
-use slipgap::batch::store::{STORE, Store};
-use slipgap::error::Error;
-use slipgap::run::merge_study;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,16 +1,16 @@
 //! `slipgap run`: results, figures and, if wanted, histories of every study.
 
 use super::shard;
+use crate::batch::Shard;
+use crate::batch::output::Folder;
+use crate::batch::store::Store;
 use crate::commands::arguments::sources::Source;
 use crate::commands::arguments::{JobsArgs, OutputArgs, StudiesArgs};
 use crate::commands::terminal::Terminal;
 use crate::commands::{NOT_MET, UNSOLVED};
+use crate::error::Error;
+use crate::run::{OutputOptions, run_study};
 use clap::Args;
-use slipgap::batch::Shard;
-use slipgap::batch::output::Folder;
-use slipgap::batch::store::Store;
-use slipgap::error::Error;
-use slipgap::run::{OutputOptions, run_study};
 use std::path::{Path, PathBuf};
 
 /// The arguments of `slipgap run`.

@@ -1,10 +1,10 @@
 //! `slipgap run --shard I/N`: the parts of one shard of every study, kept in the stores and nowhere else.
 
+use crate::batch::store::Store;
+use crate::batch::{Shard, ShardResult, run_shard};
 use crate::commands::arguments::sources::Source;
 use crate::commands::terminal::{note, progress};
-use slipgap::batch::store::Store;
-use slipgap::batch::{Shard, ShardResult, run_shard};
-use slipgap::error::Error;
+use crate::error::Error;
 use std::path::Path;
 
 /// Computes the parts of the shard into the stores in `out`; returns the exit code. A case that cannot be solved is a row.

@@ -1,12 +1,12 @@
 //! `slipgap status`: how far studies are that run here, on other machines or on a cluster.
 
+use crate::batch::status::{MOST_SHARDS, Progress, State, StudyStatus, study_status};
 use crate::commands::arguments::sources::Source;
 use crate::commands::arguments::{JobsArgs, StudiesArgs, whole};
 use crate::commands::terminal::{duration, note, print, table};
+use crate::error::Error;
 use clap::Args;
 use serde_json::{Value, json};
-use slipgap::batch::status::{MOST_SHARDS, Progress, State, StudyStatus, study_status};
-use slipgap::error::Error;
 use std::path::{Path, PathBuf};
 
 /// The arguments of `slipgap status`.

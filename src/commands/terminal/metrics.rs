@@ -1,9 +1,9 @@
 //! The metrics of a study of few cases, shown after its run.
 
 use super::table;
-use slipgap::batch::PartResult;
-use slipgap::problem::numbers::parameter::{Value, shortest};
-use slipgap::run::Source;
+use crate::batch::PartResult;
+use crate::problem::numbers::parameter::{Value, shortest};
+use crate::run::Source;
 
 /// Most cases that are shown, each in a column.
 const MOST: u64 = 6;

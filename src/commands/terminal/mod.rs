@@ -9,8 +9,8 @@ mod studies;
 pub use duration::duration;
 pub use observer::Terminal;
 
-use slipgap::error::Error;
-use slipgap::study::printable;
+use crate::error::Error;
+use crate::study::printable;
 use std::io::{BufWriter, ErrorKind, Write, stderr, stdout};
 use std::iter::repeat_n;
 

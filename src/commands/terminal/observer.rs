@@ -3,10 +3,10 @@
 use super::metrics::Metrics;
 use super::studies::Studies;
 use super::{note, progress};
+use crate::batch::PartResult;
+use crate::batch::solve::work_progress::WorkProgress;
+use crate::run::{Observer, Source};
 use indicatif::ProgressBar;
-use slipgap::batch::PartResult;
-use slipgap::batch::solve::work_progress::WorkProgress;
-use slipgap::run::{Observer, Source};
 use std::io::{IsTerminal, stdout};
 use std::sync::Arc;
 

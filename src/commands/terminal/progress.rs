@@ -3,10 +3,10 @@
 use super::duration::duration;
 use super::note;
 use super::studies::Estimate;
+use crate::batch::solve::cost;
+use crate::batch::solve::work_progress::WorkProgress;
+use crate::study::Study;
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
-use slipgap::batch::solve::cost;
-use slipgap::batch::solve::work_progress::WorkProgress;
-use slipgap::study::Study;
 use std::fmt::Write;
 use std::io::{IsTerminal, stderr};
 use std::sync::Arc;

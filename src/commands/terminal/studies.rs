@@ -1,9 +1,9 @@
 //! How far a command with several studies is, and what remains.
 
 use super::duration::duration;
-use slipgap::batch::solve::cost;
-use slipgap::batch::solve::work_progress::WorkProgress;
-use slipgap::run::Source;
+use crate::batch::solve::cost;
+use crate::batch::solve::work_progress::WorkProgress;
+use crate::run::Source;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 

@@ -160,7 +160,7 @@ fn measures() -> Vec<[f64; 2]> {
 fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
     // A linear oscillator of 1 s with 5 % damping, whose peak is the spectral displacement times the scale.
     let bench = Bench::new();
-    let records = concat!(env!("CARGO_MANIFEST_DIR"), "/records/lomaprieta-*.smc");
+    let records = concat!(env!("SLIPGAP_ROOT"), "/records/lomaprieta-*.smc");
     let omega = 2.0 * std::f64::consts::PI;
     let scales = [0.1, 1.0, 10.0];
     bench.file(
@@ -279,10 +279,7 @@ fn independent(figure: &str) -> (Vec<f64>, serde_json::Value) {
 #[test]
 fn fragilities_agree_with_an_independent_program() {
     let bench = Bench::new();
-    let study = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/studies/recorded-fragility.json"
-    );
+    let study = concat!(env!("SLIPGAP_ROOT"), "/studies/recorded-fragility.json");
     bench.expect(0, &["run", study, "--jobs", "1"]);
     let table = bench.text("figures/recorded-fragility/fragility.csv");
     let members = bench.text("figures/recorded-fragility/fragility_members.csv");

@@ -208,7 +208,7 @@ fn more_studies_than_open_files_allowed() {
     }
     let run = format!(
         "ulimit -n 40; exec {} run --jobs 1",
-        env!("CARGO_BIN_EXE_slipgap")
+        env!("CARGO_BIN_EXE_slipgap-tested")
     );
     let done = Command::new("bash")
         .args(["-c", &run])

@@ -54,7 +54,7 @@ fn with_avx2_and_with_sse2_alone() {
     };
     let bench = Bench::new();
     let studies = ["friction-fig6", "impact-fig4", "structure-oblique-impact"];
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/studies");
+    let root = concat!(env!("SLIPGAP_ROOT"), "/studies");
     let studies = studies.map(|name| format!("{root}/{name}.json"));
     let run = |command: &mut Command, out: &str| {
         command.arg("run").args(&studies).args(["--out", out]);
@@ -66,7 +66,7 @@ fn with_avx2_and_with_sse2_alone() {
     assert!(files.iter().any(|file| file.ends_with(".parquet")));
     for processor in ["max", "qemu64"] {
         let mut command = bench.command_of(&qemu);
-        let program = env!("CARGO_BIN_EXE_slipgap");
+        let program = env!("CARGO_BIN_EXE_slipgap-tested");
         run(command.args(["-cpu", processor, program]), processor);
         assert_eq!(files, bench.everything(processor));
         for file in &files {

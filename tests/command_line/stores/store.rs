@@ -279,7 +279,7 @@ fn a_full_disk_is_reported_and_complete_files_remain() {
     // With a limit of 64 KiB for files, writing fails in the same place as on a full disk.
     let command = format!(
         "trap '' XFSZ; ulimit -f 128; exec {} run s.json --format csv",
-        env!("CARGO_BIN_EXE_slipgap")
+        env!("CARGO_BIN_EXE_slipgap-tested")
     );
     let shell = Command::new("bash")
         .args(["-c", &command])

@@ -25,7 +25,7 @@ fn help_and_version_go_to_stdout() {
 
 /// The commit by git itself, if this is a repository that keeps the log of its HEAD.
 fn head() -> Option<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(env!("SLIPGAP_ROOT"));
     let git = |words: &[&str]| {
         let mut command = Command::new("git");
         let output = command.arg("rev-parse").args(words).current_dir(root);

@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 use slipgap::problem::{Metric, Solution, find};
 
 fn data(file: &str) -> Json {
-    let path = format!("{}/tests/data/{file}", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/data/{file}", env!("SLIPGAP_ROOT"));
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 

@@ -8,7 +8,7 @@ use std::path::Path;
 
 /// A study beside the models.
 fn beside(study: &Json) -> Study {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/own_structure/s.json");
+    let folder = Path::new(env!("SLIPGAP_ROOT")).join("tests/data/own_structure/s.json");
     study::parse(&folder.to_string_lossy(), &study.to_string()).unwrap_or_else(|e| panic!("{e}"))
 }
 

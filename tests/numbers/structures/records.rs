@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("records")
+    Path::new(env!("SLIPGAP_ROOT")).join("records")
 }
 
 fn bytes(file: &str) -> Vec<u8> {

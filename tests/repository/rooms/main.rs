@@ -30,7 +30,7 @@ const FOLDERS: [&str; 7] = [
 const EXEMPT: [&str; 1] = ["tests/data/own_structure"];
 
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    Path::new(env!("SLIPGAP_ROOT"))
 }
 
 /// Fails with a list of what offends.

@@ -23,7 +23,7 @@ const ENDLESS: Duration = Duration::from_secs(300);
 
 /// The studies that the project ships, and the ones that `init` writes.
 fn shipped() -> Vec<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(env!("SLIPGAP_ROOT"));
     let files = walkdir::WalkDir::new(root.join("studies")).sort_by_file_name();
     let texts = files
         .into_iter()

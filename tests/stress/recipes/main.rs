@@ -19,7 +19,7 @@ const STUDY: &str = r#"{ "problem": "friction-oscillator", "parameters": {
     "x0": {"linspace": [1, 20, 4000]} }, "when": "x0 > 19.99",
   "figures": [{ "name": "f", "kind": "metric", "x": "beta", "y": "rms_error", "where": {"x0": 20} }] }"#;
 
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+const ROOT: &str = env!("SLIPGAP_ROOT");
 
 /// The commands in the first block of a section of the page.
 fn commands(section: &str) -> String {
@@ -33,7 +33,9 @@ fn commands(section: &str) -> String {
 /// Runs the commands of a section, if `test` succeeds, and compares the results.
 fn run(section: &str, test: &[&str]) {
     let bench = Bench::new();
-    let own = Path::new(env!("CARGO_BIN_EXE_slipgap")).parent().unwrap();
+    let own = Path::new(env!("CARGO_BIN_EXE_slipgap-tested"))
+        .parent()
+        .unwrap();
     let path = std::env::var_os("PATH").unwrap_or_default();
     let folders = [own.to_owned()]
         .into_iter()

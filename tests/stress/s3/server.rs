@@ -6,7 +6,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::LazyLock;
 
 /// What stands before the name of a script of this test.
-const SCRIPTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/stress/s3");
+const SCRIPTS: &str = concat!(env!("SLIPGAP_ROOT"), "/tests/stress/s3");
 
 /// Which port of the server a command uses.
 #[derive(Clone, Copy)]

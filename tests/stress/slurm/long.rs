@@ -60,7 +60,7 @@ fn running(study: &Path) -> Vec<(String, u32)> {
 
 /// Runs the program, that of a release if `make slurm-long` has built it.
 fn run(work: &Bench, words: &[&str]) -> Done {
-    let own = || env!("CARGO_BIN_EXE_slipgap").into();
+    let own = || env!("CARGO_BIN_EXE_slipgap-tested").into();
     let program = std::env::var("SLIPGAP_PROGRAM").unwrap_or_else(|_| own());
     let done: Done = work
         .command_of(program)

@@ -69,8 +69,8 @@ fn submit<'a>(
     marks: &Bench,
     shards: Option<&str>,
 ) -> Submission<'a> {
-    let program = env!("CARGO_BIN_EXE_slipgap");
-    let wrapper = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/stress/slurm/shard.sh");
+    let program = env!("CARGO_BIN_EXE_slipgap-tested");
+    let wrapper = concat!(env!("SLIPGAP_ROOT"), "/tests/stress/slurm/shard.sh");
     let made = work.run(&[
         "sbatch",
         "s.json",

@@ -26,7 +26,7 @@ fn from_1_to_16_threads() {
 fn threads(jobs: &[&str], wanted: &dyn Fn(&str) -> bool) {
     let bench = Bench::new();
     let mut count = 0;
-    for entry in fs::read_dir(format!("{}/studies", env!("CARGO_MANIFEST_DIR"))).unwrap() {
+    for entry in fs::read_dir(format!("{}/studies", env!("SLIPGAP_ROOT"))).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_stem().unwrap().to_str().unwrap();
         if path.is_file() && wanted(name) {

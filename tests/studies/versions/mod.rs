@@ -21,12 +21,12 @@ fn round_off(stiffness: Option<&str>) -> Option<f64> {
 }
 
 fn frozen(folder: &str) -> PathBuf {
-    let versions = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/studies/versions");
+    let versions = Path::new(env!("SLIPGAP_ROOT")).join("tests/studies/versions");
     versions.join("0.1.0").join(folder)
 }
 
 fn slipgap(words: &[&str], folder: &Path) -> Output {
-    let program = env!("CARGO_BIN_EXE_slipgap");
+    let program = env!("CARGO_BIN_EXE_slipgap-tested");
     let mut command = Command::new(program);
     command.args(words).current_dir(folder).output().unwrap()
 }

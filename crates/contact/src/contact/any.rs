@@ -6,35 +6,9 @@ use super::*;
 use crate::for_widest;
 use crate::lane::Lane;
 
-/// The laws. Loops over steps are compiled once for each of the `direct` laws, which the recorded speeds are of, and once for all
-/// others together, with a choice in every step.
+/// The laws.
 macro_rules! laws {
-    (direct: $($direct:ident),+; others: $($other:ident),* $(,)?) => {
-        laws!(@all $($direct),+ $(, $other)*);
-
-        impl ContactLaw {
-            /// Runs the visitor with the laws themselves; all cases have a law of the first one's kind.
-            pub fn accept<const L: usize, V: LawsVisitor<L>>(laws: &[ContactLaw; L], visitor: V) -> V::Output {
-                match laws[0] {
-                    $(ContactLaw::$direct(first) => {
-                        visitor.visit(&own_laws(laws, first, $direct::of))
-                    })+
-                    _ => visitor.visit(laws),
-                }
-            }
-        }
-
-        impl<const L: usize> AnyRunningLaw<L> {
-            /// Runs the visitor with the law itself.
-            pub fn accept(&mut self, visitor: impl Visitor<L>) {
-                match self {
-                    $(AnyRunningLaw::$direct(law) => visitor.visit(law),)+
-                    _ => visitor.visit(self),
-                }
-            }
-        }
-    };
-    (@all $($law:ident),+) => {
+    ($($law:ident),+ $(,)?) => {
         /// The law of a contact.
         ///
         /// A sliding contact dissipates S times the distance, and its elastic part stores S^2/(2 k^C):
@@ -75,10 +49,19 @@ macro_rules! laws {
             }
         }
 
-        impl $law {
-            fn of(law: &ContactLaw) -> Option<$law> {
+        impl OneLaw for $law {
+            #[inline(always)]
+            fn of(law: &ContactLaw) -> Option<&$law> {
                 match law {
-                    ContactLaw::$law(law) => Some(*law),
+                    ContactLaw::$law(law) => Some(law),
+                    _ => None,
+                }
+            }
+
+            #[inline(always)]
+            fn running<const L: usize>(law: &mut AnyRunningLaw<L>) -> Option<&mut RunningLaw<<$law as Law>::Step<L>, L>> {
+                match law {
+                    AnyRunningLaw::$law(law) => Some(law),
                     _ => None,
                 }
             }
@@ -151,7 +134,7 @@ macro_rules! laws {
             pub fn running<const L: usize>(laws: &[ContactLaw; L], on: &[StepFlexibility<L>; 2]) -> AnyRunningLaw<L> {
                 match laws[0] {
                     $(ContactLaw::$law(first) => {
-                        AnyRunningLaw::$law(RunningLaw::of(&own_laws(laws, first, $law::of), on))
+                        AnyRunningLaw::$law(RunningLaw::of(&own_laws(laws, first), on))
                     }),+
                 }
             }
@@ -222,9 +205,32 @@ macro_rules! laws {
 }
 
 laws!(
-    direct: DisplacementControl, VelocityControl, ImpactSpring;
-    others: KelvinVoigt, Hertz, HertzDamp, HuntCrossley, Ye, Jankowski, Rigid,
-        Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre, Bilinear, GapYield, Restrainer, Viscous, Multilinear, HyperbolicGap, Pendulum, ImpactYield, Imk, Own
+    DisplacementControl,
+    VelocityControl,
+    ImpactSpring,
+    KelvinVoigt,
+    Hertz,
+    HertzDamp,
+    HuntCrossley,
+    Ye,
+    Jankowski,
+    Rigid,
+    Bearing,
+    Tanh,
+    Stribeck,
+    BoucWen,
+    Dahl,
+    Lugre,
+    Bilinear,
+    GapYield,
+    Restrainer,
+    Viscous,
+    Multilinear,
+    HyperbolicGap,
+    Pendulum,
+    ImpactYield,
+    Imk,
+    Own
 );
 
 /// All laws by the names of studies: impacts, friction, links.
@@ -274,18 +280,31 @@ impl<const L: usize> ContactResponse<L> for AnyRunningLaw<L> {
     }
 }
 
+/// One of the laws. A loop over steps is compiled for it alone where sweeps of millions have this law.
+pub trait OneLaw: Law + Copy {
+    /// The law, if it is this one.
+    fn of(law: &ContactLaw) -> Option<&Self>;
+
+    /// The law over the steps of a run, if it is this one.
+    fn running<const L: usize>(
+        law: &mut AnyRunningLaw<L>,
+    ) -> Option<&mut RunningLaw<Self::Step<L>, L>>;
+
+    /// The laws of all cases, if the first is this one; they have its kind.
+    #[inline(always)]
+    fn all<const L: usize>(laws: &[ContactLaw; L]) -> Option<[Self; L]> {
+        Self::of(&laws[0]).map(|first| own_laws(laws, *first))
+    }
+}
+
 /// The laws themselves, which all have the kind of the first.
 // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
 #[inline(always)]
-fn own_laws<W: Copy, const L: usize>(
-    laws: &[ContactLaw; L],
-    first: W,
-    own: impl Fn(&ContactLaw) -> Option<W>,
-) -> [W; L] {
+fn own_laws<W: OneLaw, const L: usize>(laws: &[ContactLaw; L], first: W) -> [W; L] {
     let mut all = [first; L];
     for (slot, law) in all.iter_mut().zip(laws) {
-        if let Some(law) = own(law) {
-            *slot = law;
+        if let Some(law) = W::of(law) {
+            *slot = *law;
         }
     }
     all

@@ -30,7 +30,7 @@ mod roots;
 mod saturation;
 mod series;
 
-pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, WhichLaw};
+pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, OneLaw, WhichLaw};
 pub use coupled::{CoupledForces, RigidForces, Unsolved};
 pub use law::{
     ClippedLine, ClosedForm, ContactKind, Described, ElasticInPlane, Evolution, Family, GivenLaw,
@@ -223,20 +223,6 @@ impl<S: StepLaw<L>, const L: usize> ContactResponse<L> for RunningLaw<S, L> {
     fn correction(&self, displacement: Lane<L>) -> Lane<L> {
         self.parts[0].correction(displacement)
     }
-}
-
-/// Code that is compiled for each law separately.
-pub trait Visitor<const L: usize> {
-    /// Runs with the law.
-    fn visit(self, law: &mut (impl ContactResponse<L> + Copy));
-}
-
-/// Code that is compiled for each law separately, with the laws of L cases.
-pub trait LawsVisitor<const L: usize> {
-    /// The result.
-    type Output;
-    /// Runs with the laws.
-    fn visit<W: StoredEnergy>(self, laws: &[W; L]) -> Self::Output;
 }
 
 /// Energies that L contacts store at r under S, and the parts of S that do their work on them.

@@ -1,5 +1,6 @@
 //! Solving: integration of systems in time, one at a time or several together. Written once for all problems.
 
+mod loops;
 pub mod single_pass;
 pub mod structure;
 pub mod sweep;
@@ -9,12 +10,11 @@ mod unsolvable;
 pub mod visited;
 mod warning;
 
-use crate::contact::{AnyRunningLaw, ContactLaw, ContactResponse, Visitor};
+use crate::contact::{AnyRunningLaw, ContactLaw};
 use crate::lane::Lane;
-use crate::methods::{
-    ContactWork, ManyModes, Method, ModeCount, ModeStart, Recursion, Scheme, Start,
-};
+use crate::methods::{ManyModes, Method, ModeCount, ModeStart, Recursion, Scheme, Start};
 use crate::system::System;
+pub use loops::{EachMethod, Loops, OneLoop, Steps};
 use std::cell::Cell;
 pub use table::MetricTable;
 pub use track::{ContactTrack, Displacements, Track};
@@ -57,11 +57,16 @@ impl<const L: usize, T: Default> Default for Motion<L, T> {
 
 /// A description of a system.
 pub trait ToSystem: Copy {
+    /// The methods that such systems have: one, or [`Method`] for any.
+    type Methods: EachMethod;
+
     /// The system.
     fn system(&self) -> System;
 }
 
 impl ToSystem for System {
+    type Methods = Method;
+
     fn system(&self) -> System {
         *self
     }
@@ -153,22 +158,15 @@ fn running_law<const L: usize, N: Recursion<L>, S: ToSystem>(
 
 /// Integrates L systems with equal numbers of modes, laws of one kind and methods of one scheme, to their last steps. Returns for each
 /// whether its motion is finite.
-pub fn advance<const L: usize, M: ModeCount, T: Track<L>, S: ToSystem>(
+pub fn advance<const L: usize, M: ModeCount, T: Track<L>, P: Loops<L>, S: ToSystem>(
     cases: &[S; L],
     motion: &mut Motion<L, T>,
 ) -> [bool; L] {
-    fn of<const L: usize, M: ModeCount, T: Track<L>, S: ToSystem, D: Scheme>(
-        _: &D,
-        cases: &[S; L],
-        motion: &mut Motion<L, T>,
-    ) -> [bool; L] {
-        advance_by::<L, D::Lanes<L, M>, T, S>(cases, motion)
-    }
-    slipgap_system::each_method!(&cases[0].system().method, own => of::<L, M, T, S, _>(own, cases, motion))
+    S::Methods::advance::<L, M, T, P, S>(cases, motion)
 }
 
 /// The same with one method.
-fn advance_by<const L: usize, N: Recursion<L>, T: Track<L>, S: ToSystem>(
+fn advance_by<const L: usize, N: Recursion<L>, T: Track<L>, P: Loops<L>, S: ToSystem>(
     cases: &[S; L],
     motion: &mut Motion<L, T>,
 ) -> [bool; L] {
@@ -194,13 +192,8 @@ fn advance_by<const L: usize, N: Recursion<L>, T: Track<L>, S: ToSystem>(
         &last,
         |stepper, steps| {
             let mut sum = work.get();
-            law.accept(Steps {
-                stepper,
-                track,
-                work: &mut sum,
-                from,
-                steps,
-            });
+            let next = Steps::new(stepper, track, &mut sum, from..from + steps);
+            P::step(&mut law, next);
             work.set(sum);
             from += steps;
         },
@@ -249,52 +242,8 @@ fn modal_energy<const L: usize, N: Recursion<L>, S: ToSystem>(
 /// [`Unsolvable::OutOfRange`] if the motion does not remain finite.
 pub fn run<T: Track<1>>(system: &System) -> Result<Motion<1, T>, Unsolvable> {
     let mut motion = Motion::default();
-    match advance::<1, ManyModes, T, _>(&[*system], &mut motion) {
+    match advance::<1, ManyModes, T, OneLoop, _>(&[*system], &mut motion) {
         [true] => Ok(motion),
         [false] => Err(Unsolvable::OutOfRange),
-    }
-}
-
-/// Some steps, recorded from row `from` on.
-struct Steps<'a, const L: usize, N, T> {
-    stepper: &'a mut N,
-    track: &'a mut T,
-    work: &'a mut Lane<L>,
-    from: usize,
-    steps: usize,
-}
-
-impl<const L: usize, N: Recursion<L>, T: Track<L>> Visitor<L> for Steps<'_, L, N, T> {
-    fn visit(self, law: &mut (impl ContactResponse<L> + Copy)) {
-        let sum = step_all::<L, N, T, _>(self.stepper, law, self.track, self.from, self.steps);
-        *self.work = *self.work + sum;
-    }
-}
-
-// A separate small function: with other code around it, its loop compiles to slower instructions. Returns the work on the contact,
-// or zero in a method in which it is the energy that the modes lose.
-slipgap_contact::for_widest! {
-    fn step_all<const L: usize, N: Recursion<L>, T: Track<L>, W: ContactResponse<L> + Copy>(
-        stepper: &mut N,
-        law: &mut W,
-        track: &mut T,
-        from: usize,
-        steps: usize,
-    ) -> Lane<L> {
-        let (mut own, mut own_law) = (stepper.take(), *law);
-        let mut work = Lane::splat(0.0);
-        let form = ContactWork::new(N::Scheme::FORCE_AT_END, own.flexibilities()[0].dt);
-        for row in track.rows(from, steps) {
-            let before = own.contact();
-            let after = own.step(&mut own_law);
-            T::write(row, &after);
-            if !N::Scheme::CONSERVES {
-                let force = form.force([before.force, after.force]);
-                let r = [before.displacement, after.displacement];
-                work = work + force * form.displacement(r, [before.velocity, after.velocity]);
-            }
-        }
-        (*stepper, *law) = (own, own_law);
-        work
     }
 }

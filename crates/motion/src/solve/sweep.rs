@@ -1,7 +1,7 @@
 //! Many cases in lanes: their order, and which of them have the same reference.
 
 use super::table::MetricTable;
-use super::{Motion, ToSystem, Track, Unsolvable, Warnings, advance};
+use super::{Loops, Motion, ToSystem, Track, Unsolvable, Warnings, advance};
 use crate::lane::Lane;
 use crate::methods::ModeCount;
 use std::ops::Range;
@@ -14,6 +14,8 @@ pub trait LaneCase<const L: usize>: ToSystem {
     type Modes: ModeCount;
     /// What is recorded of the steps.
     type Track: Track<L>;
+    /// The laws that have a loop over steps of their own.
+    type Loops: Loops<L>;
     /// The default metrics of all lanes, one after the other.
     type Metrics: AsRef<[Lane<L>]>;
     /// Those of one lane.
@@ -123,7 +125,7 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
         for (l, (row, case)) in members.enumerate() {
             (rows[l], lanes[l]) = (row, case);
         }
-        let finite = advance::<L, C::Modes, T, C>(&lanes, &mut self.motion);
+        let finite = advance::<L, C::Modes, T, C::Loops, C>(&lanes, &mut self.motion);
         C::condense(&lanes, &mut self.motion);
         for range in runs(&lanes[..count]) {
             let first = &lanes[range.start];

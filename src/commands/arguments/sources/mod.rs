@@ -1,11 +1,11 @@
 //! Reads the studies of a command. Each has the name of its folder of results.
 
+use crate::batch::output;
 use crate::commands::terminal::note;
-use slipgap::batch::output;
-use slipgap::error::Error;
-pub use slipgap::run::Source;
-use slipgap::run::{check_printable, file_name, files, found};
-use slipgap::study::{self, Input, Setting};
+use crate::error::Error;
+pub use crate::run::Source;
+use crate::run::{check_printable, file_name, files, found};
+use crate::study::{self, Input, Setting};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use walkdir::DirEntry;

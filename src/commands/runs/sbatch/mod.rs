@@ -4,14 +4,14 @@
 
 mod time;
 
+use crate::batch::files::place::is_object;
 use crate::commands::arguments::sources::{DASH, read};
 use crate::commands::arguments::{SettingsArgs, whole};
 use crate::commands::terminal::print;
+use crate::error::Error;
+use crate::study::{MOST_CASES, unprintable};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
-use slipgap::batch::files::place::is_object;
-use slipgap::error::Error;
-use slipgap::study::{MOST_CASES, unprintable};
 use std::path::{Path, PathBuf, absolute};
 use std::slice;
 use time::TimeLimit;
@@ -149,7 +149,7 @@ fn quoted(text: &str) -> Result<String, Error> {
         None => Ok(format!("'{}'", text.replace('\'', r"'\''"))),
         Some(c) => Err(Error::Usage(format!(
             "{}: cannot contain {c} in a script; rename it",
-            slipgap::study::printable(text)
+            crate::study::printable(text)
         ))),
     }
 }

@@ -1,5 +1,5 @@
 use super::*;
-use slipgap::study::Setting;
+use crate::study::Setting;
 use std::process::Command;
 
 /// What bash makes of a word.

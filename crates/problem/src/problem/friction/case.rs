@@ -2,15 +2,15 @@
 
 use super::law::{PlainLaw, PlainLawName, law, plain_law};
 use super::tables::rows;
-use crate::contact::ContactLaw;
+use crate::contact::{AnyRunningLaw, ContactLaw, DisplacementControl, OneLaw, VelocityControl};
 use crate::lane::Lane;
-use crate::methods::{AverageAcceleration, Method, OneMode};
+use crate::methods::{AverageAcceleration, Method, OneMode, Recursion};
 use crate::metrics::friction::{COUNT, Sampled, evaluate, work_by_energy};
 use crate::metrics::steps;
 use crate::problem::preset::Preset;
 use crate::problem::{Case, method};
 use crate::solve::sweep::{LaneCase, ReferenceKey};
-use crate::solve::{Displacements, Motion, ToSystem};
+use crate::solve::{Displacements, EachMethod, Loops, Motion, Steps, ToSystem, Track};
 use crate::system::{Linear, Mode, System};
 use slipgap_contact::for_widest;
 
@@ -108,7 +108,9 @@ impl<W, M> OscillatorCase<W, M> {
     }
 }
 
-impl<W: Copy + Into<ContactLaw>, M: Copy + Into<Method>> ToSystem for OscillatorCase<W, M> {
+impl<W: Copy + Into<ContactLaw>, M: EachMethod> ToSystem for OscillatorCase<W, M> {
+    type Methods = M;
+
     #[inline(always)]
     fn system(&self) -> System {
         System {
@@ -126,10 +128,26 @@ impl<W: Copy + Into<ContactLaw>, M: Copy + Into<Method>> ToSystem for Oscillator
     }
 }
 
-impl<W: Copy + Into<ContactLaw>, M: Copy + Into<Method>> LaneCase<LANES> for OscillatorCase<W, M> {
+/// The laws of [F] have loops of their own.
+pub struct LawsOfPaper;
+
+impl<const L: usize> Loops<L> for LawsOfPaper {
+    fn step<N: Recursion<L>, T: Track<L>>(law: &mut AnyRunningLaw<L>, steps: Steps<'_, L, N, T>) {
+        if let Some(law) = DisplacementControl::running(law) {
+            steps.by_widest(law);
+        } else if let Some(law) = VelocityControl::running(law) {
+            steps.by_widest(law);
+        } else {
+            steps.by_widest(law);
+        }
+    }
+}
+
+impl<W: Copy + Into<ContactLaw>, M: EachMethod> LaneCase<LANES> for OscillatorCase<W, M> {
     type Reference = Sampled;
     type Modes = OneMode;
     type Track = Displacements<LANES>;
+    type Loops = LawsOfPaper;
     type Metrics = [Lane<LANES>; COUNT];
     type OneMetrics = [Lane<1>; COUNT];
 

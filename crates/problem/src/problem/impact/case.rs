@@ -2,16 +2,17 @@
 
 use super::scaled::Scaled;
 use super::tables::{CONTACT_STEPS, ENERGY_DRIFT_FINAL, ENERGY_DRIFT_MAX, MAX_OVERLAP, rows};
-use crate::contact::{ContactLaw, LawsVisitor, StoredEnergy, energies};
+use crate::contact::{AnyRunningLaw, ImpactSpring, OneLaw, StoredEnergy, energies};
 use crate::exact::wave::Wave;
 use crate::lane::Lane;
-use crate::methods::{ContactWork, ManyModes};
+use crate::methods::{ContactWork, ManyModes, Method, Recursion};
 use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, evaluate, step_work};
 use crate::metrics::steps;
 use crate::problem::Case;
 use crate::problem::preset::Preset;
+use crate::solve::Track as AnyTrack;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
-use crate::solve::{FEWEST_STEPS, Motion, ToSystem, Warning, Warnings};
+use crate::solve::{FEWEST_STEPS, Loops, Motion, Steps, ToSystem, Warning, Warnings};
 use crate::system::{Linear, System};
 use slipgap_contact::for_widest;
 
@@ -73,9 +74,27 @@ pub fn system(scaled: &Scaled, step: f64, last: u64) -> System {
 }
 
 impl ToSystem for ImpactCase {
+    type Methods = Method;
+
     #[inline(always)]
     fn system(&self) -> System {
         system(&self.scaled, self.dt, self.last)
+    }
+}
+
+/// The law of [I] has a loop of its own.
+pub struct LawOfPaper;
+
+impl<const L: usize> Loops<L> for LawOfPaper {
+    fn step<N: Recursion<L>, T: AnyTrack<L>>(
+        law: &mut AnyRunningLaw<L>,
+        steps: Steps<'_, L, N, T>,
+    ) {
+        if let Some(law) = ImpactSpring::running(law) {
+            steps.by_widest(law);
+        } else {
+            steps.by_widest(law);
+        }
     }
 }
 
@@ -83,6 +102,7 @@ impl LaneCase<LANES> for ImpactCase {
     type Reference = Sampled;
     type Modes = ManyModes;
     type Track = Track<LANES>;
+    type Loops = LawOfPaper;
     type Metrics = [Lane<LANES>; COUNT];
     type OneMetrics = [Lane<1>; COUNT];
 
@@ -119,7 +139,10 @@ impl LaneCase<LANES> for ImpactCase {
             restitution,
             exact,
         };
-        ContactLaw::accept(&laws, evaluate)
+        match ImpactSpring::all(&laws) {
+            Some(laws) => evaluate_all(evaluate, &laws),
+            None => evaluate_all(evaluate, &laws),
+        }
     }
 
     fn metrics_of_one(
@@ -169,7 +192,10 @@ pub fn condense<const L: usize>(cases: &[ImpactCase; L], track: &mut Track<L>) {
         laws[l] = case.scaled.law;
     }
     if compliance.0.iter().any(|c0| *c0 != 0.0) {
-        ContactLaw::accept(&laws, Condense { track, compliance });
+        match ImpactSpring::all(&laws) {
+            Some(laws) => condense_all(track, &laws, &compliance),
+            None => condense_all(track, &laws, &compliance),
+        }
     }
     track.touching.clear();
     if laws[0].properties().is_vertical() {
@@ -181,20 +207,6 @@ pub fn condense<const L: usize>(cases: &[ImpactCase; L], track: &mut Track<L>) {
             )
         });
         track.touching = touching.collect();
-    }
-}
-
-/// The motion of the modes of a group.
-struct Condense<'a, const L: usize> {
-    track: &'a mut Track<L>,
-    compliance: Lane<L>,
-}
-
-impl<const L: usize> LawsVisitor<L> for Condense<'_, L> {
-    type Output = ();
-
-    fn visit<W: StoredEnergy>(self, laws: &[W; L]) {
-        condense_all(self.track, laws, &self.compliance);
     }
 }
 
@@ -217,14 +229,6 @@ struct Evaluate<'a> {
     work: ContactWork<LANES>,
     restitution: Lane<LANES>,
     exact: &'a Sampled,
-}
-
-impl LawsVisitor<LANES> for Evaluate<'_> {
-    type Output = [Lane<LANES>; COUNT];
-
-    fn visit<W: StoredEnergy>(self, laws: &[W; LANES]) -> Self::Output {
-        evaluate_all(self, laws)
-    }
 }
 
 for_widest! {

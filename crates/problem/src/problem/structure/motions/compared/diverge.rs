@@ -35,7 +35,8 @@ impl StructureProblem {
             watch: None,
         };
         let other = motion::perturbed(&structure);
-        let [run, other] = motion::steps(&[&structure, &other], &prepared, recording);
+        let [run] = motion::steps(&[&structure], &prepared, recording);
+        let [other] = motion::steps(&[&other], &prepared, recording);
         let motions = Motions {
             computed: run.ok()?.0,
             perturbed: Some(other.ok()?.0),

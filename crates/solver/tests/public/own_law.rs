@@ -1,9 +1,9 @@
 //! A law of a user's program moves a structure as the same law of slipgap does.
 
-#[path = "../examples/own_law.rs"]
-mod own_law;
+#[path = "../../examples/own_law.rs"]
+mod example;
 
-use own_law::{LAW, RATIO, mass_on};
+use example::{LAW, RATIO, mass_on};
 use slipgap_solver::laws::{Bilinear, KelvinVoigt, Tanh};
 use slipgap_solver::{
     AverageAcceleration, Bathe, ContactKind, ContactLaw, Limit, Method, Own, OwnAnswer, OwnLaw,
