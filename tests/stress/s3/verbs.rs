@@ -73,7 +73,7 @@ fn verbs_that_need_folders_say_so() {
     );
     let study = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/studies/calibrate-bearing.json"
+        "/studies/calibrate/calibrate-bearing.json"
     );
     assert_eq!(
         said(&["calibrate", study, "--out", "s3://folders"]),
