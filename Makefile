@@ -8,7 +8,8 @@ debug = $(built)/debug
 released = SLIPGAP_PROGRAM=$(abspath $(built))/release/slipgap
 # Where `make fresh` runs all studies, and `make test` those of `make figures`, which are not computed again.
 fresh = $(built)/tmp/fresh
-# What README, guide and pages show: the papers' studies, then the others in the order of their cost. A minute of one core in all.
+# What README, guide and pages show: the papers' studies, then the others in the order of their cost. With classics-hinge, which
+# `make evidence` runs, it would be more than a minute of one core.
 papers = $(sort $(wildcard studies/friction-fig*.json studies/impact-fig*.json))
 shown = $(papers) structure-skew-deck friction-map-beta plane-circle impact-map-gamma-n laws-front-friction parts-loops laws-front-impact \
   impact-budget plane-width structure-girders parts-degrading structure-blocks plane-uncoupled bridges-friction
