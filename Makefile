@@ -35,7 +35,7 @@ report: ## one page about all studies, figures/report.html: tables to sort and f
 
 # The tests come last, so that their summary ends the output. `--workspace` builds no more, but all with the same features of the
 # crates below, so that the library is compiled once for all tests and for the Python package.
-test: ## check results and verdicts against recorded values, run all tests
+test: ## check the results of `make figures`, run all tests
 	cargo build --release --locked
 	cargo build --locked --workspace --examples
 	mkdir -p $(fresh) && cp -R figures/. $(fresh)
