@@ -3,26 +3,38 @@
 # The program and its tests are one build, in which an overflow stops both: `make test` compiles only what `make figures` did not.
 
 built = $(or $(CARGO_TARGET_DIR),target)
-# Where `make fresh` and `make test` run all studies. `make test` does not compute again what `make figures` has computed.
+# Where `make fresh` runs all studies, and `make test` those of `make figures`, which are not computed again.
 fresh = $(built)/tmp/fresh
+# What README, guide and pages show: the papers' studies, then the others in the order of their cost. With classics-hinge, which
+# `make evidence` runs, it would be more than a minute of one core.
+papers = $(sort $(wildcard studies/friction-fig*.json studies/impact-fig*.json))
+shown = $(papers) structure-skew-deck friction-map-beta plane-circle impact-map-gamma-n laws-front-friction parts-loops laws-front-impact \
+  impact-budget plane-width structure-girders parts-degrading structure-blocks plane-uncoupled bridges-friction
 
-.PHONY: help figures report test lint fresh licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test
+.PHONY: help figures evidence hashes report test lint fresh licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
 
-figures: ## run every study in studies/, judge the claims, write tables, pictures and claims.md to figures/
+figures: ## run the studies that README, guide and pages show, the papers' first, write tables and pictures to figures/
+	cargo run --release --locked -- run $(shown)
+
+evidence: ## run all studies, judge the claims, test the numbers of pages, write tables, pictures, claims.md and hashes.txt to figures/
 	cargo run --release --locked -- run
-	cargo run --release --locked -- claims
+	SLIPGAP_RESULTS=$(CURDIR)/figures cargo test --release --locked --test fresh -- --ignored evidence:: answers::
+	$(MAKE) hashes
+
+hashes: ## write figures/hashes.txt: the hashes of results that are not committed (after `make evidence`)
+	SLIPGAP_RESULTS=$(CURDIR)/figures cargo test --release --locked --test fresh -- --ignored hashes::rewrite
 
 report: ## one page about all studies, figures/report.html: tables to sort and filter, figures with values on hover
 	cargo run --release --locked -- report
 
 # The tests come last, so that their summary ends the output.
-test: ## check results and verdicts against recorded values, run all tests
+test: ## check the results of `make figures`, run all tests
 	cargo test --release --locked --no-run
 	mkdir -p $(fresh) && cp -R figures/. $(fresh)
-	cargo test --release --locked --test shipped -- --ignored --test-threads 1
+	SLIPGAP_STUDIES="$(shown)" cargo test --release --locked --test shipped -- --ignored
 	for example in one_case sweep figure own_metric; do $(built)/release/examples/$$example > target/$$example.txt || exit 1; done
 	cargo test --release --locked
 
@@ -32,8 +44,12 @@ lint: ## formatting, clippy and documentation without warnings
 	PYO3_BUILD_EXTENSION_MODULE=1 cargo clippy --release --locked --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps
 
-fresh: ## compare committed tables, pictures and schema with what is written now
-	cargo test --release --locked --test fresh -- --ignored
+fresh: ## run all studies in a folder of their own: checks, claims, numbers of pages, and committed tables, pictures, hashes and schema
+	cargo build --release --locked
+	rm -rf $(fresh)
+	$(built)/release/slipgap run --out $(fresh)
+	SLIPGAP_RESULTS=$(abspath $(fresh)) cargo test --release --locked --test fresh -- --ignored evidence:: answers::
+	SLIPGAP_RESULTS=$(abspath $(fresh)) cargo test --release --locked --test fresh -- --ignored committed
 
 licences: ## check that the licences of all dependencies are in the list of deny.toml
 	cargo test --release --locked --test licences -- --ignored
@@ -54,9 +70,9 @@ guard: ## compare the instruction counts of sweeps with recorded ones (needs val
 peers: ## whole runs, kernels and floors of slipgap, numba and OpenSees: the table of docs/performance.md, in minutes
 	benches/peers/run
 
-maps: ## the sensitivity maps with a thousand cases along each axis, in docs/maps/
+maps: ## the sensitivity maps with a thousand cases along each axis, in target/maps; those of pages in docs/maps/
 	cargo run --release --locked -- run docs/maps/*.json --out target/maps
-	for map in target/maps/*/*.png; do cp $$map docs/maps/$$(basename $$(dirname $$map))-$$(basename $$map); done
+	for map in target/maps/*/*.png; do page=docs/maps/$$(basename $$(dirname $$map))-$$(basename $$map); if [ -e $$page ]; then cp $$map $$page; fi; done
 
 # A short form is among the tests. SLIPGAP_FUZZ_SECONDS sets how long (300), SLIPGAP_FUZZ_SEED repeats a run.
 fuzz: ## read, list, solve and draw random and randomly changed studies, for minutes

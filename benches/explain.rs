@@ -6,7 +6,6 @@ use slipgap::batch::{self, RunOptions};
 use slipgap::problem::Case;
 use slipgap::run::Source;
 use slipgap::study_figures;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -18,8 +17,8 @@ const SHORT: f64 = 0.02;
 
 fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies");
-    let entries = fs::read_dir(folder).expect("the studies").flatten();
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    let entries = walkdir::WalkDir::new(folder).into_iter().flatten();
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.into_path()).collect();
     files.retain(|file| file.extension().is_some_and(|ending| ending == "json"));
     files.sort();
     println!("| Study | Estimated s | Needed s | Ratio |");

@@ -92,7 +92,10 @@ class Study(Mapping[str, Any]):
 
     @property
     def name(self) -> str:
-        """Its name: that of the file, or ``study``. Results of ``run(out=...)`` are in a folder of this name."""
+        """Its name: that of the file, or ``study``. Results of ``run(out=...)`` are in a folder of this name.
+
+        Those of a study in a folder of ``studies`` are in the same folder of ``out``.
+        """
         path = Path(self._file)
         changed = path.name.startswith("<")
         return NAME if path.name == DICT else path.name.strip("<>") if changed else path.stem

@@ -5,7 +5,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyMapping, PyString, PyType};
-use slipgap::run::{Source, check_printable, file_name};
+use slipgap::run::{Source, check_printable, results_name};
 use slipgap::study::{Input, MOST_CASES, Setting};
 use std::path::{Path, PathBuf};
 
@@ -77,7 +77,7 @@ fn of_text(
 ) -> PyResult<Source> {
     let read = py.detach(|| {
         check_printable(Path::new(file))?;
-        let name = file_name(Path::new(&format!("{name}.json")))?;
+        let name = results_name(&Path::new(file).with_file_name(format!("{name}.json")))?;
         let input = Input::new(file, text).with(settings);
         Source::of_input(PathBuf::from(file), name, input, MOST_CASES)
     });

@@ -28,6 +28,18 @@ def shipped() -> list[Path]:
     return [file for file in files if file.stem in SOME]
 
 
+def study_file(studies: Path, name: str) -> Path:
+    """A study in the folder or one of its sub-folders."""
+    (file,) = studies.rglob(f"{name}.json")
+    return file
+
+
+def results_of(out: Path) -> Path:
+    """The folder of results of the only study of a run."""
+    (manifest,) = out.rglob("manifest.json")
+    return manifest.parent
+
+
 def files(folder: Path) -> dict[str, Path]:
     return {str(p.relative_to(folder)): p for p in folder.rglob("*") if p.is_file()}
 
@@ -56,7 +68,7 @@ def test_files_and_numbers(study: Path, program: str, tmp_path: Path) -> None:
         assert file.read_bytes() == right[name].read_bytes(), name
     assert slipgap.compare(theirs, ours).same
 
-    folder = theirs / study.stem
+    folder = results_of(theirs)
     assert results.manifest == json.loads((folder / "manifest.json").read_text())
     for name, figure in results.figures.items():
         assert figure.svg == (folder / f"{name}.svg").read_text()
@@ -78,7 +90,7 @@ def test_files_and_numbers(study: Path, program: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["friction-fig5", "impact-fig4", "structure-block"])
 def test_a_run_in_memory_is_the_same(name: str, program: str, studies: Path, tmp_path: Path) -> None:
-    study = studies / f"{name}.json"
+    study = study_file(studies, name)
     before = sorted(tmp_path.iterdir())
     memory, files = slipgap.run(study), slipgap.run(study, out=tmp_path)
     assert memory.folder is None and before == []
@@ -92,7 +104,7 @@ def test_a_run_in_memory_is_the_same(name: str, program: str, studies: Path, tmp
     words = [program, "run", str(study), "--out", out]
     subprocess.run(words, capture_output=True, check=True)
     for name, figure in memory.figures.items():
-        drawn = tmp_path / "program" / study.stem / name
+        drawn = results_of(tmp_path / "program") / name
         assert figure.svg == drawn.with_suffix(".svg").read_text()
         assert figure.png == drawn.with_suffix(".png").read_bytes()
         assert figure.pdf == drawn.with_suffix(".pdf").read_bytes()
@@ -118,13 +130,13 @@ def test_settings_and_threads_are_those_of_the_program(program: str, studies: Pa
 def test_a_solution_is_the_history_of_the_program(
     name: str, program: str, studies: Path, tmp_path: Path
 ) -> None:
-    study = studies / f"{name}.json"
+    study = study_file(studies, name)
     command: list[str | Path] = [program, "run", study, "--out", tmp_path, "--histories"]
     subprocess.run(command, check=True, capture_output=True)
-    with open(tmp_path / name / "results.csv", newline="") as file:
+    with open(results_of(tmp_path) / "results.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     for case in {0, len(rows) // 2, len(rows) - 1}:
-        with open(tmp_path / name / "histories" / f"{case}.csv", newline="") as file:
+        with open(results_of(tmp_path) / "histories" / f"{case}.csv", newline="") as file:
             header, *history = csv.reader(file)
         solution = slipgap.solve(study, case)
         columns = dict(solution.channels)

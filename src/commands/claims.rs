@@ -20,7 +20,7 @@ pub struct ClaimsArgs {
     /// Ledgers of claims, or folders of them
     #[arg(value_name = "LEDGER|FOLDER", default_value = "claims")]
     ledgers: Vec<PathBuf>,
-    /// Folder for claims.md; links in it lead to results of the studies in the same folder
+    /// Folder for claims.md; files that it names are results of the studies in the same folder
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
     #[command(flatten)]

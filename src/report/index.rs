@@ -23,6 +23,7 @@ pub struct Group<'a> {
 fn tags(name: &str) -> impl Iterator<Item = &str> {
     let (folders, file) = name.rsplit_once('/').unwrap_or(("", name));
     let word = file.split_once('-').map(|(word, _)| word);
+    let word = word.filter(|word| folders.split('/').all(|folder| folder != *word));
     folders.split('/').chain(word).filter(|tag| !tag.is_empty())
 }
 
@@ -159,6 +160,7 @@ mod tests {
         assert_eq!(of("claims/impact-once"), ["claims", "impact"]);
         assert_eq!(of("a/b/c"), ["a", "b"]);
         assert_eq!(of("bridges-friction-step"), ["bridges"]);
+        assert_eq!(of("bridges/bridges-friction-step"), ["bridges"]);
         assert!(of("alone").is_empty());
     }
 }

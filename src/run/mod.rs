@@ -16,7 +16,9 @@ mod unsolved;
 pub use ensembles::{indices, without_value};
 pub use merge::merge_study;
 pub use observer::Observer;
-pub use source::{Source, check_printable, file_name, found};
+pub use source::{
+    STUDIES, Source, check_printable, file_name, found, place_in_studies, results_name, slashes,
+};
 pub use tally::{Tally, cases_run};
 pub use unsolved::UnsolvedCases;
 

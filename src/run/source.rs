@@ -1,6 +1,7 @@
 //! A study and where it comes from.
 
 use slipgap_study::error::Error;
+use slipgap_study::search;
 use slipgap_study::{Input, Setting, Study, printable, unprintable};
 use std::path::{Path, PathBuf};
 
@@ -18,13 +19,13 @@ pub struct Source {
 }
 
 impl Source {
-    /// Reads one study file with these parameters set. Its results go to the folder that has the name of the file.
+    /// Reads one study file with these parameters set. Its results go to the folder of [`results_name`].
     ///
     /// # Errors
-    /// A name that no folder can have, a file that cannot be read, and all faults of the study.
+    /// A name that several files have or that no folder can have, a file that cannot be read, and all faults of the study.
     pub fn read(file: &Path, settings: &[Setting], limit: u64) -> Result<Source, Error> {
-        let file = &found(file);
-        let name = file_name(file)?;
+        let file = &found(file)?;
+        let name = results_name(file)?;
         check_printable(file)?;
         let input = Input::of_file(file)?.with(settings);
         Source::of_input(file.to_owned(), name, input, limit)
@@ -70,19 +71,71 @@ impl Source {
     }
 }
 
-/// The file that a person means by `slide`: this one, `slide.json`, or `studies/slide.json`; the first one that exists.
-pub fn found(file: &Path) -> PathBuf {
+/// Where studies are if the command line names none.
+pub const STUDIES: &str = "studies";
+
+/// The file that a person means by `slide`: this one, `slide.json`, or the one of this name in the folder studies and its sub-folders.
+///
+/// # Errors
+/// Several files in the folder studies have the name, or a folder in it cannot be read.
+pub fn found(file: &Path) -> Result<PathBuf, Error> {
     let with_ending = match file.extension() {
         Some(ending) if ending == "json" => file.to_owned(),
         Some(_) | None => PathBuf::from(format!("{}.json", file.display())),
     };
-    let in_studies = Path::new("studies").join(&with_ending);
-    let candidates = [file.to_owned(), with_ending, in_studies];
-    let existing = candidates.into_iter().find(|path| path.exists());
-    existing.unwrap_or_else(|| file.to_owned())
+    if let Some(path) = [file, &with_ending].into_iter().find(|path| path.exists()) {
+        return Ok(path.to_owned());
+    }
+    let named = search::named(Path::new(STUDIES), &with_ending)?;
+    match &named[..] {
+        [] => Ok(file.to_owned()),
+        [one] => Ok(one.clone()),
+        several => {
+            let paths: Vec<String> = several
+                .iter()
+                .map(|path| path.display().to_string())
+                .collect();
+            Err(Error::Usage(format!(
+                "{}: {} files have this name: {}; name one by its path",
+                file.display(),
+                several.len(),
+                paths.join(", ")
+            )))
+        }
+    }
 }
 
-/// The name of the folder of results of a study file: its own name without `.json`.
+/// The name of the folder of results of a study file: its path in the folder studies without `.json`, as in `bridges/slide`; elsewhere
+/// its own name.
+///
+/// # Errors
+/// `...json` without its ending is a path outside the output folder.
+pub fn results_name(file: &Path) -> Result<String, Error> {
+    let own = file_name(file)?;
+    let folder = match file.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        Some(_) | None => Path::new("."),
+    };
+    Ok(match place_in_studies(folder) {
+        Some(place) if !place.is_empty() => format!("{place}/{own}"),
+        Some(_) | None => own,
+    })
+}
+
+/// The path of a folder in the folder studies, with `/` on every system and empty for itself; `None` elsewhere.
+pub fn place_in_studies(folder: &Path) -> Option<String> {
+    let studies = Path::new(STUDIES).canonicalize().ok()?;
+    let folder = folder.canonicalize().ok()?;
+    folder.strip_prefix(studies).ok().map(slashes)
+}
+
+/// A relative path with `/` on every system.
+pub fn slashes(path: &Path) -> String {
+    let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
+    parts.join("/")
+}
+
+/// The name of a study file without `.json`.
 ///
 /// # Errors
 /// `...json` without its ending is a path outside the output folder.

@@ -197,6 +197,71 @@ fn results_have_the_folders_of_the_studies() {
 }
 
 #[test]
+fn a_study_of_a_folder_of_studies_has_the_same_folder_of_results_by_every_path() {
+    let bench = Bench::new();
+    bench.file("studies/bridges/short/s.json", friction(ONE, ""));
+    bench.file("other/studies/s.json", friction(ONE, ""));
+    let full = bench.path("studies/bridges/short/s.json");
+    let full = full.to_str().unwrap();
+    for path in [
+        "studies/bridges/short/s.json",
+        "./studies/../studies/bridges/short/s",
+        "s",
+        "short/s",
+        full,
+    ] {
+        let done = bench.expect(0, &["run", path]);
+        assert_eq!(done.out, "figures/bridges/short/s\n", "{path}");
+    }
+    bench.expect(0, &["run", "studies/bridges", "--out", "o"]);
+    assert_eq!(
+        bench.tree("o"),
+        [
+            "bridges/short/s/manifest.json",
+            "bridges/short/s/results.csv"
+        ]
+    );
+    bench.expect(0, &["animate", "s", "--out", "film.html"]);
+    bench.expect(0, &["animate", "s"]);
+    assert!(
+        bench
+            .path("figures/bridges/short/s/animation.html")
+            .is_file()
+    );
+    // A study elsewhere has its own name alone.
+    let done = bench.expect(0, &["run", "other/studies/s.json"]);
+    assert_eq!(done.out, "figures/s\n");
+}
+
+#[test]
+fn the_studies_of_a_folder_run_in_the_order_of_their_cost() {
+    let bench = Bench::new();
+    let of = |step: &str| {
+        let one = ONE.replace("0.5", step);
+        assert_ne!(one, ONE);
+        friction(&one, "")
+    };
+    for (name, step) in [("a", "0.001"), ("b", "0.1"), ("c/d", "0.01")] {
+        bench.file(&format!("studies/{name}.json"), of(step));
+    }
+    bench.file("x/z.json", of("0.002"));
+    let order = |args: &[&str]| {
+        let done = bench.expect(0, &[&["run"], args].concat());
+        let names = done
+            .err
+            .lines()
+            .filter_map(|line| line.split_once("studies, "));
+        let names = names.filter_map(|(_, rest)| rest.split_once(':'));
+        names.map(|(name, _)| name.to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(order(&[]), ["b", "c/d", "a"]);
+    // Folder after folder, and single files as they are given.
+    assert_eq!(order(&["x", "studies"]), ["z", "b", "c/d", "a"]);
+    assert_eq!(order(&["a", "studies/c", "b"]), ["a", "c/d", "b"]);
+    assert_eq!(order(&["a", "studies"]), ["a", "b", "c/d"]);
+}
+
+#[test]
 fn a_repeated_study_runs_once_and_two_studies_of_one_name_are_an_error() {
     let bench = Bench::new();
     bench.file("a/s.json", friction(ONE, ""));
@@ -241,18 +306,19 @@ fn several_studies_are_counted_and_their_files_listed_only_with_verbose() {
         friction(ONE, r#", "figures": [{ "name": "f", "kind": "history" }]"#),
     );
     let done = bench.expect(0, &["run", "studies"]);
-    let counted = "1 of 3 studies, a: 1 case run\n2 of 3 studies, b/c: 2 cases run\n3 of 3 studies, d: 1 case run\n";
+    // The one with more cases comes last.
+    let counted = "1 of 3 studies, a: 1 case run\n2 of 3 studies, d: 1 case run\n3 of 3 studies, b/c: 2 cases run\n";
     assert_eq!(
         (done.out.as_str(), done.err.as_str()),
         ("figures\n", counted)
     );
     // The same lines from the stores: the log of a short run has no times.
     let done = bench.expect(0, &["run", "studies", "--verbose"]);
-    let stored = "1 of 3 studies, a: 1 of 1 cases from the store\n2 of 3 studies, b/c: 2 of 2 cases from the store\n\
-                  3 of 3 studies, d: 1 of 1 cases from the store\n";
+    let stored = "1 of 3 studies, a: 1 of 1 cases from the store\n2 of 3 studies, d: 1 of 1 cases from the store\n\
+                  3 of 3 studies, b/c: 2 of 2 cases from the store\n";
     assert_eq!(done.err, stored);
-    let files = "figures/a/results.csv\nfigures/b/c/results.csv\nfigures/d/results.csv\n\
-                 figures/d/f.png\nfigures/d/f.svg\nfigures/d/f.pdf\n";
+    let files = "figures/a/results.csv\nfigures/d/results.csv\nfigures/d/f.png\nfigures/d/f.svg\nfigures/d/f.pdf\n\
+                 figures/b/c/results.csv\n";
     assert_eq!(done.out, files);
     // No colours, no control characters.
     let mut all = done.err.chars().chain(done.out.chars());

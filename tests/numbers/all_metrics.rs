@@ -10,27 +10,27 @@ use std::path::Path;
 /// are integrated, reduced matrices, bars, sets of motions.
 const STUDIES: [(&str, [&str; 2], &str); 5] = [
     (
-        "calibrate-pounding",
+        "calibrate/calibrate-pounding",
         ["light", "bumper"],
         r#"{"law": "hertz-damp", "duration": 2.5}"#,
     ),
     (
-        "calibrate-bearing",
+        "calibrate/calibrate-bearing",
         ["idle", "bearing"],
         r#"{"law": "displacement-control"}"#,
     ),
     (
-        "reduction-bar",
+        "structures/reduction-bar",
         ["bar.61.x", "stop"],
         r#"{"modes": 4, "gamma": 1}"#,
     ),
     (
-        "structure-bouncing-bar",
+        "structures/structure-bouncing-bar",
         ["bar.left", "floor"],
         r#"{"n": 20, "gamma": 1}"#,
     ),
     (
-        "recorded-set",
+        "recorded/recorded-set",
         ["frame", "floor"],
         r#"{"nu": 0.1, "duration": 1}"#,
     ),

@@ -20,7 +20,7 @@ fn targets(page: &str) -> Vec<String> {
 #[test]
 fn links_of_pages_lead_to_files() {
     let root = Path::new(env!("SLIPGAP_ROOT"));
-    let more = ["CHANGELOG.md", "SECURITY.md", "records/README.md"];
+    let more = ["CHANGELOG.md", "SECURITY.md", "studies/records/README.md"];
     let mut count = 0;
     for page in super::PAGES.iter().chain(&more) {
         let folder = root.join(page).parent().unwrap().to_owned();

@@ -1,6 +1,6 @@
 """Data and solutions of the test cases of other programs in docs/benchmarks.md, independent of slipgap. Needs numpy and scipy.
 
-    benchmarks.py beams     Code_Aster V5.02.105 (SDNL105): modes of the beams for studies/benchmark-sdnl105.json, and the
+    benchmarks.py beams     Code_Aster V5.02.105 (SDNL105): modes of the beams for studies/benchmarks/benchmark-sdnl105.json, and the
                             motion by Runge-Kutta steps
     benchmarks.py wear      Code_Aster V5.01.104 (SDND104): power of wear by the closed form of a block on a shaking plane
     benchmarks.py static    Code_Aster V5.01.106 (SDND106): the motion by closed forms between events

@@ -1,6 +1,6 @@
 """Two elastic blocks of plane-stress elements that meet along a face, by an independent program: docs/findings.md.
 
-    python3 blocks.py            prints the table of studies/structure-blocks.json; needs numpy and scipy
+    python3 blocks.py            prints the table of studies/structures/structure-blocks.json; needs numpy and scipy
 
 Half a block on its axis meets a frictionless wall with springs of twice the stiffness: the mirror image of the pair of blocks.
 """

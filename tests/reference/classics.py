@@ -1,4 +1,4 @@
-"""The classics of pounding and sliding, by small steps of Runge-Kutta: docs/benchmarks.md and studies/classics-*.json.
+"""The classics of pounding and sliding, by small steps of Runge-Kutta: docs/benchmarks.md and studies/benchmarks/classics-*.json.
 
 Run:  python3 classics.py free | hinge | towers | collision | sliding      (needs numpy, numba)
 

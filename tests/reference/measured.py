@@ -1,4 +1,4 @@
-"""Tests made by computation; writes pounding.csv, bearing.csv and the folder sliding in ../../studies/measured, and ../data/sliding.json.
+"""Tests made by computation; writes pounding.csv, bearing.csv and the folder sliding in ../../studies/calibrate/measured, and ../data/sliding.json.
 
 Run:  python3 measured.py     (needs numpy and scipy)
 
@@ -9,7 +9,7 @@ and from point to point of the ground motion, which is straight between its poin
 Rounding is below a twentieth of the noise.
 `sliding`: a block on a spring slides with Coulomb friction on a table that moves as a sine, whose amplitude, frequency and phase are drawn
 anew for each test. Steps of 0.1 ms by Moreau: the friction is what stops the block, at most its limit. 20 tests are files, the peaks and
-rms of 100 times 30 others are numbers. True numbers are the constants below; studies/calibrate-*.json repeat them.
+rms of 100 times 30 others are numbers. True numbers are the constants below; studies/calibrate/calibrate-*.json repeat them.
 """
 
 import json
@@ -22,7 +22,7 @@ from scipy.integrate import solve_ivp
 import records
 
 G = 9.80665
-OUT = records.HERE.parents[1] / "studies" / "measured"
+OUT = records.HERE.parents[1] / "studies" / "calibrate" / "measured"
 OPTIONS = {"method": "DOP853", "rtol": 1e-11, "dense_output": True}
 
 # Pounding: kg, N, m, s. `delay` is the time of the file at which the table starts.

@@ -4,7 +4,7 @@ the results of two steps give those of none. Independent of slipgap. Needs numpy
 
     plane.py circle     ground (cos t, b sin t) and (cos t, b cos t), 40 cycles from rest
     plane.py fan        four sliders under a circle and a line in x, 40 cycles from rest
-    plane.py recorded   the two stations of records/ with both horizontal components; with `fan` four sliders, too
+    plane.py recorded   the two stations of studies/records/ with both horizontal components; with `fan` four sliders, too
 """
 
 import math
@@ -15,7 +15,7 @@ import numpy as np
 
 from records import smc
 
-RECORDS = pathlib.Path(__file__).parents[2] / "records"
+RECORDS = pathlib.Path(__file__).parents[2] / "studies" / "records"
 SITES = {
     "Redwood City": ("lomaprieta-1989-redwoodcity-apeel2-043.smc", "lomaprieta-1989-redwoodcity-apeel2-133.smc", 2.7233),
     "Shafter": ("lomaprieta-1989-sanfrancisco-shafter-360.smc", "lomaprieta-1989-sanfrancisco-shafter-270.smc", 1.0444),

@@ -13,7 +13,7 @@ import openseespy.opensees as ops
 
 from records import smc
 
-RECORDS = pathlib.Path(__file__).parents[2] / "records"
+RECORDS = pathlib.Path(__file__).parents[2] / "studies" / "records"
 PAIRS = {
     "redwood": ["lomaprieta-1989-redwoodcity-apeel2-043.smc", "lomaprieta-1989-redwoodcity-apeel2-133.smc"],
     "shafter": ["lomaprieta-1989-sanfrancisco-shafter-360.smc", "lomaprieta-1989-sanfrancisco-shafter-270.smc"],

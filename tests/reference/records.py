@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-RECORDS = HERE.parents[1] / "records"
+RECORDS = HERE.parents[1] / "studies" / "records"
 G = 9.80665
 PERIODS = [0.2, 0.5, 1.0, 2.0, 3.0]
 

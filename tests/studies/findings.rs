@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use std::path::Path;
 use std::process::Command;
 
-/// The rows of a study's table, by column.
+/// The rows of a study's table, by column, wherever its folder of results is.
 fn table(study: &Path) -> Vec<BTreeMap<String, f64>> {
     let out = tempfile::tempdir().unwrap();
     let run = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
@@ -22,8 +22,10 @@ fn table(study: &Path) -> Vec<BTreeMap<String, f64>> {
         .output()
         .unwrap();
     assert!(run.status.success(), "{run:?}");
-    let name = study.file_stem().unwrap();
-    let text = std::fs::read_to_string(out.path().join(name).join("results.csv")).unwrap();
+    let files = walkdir::WalkDir::new(out.path()).into_iter();
+    let mut files = files.map(|entry| entry.unwrap().into_path());
+    let results = files.find(|file| file.ends_with("results.csv")).unwrap();
+    let text = std::fs::read_to_string(results).unwrap();
     let mut lines = text.lines();
     // The name of a metric with two arguments has a comma.
     let head = lines.next().unwrap().replace(", ", " ").replace('"', "");
@@ -71,7 +73,7 @@ fn mean<'a>(rows: impl Iterator<Item = &'a BTreeMap<String, f64>>) -> f64 {
 
 #[test]
 fn a_small_beta_is_good_for_every_release_and_beta_like_the_step_is_not() {
-    let rows = shipped("friction-releases");
+    let rows = shipped("friction/friction-releases");
     for (parts, small, like, least, alpha, worse) in [
         (10.0, 0.0178, 0.0295, 0.0175, 0.0239, 61.0),
         (20.0, 0.0056, 0.0240, 0.0056, 0.0139, 83.0),
@@ -287,7 +289,8 @@ fn a_disturbance_grows_a_thousand_times_more_in_the_force_than_in_r() {
 fn a_small_change_grows_with_every_impact_and_the_step_decides_by_how_much() {
     // docs/findings-structures.md, question 3: short bridge, k = 100 EA/L, twenty records.
     let root = Path::new(env!("SLIPGAP_ROOT"));
-    let text = std::fs::read_to_string(root.join("studies/bridges-divergence.json")).unwrap();
+    let text =
+        std::fs::read_to_string(root.join("studies/bridges/bridges-divergence.json")).unwrap();
     let mut study: serde_json::Value = serde_json::from_str(&text).unwrap();
     let mut block = study["blocks"][0].clone();
     let parameters = block["parameters"].as_object_mut().unwrap();

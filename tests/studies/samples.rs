@@ -11,14 +11,21 @@ fn run(jobs: &str) -> [Vec<Vec<String>>; 2] {
     let root = Path::new(env!("SLIPGAP_ROOT"));
     let out = tempfile::tempdir().unwrap();
     let run = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
-        .args(["run", "studies/sliding-tests.json", "--jobs", jobs, "--out"])
+        .args([
+            "run",
+            "studies/calibrate/sliding-tests.json",
+            "--jobs",
+            jobs,
+            "--out",
+        ])
         .arg(out.path())
         .current_dir(root)
         .output()
         .unwrap();
     assert!(run.status.success(), "{run:?}");
     ["results.csv", "tests.csv"].map(|name| {
-        let text = fs::read_to_string(out.path().join("sliding-tests").join(name)).unwrap();
+        let text =
+            fs::read_to_string(out.path().join("calibrate/sliding-tests").join(name)).unwrap();
         let row = |line: &str| line.split(',').map(String::from).collect();
         text.lines().map(row).collect()
     })
@@ -51,7 +58,7 @@ const METRICS: [(&str, &str); 2] = [("peak(block.u)", "peak"), ("rms(block.u)", 
 fn the_right_law_is_accepted_in_95_of_100_sets_and_wrong_ones_are_refused() {
     let [results, tests] = run("2");
     // The peaks of the files as they are written, in mm.
-    let folder = Path::new(env!("SLIPGAP_ROOT")).join("studies/measured/sliding");
+    let folder = Path::new(env!("SLIPGAP_ROOT")).join("studies/calibrate/measured/sliding");
     let mut files: Vec<_> = fs::read_dir(folder)
         .unwrap()
         .map(|own| own.unwrap().path())

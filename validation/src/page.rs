@@ -47,7 +47,7 @@ impl Judged {
     }
 }
 
-/// The page in Markdown; its links start from the output folder.
+/// The page in Markdown; files of results that it names are in the output folder.
 pub fn page(all: &[Judged]) -> String {
     let mut page = String::from(
         "# The statements of the papers and of the literature, tested by computation\n\n\
@@ -56,7 +56,7 @@ pub fn page(all: &[Judged]) -> String {
          understand a statement; each is tested by a study. `slipgap claims` computes the verdicts. If a statement fails \
          in a reading, the reason is below the table. If a statement has no number, the limit is our choice; it is in \
          brackets next to each value. A metric over that of other values is the quotient of two cases that are otherwise the \
-         same. docs/errata.md checks simple arithmetic (f_n, Delta, T_I).\n",
+         same. The last column has a file of the results that shows it. docs/errata.md checks simple arithmetic (f_n, Delta, T_I).\n",
     );
     for judged in all {
         let _ = write!(page, "\n## {}\n\n", judged.ledger.paper);
@@ -140,8 +140,8 @@ fn section(page: &mut String, ledger: &Ledger, claim: &Claim, findings: &[Findin
     for (reading, finding) in claim.readings.iter().zip(findings) {
         let study = &ledger.studies[reading.study].name;
         let see = match &reading.figure {
-            Some(figure) => format!("[{study}]({study}/{figure}.png)"),
-            None => format!("[{study}]({study}/results.csv)"),
+            Some(figure) => format!("`{study}/{figure}.png`"),
+            None => format!("`{study}/results.csv`"),
         };
         let holds = match (finding.holds, reading.holds) {
             (true, true) => "yes",

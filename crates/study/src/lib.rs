@@ -23,7 +23,7 @@ pub mod value;
 pub use cases::{alike, scope};
 pub use computed::reference;
 pub use figure::reduced;
-pub use source::{faults, input, object, place, tree};
+pub use source::{faults, input, object, place, search, tree};
 
 pub use calibrate::Alternative;
 pub use calibrate::Calibrate;

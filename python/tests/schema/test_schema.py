@@ -16,7 +16,7 @@ SCHEMA = jsonschema.Draft7Validator(json.loads((ROOT / "schema" / "study.json").
 
 
 def shipped() -> list[Path]:
-    return sorted((ROOT / "studies").glob("*.json")) + sorted((ROOT / "docs" / "maps").glob("*.json"))
+    return sorted((ROOT / "studies").rglob("*.json")) + sorted((ROOT / "docs" / "maps").glob("*.json"))
 
 
 @pytest.mark.parametrize("study", shipped(), ids=lambda file: str(file.stem))

@@ -16,7 +16,8 @@ use std::path::{Path, PathBuf};
 /// The studies of a verb.
 #[derive(Args)]
 pub struct StudiesArgs {
-    /// Study files, or folders with all sub-folders; `-` reads standard input, and its results go to the folder stdin
+    /// Study files, names of studies in the folder studies or one of its sub-folders, or folders with all sub-folders; `-` reads standard
+    /// input, and its results go to the folder stdin
     #[arg(value_name = "STUDY|FOLDER", default_value = sources::STUDIES)]
     studies: Vec<PathBuf>,
     /// Largest number of raw combinations in a study
@@ -30,6 +31,11 @@ impl StudiesArgs {
     /// Reads the studies.
     pub fn read(&self) -> Result<Vec<Source>, Error> {
         sources::read(&self.studies, &self.settings.set, self.limit)
+    }
+
+    /// Reads the studies, those of each folder in the order of their cost.
+    pub fn read_cheapest_first(&self) -> Result<Vec<Source>, Error> {
+        sources::read_cheapest_first(&self.studies, &self.settings.set, self.limit)
     }
 }
 

@@ -51,8 +51,7 @@ impl StudyArgs {
         let advice = advise(&source.input(), &Stop::default())?;
         let seconds = start.elapsed().as_secs_f64();
         note(&format!("{} cases in {seconds:.1} s", advice.solved));
-        let name = format!("recommend-{}", source.name);
-        let mut folder = Folder::open(&self.common.out.join(name))?;
+        let mut folder = Folder::open(&self.common.out.join(folder_name(&source.name)))?;
         let mut printed = rows(&advice, &PRINTED);
         printed.push(tolerances(&advice));
         let mut text = table(&printed) + &sentences(&advice);
@@ -76,6 +75,14 @@ impl StudyArgs {
             ),
         );
         Ok(NOT_MET)
+    }
+}
+
+/// The folder of the candidates of a study: `recommend-slide`, in the folder of its results `bridges/recommend-slide`.
+fn folder_name(results: &str) -> String {
+    match results.rsplit_once('/') {
+        Some((folder, name)) => format!("{folder}/recommend-{name}"),
+        None => format!("recommend-{results}"),
     }
 }
 

@@ -1,4 +1,4 @@
-//! `slipgap run`: results, figures and, if wanted, histories of every study.
+//! `slipgap run`: results, figures and, if wanted, histories of every study; of a folder the cheapest study first.
 
 use super::shard;
 use crate::batch::Shard;
@@ -46,7 +46,7 @@ impl RunArgs {
             ..self.output.options()
         };
         self.jobs.run(|| {
-            let studies = self.studies.read()?;
+            let studies = self.studies.read_cheapest_first()?;
             match self.shard {
                 Some(shard) => shard::run(&studies, &self.out, shard),
                 None => run(&studies, &self.out, &options, &self.output),

@@ -160,7 +160,7 @@ fn measures() -> Vec<[f64; 2]> {
 fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
     // A linear oscillator of 1 s with 5 % damping, whose peak is the spectral displacement times the scale.
     let bench = Bench::new();
-    let records = concat!(env!("SLIPGAP_ROOT"), "/records/lomaprieta-*.smc");
+    let records = concat!(env!("SLIPGAP_ROOT"), "/studies/records/lomaprieta-*.smc");
     let omega = 2.0 * std::f64::consts::PI;
     let scales = [0.1, 1.0, 10.0];
     bench.file(
@@ -267,7 +267,7 @@ fn a_fragility_figure_over_a_metric_needs_a_fit() {
     );
 }
 
-/// The numbers of a fragility figure of `studies/recorded-fragility.json` by the independent program, and of its members.
+/// The numbers of a fragility figure of `studies/recorded/recorded-fragility.json` by the independent program, and of its members.
 fn independent(figure: &str) -> (Vec<f64>, serde_json::Value) {
     let all: serde_json::Value =
         serde_json::from_str(include_str!("../../data/fragility.json")).unwrap();
@@ -279,7 +279,10 @@ fn independent(figure: &str) -> (Vec<f64>, serde_json::Value) {
 #[test]
 fn fragilities_agree_with_an_independent_program() {
     let bench = Bench::new();
-    let study = concat!(env!("SLIPGAP_ROOT"), "/studies/recorded-fragility.json");
+    let study = concat!(
+        env!("SLIPGAP_ROOT"),
+        "/studies/recorded/recorded-fragility.json"
+    );
     bench.expect(0, &["run", study, "--jobs", "1"]);
     let table = bench.text("figures/recorded-fragility/fragility.csv");
     let members = bench.text("figures/recorded-fragility/fragility_members.csv");

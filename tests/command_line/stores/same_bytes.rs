@@ -53,7 +53,11 @@ fn with_avx2_and_with_sse2_alone() {
         return;
     };
     let bench = Bench::new();
-    let studies = ["friction-fig6", "impact-fig4", "structure-oblique-impact"];
+    let studies = [
+        "friction-fig6",
+        "impact-fig4",
+        "structures/structure-oblique-impact",
+    ];
     let root = concat!(env!("SLIPGAP_ROOT"), "/studies");
     let studies = studies.map(|name| format!("{root}/{name}.json"));
     let run = |command: &mut Command, out: &str| {

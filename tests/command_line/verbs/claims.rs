@@ -65,10 +65,36 @@ fn verdicts_follow_from_the_readings() {
             assert!(done.out.contains(verdict), "{}", done.out);
             assert_eq!(done.out.contains("CHANGED"), recorded != holds);
             let page = bench.text("figures/claims.md");
-            assert!(page.contains("[fig](fig/history.png)") && page.contains("Small \\| alpha"));
+            assert!(page.contains("`fig/history.png`") && page.contains("Small \\| alpha"));
             assert_eq!(page.contains("**recorded"), recorded != holds, "{page}");
         }
     }
+}
+
+#[test]
+fn a_study_of_claims_is_found_by_its_name_in_any_folder() {
+    let claims = ledger(&reading(RISING, true));
+    let bench = bench(&[("studies/a/b/fig.json", STUDY), ("claims/a.json", &claims)]);
+    bench.expect(0, &["claims"]);
+    assert!(
+        bench
+            .text("figures/claims.md")
+            .contains("`a/b/fig/history.png`")
+    );
+    bench.file("studies/c/fig.json", STUDY);
+    let done = bench.expect(2, &["claims"]);
+    assert!(
+        done.err.contains("studies/a/b/fig.json and"),
+        "{}",
+        done.err
+    );
+    assert!(
+        done.err.contains("have this name; give the folder, too"),
+        "{}",
+        done.err
+    );
+    bench.file("claims/a.json", claims.replace("\"fig\"", "\"c/fig\""));
+    bench.expect(0, &["claims"]);
 }
 
 #[test]

@@ -15,7 +15,7 @@ const APEEL: &str = "lomaprieta-1989-redwoodcity-apeel2-043.smc";
 
 fn parse(text: &str) -> Result<Study, String> {
     // In this folder, ../records has the records.
-    let file = Path::new(env!("SLIPGAP_ROOT")).join("studies/s.json");
+    let file = Path::new(env!("SLIPGAP_ROOT")).join("studies/recorded/s.json");
     study::parse(&file.to_string_lossy(), text).map_err(|why| why.to_string())
 }
 

@@ -4,7 +4,7 @@ use slipgap::study;
 
 /// Matrices that the tests of the formats have, and those of the studies.
 const FRAMES: &str = concat!(env!("SLIPGAP_ROOT"), "/tests/data/own_structure");
-const MODELS: &str = concat!(env!("SLIPGAP_ROOT"), "/studies/models");
+const MODELS: &str = concat!(env!("SLIPGAP_ROOT"), "/studies/structures/models");
 
 /// The metrics of the first case of a study whose files are in a folder.
 fn metrics(folder: &str, text: &str) -> Vec<f64> {

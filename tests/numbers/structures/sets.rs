@@ -24,7 +24,7 @@ const RANGE: &str = r#""from": 0.2, "to": 2, "unit": "g""#;
 
 fn parse(text: &str) -> Result<Study, String> {
     // In this folder, ../records has the records.
-    let file = Path::new(env!("SLIPGAP_ROOT")).join("studies/s.json");
+    let file = Path::new(env!("SLIPGAP_ROOT")).join("studies/recorded/s.json");
     study::parse(&file.to_string_lossy(), text).map_err(|why| why.to_string())
 }
 

@@ -6,7 +6,7 @@ P(x) |dH| over the curve H by quadrature, where slipgap has closed forms of the 
 crates/statistics/src/fragility.
 
     python fragility.py                     # these numbers
-    python fragility.py results.csv         # of studies/recorded-fragility.json, from its results, into ../../data/fragility.json
+    python fragility.py results.csv         # of studies/recorded/recorded-fragility.json, from its results, into ../../data/fragility.json
 """
 
 import csv
@@ -161,7 +161,7 @@ def of_all(values):
 
 
 def study(path):
-    """The rows of studies/recorded-fragility.json."""
+    """The rows of studies/recorded/recorded-fragility.json."""
     rows = list(csv.DictReader(open(path)))
     number = lambda row, name: mpf(float(row[name]))
     records = sorted({row["record"] for row in rows})

@@ -25,9 +25,11 @@ const ENDLESS: Duration = Duration::from_secs(300);
 fn shipped() -> Vec<String> {
     let root = Path::new(env!("SLIPGAP_ROOT"));
     let files = walkdir::WalkDir::new(root.join("studies")).sort_by_file_name();
-    let texts = files
+    let files = files
         .into_iter()
-        .filter_map(|entry| fs::read_to_string(entry.ok()?.path()).ok());
+        .filter_map(|entry| Some(entry.ok()?.into_path()));
+    let studies = files.filter(|file| file.extension().is_some_and(|ending| ending == "json"));
+    let texts = studies.filter_map(|file| fs::read_to_string(file).ok());
     let problems = slipgap::problem::names();
     let starts = problems.filter_map(|problem| slipgap::study::start(problem).map(str::to_owned));
     texts.chain(starts).collect()

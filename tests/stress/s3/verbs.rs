@@ -71,7 +71,10 @@ fn verbs_that_need_folders_say_so() {
         said(&["compare", "s3://folders", "out"]),
         "slipgap: s3://folders: only folders are compared; copy the objects into one, for example by `aws s3 sync`\n"
     );
-    let study = concat!(env!("SLIPGAP_ROOT"), "/studies/calibrate-bearing.json");
+    let study = concat!(
+        env!("SLIPGAP_ROOT"),
+        "/studies/calibrate/calibrate-bearing.json"
+    );
     assert_eq!(
         said(&["calibrate", study, "--out", "s3://folders"]),
         "slipgap: s3://folders/calibrate-bearing: calibrate writes studies that name files in folders; give a folder\n"

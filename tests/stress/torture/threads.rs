@@ -2,6 +2,7 @@
 
 use crate::{Bench, differences};
 use std::fs;
+use std::path::Path;
 
 /// Studies that take a second or more. Studies with many small cases test the same.
 const SLOW: [&str; 3] = ["impact-map-gamma-n", "impact-sobol", "impact-budget"];
@@ -26,10 +27,15 @@ fn from_1_to_16_threads() {
 fn threads(jobs: &[&str], wanted: &dyn Fn(&str) -> bool) {
     let bench = Bench::new();
     let mut count = 0;
-    for entry in fs::read_dir(format!("{}/studies", env!("SLIPGAP_ROOT"))).unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.file_stem().unwrap().to_str().unwrap();
-        if path.is_file() && wanted(name) {
+    // The two textbook problems, whose studies need no other file.
+    for folder in ["", "friction", "impact"] {
+        let folder = Path::new(env!("SLIPGAP_ROOT")).join("studies").join(folder);
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_stem().unwrap().to_str().unwrap();
+            if !path.is_file() || !wanted(name) {
+                continue;
+            }
             bench.file(&format!("studies/{name}.json"), fs::read(&path).unwrap());
             count += 1;
         }

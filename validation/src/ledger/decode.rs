@@ -1,7 +1,7 @@
 //! A ledger, read from its file with its studies.
 
 use std::cell::RefCell;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::expect::expect;
 use super::{Claim, Ledger, LedgerStudy, Reading};
@@ -12,6 +12,7 @@ use slipgap_study::input::{text_of, tree_of};
 use slipgap_study::object::Object;
 use slipgap_study::place::Texts;
 use slipgap_study::scope::Scope;
+use slipgap_study::search::named;
 use slipgap_study::tree::{Node, Tree};
 use slipgap_study::value::{name, text};
 
@@ -57,17 +58,26 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
     // A study is read at its first occurrence.
     let found = RefCell::new((Vec::<LedgerStudy>::new(), None));
     let study = |node: &Node, path: &str, faults: &mut Faults| {
-        let name = text(node, path, faults)?;
+        let given = text(node, path, faults)?;
         let (studies, failed) = &mut *found.borrow_mut();
-        if let Some(at) = studies.iter().position(|s| s.name == name) {
+        let file = match study_file(&folder, &given) {
+            Ok(Ok(file)) => file,
+            Ok(Err(message)) => {
+                faults.add(node.at, path, message);
+                return None;
+            }
+            Err(error) => {
+                failed.get_or_insert(error);
+                return None;
+            }
+        };
+        if let Some(at) = studies.iter().position(|s| s.file == file) {
             return Some(at);
         }
-        let file = folder.join(format!("{name}.json"));
-        if !file.is_file() {
-            let message = format!("no study {}", file.display());
-            faults.add(node.at, path, message);
-            return None;
-        }
+        let place = file.strip_prefix(&folder).unwrap_or(&file);
+        let parts = place.with_extension("");
+        let parts: Vec<_> = parts.iter().map(|part| part.to_string_lossy()).collect();
+        let name = parts.join("/");
         match study::read(&file) {
             Ok(study) => {
                 studies.push(LedgerStudy { name, file, study });
@@ -116,6 +126,25 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
             studies,
         })),
     }
+}
+
+/// The file of the study `name` in the folder of the studies or a folder in it, or why there is not one.
+fn study_file(folder: &Path, name: &str) -> Result<Result<PathBuf, String>, Error> {
+    let own = PathBuf::from(format!("{name}.json"));
+    let file = folder.join(&own);
+    if file.is_file() {
+        return Ok(Ok(file));
+    }
+    let mut files = named(folder, &own)?;
+    Ok(match (files.pop(), &files[..]) {
+        (Some(file), []) => Ok(file),
+        (None, _) => Err(format!("no study {}", file.display())),
+        (Some(last), [first, ..]) => Err(format!(
+            "{} and {} have this name; give the folder, too",
+            first.display(),
+            last.display()
+        )),
+    })
 }
 
 fn claim(

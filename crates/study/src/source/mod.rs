@@ -5,5 +5,6 @@ pub(super) mod hint;
 pub mod input;
 pub mod object;
 pub mod place;
+pub mod search;
 pub(super) mod setting;
 pub mod tree;

@@ -1,10 +1,12 @@
 //! Reads the studies of a command. Each has the name of its folder of results.
 
 use crate::batch::output;
+use crate::batch::solve::cost;
 use crate::commands::terminal::note;
 use crate::error::Error;
+pub use crate::run::STUDIES;
 pub use crate::run::Source;
-use crate::run::{check_printable, file_name, files, found};
+use crate::run::{check_printable, files, found, place_in_studies, results_name, slashes};
 use crate::study::{self, Input, Setting};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -13,44 +15,82 @@ use walkdir::DirEntry;
 /// Reads the studies in files and folders, in order, with the settings and at most `limit` raw combinations each. All
 /// faults of all files are reported. `-` is standard input.
 pub fn read(paths: &[PathBuf], settings: &[Setting], limit: u64) -> Result<Vec<Source>, Error> {
+    let read = read_arguments(paths, settings, limit)?.into_iter();
+    Ok(read.map(|(_, source)| source).collect())
+}
+
+/// The same, with the studies of each folder in the order of their cost, cheapest first: the first results come early.
+pub fn read_cheapest_first(
+    paths: &[PathBuf],
+    settings: &[Setting],
+    limit: u64,
+) -> Result<Vec<Source>, Error> {
+    let read = read_arguments(paths, settings, limit)?.into_iter();
+    let mut sources: Vec<(usize, f64, Source)> = read
+        .map(|(argument, source)| (argument, cost::total(&source.study), source))
+        .collect();
+    sources.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    Ok(sources.into_iter().map(|(.., source)| source).collect())
+}
+
+/// A study file.
+struct StudyFile {
+    /// Its path, or [`DASH`].
+    file: PathBuf,
+    /// The name of its folder of results.
+    name: String,
+    /// The number of the argument that names it or its folder.
+    argument: usize,
+}
+
+/// The studies, each with the number of its argument.
+fn read_arguments(
+    paths: &[PathBuf],
+    settings: &[Setting],
+    limit: u64,
+) -> Result<Vec<(usize, Source)>, Error> {
     let mut files = Vec::new();
-    for path in paths {
-        files.extend(find(path)?);
+    for (argument, path) in paths.iter().enumerate() {
+        let found = find(path)?.into_iter();
+        files.extend(found.map(|(file, name)| StudyFile {
+            file,
+            name,
+            argument,
+        }));
     }
     let files = distinct(files)?;
     let several = files.len() > 1;
-    let inputs = files::read_all(files, |(file, name)| {
-        let (file, input) = match file == Path::new(DASH) {
+    let inputs = files::read_all(files, |own| {
+        let (file, input) = match own.file == Path::new(DASH) {
             true => (PathBuf::from(study::STDIN), Input::of_stdin()?),
             false => {
-                let input = Input::of_file(&file)?;
-                (file, input)
+                let input = Input::of_file(&own.file)?;
+                (own.file, input)
             }
         };
-        Ok((file, name, input.with(settings)))
+        let own = StudyFile { file, ..own };
+        Ok((own, input.with(settings)))
     })?;
     let left_out = |input: &Input| several && !input.uses_settings();
-    let some = inputs.iter().any(|(_, _, input)| !left_out(input));
+    let some = inputs.iter().any(|(_, input)| !left_out(input));
     let (without, inputs): (Vec<_>, Vec<_>) = inputs
         .into_iter()
-        .partition(|(_, _, input)| some && left_out(input));
-    for (file, ..) in &without {
+        .partition(|(_, input)| some && left_out(input));
+    for (own, _) in &without {
         note(&format!(
             "{}: left out: it has no parameter record, and no synthetic motions with a list of seeds that records could replace",
-            file.display()
+            own.file.display()
         ));
     }
-    files::read_all(inputs, |(file, name, input)| {
-        let source = Source::of_input(file.clone(), name, input, limit);
-        source.map_err(|error| match several {
-            true => with_file_name(error, &file),
+    files::read_all(inputs, |(own, input)| {
+        let source = Source::of_input(own.file.clone(), own.name, input, limit);
+        let source = source.map_err(|error| match several {
+            true => with_file_name(error, &own.file),
             false => error,
-        })
+        })?;
+        Ok((own.argument, source))
     })
 }
-
-/// Where studies are if the command line names none.
-pub const STUDIES: &str = "studies";
 
 /// The name of standard input on the command line.
 pub const DASH: &str = "-";
@@ -85,9 +125,9 @@ fn find_named(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
         let message = "no folder studies here; name a study file or a folder, or write a first study by `slipgap init`";
         return Err(Error::Usage(message.into()));
     }
-    let path = &found(path);
+    let path = &found(path)?;
     if !path.is_dir() {
-        return Ok(vec![(path.to_owned(), file_name(path)?)]);
+        return Ok(vec![(path.to_owned(), results_name(path)?)]);
     }
     let wanted = |entry: &DirEntry| {
         let hidden = entry.file_name().to_string_lossy().starts_with('.');
@@ -95,30 +135,32 @@ fn find_named(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
         files::is_json(entry) && !hidden && !output::is_manifest(entry.path())
     };
     let files = files::find(path, "studies (*.json)", wanted)?.into_iter();
+    let place = place_in_studies(path).unwrap_or_default();
     let named = files.map(|file| {
         let relative = file.strip_prefix(path).unwrap_or(&file).with_extension("");
-        let name = name(&relative);
+        let name = slashes(&Path::new(&place).join(relative));
         (file, name)
     });
     Ok(named.collect())
 }
 
 /// Removes repeated files. Two files with the same folder of results are an error.
-fn distinct(files: Vec<(PathBuf, String)>) -> Result<Vec<(PathBuf, String)>, Error> {
+fn distinct(files: Vec<StudyFile>) -> Result<Vec<StudyFile>, Error> {
     let mut by_name: BTreeMap<String, PathBuf> = BTreeMap::new();
     let mut distinct = Vec::new();
-    for (file, name) in files {
-        match by_name.get(&name) {
+    for own in files {
+        match by_name.get(&own.name) {
             None => {
-                by_name.insert(name.clone(), file.clone());
-                distinct.push((file, name));
+                by_name.insert(own.name.clone(), own.file.clone());
+                distinct.push(own);
             }
-            Some(first) if same(first, &file) => {}
+            Some(first) if same(first, &own.file) => {}
             Some(first) => {
                 return Err(Error::Usage(format!(
-                    "{} and {} would both write to folder {name}; rename one or run them separately",
+                    "{} and {} would both write to folder {}; rename one or run them separately",
                     first.display(),
-                    file.display()
+                    own.file.display(),
+                    own.name
                 )));
             }
         }
@@ -131,10 +173,4 @@ fn same(a: &Path, b: &Path) -> bool {
         (Ok(a), Ok(b)) => a == b,
         _ => a == b,
     }
-}
-
-/// A relative path with `/` on every system.
-fn name(path: &Path) -> String {
-    let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
-    parts.join("/")
 }

@@ -2,6 +2,7 @@
 # time of a task would never end. The name with _ is that of one task; SLURM_JOB_ID may be that of the whole array.
 array=$(sbatch "${options[@]}" --signal=B:USR1@60 --job-name="$name" --array="${SHARDS:-1-$shards}" << JOB
 #!/bin/bash
+cd $folder || exit 1
 again() {
     if [ "\${SLURM_RESTART_COUNT:-0}" -lt 100 ]; then
         scontrol requeue "\${SLURM_ARRAY_JOB_ID}_\$SLURM_ARRAY_TASK_ID"

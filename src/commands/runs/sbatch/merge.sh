@@ -5,6 +5,7 @@ array=${array%%;*}
 # even if the task succeeds later.
 merge=$(sbatch "${options[@]}" --job-name="$name-merge" --dependency="afterany:$array" << JOB
 #!/bin/bash
+cd $folder || exit 1
 exec $merge
 JOB
 )

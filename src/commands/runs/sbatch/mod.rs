@@ -9,6 +9,7 @@ use crate::commands::arguments::sources::{DASH, read};
 use crate::commands::arguments::{SettingsArgs, whole};
 use crate::commands::terminal::print;
 use crate::error::Error;
+use crate::run::found;
 use crate::study::{MOST_CASES, unprintable};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
@@ -85,7 +86,8 @@ fn script(args: &SbatchArgs) -> Result<String, Error> {
     let stem = args.study.file_stem().unwrap_or_default();
     let name = format!("slipgap-{}", stem.to_string_lossy());
     let program = std::env::current_exe().map_err(Error::io("cannot find", "slipgap"))?;
-    let mut arguments = vec![full(&args.study)?, "--out".into(), full(&args.out)?];
+    let study = found(&args.study)?;
+    let mut arguments = vec![full(&study)?, "--out".into(), full(&args.out)?];
     for setting in &args.settings.set {
         arguments.extend(["--set".into(), setting.text().to_owned()]);
     }
@@ -107,6 +109,8 @@ fn script(args: &SbatchArgs) -> Result<String, Error> {
 set -euo pipefail
 
 name={}
+# The jobs begin here, so that the results of studies in the folder studies have the same names.
+folder={}
 slipgap={}
 arguments=({})
 shards={}
@@ -116,6 +120,7 @@ cores=1
 options=({})
 {SUBMIT}{array}{MERGE}",
         quoted(&name)?,
+        quoted(&full(Path::new("."))?)?,
         quoted(&full(&program)?)?,
         words(&arguments)?,
         args.shards,

@@ -58,6 +58,7 @@ fn the_values_are_at_the_beginning_and_bash_accepts_the_script() {
         let lines = [
             "name='slipgap-it'\\''s'",
             "arguments=('/home/me/my studies/it'\\''s.json' '--out' '/scratch/out' '--set' 'alpha=[0.1, 1]')",
+            &format!("folder='{}'", std::env::current_dir().unwrap().display()),
             "shards=16",
             "options=('--time=01:00:00' '--partition=main')",
         ];

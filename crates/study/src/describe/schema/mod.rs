@@ -60,7 +60,16 @@ pub fn schema() -> String {
     schema["oneOf"] = json!([{ "required": ["parameters"] }, { "required": ["blocks"] }]);
     schema["allOf"] = each.into();
     schema["definitions"] = definitions.into();
-    format!("{schema:#}\n")
+    lines(&schema)
+}
+
+/// A value with one key or item in each line, without the spaces before it: they would be more than half of the schema.
+fn lines(value: &Json) -> String {
+    let shown = format!("{value:#}\n");
+    shown
+        .lines()
+        .map(|line| format!("{}\n", line.trim_start()))
+        .collect()
 }
 
 /// The rules for studies of one problem. Parts that occur several times are definitions.

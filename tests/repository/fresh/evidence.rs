@@ -1,0 +1,36 @@
+//! The checks of all studies, and the claims, judged by the program that users run.
+
+use std::process::Command;
+
+#[test]
+#[ignore = "reads the results of every study; run by `make fresh` and `make evidence`"]
+fn the_studies_meet_their_checks() {
+    let results = crate::results();
+    let mut not_met = Vec::new();
+    for study in crate::studies() {
+        let manifest = crate::manifest(&results, &study);
+        let warnings = manifest["warnings"].as_array().unwrap().iter();
+        let own = warnings.filter(|warning| warning["kind"] == "check-not-met");
+        not_met.extend(own.map(|warning| format!("{study}: {}", warning["message"])));
+    }
+    assert!(not_met.is_empty(), "{}", not_met.join("\n"));
+}
+
+#[test]
+#[ignore = "reads the results of many studies; run by `make fresh` and `make evidence`"]
+fn the_claims_have_their_recorded_verdicts() {
+    let output = Command::new(crate::program())
+        .args(["claims", "--out"])
+        .arg(crate::results())
+        .current_dir(crate::root())
+        .output()
+        .unwrap();
+    let [out, err] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+    assert!(output.status.success(), "{out}{err}");
+    assert!(!out.contains("CHANGED"), "{out}");
+    let none = "claims, 0 with a verdict other than recorded";
+    assert!(err.contains(none), "{err}");
+    // Each verdict that depends on the choice of its limit says why the limit is this one.
+    let reasons = "without a reason or with one that is not needed: 0\n";
+    assert!(err.contains(reasons), "{err}");
+}
