@@ -59,9 +59,12 @@ pub const LONGEST: u64 = 1 << 15;
 /// Puts the default metrics of cases in the table, each in its row. They have the same bits as those of a single case.
 pub fn sweep<const L: usize, C: LaneCase<L>>(cases: &[(usize, C)], table: &mut MetricTable) {
     let mut scratch = Scratch::default();
-    // Mostly all cases have one exact solution.
-    let similar = |pair: &[(usize, C)]| similar(&pair[0].1, &pair[1].1);
-    if cases.windows(2).all(similar) {
+    // Mostly all cases are of one kind and have one exact solution.
+    let first = cases.first().map(|(_, case)| (case, kind(&case.system())));
+    let similar = |(_, case): &(usize, C)| {
+        first.is_some_and(|(first, own)| alike(first, case) && kind(&case.system()) == own)
+    };
+    if cases.iter().all(similar) {
         for group in cases.chunks(L) {
             scratch.group::<C>(group, table);
         }
@@ -99,6 +102,7 @@ fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
 }
 
 /// The kind of a system: its method, its law and its number of modes, which all lanes of a group share.
+#[inline(always)]
 fn kind(system: &System) -> u64 {
     let kinds = u64::from(system.method.scheme()) << 5 | system.law.which() as u64;
     kinds << 40 | system.linear.len() as u64
@@ -174,13 +178,9 @@ fn same(a: ReferenceKey, b: ReferenceKey) -> bool {
 }
 
 /// Whether two cases have the same number of steps and the same exact solution.
+#[inline(always)]
 fn alike<const L: usize, C: LaneCase<L>>(a: &C, b: &C) -> bool {
     a.system().last == b.system().last && same(a.reference_key(), b.reference_key())
-}
-
-/// Whether two cases are alike and of one kind.
-fn similar<const L: usize, C: LaneCase<L>>(a: &C, b: &C) -> bool {
-    alike(a, b) && kind(&a.system()) == kind(&b.system())
 }
 
 /// The runs of cases that are alike.
