@@ -20,8 +20,8 @@ pub use solve::run_shard::{ShardResult, run_shard};
 pub use solve::warned::{WarnedCases, WarningCounts};
 
 use indicatif::ProgressBar;
+use parts::pipeline::in_order;
 use parts::queue::PartQueue;
-use rayon::prelude::*;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 use solve::run_part::run_part;
@@ -38,7 +38,7 @@ pub fn run(
     study: &Study,
     bar: &ProgressBar,
     options: &RunOptions,
-    mut take: impl FnMut(PartResult) -> Result<(), Error> + Send,
+    mut take: impl FnMut(PartResult) -> Result<(), Error>,
 ) -> Result<(), Error> {
     if !study.has_ratios() {
         return run_parts(study, bar, options, take);
@@ -57,34 +57,11 @@ fn run_parts(
     study: &Study,
     bar: &ProgressBar,
     options: &RunOptions,
-    mut take: impl FnMut(PartResult) -> Result<(), Error> + Send,
+    take: impl FnMut(PartResult) -> Result<(), Error>,
 ) -> Result<(), Error> {
     keep_memory();
-    let mut queue = PartQueue::new(study);
-    let mut compute = |count: usize| -> Vec<Result<PartResult, Error>> {
-        let parts = queue.next(count).into_par_iter();
-        parts
-            .map(|(_, part)| run_part(study, part, bar, options))
-            .collect()
-    };
-    // The number of parts at a time grows: the first results come soon, and later no thread waits often for the others.
-    // Memory does not grow with the number of cases.
-    let threads = rayon::current_num_threads();
-    let largest = parts::chunk::parts_at_a_time(study, 4 * threads);
-    let mut window = threads;
-    let mut finished = Vec::new();
-    loop {
-        // `take` receives finished parts while the next ones are computed.
-        let (taken, next) = rayon::join(
-            || finished.into_iter().try_for_each(|part| take(part?)),
-            || compute(window),
-        );
-        taken?;
-        if next.is_empty() {
-            return Ok(());
-        }
-        (window, finished) = (largest.min(2 * window), next);
-    }
+    let work = |part| run_part(study, part, bar, options);
+    in_order(study, PartQueue::new(study), work, take)
 }
 
 /// The outcomes of all cases at once, for small studies. Cases in a store are not computed again.

@@ -12,7 +12,7 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, IoSlice, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 use std::time::Duration;
@@ -96,6 +96,27 @@ impl AtomicFile {
     pub fn commit(self) -> Result<(), Error> {
         let _writing = writing(&self.path);
         self.rename()
+    }
+
+    /// Writes pieces one after the other, as few of them as possible at a time: the system then finds larger pages for them.
+    pub fn write_pieces(&mut self, pieces: &[impl AsRef<[u8]>]) -> io::Result<()> {
+        self.flush()?;
+        let mut file = match &self.out {
+            Some(out) => out.get_ref().as_file(),
+            None => return Err(io::ErrorKind::BrokenPipe.into()),
+        };
+        let slices = pieces.iter().map(|piece| IoSlice::new(piece.as_ref()));
+        let mut slices: Vec<IoSlice> = slices.filter(|slice| !slice.is_empty()).collect();
+        let mut left = &mut slices[..];
+        while !left.is_empty() {
+            match file.write_vectored(left) {
+                Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
+                Ok(written) => IoSlice::advance_slices(&mut left, written),
+                Err(e) if e.kind() == io::ErrorKind::Interrupted => {}
+                Err(e) => return Err(e),
+            }
+        }
+        Ok(())
     }
 
     /// Waits until everything written is on the disk.
@@ -295,6 +316,22 @@ mod tests {
         write_atomically(&path, |out| out.write_all(b"new")).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"new");
         assert_eq!(names(folder.path()), ["a.csv"]);
+    }
+
+    #[test]
+    fn pieces_follow_what_was_written_before() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.bin");
+        // More pieces than the system writes at a time.
+        let pieces: Vec<Vec<u8>> = (0..3000).map(|i| vec![i as u8; i % 60]).collect();
+        write_atomically(&path, |out| {
+            out.write_all(b"first")?;
+            out.write_pieces(&pieces)?;
+            out.write_all(b"last")
+        })
+        .unwrap();
+        let all = [&b"first"[..], &pieces.concat(), b"last"].concat();
+        assert!(fs::read(&path).unwrap() == all);
     }
 
     #[test]

@@ -10,10 +10,11 @@ use crate::batch::store::key::SOLVER_VERSION;
 use serde_json::{Map, Value, json};
 use slipgap_study::error::Error;
 use slipgap_study::{Setting, Study};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::{Mutex, PoisonError};
 
 /// Name of the file.
 const MANIFEST: &str = "manifest.json";
@@ -223,8 +224,17 @@ fn write(folder: &Path, entries: &Map<String, Value>) -> Result<(), Error> {
     })
 }
 
-/// The commit of the repository of the study, if it is a file in a repository and git is installed.
+/// The commits of studies that are known: to ask git takes as long as thousands of cases.
+static COMMITS: Mutex<BTreeMap<PathBuf, Option<String>>> = Mutex::new(BTreeMap::new());
+
+/// The commit of the repository of the study, if it is a file in a repository and git is installed, when a run of it began.
 fn commit_of(file: &Path) -> Option<String> {
+    let mut commits = COMMITS.lock().unwrap_or_else(PoisonError::into_inner);
+    let known = commits.entry(file.to_owned());
+    known.or_insert_with(|| ask_git(file)).clone()
+}
+
+fn ask_git(file: &Path) -> Option<String> {
     if !file.is_file() {
         return None;
     }

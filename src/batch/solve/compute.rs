@@ -55,8 +55,12 @@ pub(in crate::batch) fn parallel_tasks(study: &Study, options: &RunOptions, tota
 /// The rows of cases that break no rule.
 pub(in crate::batch) fn solvable_rows(cases: &Cases) -> Vec<u32> {
     let rows = 0..cases.len() as u32;
-    rows.filter(|row| cases.may_be_solved(*row as usize))
-        .collect()
+    match cases.refused().next() {
+        None => rows.collect(),
+        Some(_) => rows
+            .filter(|row| cases.may_be_solved(*row as usize))
+            .collect(),
+    }
 }
 
 /// The metrics of these rows of a part, which have this work, and the histories to keep. `tick` receives the number of finished rows, some at a
@@ -75,7 +79,10 @@ pub(in crate::batch) fn compute_rows(
         let keep = options.keep_history;
         keep.is_some_and(|keep| keep(shown.at(*row as usize)))
     };
-    let (in_lanes, single): (Vec<u32>, Vec<u32>) = rows.iter().partition(|row| lanes && !kept(row));
+    let (in_lanes, single): (Vec<u32>, Vec<u32>) = match options.keep_history {
+        None if lanes => (rows.to_vec(), Vec::new()),
+        _ => rows.iter().partition(|row| lanes && !kept(row)),
+    };
     let slice = match rayon::current_num_threads() {
         1 if work <= LONGEST_SWEEP => cases.len().max(1),
         1 => (LONGEST_SWEEP / work * rows.len() as f64).max(FEWEST_CASES as f64) as usize,
@@ -87,7 +94,7 @@ pub(in crate::batch) fn compute_rows(
         tick(rows.len());
         Ok(swept)
     };
-    let in_lanes = signal_order(study, cases, in_lanes);
+    let mut in_lanes = signal_order(study, cases, in_lanes);
     let mut swept: Vec<MetricTable> = Vec::new();
     for block in &in_lanes {
         // All threads work at a block.
@@ -98,7 +105,10 @@ pub(in crate::batch) fn compute_rows(
         let tables = block.par_chunks(slice).map(sweep);
         swept.extend(tables.collect::<Result<Vec<_>, Error>>()?);
     }
-    let in_lanes = in_lanes.concat();
+    let in_lanes = match &mut in_lanes[..] {
+        [all] => std::mem::take(all),
+        _ => in_lanes.concat(),
+    };
     let swept = MetricTable::joined(swept);
     if in_lanes.len() == cases.len() && in_lanes.is_sorted() {
         return Ok((swept, Solutions::new()));

@@ -4,18 +4,14 @@ use super::compute;
 use super::run_part::{KeptPart, keep_part};
 use super::work_progress::WorkProgress;
 use crate::batch::files::heartbeat::Heartbeat;
-use crate::batch::parts::chunk;
+use crate::batch::parts::pipeline::in_order;
 use crate::batch::parts::queue::PartQueue;
 use crate::batch::parts::shard::Shard;
 use crate::batch::store::Store;
 use indicatif::ProgressBar;
-use rayon::prelude::*;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 use std::sync::Arc;
-
-/// Number of parts for each thread that are computed at a time.
-const PARTS: usize = 4;
 
 /// What a shard has done. All its parts are in the store.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -42,22 +38,14 @@ pub fn run_shard(
     let progress = Arc::new(WorkProgress::new(0.0));
     let shown = progress.clone();
     let _heart = Heartbeat::start(store.folder(), Some(shard), move || shown.computed());
-    let mut queue = PartQueue::of_shard(study, shard);
-    let count = chunk::parts_at_a_time(study, PARTS * rayon::current_num_threads());
+    let queue = PartQueue::of_shard(study, shard);
+    let work = |part| keep_part(study, part, bar, store, &progress);
     let mut result = ShardResult::default();
-    loop {
-        let parts = queue.next(count);
-        if parts.is_empty() {
-            return Ok(result);
-        }
-        let parts = parts.into_par_iter();
-        let kept: Vec<KeptPart> = parts
-            .map(|(_, part)| keep_part(study, part, bar, store, &progress))
-            .collect::<Result<_, Error>>()?;
-        for part in kept {
-            result.parts += 1;
-            result.computed += u64::from(part.computed);
-            result.unsolved += part.unsolved;
-        }
-    }
+    in_order(study, queue, work, |part: KeptPart| {
+        result.parts += 1;
+        result.computed += u64::from(part.computed);
+        result.unsolved += part.unsolved;
+        Ok(())
+    })?;
+    Ok(result)
 }

@@ -9,8 +9,8 @@ use parquet::errors::Result;
 
 use slipgap_problem::problem::numbers::parameter::Value;
 
-/// The bytes of a column, and its entry in the footer.
-pub type EncodedColumn = (Bytes, ColumnCloseResult);
+/// The bytes of a column, in pieces, and its entry in the footer.
+pub type EncodedColumn = (Vec<Bytes>, ColumnCloseResult);
 
 /// The last encoding of each column.
 #[derive(Debug, Default)]

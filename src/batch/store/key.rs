@@ -9,6 +9,9 @@ use twox_hash::XxHash3_128;
 /// Version of all code that determines results. It changes when any result may change.
 pub const SOLVER_VERSION: u32 = 2;
 
+/// Version of the encoding of parts. Parts of another one have the same numbers, but not the same bytes.
+const ENCODING_VERSION: u32 = 2;
+
 /// Hashes of the code that determines results. A change there makes stores outdated, also without a new version. The numbers of a
 /// structure are not in a key, so that their reader counts.
 const CODE: [&[&str]; 2] = [&slipgap_solver::VERSION_KEYS, &[slipgap_study::READER_KEY]];
@@ -65,7 +68,10 @@ impl Key {
         let names: Vec<&str> = study.metrics.iter().map(|m| &*metrics[*m].name).collect();
         let once = if study.once { "once" } else { "converged" };
         Key {
-            solver: format!("{SOLVER_VERSION} {}", CODE.concat().join(" ")),
+            solver: format!(
+                "{SOLVER_VERSION}.{ENCODING_VERSION} {}",
+                CODE.concat().join(" ")
+            ),
             columns: format!(
                 "{}{} {once} {}",
                 study.problem.name(),
@@ -211,9 +217,13 @@ fn push_bits(bytes: &mut Vec<u8>, kind: u8, bits: u64) {
     bytes.extend_from_slice(&all);
 }
 
-/// The checksum of some bytes, as 32 hexadecimal digits.
-pub fn checksum(bytes: &[u8]) -> String {
-    format!("{:032x}", XxHash3_128::oneshot(bytes))
+/// The checksum of bytes in pieces, as 32 hexadecimal digits.
+pub fn checksum(pieces: &[impl AsRef<[u8]>]) -> String {
+    let mut hasher = XxHash3_128::new();
+    for piece in pieces {
+        hasher.write(piece.as_ref());
+    }
+    format!("{:032x}", hasher.finish_128())
 }
 
 #[cfg(test)]

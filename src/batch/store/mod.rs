@@ -10,10 +10,12 @@ mod earlier_cases;
 pub mod key;
 mod lock;
 mod miss;
+mod numbers;
 mod part_file;
 mod reading;
 mod rows;
 mod schema;
+mod streams;
 #[cfg(test)]
 mod tests;
 mod writing;
@@ -25,7 +27,7 @@ pub use rows::Rows;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{File, TryLockError};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -33,6 +35,7 @@ use super::files::atomic::{can_write, remove_leftovers, write_atomically};
 use super::files::heartbeat::remove_signs;
 use super::files::place::{is_object, make_folder, remove_empty_folder, remove_file};
 use super::parts::chunk::{self, starts_in_same_chunk};
+use bytes::Bytes;
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
 use key::{Difference, Key, checksum};
@@ -207,26 +210,26 @@ impl Store {
         cases: (u64, &Cases),
         metrics: &MetricTable,
     ) -> Result<(), Error> {
-        let bytes = writing::encode(study, key, cases, metrics, &self.constant_columns)
+        let pieces = writing::encode(study, key, cases, metrics, &self.constant_columns)
             .map_err(|e| Error::Internal(format!("cannot make a part of the store: {e}")))?;
         let folder = chunk::folder(study, start).map(part_file::folder_name);
         let folder = folder.map_or(self.folder.clone(), |name| self.folder.join(name));
-        let path = folder.join(part_file::name(start, &checksum(&bytes)));
-        self.write(&path, &bytes)?;
+        let path = folder.join(part_file::name(start, &checksum(&pieces)));
+        self.write(&path, &pieces)?;
         // The parts that it replaces remain until `close`: other parts may use their cases.
         self.current().insert(path);
         Ok(())
     }
 
     /// Writes the file of a part.
-    fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    fn write(&self, path: &Path, pieces: &[Bytes]) -> Result<(), Error> {
         let write = || {
             // A merge that finds no parts removes the folders that it has made.
             if let Some(folder) = path.parent() {
                 make_folder(folder).map_err(Error::io("cannot make folder", folder))?;
             }
             write_atomically(path, |out| {
-                out.write_all(bytes)?;
+                out.write_pieces(pieces)?;
                 // A run does not wait for the disk: after a power failure the checksum shows a damaged part. A shard reports
                 // its parts as kept to other machines, and only now is it certain that the server has them, and the space.
                 if self.shared { out.sync() } else { Ok(()) }

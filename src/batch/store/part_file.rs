@@ -108,7 +108,7 @@ pub fn failures(path: &Path, key: &Key, cases: usize) -> Result<u64, Miss> {
 }
 
 fn is_undamaged(path: &Path, bytes: &[u8]) -> bool {
-    parse_name(path).is_some_and(|(_, sum)| checksum(bytes) == sum)
+    parse_name(path).is_some_and(|(_, sum)| checksum(&[bytes]) == sum)
 }
 
 /// The results in the store of a folder, as text.

@@ -7,6 +7,7 @@ use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
 
 use super::key::{CaseHash, Difference, Key};
+use super::numbers;
 use super::rows::Rows;
 use crate::batch::parts::chunk::MOST_ROWS;
 use slipgap_motion::solve::{MetricTable, Unsolvable, Warnings};
@@ -163,10 +164,8 @@ fn values(
 /// The key of a part.
 fn stored_key<R: ChunkReader + 'static>(file: &SerializedFileReader<R>) -> Key {
     let metadata = file.metadata().file_metadata();
-    let pairs = metadata
-        .key_value_metadata()
-        .map(Vec::as_slice)
-        .unwrap_or_default();
+    let pairs = metadata.key_value_metadata();
+    let pairs = pairs.map(Vec::as_slice).unwrap_or_default();
     let value = |key: &str| {
         let key = format!("slipgap.{key}");
         let pair = pairs.iter().find(|pair| pair.key == key);
@@ -193,33 +192,37 @@ fn metrics(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> R
     let (mut columns, mut width) = (Vec::new(), 0);
     for &metric in &study.metrics {
         let place = place(file, &names[metric].name)?;
-        let ColumnReader::DoubleColumnReader(reader) = group.get_column_reader(place)? else {
-            return Err(general("a metric is not a number"));
+        let numbers = match (
+            numbers::decode(&*group, place, count)?,
+            group.get_column_reader(place)?,
+        ) {
+            (Some(numbers), ColumnReader::DoubleColumnReader(_)) => numbers,
+            (None, ColumnReader::DoubleColumnReader(reader)) => {
+                let cells = cells(reader, count)?.into_iter();
+                cells.map(|x| x.unwrap_or(f64::NAN)).collect()
+            }
+            _ => return Err(general("a metric is not a number")),
         };
-        columns.push((metric, cells(reader, count)?));
+        columns.push((metric, numbers));
         width = width.max(metric + 1);
     }
     // By their places: a parameter may have the same name.
     let own = group.num_columns().checked_sub(OWN_TEXTS);
     let own = own.ok_or_else(|| general("a column is missing"))?;
     let texts = |place: usize| match group.get_column_reader(place)? {
-        ColumnReader::ByteArrayColumnReader(reader) => cells(reader, count),
+        ColumnReader::ByteArrayColumnReader(reader) => filled(reader, count),
         _ => Err(general("a column is not text")),
     };
     let (failures, warned) = (texts(own)?, texts(own + 1)?);
-    let mut table = MetricTable::new(failures.len(), width);
-    for (metric, column) in columns {
-        table.set_column(metric, column.into_iter().map(|x| x.unwrap_or(f64::NAN)));
+    let mut table = MetricTable::new(count, width);
+    for (metric, numbers) in columns {
+        table.set_column(metric, numbers.into_iter());
     }
-    for (case, why) in failures.into_iter().enumerate() {
-        if let Some(why) = why {
-            table.fail(case, Unsolvable::Stored(why.as_utf8()?.to_owned()));
-        }
+    for (case, why) in failures {
+        table.fail(case, Unsolvable::Stored(why.as_utf8()?.to_owned()));
     }
-    for (case, names) in warned.into_iter().enumerate() {
-        if let Some(names) = names {
-            table.warn(case, Warnings::parse(names.as_utf8()?));
-        }
+    for (case, names) in warned {
+        table.warn(case, Warnings::parse(names.as_utf8()?));
     }
     Ok(table)
 }
@@ -230,11 +233,8 @@ pub fn read_text(bytes: Vec<u8>) -> Result<Rows> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     let count = rows(&file)?;
     let schema = file.metadata().file_metadata().schema_descr();
-    let names = schema
-        .columns()
-        .iter()
-        .map(|column| column.name().to_owned());
-    text.columns = names.collect();
+    let names = schema.columns().iter().map(|column| column.name());
+    text.columns = names.map(str::to_owned).collect();
     let own = text.columns.len().saturating_sub(OWN_TEXTS);
     text.columns.truncate(own);
     let group = file.get_row_group(0)?;
@@ -271,14 +271,29 @@ fn rows<R: ChunkReader + 'static>(file: &SerializedFileReader<R>) -> Result<usiz
 }
 
 /// The cells of a column of `count` rows.
-fn cells<D: DataType>(mut reader: ColumnReaderImpl<D>, count: usize) -> Result<Vec<Option<D::T>>> {
-    let (mut values, mut levels) = (Vec::new(), Vec::new());
-    reader.read_records(count, Some(&mut levels), None, &mut values)?;
+fn cells<D: DataType>(reader: ColumnReaderImpl<D>, count: usize) -> Result<Vec<Option<D::T>>> {
+    let (values, levels) = values_and_levels(reader, count)?;
     let mut values = values.into_iter();
     let cell = |level: &i16| (*level > 0).then(|| values.next()).flatten();
-    let cells: Vec<Option<D::T>> = levels.iter().map(cell).collect();
-    match cells.len() == count {
-        true => Ok(cells),
+    Ok(levels.iter().map(cell).collect())
+}
+
+/// The cells that have a value, with their rows, of a column of `count` rows.
+fn filled<D: DataType>(reader: ColumnReaderImpl<D>, count: usize) -> Result<Vec<(usize, D::T)>> {
+    let (values, levels) = values_and_levels(reader, count)?;
+    let rows = (0..count).filter(|row| levels[*row] > 0);
+    Ok(rows.zip(values).collect())
+}
+
+/// The values of a column of `count` rows, and for each row whether it has one.
+fn values_and_levels<D: DataType>(
+    mut reader: ColumnReaderImpl<D>,
+    count: usize,
+) -> Result<(Vec<D::T>, Vec<i16>)> {
+    let (mut values, mut levels) = (Vec::new(), Vec::new());
+    reader.read_records(count, Some(&mut levels), None, &mut values)?;
+    match levels.len() == count {
+        true => Ok((values, levels)),
         false => Err(general("a column is too short")),
     }
 }

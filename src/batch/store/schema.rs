@@ -15,27 +15,21 @@ use std::sync::Arc;
 /// Largest dictionary of a column, in bytes.
 const DICTIONARY: usize = 1 << 14;
 
-/// The encodings of the columns. A column with few different values has a dictionary. Metrics differ in all bits from case
-/// to case, so that no compression makes them smaller.
-pub fn properties(study: &Study, key: &Key) -> WriterProperties {
-    let mut properties = WriterProperties::builder()
+/// The encodings of the columns of few different values: a dictionary. Numbers that differ from case to case are encoded by
+/// `numbers`.
+pub fn properties() -> WriterProperties {
+    let properties = WriterProperties::builder()
         .set_dictionary_enabled(true)
         .set_dictionary_page_size_limit(DICTIONARY)
         .set_compression(Compression::SNAPPY)
         .set_created_by("slipgap".into())
         .set_statistics_enabled(EnabledStatistics::Chunk)
-        .set_key_value_metadata(Some(metadata(study, key)));
+        .set_offset_index_disabled(true);
     // Case numbers are consecutive: their differences take almost no space.
-    properties = properties
+    properties
         .set_column_dictionary_enabled(ColumnPath::from("case"), false)
-        .set_column_encoding(ColumnPath::from("case"), Encoding::DELTA_BINARY_PACKED);
-    for &metric in &study.metrics {
-        let path = || ColumnPath::from(&*study.problem.metrics()[metric].name);
-        properties = properties
-            .set_column_dictionary_enabled(path(), false)
-            .set_column_compression(path(), Compression::UNCOMPRESSED);
-    }
-    properties.build()
+        .set_column_encoding(ColumnPath::from("case"), Encoding::DELTA_BINARY_PACKED)
+        .build()
 }
 
 /// The columns with their types.
@@ -76,7 +70,7 @@ pub fn schema(study: &Study) -> Result<Type> {
 }
 
 /// The part's key, and unit and meaning of every column.
-fn metadata(study: &Study, key: &Key) -> Vec<KeyValue> {
+pub fn metadata(study: &Study, key: &Key) -> Vec<KeyValue> {
     let table = study.problem.parameters();
     let rows = study.parameter_columns().into_iter();
     let parameters = rows

@@ -1,6 +1,8 @@
 use super::part_file::{all_in, parse_name};
 use super::*;
 use crate::batch::parts::chunk::parts;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::statistics::Statistics;
 use slipgap_motion::solve::Unsolvable;
 use slipgap_study::parse;
 use std::fs;
@@ -68,6 +70,73 @@ fn results_of_another_solver_are_not_used() {
     assert_eq!(same.failures().collect::<Vec<_>>(), [(3, &why)]);
 }
 
+/// A metric of a case: the same for all, none, neighbouring numbers, gaps, any numbers, and whole ones after gaps.
+fn metric_of(kind: usize, case: usize) -> f64 {
+    let (mut random, x) = (case as u64, case as f64);
+    match kind {
+        0 => -0.25,
+        1 => f64::NAN,
+        2 => (2.0 + x / 1e5).sqrt(),
+        3 if case % 3 == 1 => f64::NAN,
+        3 => -x,
+        4 => (splitmix(&mut random) as f64).powi(9) * 1e-200,
+        _ if case < 100 => f64::NAN,
+        _ => (case / 500) as f64,
+    }
+}
+
+#[test]
+fn numbers_of_any_kind_are_read_as_they_were_written() {
+    let text = r#"{"problem": "bar-impact", "parameters": {"gamma": {"geomspace": [0.1, 10, 9000]}, "n": 2, "dt": 0.25,
+        "duration": 1.5}}"#;
+    let study = parse("s.json", text).unwrap();
+    let (key, cases, _) = part(&study);
+    let metrics = &study.metrics;
+    let mut written = MetricTable::new(cases.len(), study.problem.metrics().len());
+    for (kind, metric) in metrics.iter().enumerate() {
+        let numbers = (0..cases.len()).map(|case| metric_of(kind % 6, case));
+        written.set_column(*metric, numbers);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::open(folder.path()).unwrap();
+    let save = |store: &Store| store.save(&study, 0, &key, (0, &cases), &written).unwrap();
+    save(&store);
+    let path = part_path(folder.path());
+    let first = fs::read(&path).unwrap();
+    let store = Store::open_shared(folder.path()).unwrap();
+    let read = store.load(&study, 0, &key, cases.len()).unwrap();
+    for metric in metrics {
+        let bits = |table: &MetricTable| -> Vec<Option<u64>> {
+            table.column(*metric).map(|x| x.map(f64::to_bits)).collect()
+        };
+        assert_eq!(bits(&read), bits(&written));
+    }
+    // A smooth metric takes less than six bytes a case, an equal one some for all.
+    let file = SerializedFileReader::new(Bytes::from(first.clone())).unwrap();
+    let group = file.metadata().row_group(0);
+    let column = |kind: usize| {
+        let name = &study.problem.metrics()[metrics[kind]].name;
+        let mut columns = group.columns().iter();
+        columns
+            .find(|column| column.column_path().string() == **name)
+            .unwrap()
+    };
+    assert!(column(0).compressed_size() < 200 && column(1).compressed_size() < 200);
+    assert!(column(2).compressed_size() < 6 * cases.len() as i64);
+    // Of the third kind, each third has none: a bit for each case.
+    assert!(column(3).compressed_size() < 9000 / 8 + 8 * 6000 + 60);
+    let Some(Statistics::Double(of)) = column(3).statistics() else {
+        panic!("of numbers");
+    };
+    assert_eq!((of.min_opt(), of.max_opt()), (Some(&-8999.0), Some(&0.0)));
+    assert_eq!(of.null_count_opt(), Some(3000));
+    // The same bytes again, also by several threads.
+    fs::remove_file(&path).unwrap();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3);
+    pool.build().unwrap().install(|| save(&store));
+    assert_eq!(fs::read(&path).unwrap(), first);
+}
+
 /// SplitMix64 of Steele et al. (2014).
 fn splitmix(state: &mut u64) -> u64 {
     *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -99,7 +168,7 @@ fn a_manipulated_part_with_a_valid_checksum_is_damaged_without_a_panic() {
             let at = from + splitmix(&mut random) as usize % (good.len() - from);
             forged[at] = splitmix(&mut random) as u8;
         }
-        let name = format!("part-{:012}-{}.parquet", 0, checksum(&forged));
+        let name = format!("part-{:012}-{}.parquet", 0, checksum(&[&forged]));
         let path = folder.path().join(STORE).join(name);
         fs::write(&path, &forged).unwrap();
         let store = Store::open(folder.path()).unwrap();

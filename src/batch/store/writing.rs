@@ -1,138 +1,246 @@
 //! Encodes parts as Parquet: `case`, the parameters, the metrics, `failure` if a case could not be solved, and `warnings`.
+//!
+//! Each column is encoded by itself, so that several threads encode a part, and the pieces of a file are written where they are.
 
-use std::iter::repeat_n;
+use std::iter::{once, repeat_n};
 use std::sync::Arc;
 
 use bytes::Bytes;
 use parquet::column::writer::{ColumnWriter, get_column_writer, get_typed_column_writer_mut};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::Result;
-use parquet::file::properties::WriterPropertiesPtr;
-use parquet::file::writer::{
-    SerializedFileWriter, SerializedPageWriter, SerializedRowGroupWriter, TrackedWrite,
+use parquet::file::metadata::{
+    ColumnChunkMetaData, FileMetaData, KeyValue, ParquetMetaData, ParquetMetaDataWriter,
+    RowGroupMetaData,
 };
-use parquet::schema::types::ColumnDescPtr;
+use parquet::file::properties::WriterPropertiesPtr;
+use parquet::file::writer::{SerializedPageWriter, TrackedWrite};
+use parquet::schema::types::SchemaDescriptor;
+use rayon::prelude::*;
 
 use super::constant_columns::{ConstantColumns, EncodedColumn};
 use super::key::Key;
-use super::reading::{OWN_TEXTS, general};
-use super::schema::{properties, schema};
+use super::numbers;
+use super::schema::{metadata, properties, schema};
 use slipgap_motion::solve::MetricTable;
-use slipgap_problem::problem::numbers::parameter::{Kind, Value};
+use slipgap_problem::problem::numbers::parameter::{Kind, Range, Value};
 use slipgap_problem::problem::table::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
 use slipgap_study::Study;
 
-/// The text of a case in a column, if it has one.
-type Text<'a> = &'a dyn Fn(usize) -> Option<ByteArray>;
+/// The first bytes of a Parquet file. The last ones are written with its footer.
+const MAGIC: &[u8] = b"PAR1";
 
-/// The bytes of a part. `first` is the number of its first case.
+/// What a column is made of.
+enum Source<'a> {
+    Cases,
+    Parameter(Kind, &'a Column),
+    Metric(&'a [f64]),
+    Failures,
+    Warnings,
+}
+
+/// A part that is being encoded.
+struct Encoder<'a> {
+    /// Number of the first case.
+    first: u64,
+    cases: &'a Cases,
+    metrics: &'a MetricTable,
+    constant_columns: &'a ConstantColumns,
+    schema: Arc<SchemaDescriptor>,
+    properties: WriterPropertiesPtr,
+}
+
+/// The bytes of a part, in pieces. `first` is the number of its first case.
 pub fn encode(
     study: &Study,
     key: &Key,
     (first, cases): (u64, &Cases),
     metrics: &MetricTable,
     constant_columns: &ConstantColumns,
-) -> Result<Vec<u8>> {
-    let mut bytes = Vec::with_capacity(8 * cases.len() * (study.metrics.len() + 2));
-    let (schema, properties) = (Arc::new(schema(study)?), Arc::new(properties(study, key)));
-    let mut file = SerializedFileWriter::new(&mut bytes, schema, properties.clone())?;
-    let columns = file.schema_descr().columns().to_vec();
-    let mut rows = file.next_row_group()?;
-    let len = cases.len();
-    let number = |row| (first + cases.offset(row)) as i64;
-    let numbers: Vec<i64> = (0..len).map(number).collect();
-    write_next(&mut rows, |writer| write_all::<Int64Type>(writer, &numbers))?;
+) -> Result<Vec<Bytes>> {
+    let encoder = Encoder {
+        first,
+        cases,
+        metrics,
+        constant_columns,
+        schema: Arc::new(SchemaDescriptor::new(Arc::new(schema(study)?))),
+        properties: Arc::new(properties()),
+    };
     let table = study.problem.parameters();
-    let given = study.parameter_columns().into_iter();
-    let given = given.map(|row| (&cases.columns()[row], &table[row]));
-    for (place, (column, parameter)) in (1..).zip(given) {
-        match column {
-            Column::Each(cells) => write_next(&mut rows, |writer| write_column(writer, cells))?,
-            Column::Same(value) => {
-                let (bytes, footer) = constant_columns.column(place, *value, len, || {
-                    encode_column(&columns[place], &properties, |writer| {
-                        write_values(writer, parameter.kind, len, repeat_n(*value, len))
-                    })
-                })?;
-                rows.append_column(&bytes, footer)?;
+    let parameters = study.parameter_columns().into_iter();
+    let parameters =
+        parameters.map(|row| Source::Parameter(table[row].kind, &cases.columns()[row]));
+    let numbers = |metric: &usize| metrics.numbers(*metric).unwrap_or_default();
+    let values = study
+        .metrics
+        .iter()
+        .map(|metric| Source::Metric(numbers(metric)));
+    let all = once(Source::Cases).chain(parameters).chain(values);
+    let all: Vec<Source> = all.chain([Source::Failures, Source::Warnings]).collect();
+    let columns = all.par_iter().enumerate();
+    let columns = columns.map_init(Vec::new, |memory, (place, source)| {
+        encoder.column(place, source, memory)
+    });
+    encoder.file(metadata(study, key), columns.collect::<Result<_>>()?)
+}
+
+impl Encoder<'_> {
+    /// The pieces of the file with these columns.
+    fn file(&self, about: Vec<KeyValue>, columns: Vec<EncodedColumn>) -> Result<Vec<Bytes>> {
+        let (rows, mut offset) = (self.cases.len() as i64, MAGIC.len() as i64);
+        let placed = |(pieces, column): &EncodedColumn| {
+            let column = column.metadata.clone();
+            let dictionary = column.dictionary_page_offset().map(|own| own + offset);
+            let data = column.data_page_offset() + offset;
+            offset += pieces.iter().map(Bytes::len).sum::<usize>() as i64;
+            let column = column.into_builder().set_data_page_offset(data);
+            column.set_dictionary_page_offset(dictionary).build()
+        };
+        let placed = columns.iter().map(placed).collect::<Result<Vec<_>>>()?;
+        let sizes = placed.iter().map(ColumnChunkMetaData::uncompressed_size);
+        let group = RowGroupMetaData::builder(self.schema.clone())
+            .set_num_rows(rows)
+            .set_total_byte_size(sizes.sum())
+            .set_file_offset(MAGIC.len() as i64)
+            .set_ordinal(0)
+            .set_column_metadata(placed)
+            .build()?;
+        let version = self.properties.writer_version().as_num();
+        let program = Some(self.properties.created_by().to_owned());
+        let file = FileMetaData::new(
+            version,
+            rows,
+            program,
+            Some(about),
+            self.schema.clone(),
+            None,
+        );
+        let mut footer = Vec::new();
+        let all = ParquetMetaData::new(file, vec![group]);
+        ParquetMetaDataWriter::new(&mut footer, &all).finish()?;
+        let columns = columns.into_iter().flat_map(|(pieces, _)| pieces);
+        let all = once(Bytes::from_static(MAGIC)).chain(columns);
+        Ok(all.chain(once(footer.into())).collect())
+    }
+
+    fn column(&self, place: usize, source: &Source, memory: &mut Vec<u8>) -> Result<EncodedColumn> {
+        let len = self.cases.len();
+        match source {
+            Source::Cases => {
+                let number = |row| (self.first + self.cases.offset(row)) as i64;
+                let numbers: Vec<i64> = (0..len).map(number).collect();
+                self.written(place, |writer| write_all::<Int64Type>(writer, &numbers))
             }
+            Source::Parameter(_, Column::Each(Cells::Numbers(numbers))) => {
+                match numbers::repeat(numbers) {
+                    true => self.written(place, |writer| write_numbers(writer, numbers)),
+                    false => self.numbers(place, numbers, applies, memory),
+                }
+            }
+            Source::Parameter(_, Column::Each(cells)) => {
+                self.written(place, |writer| write_cells_of(writer, cells))
+            }
+            Source::Parameter(kind, Column::Same(value)) => self.same(place, *kind, *value),
+            Source::Metric(numbers) => self.numbers(place, numbers, |x| !x.is_nan(), memory),
+            // Most parts have no failures and no warnings.
+            Source::Failures if self.metrics.failures().next().is_none() => self.empty(place),
+            Source::Failures => self.text(place, |case| {
+                let why = self.metrics.failure(case)?.to_string();
+                Some(ByteArray::from(why.as_str()))
+            }),
+            Source::Warnings if self.metrics.warned().next().is_none() => self.empty(place),
+            Source::Warnings => self.text(place, |case| {
+                let warnings = self.metrics.warnings(case);
+                (!warnings.is_empty()).then(|| ByteArray::from(warnings.names().as_str()))
+            }),
         }
     }
-    for &metric in &study.metrics {
-        write_next(&mut rows, |writer| match metrics.numbers(metric) {
-            Some(numbers) => write_numbers(writer, numbers, |x| !x.is_nan()),
-            None => write_cells::<DoubleType>(writer, len, repeat_n(None, len)),
-        })?;
-    }
-    // Most parts have no failures and no warnings.
-    let why = |case| Some(ByteArray::from(metrics.failure(case)?.to_string().as_str()));
-    let warned = |case| warnings(metrics, case);
-    let texts: [(bool, Text); OWN_TEXTS] = [
-        (metrics.failures().next().is_some(), &why),
-        (metrics.warned().next().is_some(), &warned),
-    ];
-    for (place, (some, text)) in (columns.len() - OWN_TEXTS..).zip(texts) {
-        if some {
-            write_next(&mut rows, |writer| {
-                write_cells::<ByteArrayType>(writer, len, (0..len).map(text))
-            })?;
-            continue;
+
+    /// A column of numbers, of which those that `has` selects are cells with a value.
+    fn numbers(
+        &self,
+        place: usize,
+        numbers: &[f64],
+        has: impl Fn(f64) -> bool,
+        memory: &mut Vec<u8>,
+    ) -> Result<EncodedColumn> {
+        let cell = |x: &f64| Some(Value::Number(*x)).filter(|_| has(*x));
+        let first = numbers.first().and_then(cell);
+        match numbers.iter().all(|x| Value::identical(cell(x), first)) {
+            true => self.same(place, Kind::Number(Range::Any), first),
+            false => numbers::encode(&self.schema.columns()[place], numbers, has, memory),
         }
-        let (bytes, footer) = constant_columns.column(place, None, len, || {
-            encode_column(&columns[place], &properties, |writer| {
-                write_cells::<ByteArrayType>(writer, len, repeat_n(None, len))
+    }
+
+    /// A column with one value of this kind in all rows.
+    fn same(&self, place: usize, kind: Kind, value: Option<Value>) -> Result<EncodedColumn> {
+        let len = self.cases.len();
+        self.constant_columns.column(place, value, len, || {
+            self.written(place, |writer| {
+                let values = repeat_n(value, len);
+                match kind {
+                    Kind::Number(_) => {
+                        write_cells::<DoubleType>(writer, len, values.map(|v| v?.as_f64()))
+                    }
+                    Kind::Whole { .. } => {
+                        write_cells::<Int64Type>(writer, len, values.map(|v| integer(v?)))
+                    }
+                    Kind::Choice(_) => {
+                        write_cells::<ByteArrayType>(writer, len, values.map(|v| name(v?)))
+                    }
+                }
             })
-        })?;
-        rows.append_column(&bytes, footer)?;
+        })
     }
-    rows.close()?;
-    file.close()?;
-    Ok(bytes)
+
+    /// A column of text without any.
+    fn empty(&self, place: usize) -> Result<EncodedColumn> {
+        self.same(place, Kind::Choice(&[]), None)
+    }
+
+    /// A column with the text of each case, if it has one.
+    fn text(
+        &self,
+        place: usize,
+        text: impl Fn(usize) -> Option<ByteArray>,
+    ) -> Result<EncodedColumn> {
+        let len = self.cases.len();
+        self.written(place, |writer| {
+            write_cells::<ByteArrayType>(writer, len, (0..len).map(text))
+        })
+    }
+
+    /// A column that `write` writes.
+    fn written(
+        &self,
+        place: usize,
+        write: impl FnOnce(&mut ColumnWriter) -> Result<()>,
+    ) -> Result<EncodedColumn> {
+        let mut bytes = TrackedWrite::new(Vec::new());
+        let pages = Box::new(SerializedPageWriter::new(&mut bytes));
+        let column = self.schema.columns()[place].clone();
+        let mut writer = get_column_writer(column, self.properties.clone(), pages);
+        write(&mut writer)?;
+        let closed = writer.close()?;
+        Ok((vec![bytes.into_inner()?.into()], closed))
+    }
 }
 
-/// Writes the next column.
-fn write_next(
-    rows: &mut SerializedRowGroupWriter<&mut Vec<u8>>,
-    write: impl FnOnce(&mut ColumnWriter) -> Result<()>,
-) -> Result<()> {
-    let next = rows.next_column()?;
-    let mut writer = next.ok_or_else(|| general("one column too many"))?;
-    write(writer.untyped())?;
-    writer.close()
-}
-
-/// Encodes a column apart from a file, to be copied into parts.
-fn encode_column(
-    column: &ColumnDescPtr,
-    properties: &WriterPropertiesPtr,
-    write: impl FnOnce(&mut ColumnWriter) -> Result<()>,
-) -> Result<EncodedColumn> {
-    let mut bytes = TrackedWrite::new(Vec::new());
-    let pages = Box::new(SerializedPageWriter::new(&mut bytes));
-    let mut writer = get_column_writer(column.clone(), properties.clone(), pages);
-    write(&mut writer)?;
-    let closed = writer.close()?;
-    Ok((bytes.into_inner()?.into(), closed))
-}
-
-/// Writes values of a parameter of this kind.
-fn write_values(
-    writer: &mut ColumnWriter,
-    kind: Kind,
-    len: usize,
-    values: impl Iterator<Item = Option<Value>>,
-) -> Result<()> {
-    match kind {
-        Kind::Number(_) => write_cells::<DoubleType>(writer, len, values.map(|v| v?.as_f64())),
-        Kind::Whole { .. } => write_cells::<Int64Type>(writer, len, values.map(|v| integer(v?))),
-        Kind::Choice(_) => write_cells::<ByteArrayType>(writer, len, values.map(|v| name(v?))),
+/// Writes numbers of a parameter.
+fn write_numbers(writer: &mut ColumnWriter, numbers: &[f64]) -> Result<()> {
+    match numbers.iter().all(|x| applies(*x)) {
+        true => write_all::<DoubleType>(writer, numbers),
+        false => {
+            let cells = numbers.iter().map(|x| applies(*x).then_some(*x));
+            write_cells::<DoubleType>(writer, numbers.len(), cells)
+        }
     }
 }
 
 /// Writes the values of a parameter.
-fn write_column(writer: &mut ColumnWriter, cells: &Cells) -> Result<()> {
+fn write_cells_of(writer: &mut ColumnWriter, cells: &Cells) -> Result<()> {
     match cells {
-        Cells::Numbers(numbers) => write_numbers(writer, numbers, applies),
+        Cells::Numbers(numbers) => write_numbers(writer, numbers),
         Cells::Whole(numbers) => {
             let cells = numbers
                 .iter()
@@ -146,21 +254,6 @@ fn write_column(writer: &mut ColumnWriter, cells: &Cells) -> Result<()> {
             let names: Vec<ByteArray> = names.collect();
             let name = |place: &u32| (*place != NO_NAME).then(|| names[*place as usize].clone());
             write_cells::<ByteArrayType>(writer, places.len(), places.iter().map(name))
-        }
-    }
-}
-
-/// Writes numbers, of which those that `has` selects are cells with a value.
-fn write_numbers(
-    writer: &mut ColumnWriter,
-    numbers: &[f64],
-    has: impl Fn(f64) -> bool,
-) -> Result<()> {
-    match numbers.iter().all(|x| has(*x)) {
-        true => write_all::<DoubleType>(writer, numbers),
-        false => {
-            let cells = numbers.iter().map(|x| has(*x).then_some(*x));
-            write_cells::<DoubleType>(writer, numbers.len(), cells)
         }
     }
 }
@@ -201,10 +294,4 @@ fn name(value: Value) -> Option<ByteArray> {
         Value::Name(name) => Some(Bytes::from_static(name.as_bytes()).into()),
         Value::Number(_) | Value::Whole(_) => None,
     }
-}
-
-/// The names of the warnings of a case, if it has some.
-fn warnings(metrics: &MetricTable, case: usize) -> Option<ByteArray> {
-    let warnings = metrics.warnings(case);
-    (!warnings.is_empty()).then(|| ByteArray::from(warnings.names().as_str()))
 }

@@ -4,6 +4,7 @@ use super::table::MetricTable;
 use super::{Loops, Motion, ToSystem, Track, Unsolvable, Warnings, advance};
 use crate::lane::Lane;
 use crate::methods::ModeCount;
+use crate::system::System;
 use std::ops::Range;
 
 /// A case in the form for lanes: L of them are solved together.
@@ -59,16 +60,29 @@ pub const LONGEST: u64 = 1 << 15;
 
 /// Puts the default metrics of cases in the table, each in its row. They have the same bits as those of a single case.
 pub fn sweep<const L: usize, C: LaneCase<L>>(cases: &[(usize, C)], table: &mut MetricTable) {
+    let mut scratch = Scratch::default();
+    // Mostly all cases are of one kind and have one exact solution.
+    let first = cases.first().map(|(_, case)| (case, kind(&case.system())));
+    let similar = |(_, case): &(usize, C)| {
+        first.is_some_and(|(first, own)| alike(first, case) && kind(&case.system()) == own)
+    };
+    if cases.iter().all(similar) {
+        for group in cases.chunks(L) {
+            scratch.group::<C>(group, table);
+        }
+        return;
+    }
     let mut order: Vec<u128> = (0..)
         .zip(cases)
         .map(|(i, (_, case))| rank(case, i))
         .collect();
     order.sort_unstable();
-    let mut scratch = Scratch::default();
+    let mut members = Vec::with_capacity(L);
     for kind in order.chunk_by(|a, b| a >> KIND == b >> KIND) {
         for group in kind.chunks(L) {
-            let members = group.iter().map(|rank| cases[*rank as u32 as usize]);
-            scratch.group::<C>(members, table);
+            members.clear();
+            members.extend(group.iter().map(|rank| cases[*rank as u32 as usize]));
+            scratch.group::<C>(&members, table);
         }
     }
 }
@@ -76,8 +90,8 @@ pub fn sweep<const L: usize, C: LaneCase<L>>(cases: &[(usize, C)], table: &mut M
 /// Bits of a rank below those of a case's kind.
 const KIND: u32 = 80;
 
-/// The order of cases: first by method, law and number of modes; then by number of steps, so that lanes end at similar times; then by a
-/// checksum of the exact solution, so that cases with one exact solution are together.
+/// The order of cases: first by their kind; then by number of steps, so that lanes end at similar times; then by a checksum of the
+/// exact solution, so that cases with one exact solution are together.
 fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
     let mixed = |sum: u64, x: f64| {
         let sum = (sum ^ x.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -85,9 +99,15 @@ fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
     };
     let sum = case.reference_key().into_iter().fold(0, mixed) >> 32;
     let system = case.system();
-    let kinds = u128::from(system.method.scheme()) << 5 | system.law.which() as u128;
-    let kind = kinds << 40 | system.linear.len() as u128;
+    let kind = u128::from(kind(&system));
     kind << KIND | u128::from(system.last) << 64 | u128::from(sum) << 32 | u128::from(index)
+}
+
+/// The kind of a system: its method, its law and its number of modes, which all lanes of a group share.
+#[inline(always)]
+fn kind(system: &System) -> u64 {
+    let kinds = u64::from(system.method.scheme()) << 5 | system.law.which() as u64;
+    kinds << 40 | system.linear.len() as u64
 }
 
 /// Memory that all groups use.
@@ -109,21 +129,18 @@ impl<const L: usize, E, T: Default> Default for Scratch<L, E, T> {
 impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
     /// Puts in the table the metrics of a group, at most L cases with their rows.
     // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
-    fn group<C>(
-        &mut self,
-        members: impl ExactSizeIterator<Item = (usize, C)> + DoubleEndedIterator + Clone,
-        table: &mut MetricTable,
-    ) where
+    fn group<C>(&mut self, members: &[(usize, C)], table: &mut MetricTable)
+    where
         C: LaneCase<L, Reference = E, Track = T>,
     {
         let count = members.len();
-        let Some((row, last)) = members.clone().next_back() else {
+        let Some(&(row, last)) = members.last() else {
             return;
         };
         // The last group of a kind fills its lanes with its last case.
         let (mut rows, mut lanes) = ([row; L], [last; L]);
-        for (l, (row, case)) in members.enumerate() {
-            (rows[l], lanes[l]) = (row, case);
+        for (l, (row, case)) in members.iter().enumerate() {
+            (rows[l], lanes[l]) = (*row, *case);
         }
         let finite = advance::<L, C::Modes, T, C::Loops, C>(&lanes, &mut self.motion);
         C::condense(&lanes, &mut self.motion);
@@ -155,16 +172,22 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
 }
 
 /// Whether numbers are the same in all bits.
+// Without branches: else the compiler calls `memcmp`.
+#[inline(always)]
 fn same(a: ReferenceKey, b: ReferenceKey) -> bool {
-    (0..a.len()).all(|i| a[i].to_bits() == b[i].to_bits())
+    let differ = |i: usize| a[i].to_bits() ^ b[i].to_bits();
+    (0..a.len()).fold(0, |bits, i| bits | differ(i)) == 0
 }
 
-/// The runs of cases with the same steps and exact solution.
+/// Whether two cases have the same number of steps and the same exact solution.
+#[inline(always)]
+fn alike<const L: usize, C: LaneCase<L>>(a: &C, b: &C) -> bool {
+    a.system().last == b.system().last && same(a.reference_key(), b.reference_key())
+}
+
+/// The runs of cases that are alike.
 fn runs<const L: usize, C: LaneCase<L>>(lanes: &[C]) -> impl Iterator<Item = Range<usize>> {
     let mut from = 0;
-    let alike = |a: &C, b: &C| {
-        a.system().last == b.system().last && same(a.reference_key(), b.reference_key())
-    };
     lanes.chunk_by(alike).map(move |run| {
         let range = from..from + run.len();
         from = range.end;

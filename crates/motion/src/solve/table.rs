@@ -124,8 +124,17 @@ impl MetricTable {
     ) {
         let len = self.len;
         let zero = solved.map(|solved| if solved { 0.0 } else { f64::NAN });
+        // Most sweeps have consecutive rows: one bound to check, and several numbers at a time.
+        let consecutive = lanes == (0..L) && (1..L).all(|lane| rows[lane] == rows[0] + lane);
         for (metric, x) in metrics.iter().take(self.width).enumerate() {
             let column = &mut self.metrics[metric * len..(metric + 1) * len];
+            if consecutive {
+                let cells = &mut column[rows[0]..rows[0] + L];
+                for (lane, to) in cells.iter_mut().enumerate() {
+                    *to = x.0[lane] + zero[lane] * x.0[lane];
+                }
+                continue;
+            }
             for lane in lanes.clone() {
                 let x = x.0[lane];
                 column[rows[lane]] = x + zero[lane] * x;
