@@ -1,6 +1,6 @@
 # `make` alone lists the targets. Everything is built by cargo; nothing else is needed.
 
-# The program and its tests are one build, in which an overflow stops both: `make test` compiles only what `make figures` did not.
+# The program and its tests are one build: `make test` compiles only what `make figures` did not.
 
 built = $(or $(CARGO_TARGET_DIR),target)
 # Where `make fresh` runs all studies, and `make test` those of `make figures`, which are not computed again.
@@ -11,7 +11,7 @@ papers = $(sort $(wildcard studies/friction-fig*.json studies/impact-fig*.json))
 shown = $(papers) structure-skew-deck friction-map-beta plane-circle impact-map-gamma-n laws-front-friction parts-loops laws-front-impact \
   impact-budget plane-width structure-girders parts-degrading structure-blocks plane-uncoupled bridges-friction
 
-.PHONY: help figures evidence hashes report test lint fresh licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test
+.PHONY: help figures evidence hashes report test overflow lint fresh licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -37,6 +37,10 @@ test: ## check the results of `make figures`, run all tests
 	SLIPGAP_STUDIES="$(shown)" cargo test --release --locked --test shipped -- --ignored
 	for example in one_case sweep figure own_metric; do $(built)/release/examples/$$example > target/$$example.txt || exit 1; done
 	cargo test --release --locked
+
+# Minutes, and not part of CI: the crates that are compiled without these checks for speed are compiled once more.
+overflow: ## tests of the crates that compute, in a build that stops at an overflow of whole numbers
+	cargo test --locked --lib --package slipgap-contact --package slipgap-system --package slipgap-motion --package slipgap-problem --package slipgap-study --package slipgap
 
 # All packages at once, so that each crate is checked once. As an extension, the Python package is checked without Python, too.
 lint: ## formatting, clippy and documentation without warnings
