@@ -13,13 +13,13 @@ const SWEEPS: [(&str, &str, u64); 4] = [
         "displacement-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "displacement-control", "x0": 12, "dT": "pi/10",
             "duration": "8*pi", "alpha": {"geomspace": [0.01, 10, 1024]}}"#,
-        1920,
+        1729,
     ),
     (
         "velocity-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": 12, "dT": "pi/10",
             "duration": "8*pi", "beta": {"geomspace": [0.01, 10, 1024]}}"#,
-        1920,
+        1729,
     ),
     (
         "bars",

@@ -30,7 +30,7 @@ const RUNS: [Run; 5] = [
         study: OSCILLATORS,
         cases: [16_384, 49_152],
         format: "parquet",
-        recorded: 2930,
+        recorded: 2561,
     },
     Run {
         name: "run of oscillators with results.csv",

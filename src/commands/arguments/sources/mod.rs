@@ -25,9 +25,19 @@ pub fn read_cheapest_first(
     settings: &[Setting],
     limit: u64,
 ) -> Result<Vec<Source>, Error> {
-    let read = read_arguments(paths, settings, limit)?.into_iter();
+    let read = read_arguments(paths, settings, limit)?;
+    // A cost takes as long as many cases: it is found only where there is an order to find.
+    let mut counts = vec![0_usize; paths.len()];
+    for (argument, _) in &read {
+        counts[*argument] += 1;
+    }
+    let cost = |argument: usize, source: &Source| match counts[argument] {
+        0 | 1 => 0.0,
+        2.. => cost::total(&source.study),
+    };
     let mut sources: Vec<(usize, f64, Source)> = read
-        .map(|(argument, source)| (argument, cost::total(&source.study), source))
+        .into_iter()
+        .map(|(argument, source)| (argument, cost(argument, &source), source))
         .collect();
     sources.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
     Ok(sources.into_iter().map(|(.., source)| source).collect())
