@@ -29,11 +29,13 @@ impl Crate {
     /// All crates under the root.
     pub fn all(root: &Path) -> Vec<Crate> {
         let mut folders = vec![root.to_owned()];
-        for parent in [root, &root.join("crates"), &root.join("benches")] {
+        for parent in [root, &root.join("crates")] {
             let entries = fs::read_dir(parent).into_iter().flatten();
             folders.extend(entries.map(|entry| entry.unwrap().path()));
         }
-        folders.retain(|folder| folder.join("Cargo.toml").is_file());
+        // The package of tests has no room of the house: it is beside the crates as their own tests are.
+        folders
+            .retain(|folder| folder.join("Cargo.toml").is_file() && *folder != root.join("tests"));
         folders.sort();
         let crates = folders.iter().map(|folder| Crate::read(root, folder));
         crates.collect()

@@ -204,34 +204,11 @@ macro_rules! laws {
     };
 }
 
-laws!(
-    DisplacementControl,
-    VelocityControl,
-    ImpactSpring,
-    KelvinVoigt,
-    Hertz,
-    HertzDamp,
-    HuntCrossley,
-    Ye,
-    Jankowski,
-    Rigid,
-    Bearing,
-    Tanh,
-    Stribeck,
-    BoucWen,
-    Dahl,
-    Lugre,
-    Bilinear,
-    GapYield,
-    Restrainer,
-    Viscous,
-    Multilinear,
-    HyperbolicGap,
-    Pendulum,
-    ImpactYield,
-    Imk,
-    Own
-);
+laws! {
+    DisplacementControl, VelocityControl, ImpactSpring, KelvinVoigt, Hertz, HertzDamp, HuntCrossley, Ye, Jankowski,
+    Rigid, Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre, Bilinear, GapYield, Restrainer, Viscous, Multilinear,
+    HyperbolicGap, Pendulum, ImpactYield, Imk, Own,
+}
 
 /// All laws by the names of studies: impacts, friction, links.
 pub static LAWS: [Offered; offer::count(OFFERS)] = ALL;
