@@ -128,7 +128,7 @@ impl<W: Copy + Into<ContactLaw>, M: EachMethod> ToSystem for OscillatorCase<W, M
     }
 }
 
-/// The laws of [F] have loops of their own.
+/// The laws of `[F]` have loops of their own.
 pub struct LawsOfPaper;
 
 impl<const L: usize> Loops<L> for LawsOfPaper {

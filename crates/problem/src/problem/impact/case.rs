@@ -82,7 +82,7 @@ impl ToSystem for ImpactCase {
     }
 }
 
-/// The law of [I] has a loop of its own.
+/// The law of `[I]` has a loop of its own.
 pub struct LawOfPaper;
 
 impl<const L: usize> Loops<L> for LawOfPaper {
