@@ -17,7 +17,7 @@ pub use ensembles::{indices, without_value};
 pub use merge::merge_study;
 pub use observer::Observer;
 pub use source::{
-    STUDIES, Source, check_printable, file_name, found, place_in_studies, results_name, slashes,
+    STUDIES, Source, check_printable, file_name, found, place_in_studies, results_name,
 };
 pub use tally::{Tally, cases_run};
 pub use unsolved::UnsolvedCases;
@@ -221,7 +221,7 @@ pub fn run_study(
     )?;
     // An outdated part that cannot be removed is reported last, because the results are complete.
     let closed = store.close();
-    folder.close(study, &source.file, without_contact, &warnings)?;
+    folder.close(study, without_contact, &warnings)?;
     closed?;
     Ok(Written {
         paths,

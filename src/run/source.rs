@@ -1,7 +1,7 @@
 //! A study and where it comes from.
 
 use slipgap_study::error::Error;
-use slipgap_study::search;
+use slipgap_study::search::{named, slashes};
 use slipgap_study::{Input, Setting, Study, printable, unprintable};
 use std::path::{Path, PathBuf};
 
@@ -86,8 +86,7 @@ pub fn found(file: &Path) -> Result<PathBuf, Error> {
     if let Some(path) = [file, &with_ending].into_iter().find(|path| path.exists()) {
         return Ok(path.to_owned());
     }
-    let named = search::named(Path::new(STUDIES), &with_ending)?;
-    match &named[..] {
+    match &named(Path::new(STUDIES), &with_ending)?[..] {
         [] => Ok(file.to_owned()),
         [one] => Ok(one.clone()),
         several => {
@@ -127,12 +126,6 @@ pub fn place_in_studies(folder: &Path) -> Option<String> {
     let studies = Path::new(STUDIES).canonicalize().ok()?;
     let folder = folder.canonicalize().ok()?;
     folder.strip_prefix(studies).ok().map(slashes)
-}
-
-/// A relative path with `/` on every system.
-pub fn slashes(path: &Path) -> String {
-    let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
-    parts.join("/")
 }
 
 /// The name of a study file without `.json`.

@@ -1,11 +1,6 @@
-//! The studies that `make figures` runs, judged by the program that users run: the release build, as `make test` starts this test.
+//! The studies that `make figures` runs, judged by the program.
 
 use std::process::Command;
-
-/// The release build that the Makefile names, or else the one of the tests, which is slower.
-fn program() -> String {
-    std::env::var("SLIPGAP_PROGRAM").unwrap_or_else(|_| env!("CARGO_BIN_EXE_slipgap-tested").into())
-}
 
 /// The folder in which `make fresh` computed all studies, and to which `make test` copies what `make figures` computed. Stores of this
 /// version are used, those of another version are not.
@@ -16,7 +11,7 @@ const FRESH: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/fresh");
 fn the_studies_meet_their_checks() {
     let studies = std::env::var("SLIPGAP_STUDIES");
     let studies = studies.expect("SLIPGAP_STUDIES, the studies of `make figures`; run `make test`");
-    let output = Command::new(program())
+    let output = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
         .arg("run")
         .args(studies.split_whitespace())
         .args(["--out", FRESH])

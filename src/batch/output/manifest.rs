@@ -10,11 +10,10 @@ use crate::batch::store::key::SOLVER_VERSION;
 use serde_json::{Map, Value, json};
 use slipgap_study::error::Error;
 use slipgap_study::{Setting, Study};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
-use std::sync::{Mutex, PoisonError};
 
 /// Name of the file.
 const MANIFEST: &str = "manifest.json";
@@ -100,8 +99,7 @@ impl Manifest {
     pub fn begin(
         mut self,
         folder: &Path,
-        study: &Study,
-        file: &Path,
+        origin: &Map<String, Value>,
         names: Vec<String>,
         cases: u64,
     ) -> Result<(), Error> {
@@ -119,7 +117,7 @@ impl Manifest {
         self.files.extend(new);
         // The origin of a former run is kept, because its results are still in the folder.
         let mut entries = match self.entries.is_empty() {
-            true => origin(study, file),
+            true => origin.clone(),
             false => self.entries,
         };
         entries.insert("files".into(), json!(self.files));
@@ -134,13 +132,13 @@ impl Manifest {
     /// Writes the manifest of a run that has ended, with the number of cases without contact and the warnings.
     pub fn end(
         folder: &Path,
+        origin: Map<String, Value>,
         study: &Study,
-        file: &Path,
         files: &[String],
         cases_without_contact: u64,
         warnings: &[WarnedCases],
     ) -> Result<(), Error> {
-        let entries = manifest(study, file, files, cases_without_contact, warnings);
+        let entries = ended(origin, study, files, cases_without_contact, warnings);
         write(folder, &entries)
     }
 }
@@ -153,7 +151,23 @@ pub fn manifest(
     cases_without_contact: u64,
     warnings: &[WarnedCases],
 ) -> Map<String, Value> {
-    let mut entries = origin(study, file);
+    ended(
+        origin(study, file),
+        study,
+        files,
+        cases_without_contact,
+        warnings,
+    )
+}
+
+fn ended(
+    origin: Map<String, Value>,
+    study: &Study,
+    files: &[String],
+    cases_without_contact: u64,
+    warnings: &[WarnedCases],
+) -> Map<String, Value> {
+    let mut entries = origin;
     entries.insert("files".into(), json!(files));
     if study.problem.schema().contact_metric.is_some() {
         entries.insert("cases_without_contact".into(), json!(cases_without_contact));
@@ -194,8 +208,8 @@ fn histories(folder: &Path, cases: u64) -> impl Iterator<Item = String> {
     })
 }
 
-/// The origin of results: study, versions, commit and settings.
-fn origin(study: &Study, file: &Path) -> Map<String, Value> {
+/// The origin of results: study, versions, commit and settings. It asks git, which takes as long as thousands of cases.
+pub fn origin(study: &Study, file: &Path) -> Map<String, Value> {
     let mut entries = json!({
         "study": file.file_name().map(|name| name.to_string_lossy()),
         "study_sha256": study.sha256,
@@ -224,17 +238,8 @@ fn write(folder: &Path, entries: &Map<String, Value>) -> Result<(), Error> {
     })
 }
 
-/// The commits of studies that are known: to ask git takes as long as thousands of cases.
-static COMMITS: Mutex<BTreeMap<PathBuf, Option<String>>> = Mutex::new(BTreeMap::new());
-
-/// The commit of the repository of the study, if it is a file in a repository and git is installed, when a run of it began.
+/// The commit of the repository of the study, if it is a file in a repository and git is installed.
 fn commit_of(file: &Path) -> Option<String> {
-    let mut commits = COMMITS.lock().unwrap_or_else(PoisonError::into_inner);
-    let known = commits.entry(file.to_owned());
-    known.or_insert_with(|| ask_git(file)).clone()
-}
-
-fn ask_git(file: &Path) -> Option<String> {
     if !file.is_file() {
         return None;
     }

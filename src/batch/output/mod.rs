@@ -17,8 +17,9 @@ pub use names::{
 use super::WarnedCases;
 use super::files::atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
 use super::files::place::{make_folder, remove_empty_folder, remove_file};
-use manifest::Manifest;
+use manifest::{Manifest, origin};
 use names::{FRAGILITY, HISTORIES, MEMBERS};
+use serde_json::{Map, Value};
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 use std::io::{self, ErrorKind, Write};
@@ -29,6 +30,8 @@ use std::path::{Component, Path, PathBuf};
 pub struct Folder {
     path: PathBuf,
     written: Vec<String>,
+    /// The origin of the results of the run that has begun.
+    origin: Map<String, Value>,
 }
 
 impl Folder {
@@ -40,6 +43,7 @@ impl Folder {
         Ok(Folder {
             path: path.to_owned(),
             written: Vec::new(),
+            origin: Map::new(),
         })
     }
 
@@ -52,7 +56,7 @@ impl Folder {
 
     /// Lists the files that a run of the study may write in the manifest, before any is written; with the histories of the
     /// first `cases`.
-    pub fn begin(&self, study: &Study, file: &Path, cases: u64) -> Result<(), Error> {
+    pub fn begin(&mut self, study: &Study, file: &Path, cases: u64) -> Result<(), Error> {
         remove_leftovers(&self.path.join(HISTORIES));
         let pictures = |name: &String| ["png", "svg", "pdf"].map(|end| format!("{name}.{end}"));
         let figures = study.figures.iter().flat_map(|f| pictures(&f.name));
@@ -69,7 +73,8 @@ impl Folder {
         ];
         let tables = tables.map(String::from);
         let names = tables.into_iter().chain(figures).collect();
-        Manifest::read(&self.path)?.begin(&self.path, study, file, names, cases)
+        self.origin = origin(study, file);
+        Manifest::read(&self.path)?.begin(&self.path, &self.origin, names, cases)
     }
 
     /// Writes a file and returns its path.
@@ -124,12 +129,11 @@ impl Folder {
         self.written.extend(names);
     }
 
-    /// Removes the files of former runs that this run did not write, then writes the manifest, with the number of cases
-    /// without contact and the warnings.
+    /// Removes the files of former runs that this run, which has begun, did not write; then writes the manifest, with the number of
+    /// cases without contact and the warnings.
     pub fn close(
         mut self,
         study: &Study,
-        file: &Path,
         cases_without_contact: u64,
         warnings: &[WarnedCases],
     ) -> Result<(), Error> {
@@ -146,8 +150,8 @@ impl Folder {
         }
         Manifest::end(
             &self.path,
+            self.origin,
             study,
-            file,
             &self.written,
             cases_without_contact,
             warnings,

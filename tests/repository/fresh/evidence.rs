@@ -19,7 +19,7 @@ fn the_studies_meet_their_checks() {
 #[test]
 #[ignore = "reads the results of many studies; run by `make fresh` and `make evidence`"]
 fn the_claims_have_their_recorded_verdicts() {
-    let output = Command::new(crate::program())
+    let output = Command::new(crate::PROGRAM)
         .args(["claims", "--out"])
         .arg(crate::results())
         .current_dir(crate::root())

@@ -11,6 +11,7 @@ mod pictures;
 mod shown;
 
 use serde_json::Value as Json;
+use slipgap::study::search::slashes;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -18,6 +19,8 @@ use std::process::Command;
 
 /// A page among the results.
 const CLAIMS: &str = "claims.md";
+/// The program.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_slipgap-tested");
 
 fn root() -> &'static Path {
     Path::new(env!("SLIPGAP_ROOT"))
@@ -43,10 +46,7 @@ fn studies() -> Vec<String> {
     let studies = files.filter(|file| file.extension().is_some_and(|ending| ending == "json"));
     let name = |file: PathBuf| {
         let relative = file.strip_prefix(&folder).unwrap().with_extension("");
-        let parts = relative
-            .iter()
-            .map(|part| part.to_str().unwrap().to_owned());
-        parts.collect::<Vec<String>>().join("/")
+        slashes(&relative)
     };
     let studies: Vec<String> = studies.map(name).collect();
     assert!(studies.len() > 100, "{studies:?}");
@@ -124,14 +124,9 @@ fn committed_schema_and_its_pages_are_what_the_program_prints_now() {
     }
 }
 
-/// The release build that the Makefile names, or else the one of the tests, which is slower.
-fn program() -> String {
-    std::env::var("SLIPGAP_PROGRAM").unwrap_or_else(|_| env!("CARGO_BIN_EXE_slipgap-tested").into())
-}
-
 /// Runs the program in the project's folder and gives its stdout.
 fn slipgap(words: &[&str]) -> Vec<u8> {
-    let output = Command::new(program())
+    let output = Command::new(PROGRAM)
         .args(words)
         .current_dir(env!("SLIPGAP_ROOT"))
         .output()

@@ -58,16 +58,9 @@ fn running(study: &Path) -> Vec<(String, u32)> {
     found
 }
 
-/// Runs the program, that of a release if `make slurm-long` has built it.
+/// Runs the program.
 fn run(work: &Bench, words: &[&str]) -> Done {
-    let own = || env!("CARGO_BIN_EXE_slipgap-tested").into();
-    let program = std::env::var("SLIPGAP_PROGRAM").unwrap_or_else(|_| own());
-    let done: Done = work
-        .command_of(program)
-        .args(words)
-        .output()
-        .unwrap()
-        .into();
+    let done: Done = work.command().args(words).output().unwrap().into();
     assert_eq!(done.code, Some(0), "{done:?}");
     done
 }

@@ -12,7 +12,7 @@ use slipgap_study::input::{text_of, tree_of};
 use slipgap_study::object::Object;
 use slipgap_study::place::Texts;
 use slipgap_study::scope::Scope;
-use slipgap_study::search::named;
+use slipgap_study::search::{named, slashes};
 use slipgap_study::tree::{Node, Tree};
 use slipgap_study::value::{name, text};
 
@@ -75,9 +75,7 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
             return Some(at);
         }
         let place = file.strip_prefix(&folder).unwrap_or(&file);
-        let parts = place.with_extension("");
-        let parts: Vec<_> = parts.iter().map(|part| part.to_string_lossy()).collect();
-        let name = parts.join("/");
+        let name = slashes(&place.with_extension(""));
         match study::read(&file) {
             Ok(study) => {
                 studies.push(LedgerStudy { name, file, study });

@@ -1,50 +1,48 @@
 //! Study files by their name in a folder with sub-folders.
 
-use std::fs::{self, DirEntry};
-use std::path::{Component, Path, PathBuf};
-
 use crate::error::Error;
+use std::path::{Component, Path, PathBuf};
+use walkdir::{DirEntry, WalkDir};
 
 /// The files in a folder and its sub-folders whose path ends with `name`, as in `slide.json` or `bridges/slide.json`, sorted. Hidden
-/// files and folders are left out, as in every command.
+/// files and folders are left out, as in every command; links to folders are not followed, since they may lead in a circle.
 ///
 /// # Errors
 /// A folder that cannot be read.
 pub fn named(folder: &Path, name: &Path) -> Result<Vec<PathBuf>, Error> {
     let mut found = Vec::new();
     let plain = |part: Component| matches!(part, Component::Normal(_));
-    if folder.is_dir() && name.components().all(plain) {
-        search(folder, name, &mut found)?;
+    if !folder.is_dir() || !name.components().all(plain) {
+        return Ok(found);
+    }
+    let entries = WalkDir::new(folder).min_depth(1).into_iter();
+    for entry in entries.filter_entry(|entry| !is_hidden(entry)) {
+        let entry = entry.map_err(|e| {
+            let at = e.path().unwrap_or(folder).to_owned();
+            Error::io("cannot read", at)(e.into())
+        })?;
+        if entry.path().ends_with(name) && entry.path().is_file() {
+            found.push(entry.into_path());
+        }
     }
     found.sort();
     Ok(found)
-}
-
-fn search(folder: &Path, name: &Path, found: &mut Vec<PathBuf>) -> Result<(), Error> {
-    let failed = |error| Error::io("cannot read", folder)(error);
-    for entry in fs::read_dir(folder).map_err(failed)? {
-        let entry = entry.map_err(failed)?;
-        if is_hidden(&entry) {
-            continue;
-        }
-        let path = entry.path();
-        // Links to folders are not followed: they may lead in a circle.
-        if entry.file_type().map_err(failed)?.is_dir() {
-            search(&path, name, found)?;
-        } else if path.ends_with(name) && path.is_file() {
-            found.push(path);
-        }
-    }
-    Ok(())
 }
 
 fn is_hidden(entry: &DirEntry) -> bool {
     entry.file_name().to_string_lossy().starts_with('.')
 }
 
+/// A relative path with `/` on every system.
+pub fn slashes(path: &Path) -> String {
+    let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
+    parts.join("/")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn files_are_found_by_their_name_or_by_the_end_of_their_path() {
