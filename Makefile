@@ -38,9 +38,9 @@ test: ## check the results of `make figures`, run all tests
 	for example in one_case sweep figure own_metric; do $(built)/release/examples/$$example > target/$$example.txt || exit 1; done
 	cargo test --release --locked
 
-# Minutes, and not part of CI: the crates that are compiled without these checks for speed are compiled once more.
+# Minutes, and not part of CI: the crates whose unit tests run optimised and without these checks are compiled once more.
 overflow: ## tests of the crates that compute, in a build that stops at an overflow of whole numbers
-	cargo test --locked --lib --package slipgap-contact --package slipgap-system --package slipgap-motion --package slipgap-problem --package slipgap-study --package slipgap
+	cargo test --locked --lib --package slipgap-contact --package slipgap-system --package slipgap-motion
 
 # All packages at once, so that each crate is checked once. As an extension, the Python package is checked without Python, too.
 lint: ## formatting, clippy and documentation without warnings
@@ -140,7 +140,7 @@ noticed_claims = --test command_line --test studies
 changed_recommend = -f 'crates/recommend/src/**'
 noticed_recommend = --test recommend
 # As arguments of cargo, so that no other tests are compiled after each change.
-changes = cargo mutants --workspace --test-workspace=true --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' $(addprefix --cargo-arg=,--lib $(noticed_$(1)))
+changes = cargo mutants --workspace --test-workspace=true --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' $(addprefix --cargo-arg=,--lib --test units_* $(noticed_$(1)))
 
 # 2: something survived, 3: something ran into its time limit; the next part all the same.
 mutants: ## change the code of every part in every small way; a test must fail for each change
