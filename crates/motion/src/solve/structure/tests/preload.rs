@@ -2,7 +2,7 @@
 
 use super::at_rest::{LAWS, Random, law};
 use super::*;
-use crate::contact::{BoucWen, ClippedLine, ContactLaw};
+use crate::contact::{Bilinear, BoucWen, ClippedLine, ContactLaw, Hertz};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Prepared, run, settle};
 
@@ -141,4 +141,91 @@ fn what_nothing_holds_is_named() {
             node: "m1".to_owned()
         }
     );
+}
+
+/// Bodies on each other on the ground under their weight, with this law between them.
+fn stack(masses_of: &[f64], gap: f64, law: &StructureLaw) -> Structure {
+    let mut structure = masses(masses_of);
+    structure.contacts = (0..masses_of.len())
+        .map(|i| contact([i.checked_sub(1), Some(i)], gap, law.clone()))
+        .collect();
+    let weights = masses_of.iter().map(|m| -9.81 * m);
+    structure.loads = vec![Load {
+        pattern: weights.clone().enumerate().collect(),
+        signal: Arc::new(Signal::constant(1.0)),
+    }];
+    structure.preload.load = weights.collect();
+    structure
+}
+
+#[test]
+fn contacts_carry_the_weight_above_them() {
+    let stop = StructureLaw::new(ClippedLine::Stop { restitution: 0.0 }, None);
+    let hertz = StructureLaw::new(ContactLaw::Hertz(Hertz { stiffness: 1e6 }), None);
+    for law in [stop, hertz] {
+        for (bodies, ratio) in [2, 3, 8, 14, 50]
+            .into_iter()
+            .flat_map(|n| [1.0, 45.0, 1e3, 1e6].map(|ratio| (n, ratio)))
+        {
+            for order in 0..3 {
+                let part = |i: usize| match order {
+                    0 => i as f64 / (bodies - 1) as f64,
+                    1 => 1.0 - i as f64 / (bodies - 1) as f64,
+                    _ => (i % 2) as f64,
+                };
+                let all: Vec<f64> = (0..bodies).map(|i| libm::pow(ratio, part(i))).collect();
+                for gap in [0.0, 1e-3, 0.5] {
+                    let mut structure = stack(&all, gap, &law);
+                    settle(&mut structure).unwrap();
+                    for (i, force) in structure.preload.forces.iter().flatten().enumerate() {
+                        let above = 9.81 * all[i..].iter().sum::<f64>();
+                        let part = -force / above - 1.0;
+                        assert!(
+                            part.abs() < 1e-9,
+                            "{bodies} {ratio} {order} {gap}: {part:e}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn bodies_at_rest_on_stops_stay() {
+    // Round-off of r opens no contact: each step would let a body fall, and the next one stop it.
+    let stop = StructureLaw::new(ClippedLine::Stop { restitution: 0.0 }, None);
+    for gap in [0.0, 0.01, 0.3] {
+        for ratio in [0.5, 1.0, 3.0, 5.0] {
+            let mut structure = stack(&[1.0, ratio, 1.0], gap, &stop);
+            settle(&mut structure).unwrap();
+            for dt in [0.01, 1e-4] {
+                // Round-off of the weights; a body that falls for a step would have 9.81 dt.
+                let speed = largest_speed(&structure, dt);
+                assert!(speed < 1e-14 * 9.81, "{gap} {ratio} {dt}: {speed:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn laws_that_fall_carry_what_is_below_their_limit() {
+    // Two storeys on springs that soften: the load is 1 % of what they yield at.
+    let law = Bilinear {
+        stiffness: 2e4,
+        hardening: -1e3,
+        yield_force: 400.0,
+    };
+    let law = StructureLaw::new(ContactLaw::Bilinear(law), None);
+    let mut structure = stack(&[100.0, 100.0], 0.0, &law);
+    structure.preload.load = vec![0.0, 4.0];
+    settle(&mut structure).unwrap();
+    for (u, expected) in structure.displacement.iter().zip([2e-4, 4e-4]) {
+        assert!((u / expected - 1.0).abs() < 1e-11, "{u}");
+    }
+    // Above the limit, the reason is the law.
+    structure = stack(&[100.0, 100.0], 0.0, &law);
+    structure.preload.load = vec![0.0, 500.0];
+    let why = settle(&mut structure).unwrap_err().to_string();
+    assert!(why.contains("contact 'contact' falls"), "{why}");
 }
