@@ -2,7 +2,10 @@
 
 use super::at_rest::{LAWS, Random, law};
 use super::*;
-use crate::contact::{Bilinear, BoucWen, ClippedLine, ContactLaw, Hertz};
+use crate::contact::{
+    Bilinear, BoucWen, ClippedLine, ContactLaw, Hertz, HertzDamp, HuntCrossley, Ye,
+};
+use crate::methods::{Method, MoreauJean};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Prepared, run, settle};
 
@@ -162,7 +165,13 @@ fn stack(masses_of: &[f64], gap: f64, law: &StructureLaw) -> Structure {
 fn contacts_carry_the_weight_above_them() {
     let stop = StructureLaw::new(ClippedLine::Stop { restitution: 0.0 }, None);
     let hertz = StructureLaw::new(ContactLaw::Hertz(Hertz { stiffness: 1e6 }), None);
-    for law in [stop, hertz] {
+    let damped = [
+        ContactLaw::HertzDamp(HertzDamp::new(1e6, 0.5)),
+        ContactLaw::HuntCrossley(HuntCrossley::new(1e6, 0.5)),
+        ContactLaw::Ye(Ye::new(1e6, 0.5)),
+    ];
+    let damped = damped.map(|law| StructureLaw::new(law, None));
+    for law in [stop, hertz].into_iter().chain(damped) {
         for (bodies, ratio) in [2, 3, 8, 14, 50]
             .into_iter()
             .flat_map(|n| [1.0, 45.0, 1e3, 1e6].map(|ratio| (n, ratio)))
@@ -228,4 +237,35 @@ fn laws_that_fall_carry_what_is_below_their_limit() {
     structure.preload.load = vec![0.0, 500.0];
     let why = settle(&mut structure).unwrap_err().to_string();
     assert!(why.contains("contact 'contact' falls"), "{why}");
+}
+
+#[test]
+fn a_deck_on_two_sliders_that_may_lift_off_stays() {
+    // The last node is a rotation of the deck, whose contacts have an arm of 4.
+    let stop = StructureLaw::new(ClippedLine::Stop { restitution: 0.0 }, None);
+    for deck in [1.0, 10.0, 40.0, 100.0, 400.0, 800.0] {
+        let mut structure = stack(&[1.0, 1.0, deck, deck * 100.0 / 12.0], 0.0, &stop);
+        let along = [
+            vec![(0, 1.0)],
+            vec![(1, 1.0)],
+            vec![(0, -1.0), (2, 1.0), (3, -4.0)],
+            vec![(1, -1.0), (2, 1.0), (3, 4.0)],
+        ];
+        for (contact, along) in structure.contacts.iter_mut().zip(along) {
+            contact.along = along;
+        }
+        structure.preload.load[3] = 0.0;
+        structure.loads[0].pattern.pop();
+        settle(&mut structure).unwrap();
+        let method = Method::MoreauJean(MoreauJean { theta: 0.5 });
+        let prepared = Prepared::by(&method, &structure, 1e-3).unwrap();
+        let mut largest = 0.0_f64;
+        let [done] = run::<1>(&[&structure], &prepared, 10_000, |_, state| {
+            for node in 0..structure.len() {
+                largest = largest.max(state.velocity(node).0[0].abs());
+            }
+        });
+        done.unwrap();
+        assert!(largest < 1e-12 * 9.81e-3, "{deck}: {largest:e}");
+    }
 }
