@@ -42,12 +42,12 @@ def stationary(f, start):
     return tuple(x.real for x in root)
 
 
-def show(name, logarithm, covariance, numbers):
+def show(name, logarithm, covariance, numbers, z=Z):
     """Numbers with their intervals by the delta method: `numbers` gives the logarithms of median and dispersion."""
     row = [exp(of(*logarithm)) for of in numbers]
     for of in numbers:
         g = matrix(gradient(of, logarithm))
-        half = Z * sqrt((g.T * covariance * g)[0])
+        half = z * sqrt((g.T * covariance * g)[0])
         row += [exp(of(*logarithm) - half), exp(of(*logarithm) + half)]
     if name:
         print(name, ", ".join(nstr(x.real, 17) for x in row))
@@ -83,18 +83,19 @@ def capacities(reached, beyond, before):
     return f
 
 
-def cloud(name, points, beyond, limit, start):
-    """Intercept, slope and logarithm of the deviation."""
+def cloud(name, points, beyond, limit, collapse, start):
+    """Intercept, slope and logarithm of the deviation; of the cases beyond it is known that y is not below `collapse`."""
 
     def f(a, b, s):
         u = lambda x, y: (log(mpf(y)) - a - b * log(mpf(x))) / exp(s)
-        return sum(log_density(u(*p)) - s for p in points) + sum(log(phi(-u(x, limit))) for x in beyond)
+        return sum(log_density(u(*p)) - s for p in points) + sum(log(phi(-u(x, collapse))) for x in beyond)
 
     p = stationary(f, start)
     if name:
         print(name, "slope and deviation", nstr(p[1], 17), nstr(exp(p[2]), 17))
     own = [lambda a, b, s: (log(mpf(limit)) - a) / b, lambda a, b, s: s - log(b)]
-    return show(name, p, -(hessian(f, p) ** -1), own) + [p[1], exp(p[2]), p[0]]
+    t = student(len(points) - 2, mpf("0.95"))
+    return show(name, p, -(hessian(f, p) ** -1), own, t) + [p[1], exp(p[2]), p[0]]
 
 
 def frequency(name, curve, median, dispersion):
@@ -207,7 +208,7 @@ def study(path):
             points = [(x, y) for x, y, _ in cases if not gone(y)]
             start = line([(log(x), log(y)) for x, y in points])
             start = [start[1] - start[2] * start[0], start[2], log(start[3])]
-            found = cloud(None, points, [x for x, y, _ in cases if gone(y)], limit, start)
+            found = cloud(None, points, [x for x, y, _ in cases if gone(y)], limit, collapse, start)
             b, a = found[6], found[8]
             for record, own in members.items():
                 residuals = [log(y) - a - b * log(x) for x, y, _ in own if not gone(y)]
@@ -261,7 +262,9 @@ def recorded_numbers():
     fit("capacities", capacities([3.0, 3.0], [2.0, 4.0, 4.0], []), [log(mpf(3.5)), log(mpf(0.2))])
     x, y = [0.1, 0.2, 0.35, 0.5, 0.6, 0.9, 1.3, 0.15], [0.012, 0.02, 0.05, 0.048, 0.09, 0.12, 0.15, 0.017]
     for beyond in [[1.2, 1.6], [0.4]]:
-        cloud("cloud", list(zip(x, y)), beyond, 0.07, [mpf(-2), mpf(1), log(mpf(0.2))])
+        cloud("cloud", list(zip(x, y)), beyond, 0.07, 0.07, [mpf(-2), mpf(1), log(mpf(0.2))])
+    below, beyond = [(x, y) for x, y in zip(x, y) if y < 0.11], [x for x, y in zip(x, y) if y >= 0.11]
+    cloud("cloud with collapse", below, beyond, 0.07, 0.11, [mpf(-2), mpf(1), log(mpf(0.2))])
     curve = [(0.05, 0.02), (0.1, 0.008), (0.3, 0.001), (0.8, 1e-4), (2.0, 5e-6)]
     for median, dispersion in [(0.9, 0.45), (0.2, 0.3), (5.0, 0.6)]:
         frequency("frequency", curve, median, dispersion)

@@ -119,7 +119,10 @@ impl<'a> Members<'a> {
             Way::Incremental => capacities(members).fit(),
             Way::Cloud => {
                 let clouds = members.iter().map(|member| &member.cloud);
-                Cloud::together(clouds).fit(self.figure.limit)
+                let Fragility {
+                    limit, collapse, ..
+                } = *self.figure;
+                Cloud::together(clouds).fit(limit, collapse.unwrap_or(limit))
             }
         }
     }

@@ -15,15 +15,17 @@ pub(super) enum Spread {
     Cloud { line: Line, height: f64 },
     /// The variances of the logarithms of median and dispersion by the observed information, which hold for many trials.
     Information { variances: [f64; 2] },
+    /// The same of a cloud with cases beyond a bound, by Student's t with the degrees of freedom of the line through the others: the
+    /// deviation of few cases is too small on average.
+    Bounded { variances: [f64; 2], free: f64 },
 }
 
 impl Spread {
     /// 95 % intervals of the median and of the dispersion of `function`.
     pub(super) fn intervals(&self, function: &Fragility) -> [[f64; 2]; 2] {
-        let about = |x: f64, variance: f64| {
-            let half = normal::quantile(0.5 + 0.5 * CONFIDENCE) * variance.sqrt();
-            [x * exp(-half), x * exp(half)]
-        };
+        let within = |x: f64, half: f64| [x * exp(-half), x * exp(half)];
+        let normal = normal::quantile(0.5 + 0.5 * CONFIDENCE);
+        let about = |x: f64, variance: f64| within(x, normal * variance.sqrt());
         let Fragility { median, dispersion } = *function;
         match *self {
             Spread::Capacities { mean, count } => {
@@ -40,20 +42,28 @@ impl Spread {
             Spread::Information { variances } => {
                 [about(median, variances[0]), about(dispersion, variances[1])]
             }
+            Spread::Bounded { variances, free } => {
+                let [of_median, of_dispersion] =
+                    variances.map(|variance| student::quantile(free, CONFIDENCE) * variance.sqrt());
+                [within(median, of_median), within(dispersion, of_dispersion)]
+            }
         }
     }
 
     /// By the information `bend`, the negative second derivatives of the logarithm of the likelihood of Phi(a + b z) by a, a
     /// and b, and b: ln(median) is -a/b and more, ln(dispersion) is -ln b.
     pub(super) fn of_information([a, b]: [f64; 2], bend: [f64; 3]) -> Spread {
-        let determinant = bend[0] * bend[2] - bend[1] * bend[1];
-        let [aa, ab, bb] = [bend[2], -bend[1], bend[0]].map(|x| x / determinant);
-        let ratio = a / b;
-        let median = (aa - 2.0 * ratio * ab + ratio * ratio * bb) / (b * b);
-        Spread::Information {
-            variances: [median, bb / (b * b)],
-        }
+        let variances = variances([-1.0 / b, a / (b * b)], 0.0, b, bend);
+        Spread::Information { variances }
     }
+}
+
+/// The variances of the logarithms of median and dispersion where ln(median) changes by `by` with a and b, and has a variance beside.
+pub(super) fn variances(by: [f64; 2], beside: f64, b: f64, bend: [f64; 3]) -> [f64; 2] {
+    let determinant = bend[0] * bend[2] - bend[1] * bend[1];
+    let [aa, ab, bb] = [bend[2], -bend[1], bend[0]].map(|x| x / determinant);
+    let median = by[0] * by[0] * aa + 2.0 * by[0] * by[1] * ab + by[1] * by[1] * bb;
+    [median + beside, bb / (b * b)]
 }
 
 impl Line {
