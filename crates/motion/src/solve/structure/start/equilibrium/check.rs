@@ -28,7 +28,8 @@ impl Equilibrium<'_> {
             let [low, high] = [-place, place].map(|place| self.curved.follow(*c, change + place));
             let force = self.forces[*c];
             let left = LEFT * force.abs();
-            !(low - left <= force && force <= high + left)
+            let holds = low - left <= force && force <= high + left;
+            !holds
         });
         self.curved.recall(end.into_iter());
         broken.map(|c| structure.contacts[c].name.clone())
@@ -55,5 +56,5 @@ fn unbalanced(structure: &Structure, load: &[f64], u: &[f64], forces: &[f64]) ->
         }
     }
     let mut nodes = left.iter().zip(&terms);
-    nodes.position(|(left, terms)| !(left.abs() <= LEFT * terms))
+    nodes.position(|(left, terms)| left.is_nan() || left.abs() > LEFT * terms)
 }
