@@ -11,9 +11,6 @@
 //! part of the stiffness of a contact, so that neither the units nor the masses change the number of steps. Where they converge
 //! slowly, W is made smaller: that of a contact which yields follows its present stiffness. With a regular K, W is 0.
 
-mod check;
-mod falls;
-mod newton;
 mod step;
 mod weights;
 
@@ -32,6 +29,9 @@ use weights::{
 const LESS: f64 = 0.01;
 const SLOW: f64 = 0.1;
 
+/// Most times that q becomes larger, each one by 1/[`LESS`], until laws that fall have one answer.
+const SMALLER: usize = 4;
+
 /// Smallest part of the first W.
 const LEAST: f64 = 1e-12;
 
@@ -40,12 +40,6 @@ const TARGET: f64 = 1e-11;
 
 /// Round-off of a solution and of its contact forces, some fifty times the unit round-off.
 const ROUND_OFF: f64 = 1e-14;
-
-/// Steps after which Newton's are tried, and again after twice as many.
-const FIRST: usize = 8;
-
-/// Steps in balance after which what still moves is round-off.
-const STEADY: usize = 3;
 
 /// Most steps for a load. With W 100 times smaller after each slow one, a dozen reach round-off.
 const STEPS: usize = 100;
@@ -70,15 +64,12 @@ pub(crate) struct Equilibrium<'a> {
     start: (Vec<f64>, Vec<f64>, Vec<Memory>),
     /// Largest u of a step without contact forces, of whose round-off no change tells anything.
     free: f64,
-    /// The first of these.
-    reach: f64,
     /// The largest stiffness, with which forces have the round-off of u.
     stiffest: f64,
 }
 
 impl<'a> Equilibrium<'a> {
-    /// `smaller`: how often W becomes larger at most, until laws that fall have one answer.
-    fn with(structure: &'a Structure, smaller: usize) -> Result<Equilibrium<'a>, Unsolvable> {
+    pub(crate) fn new(structure: &'a Structure) -> Result<Equilibrium<'a>, Unsolvable> {
         let mut mass = structure.mass();
         let massless = structure.massless();
         let own = stiffnesses(structure);
@@ -108,7 +99,8 @@ impl<'a> Equilibrium<'a> {
             Ok((linear, curved))
         };
         let (mut linear, mut curved) = begin(&weights)?;
-        for _ in 0..smaller {
+        // A law that falls has one answer in small steps.
+        for _ in 0..SMALLER {
             if !softens(&curved) {
                 break;
             }
@@ -131,27 +123,17 @@ impl<'a> Equilibrium<'a> {
             u,
             forces,
             free: 0.0,
-            reach: 0.0,
             stiffest: largest(&diagonal(&stiffened)),
         })
     }
 
     /// Finds the equilibrium with a part of the load.
-    fn find(&mut self, part: f64) -> Result<(), Unsolvable> {
+    pub(crate) fn find(&mut self, part: f64) -> Result<(), Unsolvable> {
         let load = self.structure.preload.load.iter().map(|p| part * p);
         let load: Vec<f64> = load.collect();
         self.start = (self.u.clone(), self.forces.clone(), self.curved.memory());
-        match self.search(&load) {
-            Err(_) if self.refine(&load) => Ok(()),
-            other => other,
-        }
-    }
-
-    /// The steps to it.
-    fn search(&mut self, load: &[f64]) -> Result<(), Unsolvable> {
         let first = self.weights.clone();
         let (mut before, mut near, mut least) = (f64::INFINITY, false, false);
-        let (mut steady, mut number) = (0, 0_usize);
         let mut last = vec![0.0; load.len()];
         let steps = match self.is_negative {
             true => STEPS_OF_NEGATIVE,
@@ -159,7 +141,7 @@ impl<'a> Equilibrium<'a> {
         };
         for _ in 0..steps {
             let forces = self.forces.clone();
-            let change = match self.step(load) {
+            let change = match self.step(&load) {
                 Ok(change) => change,
                 // Round-off of a W that is too small.
                 Err(Unsolved::Singular) if !least && self.weights.part < first.part => {
@@ -171,7 +153,7 @@ impl<'a> Equilibrium<'a> {
                 }
                 Err(why) => return Err(Unsolvable::NoForces { step: 0, why }),
             };
-            let size = largest(load).max(largest(&self.forces));
+            let size = largest(&load).max(largest(&self.forces));
             let residual = self.left_out(&change);
             let differences = forces.iter().zip(&self.forces).map(|(a, b)| (a - b).abs());
             let moved = differences.fold(0.0, f64::max);
@@ -182,18 +164,12 @@ impl<'a> Equilibrium<'a> {
             let round_off = ROUND_OFF * self.free;
             let still = largest_change <= (TARGET * largest(&self.u)).max(round_off);
             let of_forces = (TARGET * size).max(self.stiffest * 0.1 * round_off);
-            let balanced = moved <= of_forces && residual <= of_forces;
-            let reached = still && balanced;
-            steady = if balanced { steady + 1 } else { 0 };
-            if (reached && near || steady > STEADY) && self.fault(load).is_none() {
+            let reached = still && moved <= of_forces && residual <= of_forces;
+            if reached && near {
                 return Ok(());
             }
             near = reached;
-            number += 1;
-            if number >= FIRST && number.is_power_of_two() && self.refine(load) {
-                return Ok(());
-            }
-            if !balanced && !least && residual > SLOW * before {
+            if !reached && !least && residual > SLOW * before {
                 self.soften(&forces, &change)?;
             }
             (before, last) = (residual, change);
