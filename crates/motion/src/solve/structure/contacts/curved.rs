@@ -168,6 +168,21 @@ impl Curved {
         !groups.all(|group| group.contacts().all(|i| has_one(group, &self.contacts[i])))
     }
 
+    /// S of a contact whose r changes by this in the present step.
+    pub(crate) fn follow(&self, contact: usize, change: f64) -> f64 {
+        self.contacts[contact].follow(change)
+    }
+
+    /// The same; the law remembers it.
+    pub(crate) fn lead(&mut self, contact: usize, change: f64) -> f64 {
+        self.contacts[contact].lead(change)
+    }
+
+    /// The bounds of S of a contact.
+    pub(crate) fn bounds(&self, contact: usize) -> [f64; 2] {
+        self.contacts[contact].bounds
+    }
+
     /// Changes the friction limit of a contact.
     pub(crate) fn limit(&mut self, contact: usize, limit: f64) {
         let contact = &mut self.contacts[contact];

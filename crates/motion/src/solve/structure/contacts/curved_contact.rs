@@ -177,6 +177,13 @@ impl Contact {
         force
     }
 
+    /// S of a law with compliance whose r changes by this, at the end of the step.
+    pub(crate) fn lead(&mut self, change: f64) -> f64 {
+        let trial = self.trial(change);
+        let Lane([force]) = ContactResponse::force(&mut self.law, 1, &trial);
+        force
+    }
+
     /// Bounds of S of a contact without compliance whose r changes by this; `None` of others, whose force follows the change.
     pub(crate) fn free_force(&self, change: f64, round_off: f64) -> Option<[f64; 2]> {
         let is_open = self.relation.kind() == ContactKind::Impact

@@ -130,6 +130,11 @@ impl<const L: usize> Forces<L> {
         self.others = lanes.contains(&true).then_some(lanes);
     }
 
+    /// H of a contact with itself.
+    pub(crate) fn own(&self, contact: usize) -> f64 {
+        self.flexibility[contact * (self.contacts.len() + 1)]
+    }
+
     /// Records that a lane has no forces at a step.
     pub(crate) fn fail(&mut self, lane: usize, step: usize, why: Unsolved) {
         self.failures[lane].get_or_insert((step, why));

@@ -25,10 +25,7 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
         false => 1,
     };
     let still = without_dampers(structure);
-    let mut equilibrium = Equilibrium::new(still.as_ref().unwrap_or(structure))?;
-    for part in 1..=parts {
-        equilibrium.find(part as f64 / parts as f64)?;
-    }
+    let equilibrium = Equilibrium::of(still.as_ref().unwrap_or(structure), parts)?;
     equilibrium.refuse_loose()?;
     let Equilibrium {
         u, forces, curved, ..
@@ -41,8 +38,16 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
     structure.preload.laws = laws.collect();
     let contacts = 0..structure.contacts.len();
     structure.preload.planes = contacts.map(|i| curved.plane(i)).collect();
-    structure.preload.forces = forces.into_iter().map(Some).collect();
     structure.displacement = u;
+    // A contact that presses without compliance is closed, not open or overlapping by the round-off of u.
+    for (c, force) in forces.iter().enumerate() {
+        let own = &structure.contacts[c];
+        let is_stop = own.law.is_rigid() && own.law.kind() == ContactKind::Impact;
+        if is_stop && *force < 0.0 {
+            structure.contacts[c].gap = -structure.relative(c, &structure.displacement);
+        }
+    }
+    structure.preload.forces = forces.into_iter().map(Some).collect();
     Ok(())
 }
 

@@ -2,7 +2,10 @@
 
 use super::at_rest::{LAWS, Random, law};
 use super::*;
-use crate::contact::{BoucWen, ClippedLine, ContactLaw};
+use crate::contact::{
+    Bilinear, BoucWen, ClippedLine, ContactLaw, Hertz, HertzDamp, HuntCrossley, Ye,
+};
+use crate::methods::{Method, MoreauJean};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Prepared, run, settle};
 
@@ -141,4 +144,128 @@ fn what_nothing_holds_is_named() {
             node: "m1".to_owned()
         }
     );
+}
+
+/// Bodies on each other on the ground under their weight, with this law between them.
+fn stack(masses_of: &[f64], gap: f64, law: &StructureLaw) -> Structure {
+    let mut structure = masses(masses_of);
+    structure.contacts = (0..masses_of.len())
+        .map(|i| contact([i.checked_sub(1), Some(i)], gap, law.clone()))
+        .collect();
+    let weights = masses_of.iter().map(|m| -9.81 * m);
+    structure.loads = vec![Load {
+        pattern: weights.clone().enumerate().collect(),
+        signal: Arc::new(Signal::constant(1.0)),
+    }];
+    structure.preload.load = weights.collect();
+    structure
+}
+
+#[test]
+fn contacts_carry_the_weight_above_them() {
+    let stop = StructureLaw::new(ClippedLine::Stop { restitution: 0.0 }, None);
+    let hertz = StructureLaw::new(ContactLaw::Hertz(Hertz { stiffness: 1e6 }), None);
+    let damped = [
+        ContactLaw::HertzDamp(HertzDamp::new(1e6, 0.5)),
+        ContactLaw::HuntCrossley(HuntCrossley::new(1e6, 0.5)),
+        ContactLaw::Ye(Ye::new(1e6, 0.5)),
+    ];
+    let damped = damped.map(|law| StructureLaw::new(law, None));
+    for law in [stop, hertz].into_iter().chain(damped) {
+        for (bodies, ratio) in [2, 3, 8, 14, 50]
+            .into_iter()
+            .flat_map(|n| [1.0, 45.0, 1e3, 1e6].map(|ratio| (n, ratio)))
+        {
+            for order in 0..3 {
+                let part = |i: usize| match order {
+                    0 => i as f64 / (bodies - 1) as f64,
+                    1 => 1.0 - i as f64 / (bodies - 1) as f64,
+                    _ => (i % 2) as f64,
+                };
+                let all: Vec<f64> = (0..bodies).map(|i| libm::pow(ratio, part(i))).collect();
+                for gap in [0.0, 1e-3, 0.5] {
+                    let mut structure = stack(&all, gap, &law);
+                    settle(&mut structure).unwrap();
+                    for (i, force) in structure.preload.forces.iter().flatten().enumerate() {
+                        let above = 9.81 * all[i..].iter().sum::<f64>();
+                        let part = -force / above - 1.0;
+                        assert!(
+                            part.abs() < 1e-9,
+                            "{bodies} {ratio} {order} {gap}: {part:e}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn bodies_at_rest_on_stops_stay() {
+    // Round-off of r opens no contact: each step would let a body fall, and the next one stop it.
+    let stop = StructureLaw::new(ClippedLine::Stop { restitution: 0.0 }, None);
+    for gap in [0.0, 0.01, 0.3] {
+        for ratio in [0.5, 1.0, 3.0, 5.0] {
+            let mut structure = stack(&[1.0, ratio, 1.0], gap, &stop);
+            settle(&mut structure).unwrap();
+            for dt in [0.01, 1e-4] {
+                // Round-off of the weights; a body that falls for a step would have 9.81 dt.
+                let speed = largest_speed(&structure, dt);
+                assert!(speed < 1e-14 * 9.81, "{gap} {ratio} {dt}: {speed:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn laws_that_fall_carry_what_is_below_their_limit() {
+    // Two storeys on springs that soften: the load is 1 % of what they yield at.
+    let law = Bilinear {
+        stiffness: 2e4,
+        hardening: -1e3,
+        yield_force: 400.0,
+    };
+    let law = StructureLaw::new(ContactLaw::Bilinear(law), None);
+    let mut structure = stack(&[100.0, 100.0], 0.0, &law);
+    structure.preload.load = vec![0.0, 4.0];
+    settle(&mut structure).unwrap();
+    for (u, expected) in structure.displacement.iter().zip([2e-4, 4e-4]) {
+        assert!((u / expected - 1.0).abs() < 1e-11, "{u}");
+    }
+    // Above the limit, the reason is the law.
+    structure = stack(&[100.0, 100.0], 0.0, &law);
+    structure.preload.load = vec![0.0, 500.0];
+    let why = settle(&mut structure).unwrap_err().to_string();
+    assert!(why.contains("contact 'contact' falls"), "{why}");
+}
+
+#[test]
+fn a_deck_on_two_sliders_that_may_lift_off_stays() {
+    // The last node is a rotation of the deck, whose contacts have an arm of 4.
+    let stop = StructureLaw::new(ClippedLine::Stop { restitution: 0.0 }, None);
+    for deck in [1.0, 10.0, 40.0, 100.0, 400.0, 800.0] {
+        let mut structure = stack(&[1.0, 1.0, deck, deck * 100.0 / 12.0], 0.0, &stop);
+        let along = [
+            vec![(0, 1.0)],
+            vec![(1, 1.0)],
+            vec![(0, -1.0), (2, 1.0), (3, -4.0)],
+            vec![(1, -1.0), (2, 1.0), (3, 4.0)],
+        ];
+        for (contact, along) in structure.contacts.iter_mut().zip(along) {
+            contact.along = along;
+        }
+        structure.preload.load[3] = 0.0;
+        structure.loads[0].pattern.pop();
+        settle(&mut structure).unwrap();
+        let method = Method::MoreauJean(MoreauJean { theta: 0.5 });
+        let prepared = Prepared::by(&method, &structure, 1e-3).unwrap();
+        let mut largest = 0.0_f64;
+        let [done] = run::<1>(&[&structure], &prepared, 10_000, |_, state| {
+            for node in 0..structure.len() {
+                largest = largest.max(state.velocity(node).0[0].abs());
+            }
+        });
+        done.unwrap();
+        assert!(largest < 1e-12 * 9.81e-3, "{deck}: {largest:e}");
+    }
 }

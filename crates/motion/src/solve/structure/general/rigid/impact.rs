@@ -4,7 +4,7 @@ use crate::lane::Lane;
 use crate::solve::structure::general::contacts::LaneContact;
 use crate::solve::structure::general::stages::General;
 
-/// Round-off of r over the largest displacement so far, of a stop that stays shut for a million steps: some 1000 times 2e-16.
+/// Round-off of r over the largest displacement so far, also that of the velocities of single steps, of a stop that stays shut for a million steps: some 1000 times 2e-16.
 const ROUND_OFF: f64 = 1e-12;
 
 impl<const L: usize> General<'_, L> {
@@ -15,7 +15,8 @@ impl<const L: usize> General<'_, L> {
             return;
         };
         let (start, nodes) = (&self.stages[part].contacts, &self.stages[part].nodes);
-        let half = 0.5 * self.prepared.sub_steps[part].sub_step.length;
+        let length = self.prepared.sub_steps[part].sub_step.length;
+        let (half, time) = (0.5 * length, self.step as f64 * length);
         let mut changed = false;
         for (c, contact) in self.contacts.iter().enumerate() {
             let before = impacts.active[c];
@@ -28,6 +29,10 @@ impl<const L: usize> General<'_, L> {
                 if let Some([gap, _]) = self.stages[part].gaps.get(c) {
                     *size = size.max(gap.0[l].abs());
                 }
+                // Round-off of the velocities that the force makes in a step moves the stop from then on.
+                let by_rate = self.lines[part][c].by_rate.0[l];
+                let speed = self.force[c].0[l] * self.forces[part].own(c) / by_rate;
+                *size = size.max(time * speed.abs());
                 let least = if before[l] { ROUND_OFF * *size } else { 0.0 };
                 impacts.active[c][l] = r + half * rdot <= least;
             }

@@ -11,6 +11,9 @@
 //! part of the stiffness of a contact, so that neither the units nor the masses change the number of steps. Where they converge
 //! slowly, W is made smaller: that of a contact which yields follows its present stiffness. With a regular K, W is 0.
 
+mod check;
+mod falls;
+mod newton;
 mod step;
 mod weights;
 
@@ -29,9 +32,6 @@ use weights::{
 const LESS: f64 = 0.01;
 const SLOW: f64 = 0.1;
 
-/// Most times that q becomes larger, each one by 1/[`LESS`], until laws that fall have one answer.
-const SMALLER: usize = 4;
-
 /// Smallest part of the first W.
 const LEAST: f64 = 1e-12;
 
@@ -40,6 +40,15 @@ const TARGET: f64 = 1e-11;
 
 /// Round-off of a solution and of its contact forces, some fifty times the unit round-off.
 const ROUND_OFF: f64 = 1e-14;
+
+/// Part of the largest force that may be left at nodes and in laws that carry next to nothing, where the steps leave no less.
+const LOOSE: f64 = 1e-9;
+
+/// Steps after which Newton's are tried, and again after twice as many.
+const FIRST: usize = 8;
+
+/// Steps in balance after which what still moves is round-off.
+const STEADY: usize = 3;
 
 /// Most steps for a load. With W 100 times smaller after each slow one, a dozen reach round-off.
 const STEPS: usize = 100;
@@ -64,12 +73,15 @@ pub(crate) struct Equilibrium<'a> {
     start: (Vec<f64>, Vec<f64>, Vec<Memory>),
     /// Largest u of a step without contact forces, of whose round-off no change tells anything.
     free: f64,
+    /// The first of these.
+    reach: f64,
     /// The largest stiffness, with which forces have the round-off of u.
     stiffest: f64,
 }
 
 impl<'a> Equilibrium<'a> {
-    pub(crate) fn new(structure: &'a Structure) -> Result<Equilibrium<'a>, Unsolvable> {
+    /// `smaller`: how often W becomes larger at most, until laws that fall have one answer.
+    fn with(structure: &'a Structure, smaller: usize) -> Result<Equilibrium<'a>, Unsolvable> {
         let mut mass = structure.mass();
         let massless = structure.massless();
         let own = stiffnesses(structure);
@@ -99,8 +111,7 @@ impl<'a> Equilibrium<'a> {
             Ok((linear, curved))
         };
         let (mut linear, mut curved) = begin(&weights)?;
-        // A law that falls has one answer in small steps.
-        for _ in 0..SMALLER {
+        for _ in 0..smaller {
             if !softens(&curved) {
                 break;
             }
@@ -123,17 +134,27 @@ impl<'a> Equilibrium<'a> {
             u,
             forces,
             free: 0.0,
+            reach: 0.0,
             stiffest: largest(&diagonal(&stiffened)),
         })
     }
 
     /// Finds the equilibrium with a part of the load.
-    pub(crate) fn find(&mut self, part: f64) -> Result<(), Unsolvable> {
+    fn find(&mut self, part: f64) -> Result<(), Unsolvable> {
         let load = self.structure.preload.load.iter().map(|p| part * p);
         let load: Vec<f64> = load.collect();
         self.start = (self.u.clone(), self.forces.clone(), self.curved.memory());
+        match self.search(&load) {
+            Err(_) if self.refine(&load) => Ok(()),
+            other => other,
+        }
+    }
+
+    /// The steps to it.
+    fn search(&mut self, load: &[f64]) -> Result<(), Unsolvable> {
         let first = self.weights.clone();
         let (mut before, mut near, mut least) = (f64::INFINITY, false, false);
+        let (mut steady, mut number) = (0, 0_usize);
         let mut last = vec![0.0; load.len()];
         let steps = match self.is_negative {
             true => STEPS_OF_NEGATIVE,
@@ -141,7 +162,7 @@ impl<'a> Equilibrium<'a> {
         };
         for _ in 0..steps {
             let forces = self.forces.clone();
-            let change = match self.step(&load) {
+            let change = match self.step(load) {
                 Ok(change) => change,
                 // Round-off of a W that is too small.
                 Err(Unsolved::Singular) if !least && self.weights.part < first.part => {
@@ -153,7 +174,7 @@ impl<'a> Equilibrium<'a> {
                 }
                 Err(why) => return Err(Unsolvable::NoForces { step: 0, why }),
             };
-            let size = largest(&load).max(largest(&self.forces));
+            let size = largest(load).max(largest(&self.forces));
             let residual = self.left_out(&change);
             let differences = forces.iter().zip(&self.forces).map(|(a, b)| (a - b).abs());
             let moved = differences.fold(0.0, f64::max);
@@ -164,12 +185,22 @@ impl<'a> Equilibrium<'a> {
             let round_off = ROUND_OFF * self.free;
             let still = largest_change <= (TARGET * largest(&self.u)).max(round_off);
             let of_forces = (TARGET * size).max(self.stiffest * 0.1 * round_off);
-            let reached = still && moved <= of_forces && residual <= of_forces;
-            if reached && near {
+            let balanced = moved <= of_forces && residual <= of_forces;
+            let reached = still && balanced;
+            steady = if balanced { steady + 1 } else { 0 };
+            if (reached && near || steady > STEADY)
+                && (self.fault(load, 0.0).is_none()
+                    || self.refine(load)
+                    || self.fault(load, LOOSE).is_none())
+            {
                 return Ok(());
             }
             near = reached;
-            if !reached && !least && residual > SLOW * before {
+            number += 1;
+            if number >= FIRST && number.is_power_of_two() && self.refine(load) {
+                return Ok(());
+            }
+            if !balanced && !least && residual > SLOW * before {
                 self.soften(&forces, &change)?;
             }
             (before, last) = (residual, change);

@@ -28,6 +28,9 @@ impl Equilibrium<'_> {
         }
         whole.iter_mut().zip(u).for_each(|(x, start)| *x -= start);
         self.free = self.free.max(largest(&whole));
+        if self.reach == 0.0 {
+            self.reach = self.free;
+        }
         self.curved.recall(laws.iter().copied());
         for (c, contact) in structure.contacts.iter().enumerate() {
             let changes = |own: &&Limit| own.pressed_by.is_some() || own.static_ratio > 1.0;

@@ -1,0 +1,107 @@
+//! Equilibrium with laws that fall (soften).
+//!
+//! Such a law has one answer in small steps only, which may be too many. So its first branch, a line, stands for it first; this
+//! equilibrium is the right one if the law itself has the same force there.
+
+use super::Equilibrium;
+use super::weights::softens;
+use crate::contact::{ClippedLine, ContactKind};
+use crate::solve::Unsolvable;
+use crate::system::structure::{Contact, Limit, Structure, StructureLaw};
+
+/// Most times that W becomes larger until laws that fall have one answer.
+const SMALLER: usize = 4;
+
+/// Part of the range of a law that shows its first branch.
+const FIRST: f64 = 1e-6;
+
+/// Part of a force by which it may be beside that branch.
+const STRAIGHT: f64 = 1e-9;
+
+impl<'a> Equilibrium<'a> {
+    /// The equilibrium with the load, which is applied in so many parts.
+    ///
+    /// # Errors
+    /// Nothing holds a node, a law that falls carries too little, or contacts have no forces.
+    pub(crate) fn of(
+        structure: &'a Structure,
+        parts: usize,
+    ) -> Result<Equilibrium<'a>, Unsolvable> {
+        let mut own = Equilibrium::with(structure, 0)?;
+        let falls = softens(&own.curved);
+        if falls {
+            if own.is_elastic(parts) {
+                return Ok(own);
+            }
+            own = Equilibrium::with(structure, SMALLER)?;
+        }
+        match own.apply(parts) {
+            Err(_) if falls => Err(softened(structure)),
+            other => other.map(|()| own),
+        }
+    }
+
+    /// Applies the load in so many parts.
+    fn apply(&mut self, parts: usize) -> Result<(), Unsolvable> {
+        (1..=parts).try_for_each(|part| self.find(part as f64 / parts as f64))
+    }
+
+    /// Takes over the equilibrium with the first branches of the laws that fall, if none of them leaves it.
+    fn is_elastic(&mut self, parts: usize) -> bool {
+        let mut lines = self.structure.clone();
+        let mut falling = Vec::new();
+        for (c, own) in lines.contacts.iter_mut().enumerate().filter(falls) {
+            let small = FIRST * own.law.law(0.0).properties().reach();
+            let stiffness = self.curved.follow(c, small) / small;
+            let line = ClippedLine::Elastic { stiffness };
+            own.law = StructureLaw::new(line, Limit::constant(f64::MAX));
+            falling.push(c);
+        }
+        let Ok(mut found) = Equilibrium::with(&lines, 0) else {
+            return false;
+        };
+        if found.apply(parts).is_err() {
+            return false;
+        }
+        let mut memory = found.curved.memory();
+        for ((c, own), found) in self
+            .curved
+            .memory()
+            .into_iter()
+            .enumerate()
+            .zip(&mut memory)
+        {
+            if falling.contains(&c) {
+                *found = own;
+            }
+        }
+        self.curved.recall(memory.into_iter());
+        let start = &self.structure.displacement;
+        let is_on_line = |c: &usize| {
+            let of = |u: &[f64]| self.structure.relative(*c, u);
+            let force = self.curved.lead(*c, of(&found.u) - of(start));
+            (force - found.forces[*c]).abs() <= STRAIGHT * force.abs()
+        };
+        let is_elastic = falling.iter().all(is_on_line);
+        if is_elastic {
+            (self.u, self.forces) = (found.u, found.forces);
+        }
+        is_elastic
+    }
+}
+
+/// Whether the force of a link falls beyond its limit.
+fn falls((_, contact): &(usize, &mut Contact)) -> bool {
+    let is_link = contact.law.kind() == ContactKind::Link;
+    is_link && contact.law.law(0.0).properties().falls()
+}
+
+/// No equilibrium because of a law that falls.
+fn softened(structure: &Structure) -> Unsolvable {
+    let mut contacts = structure.contacts.clone();
+    let name = contacts.iter_mut().enumerate().find(falls);
+    let name = name.map_or("", |(_, own)| own.name.as_str());
+    Unsolvable::BrokenRules(format!(
+        "no equilibrium with the static loads was found: the force of contact '{name}' falls (softens) beyond its limit and may carry less than the loads; apply them as loads in time, or choose smaller ones"
+    ))
+}
