@@ -191,7 +191,7 @@ impl<'a> Equilibrium<'a> {
             if (reached && near || steady > STEADY)
                 && (self.fault(load, 0.0).is_none()
                     || self.refine(load)
-                    || self.fault(load, LOOSE).is_none())
+                    || !self.has_no_memory() && self.fault(load, LOOSE).is_none())
             {
                 return Ok(());
             }

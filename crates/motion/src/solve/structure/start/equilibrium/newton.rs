@@ -33,7 +33,7 @@ const TARGET: f64 = 1e-15;
 
 impl Equilibrium<'_> {
     /// Whether the present forces follow from displacements alone.
-    fn has_no_memory(&self) -> bool {
+    pub(super) fn has_no_memory(&self) -> bool {
         let mut contacts = self.structure.contacts.iter();
         contacts.all(|own| {
             let law = &own.law;
