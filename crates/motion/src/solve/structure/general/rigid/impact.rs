@@ -4,7 +4,8 @@ use crate::lane::Lane;
 use crate::solve::structure::general::contacts::LaneContact;
 use crate::solve::structure::general::stages::General;
 
-/// Round-off of r over the largest displacement so far, also that of the velocities of single steps, of a stop that stays shut for a million steps: some 1000 times 2e-16.
+/// Round-off of r of a stop that stays shut for a million steps, over the largest displacement so far, also that of the velocity
+/// which its force makes in a step: some 1000 times 2e-16.
 const ROUND_OFF: f64 = 1e-12;
 
 impl<const L: usize> General<'_, L> {

@@ -50,7 +50,8 @@ impl<'a> Equilibrium<'a> {
     fn is_elastic(&mut self, parts: usize) -> bool {
         let mut lines = self.structure.clone();
         let mut falling = Vec::new();
-        for (c, own) in lines.contacts.iter_mut().enumerate().filter(falls) {
+        let contacts = lines.contacts.iter_mut().enumerate();
+        for (c, own) in contacts.filter(|(_, own)| falls(own)) {
             let small = FIRST * own.law.law(0.0).properties().reach();
             let stiffness = self.curved.follow(c, small) / small;
             let line = ClippedLine::Elastic { stiffness };
@@ -64,16 +65,9 @@ impl<'a> Equilibrium<'a> {
             return false;
         }
         let mut memory = found.curved.memory();
-        for ((c, own), found) in self
-            .curved
-            .memory()
-            .into_iter()
-            .enumerate()
-            .zip(&mut memory)
-        {
-            if falling.contains(&c) {
-                *found = own;
-            }
+        let own = self.curved.memory();
+        for c in &falling {
+            memory[*c] = own[*c];
         }
         self.curved.recall(memory.into_iter());
         let start = &self.structure.displacement;
@@ -91,16 +85,15 @@ impl<'a> Equilibrium<'a> {
 }
 
 /// Whether the force of a link falls beyond its limit.
-fn falls((_, contact): &(usize, &mut Contact)) -> bool {
+fn falls(contact: &Contact) -> bool {
     let is_link = contact.law.kind() == ContactKind::Link;
     is_link && contact.law.law(0.0).properties().falls()
 }
 
 /// No equilibrium because of a law that falls.
 fn softened(structure: &Structure) -> Unsolvable {
-    let mut contacts = structure.contacts.clone();
-    let name = contacts.iter_mut().enumerate().find(falls);
-    let name = name.map_or("", |(_, own)| own.name.as_str());
+    let contact = structure.contacts.iter().find(|own| falls(own));
+    let name = contact.map_or("", |own| &own.name);
     Unsolvable::BrokenRules(format!(
         "no equilibrium with the static loads was found: the force of contact '{name}' falls (softens) beyond its limit and may carry less than the loads; apply them as loads in time, or choose smaller ones"
     ))

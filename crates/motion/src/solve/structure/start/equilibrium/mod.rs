@@ -154,13 +154,13 @@ impl<'a> Equilibrium<'a> {
     fn search(&mut self, load: &[f64]) -> Result<(), Unsolvable> {
         let first = self.weights.clone();
         let (mut before, mut near, mut least) = (f64::INFINITY, false, false);
-        let (mut steady, mut number) = (0, 0_usize);
+        let mut steady = 0;
         let mut last = vec![0.0; load.len()];
         let steps = match self.is_negative {
             true => STEPS_OF_NEGATIVE,
             false => STEPS,
         };
-        for _ in 0..steps {
+        for number in 1..=steps {
             let forces = self.forces.clone();
             let change = match self.step(load) {
                 Ok(change) => change,
@@ -188,16 +188,15 @@ impl<'a> Equilibrium<'a> {
             let balanced = moved <= of_forces && residual <= of_forces;
             let reached = still && balanced;
             steady = if balanced { steady + 1 } else { 0 };
-            if (reached && near || steady > STEADY)
-                && (self.fault(load, 0.0).is_none()
-                    || self.refine(load)
-                    || !self.has_no_memory() && self.fault(load, LOOSE).is_none())
-            {
+            let is_due = reached && near || steady > STEADY;
+            near = reached;
+            if is_due && self.fault(load, 0.0).is_none() {
                 return Ok(());
             }
-            near = reached;
-            number += 1;
             if number >= FIRST && number.is_power_of_two() && self.refine(load) {
+                return Ok(());
+            }
+            if is_due && !self.has_no_memory() && self.fault(load, LOOSE).is_none() {
                 return Ok(());
             }
             if !balanced && !least && residual > SLOW * before {
