@@ -296,9 +296,8 @@ fn a_bounce_on_a_rigid_stop_has_the_force_of_its_impulse() {
 
 /// Three nodes on a line with coupled masses between the supports `left` and `right`, and a mass on a spring to the node 2.
 fn matrices(support: bool, shaken: &str, y: &[&str]) -> Solution {
-    let name = format!("slipgap-channels-{}-{support}", std::process::id());
-    let folder = std::env::temp_dir().join(name);
-    std::fs::create_dir_all(&folder).unwrap();
+    // Several tests run at a time.
+    let folder = tempfile::tempdir().unwrap();
     let header = "%%MatrixMarket matrix coordinate real symmetric\n";
     // Elements of masses 6 and stiffness 80, 95 and 70: M 2 1/1 2, K 1 -1/-1 1. Held rows are left out without supports.
     let (m, k, dofs) = match support {
@@ -318,10 +317,10 @@ fn matrices(support: bool, shaken: &str, y: &[&str]) -> Solution {
         ("k.mtx", format!("{header}{k}")),
         ("dofs.csv", dofs.to_owned()),
     ] {
-        std::fs::write(folder.join(name), text).unwrap();
+        std::fs::write(folder.path().join(name), text).unwrap();
     }
-    let file = |name: &str| folder.join(name).display().to_string();
-    let solution = solved(&study(&format!(
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    solved(&study(&format!(
         r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 4}},
             "structure": {{"masses": {{"top": 3}},
               "matrices": {{"t": {{"M": {:?}, "K": {:?}, "dofs": {:?}}}}},
@@ -332,9 +331,7 @@ fn matrices(support: bool, shaken: &str, y: &[&str]) -> Solution {
         file("m.mtx"),
         file("k.mtx"),
         file("dofs.csv"),
-    )));
-    std::fs::remove_dir_all(&folder).unwrap();
-    solution
+    )))
 }
 
 #[test]
