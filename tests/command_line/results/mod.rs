@@ -1,5 +1,6 @@
 //! What results have: tables, figures and columns of each kind of study.
 
+mod between_steps;
 mod cut;
 mod designs;
 mod ensembles;

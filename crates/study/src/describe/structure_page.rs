@@ -146,8 +146,8 @@ pub(super) fn reference() -> String {
             &[OF_GROUND, OF_BASE].concat(),
         ),
         keys(
-            "Energies of the whole structure, of the motion relative to the ground or to the motion of supports; the exact motion has \
-             none:",
+            "Energies of the whole structure, of the motion relative to the ground, or beside what nodes follow supports at rest; of the \
+             absolute motion with K of supports at 0 for a support of a given displacement. The exact motion has none:",
             &OF_ENERGY,
         ),
         in_words(),

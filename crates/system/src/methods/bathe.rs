@@ -74,6 +74,11 @@ impl Scheme for Bathe {
         vec![trapezoidal, backward_difference]
     }
 
+    /// v' = v0 + dt (a0 + a + a')/3.
+    fn load_weights(&self) -> Vec<f64> {
+        vec![1.0 / 3.0; 3]
+    }
+
     fn order(&self) -> u32 {
         2
     }

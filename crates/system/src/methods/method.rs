@@ -73,6 +73,17 @@ pub trait Scheme: Copy + Into<Method> {
     /// The sub-steps of a step of `dt`.
     fn sub_steps(&self, dt: f64) -> Vec<SubStep>;
 
+    /// Weights of the loads at the start of a step, after a jump there, and at the ends of its sub-steps, before a jump there, in the
+    /// impulse that they give a free mass, in this step and in those after it. From v' and a' of a sub-step for K = C = 0.
+    fn load_weights(&self) -> Vec<f64> {
+        let own = self.sub_steps(1.0);
+        let weights = own.iter().flat_map(|own| {
+            let [[w0, w1], [m0, m1]] = [own.weights, own.inertia];
+            [w0 - m0 + own.v_a, w1 - m1 + own.d1]
+        });
+        weights.collect()
+    }
+
     /// The order of its errors in dt without a contact.
     fn order(&self) -> u32;
 
@@ -103,6 +114,11 @@ impl Method {
             S::SUB_STEPS
         }
         each_method!(self, own => of(own))
+    }
+
+    /// See [`Scheme::load_weights`].
+    pub fn load_weights(&self) -> Vec<f64> {
+        each_method!(self, own => own.load_weights())
     }
 
     /// See [`Scheme::HAS_IMPULSES`].

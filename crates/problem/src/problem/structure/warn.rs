@@ -1,5 +1,6 @@
 //! The warnings of a case of structures.
 
+mod between_steps;
 mod directions;
 mod doubt;
 mod doubts;

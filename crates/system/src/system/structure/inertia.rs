@@ -1,6 +1,7 @@
 //! What divides forces by masses, and the nodes that have none.
 
-use super::Structure;
+use super::{Contact, Structure};
+use crate::contact::ClippedLine;
 use crate::system::structure::sparse::factor::{Factor, NotPositive};
 
 /// M^-1, for nodes with mass.
@@ -88,6 +89,21 @@ impl Structure {
     /// Whether every node has a mass.
     pub fn has_mass_everywhere(&self) -> bool {
         self.nodes.iter().all(|node| node.mass > 0.0)
+    }
+
+    /// Whether a contact whose force follows the velocity by a line is at a node without mass and damping.
+    pub fn has_massless_dampers(&self) -> bool {
+        let is_damper = |contact: &&Contact| {
+            let line = contact.law.line();
+            matches!(line, Some(ClippedLine::Viscous { .. }))
+        };
+        let mut dampers = self.contacts.iter().filter(is_damper).peekable();
+        if dampers.peek().is_none() || self.has_mass_everywhere() {
+            return false;
+        }
+        let massless = self.massless();
+        let mut nodes = dampers.flat_map(|contact| &contact.along);
+        nodes.any(|(node, _)| massless.get(*node) == Some(&true))
     }
 
     /// Whether each node has neither mass nor damping: K u + B S = p holds there at every instant.

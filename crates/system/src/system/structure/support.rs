@@ -15,7 +15,10 @@
 //!
 //! For equal motions of all supports R u_s is this motion at every node, and w is the displacement relative to the ground.
 //!
-//! Any R gives the same u. Where K is singular, because springs do not hold a part in some direction, the contacts that hold it at
+//! Any R gives the same u. A support whose displacement is given has R = 0, so that w is u and the loads are -C_fs v_s - K_fs u_s: its
+//! acceleration may be large and short against a step, which then would miss it.
+//!
+//! Where K is singular, because springs do not hold a part in some direction, the contacts that hold it at
 //! rest say what it follows, or else all of its contacts, by weak springs in their places; without any, it follows nothing. What is
 //! left of K R + K_fs is then a load by u_s.
 
@@ -66,6 +69,40 @@ impl Structure {
         carried.fold(w[node], |sum, x| sum + x)
     }
 
+    /// Adds a C that acts on the motion beside what nodes follow at rest, R u_s with K R = -K_fs, whatever R the equations have: the
+    /// support of a given displacement gets the load C R v_s.
+    pub fn damp_beside_supports(&mut self, damping: &Symmetric) {
+        self.damping.add_matrix(damping, 1.0);
+        let displaced = self.loads.iter().filter_map(|load| match &*load.signal {
+            Signal::Motion(motion, Quantity::Displacement) if motion.is_by_displacement() => {
+                Some((motion.clone(), load.pattern.clone()))
+            }
+            Signal::Motion(..) | Signal::Sine { .. } | Signal::Table(_) => None,
+        });
+        let displaced: Vec<_> = displaced.collect();
+        let regular = || Factor::regular(&self.stiffness, SINGULAR).ok();
+        let Some(factor) = (!displaced.is_empty())
+            .then(|| regular().or_else(|| pinned(&self.stiffness)))
+            .flatten()
+        else {
+            return;
+        };
+        for (motion, of_displacement) in displaced {
+            let mut r = vec![0.0; self.len()];
+            // Of R = 0 the load is -K_fs u_s.
+            of_displacement.iter().for_each(|(row, x)| r[*row] += x);
+            factor.solve(&mut r);
+            let along = pattern(damping, &r, &[])
+                .into_iter()
+                .map(|(row, x)| (row, -x));
+            let pattern: Along = along.collect();
+            if !pattern.is_empty() {
+                let signal = Arc::new(Signal::Motion(motion, Quantity::Velocity));
+                self.loads.push(Load { pattern, signal });
+            }
+        }
+    }
+
     /// Takes the supports out of the equations. Before, rows of matrices and places of contacts from the number of nodes on are
     /// those of the supports in this order.
     pub fn prescribe(&mut self, motions: Vec<(String, Arc<Motion>)>) {
@@ -76,7 +113,12 @@ impl Structure {
         let count = motions.len();
         let [mass, damping, stiffness] =
             [&self.coupled_mass, &self.damping, &self.stiffness].map(|all| Split::new(all, n));
-        let carried = carried(self, &stiffness, count);
+        let mut carried = carried(self, &stiffness, count);
+        for (r, (_, motion)) in carried.iter_mut().zip(&motions) {
+            if motion.is_by_displacement() {
+                r.fill(0.0);
+            }
+        }
         if let Some(observed) = &mut self.observed {
             observed.reactions = (0..count)
                 .map(|s| Reaction {

@@ -276,7 +276,7 @@ impl<'a, const L: usize> Average<'a, L> {
                 true => Vec::new(),
                 false => vec![zero; n + 1],
             },
-            moving: Moving::new(cases, dt),
+            moving: Moving::new(cases, dt, &prepared.method),
             two_limits: StaticFriction::new(cases),
         };
         state.touch();

@@ -4,7 +4,7 @@
 //! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact. In an explicit method r' does not depend on
 //! the forces: there y and a are those of rdot' = y - a S.
 
-use super::curved_contact::{Contact, Memory};
+use super::curved_contact::{Contact, Memory, has_three_points};
 use super::curved_group::{Group, Groups, grouped, groups, of_masses};
 use super::curved_plane::{self};
 use super::curved_step::{Motion, Scale, explicit_line, line};
@@ -43,7 +43,9 @@ impl Curved {
     ) -> Option<Curved> {
         let mut contacts = structure.contacts.iter();
         let chains = structure.chains();
-        let any = !chains.is_empty() || contacts.any(|contact| contact.law.is_curved());
+        let any = !chains.is_empty()
+            || contacts.any(|contact| contact.law.is_curved())
+            || structure.has_massless_dampers();
         any.then(|| Curved::of_all(structure, &chains, flexibility, pace, dt))
     }
 
@@ -113,6 +115,7 @@ impl Curved {
                 bounds: law.properties().bounds(),
                 two_limits: false,
                 plane: curved_plane::first(structure, i, limit, scale, own),
+                before: None,
                 relation,
                 motion: Motion::default(),
                 terms: [0.0; 2],
@@ -162,7 +165,11 @@ impl Curved {
             let law = contact.relation.law(limit);
             // Another contact in series may be as soft as it likes.
             let own = if group.is_chain() { SOFT } else { contact.own };
-            law.properties().has_one_root(&contact.scale.steps(own)[0])
+            let later = match has_three_points(&contact.relation, contact.scale) {
+                true => contact.scale.by_three_points(),
+                false => contact.scale,
+            };
+            law.properties().has_one_root(&later.steps(own)[0])
         };
         let mut groups = self.groups.iter();
         !groups.all(|group| group.contacts().all(|i| has_one(group, &self.contacts[i])))
@@ -203,7 +210,8 @@ impl Curved {
 
     /// Lets the laws remember this, with their present limits and flexibilities.
     pub(crate) fn recall(&mut self, all: impl Iterator<Item = Memory>) {
-        for (contact, (law, memory)) in self.contacts.iter_mut().zip(all) {
+        for (contact, (law, memory, before)) in self.contacts.iter_mut().zip(all) {
+            contact.follow_from(before);
             contact.law = law;
             if let (Some(plane), Some(memory)) = (&mut contact.plane, memory) {
                 plane.memory = memory;
@@ -245,7 +253,8 @@ impl Curved {
             for i in group.contacts() {
                 let contact = &mut self.contacts[i];
                 if contact.scale.is_massless {
-                    contact.motion.rate = contact.motion.change / contact.scale.dt;
+                    let change = contact.motion.change;
+                    contact.motion.rate = contact.scale.massless_rate(change, contact.before);
                 }
                 if !group.is_chain() {
                     contact.begin();

@@ -1,7 +1,7 @@
 //! A contact with a law that is not a clipped line, over a step.
 
 use super::curved_plane::Plane;
-use super::curved_step::{Motion, ROUND_OFF, Scale, trial};
+use super::curved_step::{Motion, ROUND_OFF, Scale, line, trial};
 use crate::contact::plane::PlaneMemory;
 use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial};
 use crate::lane::Lane;
@@ -29,16 +29,36 @@ pub(crate) struct Contact {
     pub(crate) terms: [f64; 2],
     /// r at the end of the step.
     pub(crate) displacement: f64,
+    /// The mean rdot of the step before, if three points give rdot'.
+    pub(crate) before: Option<f64>,
     /// The law of both directions of a contact in a plane, beside the first one.
     pub(crate) plane: Option<Plane>,
 }
 
-/// What the law of a contact remembers, also of a contact in a plane.
-pub(crate) type Memory = (AnyRunningLaw<1>, Option<PlaneMemory>);
+/// What the law of a contact remembers, also of a contact in a plane, and its mean rdot over the last step.
+pub(crate) type Memory = (AnyRunningLaw<1>, Option<PlaneMemory>, Option<f64>);
+
+/// Whether three points give rdot' of a contact at a node without mass: of laws that are smooth in it. Others know only its sign, which
+/// must be that of r' - r.
+pub(crate) fn has_three_points(law: &StructureLaw, scale: Scale) -> bool {
+    let is_smooth = law.as_given().of_velocity() || law.kind() == ContactKind::Impact;
+    scale.is_massless && !scale.is_explicit() && is_smooth && !law.is_rigid() && law.row().is_none()
+}
 
 impl Contact {
     pub(crate) fn memory(&self) -> Memory {
-        (self.law, self.plane.map(|plane| plane.memory))
+        let plane = self.plane.map(|plane| plane.memory);
+        (self.law, plane, self.before)
+    }
+
+    /// Takes the mean rdot of the step before, from which on three points give rdot'.
+    pub(crate) fn follow_from(&mut self, before: Option<f64>) {
+        if before.is_some() && self.before.is_none() {
+            self.scale = self.scale.by_three_points();
+            self.law.change(&self.now, &self.scale.steps(self.own));
+            self.line = line(&self.relation, self.scale.pace);
+        }
+        self.before = before;
     }
 
     /// Takes the motion of a step.
@@ -199,6 +219,9 @@ impl Contact {
             trial.change = Lane([-self.motion.displacement]);
         }
         ContactResponse::force(&mut self.law, 0, &trial);
+        if has_three_points(&self.relation, self.scale) {
+            self.follow_from(Some((y - self.own * force) / self.scale.dt));
+        }
     }
 
     /// Whether this is the end of an impact that overlaps by round-off only. Its closing speed would be round-off, too, and a law

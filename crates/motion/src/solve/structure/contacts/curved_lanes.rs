@@ -8,11 +8,13 @@ use crate::contact::Unsolved;
 use crate::lane::Lane;
 use crate::system::structure::Structure;
 
-/// Whether a structure has such a contact, or contacts in series.
+/// Whether a structure has such a contact, contacts in series, or contacts that follow the velocity of nodes without mass.
 pub(crate) fn any_curved<const L: usize>(cases: &[&Structure; L]) -> bool {
     let mut contacts = cases.iter().flat_map(|case| &case.contacts);
     contacts.any(|contact| contact.law.is_curved())
-        || cases.iter().any(|case| !case.chains().is_empty())
+        || cases
+            .iter()
+            .any(|case| !case.chains().is_empty() || case.has_massless_dampers())
 }
 
 /// The contacts of each lane that has such a law; empty if no lane has. `forces` leaves these lanes out. A lane with a law that may

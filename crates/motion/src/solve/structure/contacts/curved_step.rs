@@ -10,9 +10,12 @@ pub(crate) struct Scale {
     /// Change of rdot' for a unit of r'; infinite in an explicit method.
     pub(crate) pace: f64,
     pub(crate) dt: f64,
-    /// Whether a node of the contact has no mass, and so no velocity: rdot' is (r' - r)/dt.
+    /// Whether a node of the contact has no mass, and so no velocity: rdot' follows from r at the steps.
     pub(crate) is_massless: bool,
 }
+
+/// dt rdot' of a contact at a node without mass by the backward difference of three points: this times r' - r less half of r - r(i-1).
+const THREE_POINTS: f64 = 1.5;
 
 /// The motion of a contact over a step without the forces at its end.
 #[derive(Debug, Clone, Copy, Default)]
@@ -52,6 +55,20 @@ impl Motion {
 impl Scale {
     pub(crate) fn is_explicit(self) -> bool {
         self.pace == f64::INFINITY
+    }
+
+    /// The same after a step, for a law that follows the velocity of nodes without mass by three points.
+    pub(crate) fn by_three_points(self) -> Scale {
+        Scale {
+            pace: THREE_POINTS / self.dt,
+            ..self
+        }
+    }
+
+    /// rdot' of a contact at a node without mass that changes by this; `before` is (r - r(i-1))/dt if three points give it.
+    pub(crate) fn massless_rate(self, change: f64, before: Option<f64>) -> f64 {
+        let own = change / self.dt;
+        before.map_or(own, |before| THREE_POINTS * own - 0.5 * before)
     }
 
     /// The y without forces: r* - r(i), or rdot*.

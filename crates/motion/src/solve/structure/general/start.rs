@@ -50,7 +50,7 @@ impl<'a, const L: usize> General<'a, L> {
             Forces::new(&linear.flexibility, of)
         });
         let mut forces: Vec<_> = forces.collect();
-        let moving = Moving::new(cases, prepared.dt / parts.len() as f64);
+        let moving = Moving::new(cases, prepared.dt, &prepared.method);
         let mut stage = Stage {
             nodes: vec![[zero; 3]; n + 1],
             contacts: vec![[zero; 3]; m],

@@ -66,6 +66,7 @@ impl<const L: usize> Inputs<L> {
         weights: &[[f64; 2]],
     ) -> Self {
         let parts = weights.len();
+        let load_weights = prepared.method.load_weights();
         let (dt, count) = (prepared.dt / parts as f64, steps * parts);
         let (mut inputs, signals) = Inputs::at(cases, prepared, dt, count);
         for signal in signals {
@@ -80,7 +81,17 @@ impl<const L: usize> Inputs<L> {
                 let [w0, w1] = weights[start % parts];
                 w0 * after[start] + w1 * before[end]
             });
-            inputs.weighted.push(weighted.collect());
+            let mut weighted: Vec<f64> = weighted.collect();
+            // A load in one step alone has the impulse of its mean over all sub-steps.
+            for (step, mean) in signal.exact_means(prepared.dt, steps) {
+                let start = (step - 1) * parts;
+                let ends = std::iter::once(after[start]).chain(before[start + 1..].iter().copied());
+                let of_ends = load_weights.iter().zip(ends);
+                let missed = mean - of_ends.map(|(weight, load)| weight * load).sum::<f64>();
+                let own = &mut weighted[start + 1..=start + parts];
+                own.iter_mut().for_each(|load| *load += missed);
+            }
+            inputs.weighted.push(weighted);
         }
         // Most loads never jump.
         if inputs.jumps.iter().flatten().all(|jump| *jump == 0.0) {

@@ -1,6 +1,7 @@
 //! Supports that move: where they are at the ends of steps, and what that does to gaps and nodes.
 
 use crate::lane::Lane;
+use crate::methods::Method;
 use crate::system::structure::{Motion, Structure};
 use std::sync::Arc;
 
@@ -9,6 +10,8 @@ use std::sync::Arc;
 pub(crate) struct Moving<const L: usize> {
     /// Length of the steps, or sub-steps, that [`Moving::advance`] counts.
     dt: f64,
+    /// [`Method::load_weights`].
+    weights: Vec<f64>,
     supports: Vec<Support<L>>,
     /// The supports that move the gap of each contact, with r for a unit of u_s.
     factors: Vec<Vec<(usize, Lane<L>)>>,
@@ -24,13 +27,15 @@ struct Support<const L: usize> {
     found: [usize; L],
     /// u, v and a.
     now: [Lane<L>; 3],
+    /// What v at the ends of sub-steps misses of the mean velocity of an imposed displacement over the step.
+    missed: Lane<L>,
     /// Its column of R, by nodes as in the structure.
     carried: Vec<Lane<L>>,
 }
 
 impl<const L: usize> Moving<L> {
     /// The supports at t = 0; `None` without any.
-    pub(crate) fn new(cases: &[&Structure; L], dt: f64) -> Option<Moving<L>> {
+    pub(crate) fn new(cases: &[&Structure; L], dt: f64, method: &Method) -> Option<Moving<L>> {
         let count = cases[0].supports.len();
         if count == 0 {
             return None;
@@ -47,6 +52,7 @@ impl<const L: usize> Moving<L> {
             motions: cases.map(|case| case.supports[s].motion.clone()),
             found: [0; L],
             now: [Lane::splat(0.0); 3],
+            missed: Lane::splat(0.0),
             carried: (0..nodes)
                 .map(|node| lanes(&|case| case.supports[s].carried[node]))
                 .collect(),
@@ -57,7 +63,8 @@ impl<const L: usize> Moving<L> {
         };
         let zero = [Lane::splat(0.0); 2];
         let mut moving = Moving {
-            dt,
+            dt: dt / method.count_of_sub_steps() as f64,
+            weights: method.load_weights(),
             supports: supports.collect(),
             factors: (0..contacts).map(factors).collect(),
             start: vec![zero; contacts],
@@ -76,14 +83,18 @@ impl<const L: usize> Moving<L> {
                 for (now, value) in support.now.iter_mut().zip(values) {
                     now.0[l] = value;
                 }
+                if motion.is_by_displacement() {
+                    support.missed.0[l] = missed(motion, end, self.dt, &self.weights);
+                }
             }
         }
         std::mem::swap(&mut self.start, &mut self.end);
         for (gap, factors) in self.end.iter_mut().zip(&self.factors) {
             *gap = [Lane::splat(0.0); 2];
             for (support, factor) in factors {
-                let [u, v, _] = self.supports[*support].now;
-                *gap = [gap[0] + u * *factor, gap[1] + v * *factor];
+                let Support { now, missed, .. } = &self.supports[*support];
+                let [u, v, _] = *now;
+                *gap = [gap[0] + u * *factor, gap[1] + (v + *missed) * *factor];
             }
         }
     }
@@ -122,4 +133,20 @@ impl<const L: usize> Moving<L> {
         let ([g0, v0], [g1, v1]) = (self.start[contact], self.end[contact]);
         [(g1 - g0) - v0 * self.dt, (v1 - v0) * (0.5 * self.dt)]
     }
+}
+
+/// What v at the ends of sub-steps of `dt` misses of the mean velocity over the step with the sub-step that ends at `end`.
+#[cold]
+fn missed(motion: &Motion, end: usize, dt: f64, weights: &[f64]) -> f64 {
+    let parts = weights.len() - 1;
+    let Some(before) = end.checked_sub(1) else {
+        return 0.0;
+    };
+    let start = before / parts * parts;
+    let at = |number: usize| motion.at(number as f64 * dt);
+    let mean = (at(start + parts)[0] - at(start)[0]) / (parts as f64 * dt);
+    let ends = weights.iter().zip(start..);
+    mean - ends
+        .map(|(weight, number)| weight * at(number)[1])
+        .sum::<f64>()
 }

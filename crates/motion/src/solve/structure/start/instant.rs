@@ -4,6 +4,7 @@
 //! the displacement move it there at once; contacts that follow the velocity hold its place and move it at the rate of their force. Both
 //! are the answers of the laws to a step of the nodes without mass alone whose time is far shorter than that of the motion.
 
+use super::damped::move_damped;
 use crate::contact::ContactKind;
 use crate::solve::Unsolvable;
 use crate::solve::structure::contacts::curved::Curved;
@@ -16,11 +17,17 @@ use crate::system::structure::{Chain, Structure};
 const ROUNDS: usize = 20;
 
 /// Moves the nodes without mass to their equilibrium with the contacts, and keeps the forces of these contacts and what their laws
-/// remember. The state of all others stays.
+/// remember. Nodes without mass at dashpots get the velocity of their equilibrium. The state of all others stays.
 ///
 /// # Errors
 /// The contacts have no forces.
 pub fn balance(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
+    meet(structure, dt)?;
+    move_damped(structure);
+    Ok(())
+}
+
+fn meet(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     let massless = structure.massless();
     let touches = |contact: &usize| {
         // Both directions of a plane go together.

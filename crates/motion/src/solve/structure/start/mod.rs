@@ -1,5 +1,6 @@
 //! Equilibrium under static loads, and the forces at t = 0.
 
+mod damped;
 pub(crate) mod equilibrium;
 pub(crate) mod initial;
 pub(crate) mod instant;

@@ -1,10 +1,12 @@
 //! Tests of the stepper.
 
 mod at_rest;
+mod between_steps;
 mod bodies;
 mod books;
 mod carried;
 mod curved;
+mod dampers;
 mod dense;
 mod lanes;
 mod large;

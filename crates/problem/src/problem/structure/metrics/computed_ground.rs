@@ -16,7 +16,7 @@ use crate::system::structure::{Quantity, Signal, Table};
 use std::f64::consts::PI;
 
 /// Share of the peak, of the Arias intensity and of the target of a motion that is to be computed.
-const ENOUGH: f64 = 0.95;
+pub const ENOUGH: f64 = 0.95;
 
 /// The steps of a case: their length and the number of the last one.
 #[derive(Debug, Clone, Copy)]
@@ -29,7 +29,7 @@ pub struct Steps {
 
 impl Steps {
     /// The times of all steps, 0 included.
-    fn times(self) -> impl Iterator<Item = f64> {
+    pub fn times(self) -> impl Iterator<Item = f64> {
         (0..=self.last).map(move |i| i as f64 * self.dt)
     }
 }

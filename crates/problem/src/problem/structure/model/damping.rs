@@ -7,8 +7,15 @@ use nalgebra::{DMatrix, SymmetricEigen};
 pub const MOST_MODES: usize = 1000;
 
 /// Adds C = M sum 2 ratio omega_k phi_k phi_k^T M of all modes of M and this K; `None` if there are too many nodes, or M is not
-/// positive definite. Nodes without mass get none.
+/// positive definite. Nodes without mass get none. It acts on the motion beside what nodes follow supports at rest.
 pub fn add_modal(structure: &mut Structure, stiffness: &Symmetric, ratio: f64) -> Option<()> {
+    let damping = modal(structure, stiffness, ratio)?;
+    structure.damp_beside_supports(&damping);
+    Some(())
+}
+
+fn modal(structure: &Structure, stiffness: &Symmetric, ratio: f64) -> Option<Symmetric> {
+    let mut damping = Symmetric::zeros(structure.len());
     let modes = modes(structure, stiffness)?;
     let (nodes, omega2) = (&modes.nodes, &modes.omega2);
     let shapes = match &modes.root {
@@ -24,10 +31,10 @@ pub fn add_modal(structure: &mut Structure, stiffness: &Symmetric, ratio: f64) -
                             * modes.shapes[(j, k)]
                     });
                     let c = roots[i] * roots[j] * terms.sum::<f64>();
-                    structure.damping.add(*node, nodes[j], c);
+                    damping.add(*node, nodes[j], c);
                 }
             }
-            return Some(());
+            return Some(damping);
         }
         Some(root) => root * &modes.shapes,
     };
@@ -35,10 +42,10 @@ pub fn add_modal(structure: &mut Structure, stiffness: &Symmetric, ratio: f64) -
         for j in 0..=i {
             let terms = (0..nodes.len())
                 .map(|k| 2.0 * ratio * omega2[k].max(0.0).sqrt() * shapes[(i, k)] * shapes[(j, k)]);
-            structure.damping.add(*node, nodes[j], terms.sum::<f64>());
+            damping.add(*node, nodes[j], terms.sum::<f64>());
         }
     }
-    Some(())
+    Some(damping)
 }
 
 /// The modes of the nodes with mass. The others follow them, K_ss u_s = -K_sr u_r.

@@ -9,7 +9,11 @@ use libm::{cos, sin};
 /// Between the points of a table the acceleration is straight, v a parabola and u a cubic. The acceleration of a table is that of a
 /// ground with the same table: constant before its first point and after its last one, but 0 before the start.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Motion(Course);
+pub struct Motion {
+    course: Course,
+    /// Whether it is given by displacements, which may change a lot within a step.
+    by_displacement: bool,
+}
 
 #[derive(Debug, Clone, PartialEq)]
 enum Course {
@@ -66,8 +70,11 @@ impl Motion {
             // No study has the motion of a support as a function of time.
             Signal::Motion(..) => return Err(MotionFault::NotFinite),
         };
-        let motion = Motion(course);
-        let end = match &motion.0 {
+        let motion = Motion {
+            course,
+            by_displacement: false,
+        };
+        let end = match &motion.course {
             Course::Sine { start, .. } => motion.at(*start),
             Course::Pieces(pieces) => pieces.last().map_or([0.0; 3], |last| last.at(last.time)),
         };
@@ -125,14 +132,22 @@ impl Motion {
             .iter()
             .all(|piece| piece.values.iter().all(|x| x.is_finite()));
         match finite {
-            true => Ok(Motion(Course::Pieces(pieces))),
+            true => Ok(Motion {
+                course: Course::Pieces(pieces),
+                by_displacement: true,
+            }),
             false => Err(MotionFault::NotFinite),
         }
     }
 
+    /// Whether the motion is given by displacements: nodes then do not follow it at rest ([`super::super::Structure::prescribe`]).
+    pub fn is_by_displacement(&self) -> bool {
+        self.by_displacement
+    }
+
     /// u, v and a at time t; where a jumps, the value from then on.
     pub fn at(&self, t: f64) -> [f64; 3] {
-        match &self.0 {
+        match &self.course {
             Course::Sine {
                 amplitude,
                 omega,
@@ -157,7 +172,7 @@ impl Motion {
 
     /// u, v and a at a time that is not before the one for which `found` was written last; 0 at first.
     pub fn at_later(&self, t: f64, found: &mut usize) -> [f64; 3] {
-        let Course::Pieces(pieces) = &self.0 else {
+        let Course::Pieces(pieces) = &self.course else {
             return self.at(t);
         };
         let passed = pieces[*found..].iter().take_while(|piece| piece.time <= t);
@@ -173,7 +188,7 @@ impl Motion {
 
     /// The times from which on the motion has another form.
     pub fn points(&self) -> Vec<f64> {
-        match &self.0 {
+        match &self.course {
             Course::Sine { start, .. } => vec![*start],
             Course::Pieces(pieces) => pieces.iter().map(|piece| piece.time).collect(),
         }
@@ -181,7 +196,7 @@ impl Motion {
 
     /// The time up to which the support is at rest.
     pub fn start(&self) -> f64 {
-        match &self.0 {
+        match &self.course {
             Course::Sine { start, .. } => *start,
             Course::Pieces(pieces) => pieces.first().map_or(0.0, |piece| piece.time),
         }
@@ -190,7 +205,7 @@ impl Motion {
     /// Times after 0 at which a jumps, with the values before and after.
     pub fn jumps(&self) -> Vec<(f64, [f64; 2])> {
         let acceleration = |time: f64| self.at(time)[2];
-        let all = match &self.0 {
+        let all = match &self.course {
             Course::Sine { start, .. } => vec![(*start, [0.0, acceleration(*start)])],
             Course::Pieces(pieces) => {
                 let first = pieces.iter().take(1);
@@ -211,7 +226,7 @@ impl Motion {
 
     /// The circular frequency of a sine; 0 of other motions.
     pub fn omega(&self) -> f64 {
-        match &self.0 {
+        match &self.course {
             Course::Sine { omega, .. } => *omega,
             Course::Pieces(_) => 0.0,
         }
@@ -224,7 +239,7 @@ impl Motion {
         for (to, x) in derivatives.iter_mut().zip([u, v, a]) {
             *to = x;
         }
-        match &self.0 {
+        match &self.course {
             Course::Sine {
                 amplitude,
                 omega,

@@ -121,14 +121,18 @@ impl Signal {
         }
     }
 
-    /// Means over the step that ends at 0, dt, .. steps dt, by the values at both ends of the step; the first one has no
-    /// meaning.
+    /// Means over the step that ends at 0, dt, .. steps dt; the first one has no meaning. They are by the values at both ends, and
+    /// exact for the steps of [`Signal::exact_means`].
     pub fn step_means(&self, dt: f64, steps: usize) -> Vec<f64> {
         let [before, after] = self.step_ends(dt, steps);
         let pairs = std::iter::once(after[0])
             .chain(after.iter().copied())
             .zip(before);
-        pairs.map(|(start, end)| 0.5 * (start + end)).collect()
+        let mut means: Vec<f64> = pairs.map(|(start, end)| 0.5 * (start + end)).collect();
+        for (step, mean) in self.exact_means(dt, steps) {
+            means[step] = mean;
+        }
+        means
     }
 
     /// The values at 0, dt, .. steps dt for the steps that end there, and for those that start there. Where a table jumps, the
@@ -151,24 +155,24 @@ impl Signal {
 
     /// The values at 0, dt, .. steps dt, as [`Signal::at`] gives them.
     pub fn at_steps(&self, dt: f64, steps: usize) -> Vec<f64> {
-        let times = (0..=steps).map(|i| i as f64 * dt);
+        let mut value = self.rising();
+        (0..=steps).map(|i| value(i as f64 * dt)).collect()
+    }
+
+    /// [`Signal::at`] for times that rise from call to call, so that no search is needed.
+    pub(crate) fn rising(&self) -> Box<dyn FnMut(f64) -> f64 + '_> {
+        let mut found = 0;
         match self {
-            Signal::Sine { .. } => times.map(|t| self.at(t)).collect(),
-            Signal::Table(table) => {
-                let mut after = 0;
-                let value = |t| {
-                    // Times rise, so that no search is needed.
-                    after += table.times[after..]
-                        .iter()
-                        .take_while(|time| **time <= t)
-                        .count();
-                    table.after(after, t)
-                };
-                times.map(value).collect()
-            }
+            Signal::Sine { .. } => Box::new(|t| self.at(t)),
+            Signal::Table(table) => Box::new(move |t| {
+                found += table.times[found..]
+                    .iter()
+                    .take_while(|time| **time <= t)
+                    .count();
+                table.after(found, t)
+            }),
             Signal::Motion(motion, quantity) => {
-                let all = motion.at_steps(dt, steps).into_iter();
-                all.map(|values| values[*quantity as usize]).collect()
+                Box::new(move |t| motion.at_later(t, &mut found)[*quantity as usize])
             }
         }
     }

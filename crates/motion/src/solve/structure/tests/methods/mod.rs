@@ -15,7 +15,7 @@ use crate::methods::{
 use crate::solve::structure::{Books, Prepared, State, run};
 
 /// Every method but constant average acceleration, with its name.
-fn methods() -> [(&'static str, Method); 9] {
+pub(super) fn methods() -> [(&'static str, Method); 9] {
     let family = Method::Family;
     [
         (
