@@ -5,7 +5,7 @@
 //! the forces: there y and a are those of rdot' = y - a S.
 
 use super::curved_contact::{Contact, Memory, has_three_points};
-use super::curved_group::{Group, Groups, grouped, groups, of_masses};
+use super::curved_group::{Group, Groups, LastShares, grouped, groups, of_masses};
 use super::curved_plane::{self};
 use super::curved_step::{Motion, Scale, explicit_line, line};
 use super::static_friction::Bound;
@@ -21,6 +21,8 @@ pub(crate) struct Curved {
     contacts: Vec<Contact>,
     /// Contacts in series answer together.
     groups: Vec<Group>,
+    /// The last answer of each group that is a chain, in this step.
+    shares: Vec<LastShares>,
     /// Of the groups: a, and the numbers of a step.
     own: Vec<f64>,
     d: Vec<f64>,
@@ -120,6 +122,7 @@ impl Curved {
                 motion: Motion::default(),
                 terms: [0.0; 2],
                 displacement: 0.0,
+                change: 0.0,
             }
         };
         let contacts = contacts.iter().enumerate().map(contact).collect();
@@ -131,6 +134,7 @@ impl Curved {
             own: (0..groups.len()).map(|g| forces.flexibility(g)).collect(),
             forces,
             force: vec![0.0; m],
+            shares: groups.iter().map(|_| LastShares::default()).collect(),
             groups,
         }
     }
@@ -260,6 +264,7 @@ impl Curved {
                     contact.begin();
                 }
             }
+            self.shares[g] = LastShares::default();
             self.d[g] = group.sum(&self.contacts, |contact| {
                 contact.scale.free(&contact.motion)
             });
@@ -271,6 +276,7 @@ impl Curved {
                 contacts: &self.contacts,
                 groups: &self.groups,
                 own: &self.own,
+                shares: &self.shares,
             };
             self.forces
                 .solve(&self.d, &self.size, &groups, &mut self.together)?;
@@ -287,7 +293,10 @@ impl Curved {
             match group.row(&self.contacts) {
                 None => {
                     let force = self.together[g];
-                    group.end((y, self.own[g], force), &mut self.contacts, &mut self.force);
+                    let shares = group
+                        .is_chain()
+                        .then(|| group.share(y, self.own[g], &self.contacts, &self.shares[g]));
+                    group.end((y, force, shares), &mut self.contacts, &mut self.force);
                 }
                 Some(PlaneRow::First) => {
                     let y = [y, self.forces.argument(g + 1)];

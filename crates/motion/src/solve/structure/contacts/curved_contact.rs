@@ -27,8 +27,9 @@ pub(crate) struct Contact {
     pub(crate) motion: Motion,
     /// The largest sizes of the terms of r and rdot so far.
     pub(crate) terms: [f64; 2],
-    /// r at the end of the step.
+    /// r at the end of the step, and its change.
     pub(crate) displacement: f64,
+    pub(crate) change: f64,
     /// The mean rdot of the step before, if three points give rdot'.
     pub(crate) before: Option<f64>,
     /// The law of both directions of a contact in a plane, beside the first one.
@@ -219,8 +220,9 @@ impl Contact {
             trial.change = Lane([-self.motion.displacement]);
         }
         ContactResponse::force(&mut self.law, 0, &trial);
+        self.change = y - self.own * force;
         if has_three_points(&self.relation, self.scale) {
-            self.follow_from(Some((y - self.own * force) / self.scale.dt));
+            self.follow_from(Some(self.change / self.scale.dt));
         }
     }
 

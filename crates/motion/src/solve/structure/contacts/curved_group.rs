@@ -7,6 +7,7 @@ use super::series::{Part, Series, Shares};
 use crate::contact::coupled::curved::{Directions, Laws};
 use crate::contact::plane::{Pair, PlaneMemory};
 use crate::system::structure::{Chain, PlaneRow, Structure};
+use std::cell::RefCell;
 
 /// A contact, or a chain of links.
 #[derive(Debug, Clone)]
@@ -120,19 +121,18 @@ impl Group {
         }
     }
 
-    /// The end of the step with this y, the group's a and its force; the forces of its contacts are that of the group, or written to
-    /// `forces`.
+    /// The end of the step with this y and force, and of a chain with its shares; the forces of its contacts are that of the group, or
+    /// written to `forces`.
     pub(crate) fn end(
         &self,
-        (y, own, force): (f64, f64, f64),
+        (y, force, shares): (f64, f64, Option<Shares>),
         contacts: &mut [Contact],
         forces: &mut [f64],
     ) {
-        if !self.is_chain() {
+        let Some(Shares { force, changes }) = shares else {
             contacts[self.first()].end(y, force);
             return;
-        }
-        let Shares { force, changes } = self.share(y, own, contacts);
+        };
         let terms: f64 = self.contacts().map(|i| contacts[i].terms[0]).sum();
         let round_off = ROUND_OFF * self.size(contacts).max(terms);
         for (members, change) in self.0.iter().zip(changes) {
@@ -173,11 +173,30 @@ impl Group {
         }
     }
 
-    /// The force of a chain and the changes of its links, in its own signs.
-    fn share(&self, y: f64, own: f64, contacts: &[Contact]) -> Shares {
+    /// The force of a chain and the changes of its links, in its own signs. `last` has the last ones of the same step.
+    pub(crate) fn share(
+        &self,
+        y: f64,
+        own: f64,
+        contacts: &[Contact],
+        last: &LastShares,
+    ) -> Shares {
+        let mut last = last.0.borrow_mut();
+        match &*last {
+            Some((of, shares)) if *of == y => shares.clone(),
+            _ => {
+                let shares = self.find(y, own, contacts);
+                *last = Some((y, shares.clone()));
+                shares
+            }
+        }
+    }
+
+    fn find(&self, y: f64, own: f64, contacts: &[Contact]) -> Shares {
         let part = |members: &Link| Part {
             own: link::own(members, contacts),
             bounds: link::bounds(members, contacts),
+            change: link::change(members, contacts),
         };
         let parts: Vec<Part> = self.0.iter().map(part).collect();
         let answer = |place: usize, y: f64| link::answer(&self.0[place], y, contacts);
@@ -191,12 +210,25 @@ impl Group {
     }
 }
 
+/// The last y of a chain in a step and its answer, for which the search asks more than once.
+#[derive(Debug, Default)]
+pub(crate) struct LastShares(RefCell<Option<(f64, Shares)>>);
+
 /// The groups over a step.
 pub(crate) struct Groups<'a> {
     pub(crate) contacts: &'a [Contact],
     pub(crate) groups: &'a [Group],
     /// a of each.
     pub(crate) own: &'a [f64],
+    /// The last answer of each.
+    pub(crate) shares: &'a [LastShares],
+}
+
+impl Groups<'_> {
+    fn share(&self, group: usize, y: f64) -> Shares {
+        let (own, last) = (self.own[group], &self.shares[group]);
+        self.groups[group].share(y, own, self.contacts, last)
+    }
 }
 
 /// J(y) of a contact in a plane by its first direction, and what its law remembers then.
@@ -232,7 +264,7 @@ impl Laws for Groups<'_> {
         let own = &self.groups[group];
         match own.is_chain() {
             false => self.contacts[own.first()].answer(y),
-            true => own.share(y, self.own[group], self.contacts).force,
+            true => self.share(group, y).force,
         }
     }
 
@@ -241,7 +273,7 @@ impl Laws for Groups<'_> {
         if !own.is_chain() {
             return self.contacts[own.first()].compliance(y, force, width);
         }
-        let Shares { force, changes } = own.share(y, self.own[group], self.contacts);
+        let Shares { force, changes } = self.share(group, y);
         let links = own.0.iter().zip(changes);
         links
             .map(|(own, change)| link::compliance(own, change, force, width, self.contacts))

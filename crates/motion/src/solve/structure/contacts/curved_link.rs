@@ -41,6 +41,12 @@ pub(crate) fn own(link: &[(usize, f64)], contacts: &[Contact]) -> f64 {
     }
 }
 
+/// The change of a link in the step before.
+pub(crate) fn change(link: &[(usize, f64)], contacts: &[Contact]) -> f64 {
+    let (i, sign) = leader(link);
+    sign * contacts[i].change
+}
+
 /// S of a link at the start of the step.
 pub(crate) fn force(link: &[(usize, f64)], contacts: &[Contact]) -> f64 {
     let terms = link

@@ -19,6 +19,8 @@ pub(crate) struct Part {
     pub(crate) own: f64,
     /// The bounds of its force.
     pub(crate) bounds: [f64; 2],
+    /// Its change in the step before, from which a search begins.
+    pub(crate) change: f64,
 }
 
 /// Contacts in series with their answers J_i.
@@ -203,6 +205,7 @@ impl Series<'_> {
         let Part {
             own,
             bounds: [low, high],
+            ..
         } = self.parts[part];
         if upper && force >= high {
             return f64::INFINITY;
@@ -269,6 +272,7 @@ mod tests {
         let parts = [0, 1, 2].map(|i| Part {
             own: [0.1, 7.0, 1.0][i],
             bounds: [f64::NEG_INFINITY, if i < 2 { 0.0 } else { f64::INFINITY }],
+            change: 0.0,
         });
         let answer = |i: usize, y: f64| {
             let force = y / (1.0 / k[i] + parts[i].own);
@@ -303,6 +307,7 @@ mod tests {
         let parts = [1e-6, 2e-6].map(|own| Part {
             own,
             bounds: [f64::NEG_INFINITY, f64::INFINITY],
+            change: 0.0,
         });
         let answer = |i: usize, y: f64| match i {
             0 => limit * (1.0 - libm::exp(-y / length)),

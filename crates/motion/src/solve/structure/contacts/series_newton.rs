@@ -7,25 +7,36 @@ use super::series_root::NEAR;
 const STEPS: usize = 12;
 const WIDTH: f64 = 1e-7;
 
+/// A slope is at least this part of the largest one: a contact that slides has the change that the others leave.
+const LEVEL: f64 = 1e-8;
+
 impl Series<'_> {
     /// The answer by Newton's method from the state of the step before, if it gets there.
     pub(crate) fn newton(&self, y: f64, guess: f64, [low, high]: [f64; 2]) -> Option<Shares> {
-        let mut places: Vec<f64> = self.parts.iter().map(|part| part.own * guess).collect();
+        let places = self.parts.iter().map(|part| part.own * guess + part.change);
+        let mut places: Vec<f64> = places.collect();
         let own: f64 = self.parts.iter().map(|part| part.own).sum();
         let mut answers = vec![[0.0; 2]; places.len()];
         for _ in 0..STEPS {
             let (mut flexibility, mut sum) = (self.own - own, y);
+            let mut steepest = 0.0;
             for (i, (place, answer)) in places.iter().zip(&mut answers).enumerate() {
                 let width = WIDTH * (self.size + place.abs());
-                let [before, force, after] =
-                    [place - width, *place, place + width].map(|y| (self.answer)(i, y));
-                let slope = (after - before) / (2.0 * width);
-                if slope.is_nan() || slope <= 0.0 {
+                let [force, after] = [*place, place + width].map(|y| (self.answer)(i, y));
+                let slope = (after - force) / width;
+                if slope.is_nan() || slope < 0.0 {
                     return None;
                 }
                 *answer = [force, slope];
-                flexibility += 1.0 / slope;
-                sum += force / slope - place;
+                steepest = f64::max(steepest, slope);
+            }
+            if steepest == 0.0 {
+                return None;
+            }
+            for (place, [force, slope]) in places.iter().zip(&mut answers) {
+                *slope = slope.max(LEVEL * steepest);
+                flexibility += 1.0 / *slope;
+                sum += *force / *slope - place;
             }
             let force = sum / flexibility;
             if !(low < force && force < high) {
