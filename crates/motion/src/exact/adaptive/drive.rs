@@ -100,6 +100,9 @@ impl<'a, F: Flow> Drive<'a, F> {
                 true => self.locate(h)?,
                 false => h,
             };
+            if event {
+                self.cross(taken);
+            }
             let reached = taken == rest;
             self.t = if reached { end } else { self.t + taken };
             self.y.copy_from_slice(&self.step.end);
@@ -176,6 +179,16 @@ impl<'a, F: Flow> Drive<'a, F> {
         let watched = self.flow.watch(self.t + h, &self.step.end);
         let mut pairs = watched.iter().zip(&self.sides);
         pairs.any(|(watched, side)| side * watched.value < -watched.least)
+    }
+
+    /// Takes the signs that end the step of `h`. Where a number is round-off once the law remembers this end, it has changed, too.
+    fn cross(&mut self, h: f64) {
+        let watched = self.flow.watch(self.t + h, &self.step.end);
+        for (side, watched) in self.sides.iter_mut().zip(watched) {
+            if !watched.one_sided && *side * watched.value < -watched.least {
+                *side = -*side;
+            }
+        }
     }
 
     /// The signs of the watched numbers; a number that is round-off keeps its sign.
