@@ -83,11 +83,11 @@ fn histories_have_a_row_for_each_step() {
         ]
     );
     let f = bench.text("o/f/histories/1.csv");
-    assert!(f.starts_with("T,X,V,S,X_exact,V_exact\n0,12,0,0,12,"));
+    assert!(f.starts_with("T,X,V,S,X_exact,V_exact\n0.0,12.0,0.0,0.0,12.0,"));
     assert_eq!(f.lines().count(), 1 + 81);
     let b = bench.text("o/b/histories/0.csv");
     assert!(
-        b.starts_with("t,r,rdot,force,r_exact,rdot_exact\n0,0,-1,0,0,"),
+        b.starts_with("t,r,rdot,force,r_exact,rdot_exact\n0.0,0.0,-1.0,0.0,0.0,"),
         "{b}"
     );
     let times: Vec<&str> = b
@@ -95,7 +95,7 @@ fn histories_have_a_row_for_each_step() {
         .skip(1)
         .filter_map(|l| l.split(',').next())
         .collect();
-    assert_eq!(times, ["0", "0.25", "0.5", "0.75", "1", "1.25", "1.5"]);
+    assert_eq!(times, ["0.0", "0.25", "0.5", "0.75", "1.0", "1.25", "1.5"]);
 }
 
 #[test]

@@ -48,7 +48,7 @@ fn the_tables_of_an_ensemble_are_those_of_its_cases() {
     assert!(
         rows(&two_samples)[1..]
             .iter()
-            .all(|row| row[1..4] == ["alpha", "0.1", "1"])
+            .all(|row| row[1..4] == ["alpha", "0.1", "1.0"])
     );
     let manifest = bench.text("figures/s/manifest.json");
     assert!(manifest.contains("quantiles.csv") && manifest.contains("two_samples.csv"));
