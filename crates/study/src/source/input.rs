@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
+use super::folder::hexadecimal;
 use super::place::{self, Texts};
 use super::setting::Setting;
 use super::tree::{self, Node};
@@ -88,8 +89,7 @@ impl Input {
             digest.update([0]);
             digest.update(setting.text());
         }
-        let bytes = digest.finalize();
-        bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+        hexadecimal(&digest.finalize())
     }
 }
 
