@@ -12,16 +12,16 @@ use crate::problem::numbers::parameter::shortest;
 use crate::run::{UnsolvedCases, cases_run, without_value};
 use crate::warnings::StudyWarnings;
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+/// Where `run` writes by default: results there that are of other files or versions are reported.
+const RESULTS: &str = "figures";
 
 /// The arguments of `slipgap check`.
 #[derive(Args)]
 pub struct CheckArgs {
     #[command(flatten)]
     studies: StudiesArgs,
-    /// Folder of earlier results; those of other files or versions are reported
-    #[arg(long, value_name = "DIR", default_value = "figures")]
-    out: PathBuf,
     #[command(flatten)]
     jobs: JobsArgs,
 }
@@ -30,7 +30,7 @@ impl CheckArgs {
     /// Tests the checks; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
         let studies = self.studies.read()?;
-        self.jobs.run(|| check(&studies, &self.out))
+        self.jobs.run(|| check(&studies))
     }
 }
 
@@ -41,10 +41,10 @@ struct Tested<'a> {
 }
 
 /// Runs the studies without writing files and prints the verdicts; returns the exit code.
-fn check(sources: &[Source], out: &Path) -> Result<u8, Error> {
+fn check(sources: &[Source]) -> Result<u8, Error> {
     let (mut all, mut all_solved) = (Vec::new(), true);
     for source in sources {
-        let results = out.join(&source.name);
+        let results = Path::new(RESULTS).join(&source.name);
         let differences = differences(&results, &source.study);
         if !differences.is_empty() {
             note(&source.line(&of_others(&results, &differences)));

@@ -240,7 +240,7 @@ mod tests {
         assert_eq!(known, [Some(0.0), None, None, Some(0.5), Some(1.0)]);
         // 25 over 2 500 of 1e-300, and more digits than 15.
         assert_eq!(Even::to(0.0, 2.5e-299, 2500).unwrap().at(7), Some(7e-302));
-        assert_eq!(Even::by(0.1, 1e-15).unwrap().at(1), None);
+        assert_eq!(Even::by(0.1, 1e-16).unwrap().at(1), None);
         assert_eq!(Even::by(1e-300, 1e300).map(|even| even.at(1)), None);
     }
 
