@@ -11,7 +11,7 @@ const STUDY: &str = r#"{"problem": "structure",
         "contacts": {"stop": {"law": "impact", "between": ["m", "ground"], "gap": 1, "k": 3}},
         "loads": [{"at": "m", "sine": {"amplitude": "f", "omega": 1}}], "start": {"m": {"v": "v"}}},
     "metrics": ["peak(m)", "peak(stop.S)", "impacts(stop)", "restitution(stop)"], "ensemble": ["v", "f"],
-    "reductions": ["max peak(stop.S) over v", "median impacts(stop) over v, f"],
+    "reductions": ["greatest peak(stop.S) over v", "median impacts(stop) over v, f"],
     "figures": [{"name": "p", "kind": "fragility", "x": "k", "y": "peak(m)", "limit": 1}]}"#;
 
 /// What a cell is: a whole number, a real one, or text.

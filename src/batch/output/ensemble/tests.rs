@@ -125,7 +125,9 @@ fn ensembles_are_compared_where_all_else_is_equal() {
     let many = format!(
         r#""parameters": {{"gamma": {{"linspace": [12, 1, 12]}}, "n": 4, {gap}, {REST}}}, "ensemble": "gap""#
     );
-    let expected: Vec<String> = (1..12).map(|i| format!("gamma {i}.0 {}.0 ", i + 1)).collect();
+    let expected: Vec<String> = (1..12)
+        .map(|i| format!("gamma {i}.0 {}.0 ", i + 1))
+        .collect();
     assert_eq!(pairs(&many), expected);
     // Ten values are all compared, 10 9/2 pairs; of eleven the ten neighbours.
     for (count, expected) in [(10, 45), (11, 10)] {
