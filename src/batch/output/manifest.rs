@@ -2,20 +2,17 @@
 //!
 //! During a run the manifest also lists the files that the run may write. The next run removes those of a killed run.
 
-use super::names::{HISTORIES, RESULTS, history_name};
-use super::origin::{differences, origin};
+use super::names::{HISTORIES, MANIFEST, history_name};
+use super::origin::{json_of, origin};
 use crate::batch::WarnedCases;
 use crate::batch::files::atomic::write_atomically;
-use crate::batch::files::place::{Entry, entries, is_file, read_file};
+use crate::batch::files::place::{Entry, entries, read_file};
 use serde_json::{Map, Value, json};
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 use std::collections::BTreeSet;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
-
-/// Name of the file.
-pub(super) const MANIFEST: &str = "manifest.json";
 
 /// Whether a file is the manifest of a folder of results and not a study. The content decides, because a study may have
 /// the same name.
@@ -28,23 +25,10 @@ pub fn is_manifest(file: &Path) -> bool {
     file.file_name().is_some_and(|name| name == MANIFEST) && content().unwrap_or(false)
 }
 
-/// Of what else than the study as it is now the results.csv of a folder is; empty without one.
-pub fn outdated(results: &Path, study: &Study) -> Vec<String> {
-    match is_file(&results.join(RESULTS)) {
-        true => differences(results, study),
-        false => Vec::new(),
-    }
-}
-
 /// Name of the problem in the manifest of a folder; `None` without a manifest, or in one of an earlier version.
 pub fn problem_of(folder: &Path) -> Option<String> {
     let manifest = json_of(&folder.join(MANIFEST))?;
     Some(manifest["problem"].as_str()?.to_owned())
-}
-
-/// The JSON in a file, if there is any.
-pub(super) fn json_of(file: &Path) -> Option<Value> {
-    serde_json::from_slice(&read_file(file).ok()?).ok()
 }
 
 /// The manifest of a folder.

@@ -10,7 +10,7 @@ pub mod results;
 pub mod sobol;
 pub mod tables;
 
-pub use manifest::{is_manifest, manifest, outdated, problem_of};
+pub use manifest::{is_manifest, manifest, problem_of};
 pub use names::{
     FAILURES, INDICES, QUANTILES, REDUCTIONS, RESULTS, TESTS, TWO_SAMPLES, history_name,
 };
@@ -21,7 +21,7 @@ use super::files::place::{make_folder, remove_empty_folder, remove_file};
 use manifest::Manifest;
 use names::{FRAGILITY, HISTORIES, MEMBERS};
 use origin::origin;
-pub use origin::{differences, differences_between, of_others};
+pub use origin::{differences, differences_between, of_others, outdated};
 use serde_json::{Map, Value};
 use slipgap_study::Study;
 use slipgap_study::error::Error;

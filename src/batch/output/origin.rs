@@ -1,6 +1,7 @@
 //! The origin of results: the study, the files that it reads, the versions; and what of it has changed.
 
-use super::manifest::{MANIFEST, json_of};
+use super::names::{MANIFEST, RESULTS};
+use crate::batch::files::place::{is_file, read_file};
 use crate::batch::store::key::SOLVER_VERSION;
 use serde_json::{Map, Value, json};
 use slipgap_study::{ReadFile, Setting, Study};
@@ -77,6 +78,14 @@ pub fn differences(results: &Path, study: &Study) -> Vec<String> {
     found
 }
 
+/// Of what else than the study as it is now the results.csv of a folder is; empty without one.
+pub fn outdated(results: &Path, study: &Study) -> Vec<String> {
+    match is_file(&results.join(RESULTS)) {
+        true => differences(results, study),
+        false => Vec::new(),
+    }
+}
+
 /// The sentence about these differences of the results in a folder.
 pub fn of_others(results: &Path, differences: &[String]) -> String {
     let (results, what) = (results.display(), differences.join("; "));
@@ -106,6 +115,11 @@ pub fn differences_between(folders: [&Path; 2]) -> Vec<String> {
         found.push(format!("the first is of {own}, the second of {other}"));
     }
     found
+}
+
+/// The JSON in a file, if there is any.
+pub(super) fn json_of(file: &Path) -> Option<Value> {
+    serde_json::from_slice(&read_file(file).ok()?).ok()
 }
 
 /// The files of a manifest with their hashes; `None` for a manifest that lists none.

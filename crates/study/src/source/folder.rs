@@ -1,6 +1,6 @@
 //! The folder of a study. Every file beside the study is read here, so that the list of what was read is complete.
 
-use super::input::open;
+use super::input::{hexadecimal, open};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::io::{self, Read};
@@ -67,11 +67,6 @@ impl<'a> Folder<'a> {
         let read = read.unwrap_or_else(PoisonError::into_inner);
         read.into_values().collect()
     }
-}
-
-/// Bytes in hexadecimal digits.
-pub(super) fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 #[cfg(test)]

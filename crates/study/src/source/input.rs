@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-use super::folder::hexadecimal;
 use super::place::{self, Texts};
 use super::setting::Setting;
 use super::tree::{self, Node};
@@ -91,6 +90,11 @@ impl Input {
         }
         hexadecimal(&digest.finalize())
     }
+}
+
+/// Bytes in hexadecimal digits.
+pub(super) fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The folder of a file.
