@@ -1,5 +1,6 @@
 //! Reductions of the computed motion that may compare with what was measured: one table, as that of reductions.
 
+use super::function::OfLoop;
 use super::reduction::Reduction;
 use crate::metrics::{measured, structure as of};
 
@@ -22,7 +23,7 @@ pub(crate) enum MeasuredFunction {
     /// Of a channel.
     Channel(fn(&[f64], [&[f64]; 2]) -> Option<f64>),
     /// Of the loop of a contact.
-    Contact(fn([&[f64]; 2], [&[f64]; 2]) -> Option<f64>),
+    Contact(OfLoop),
 }
 
 /// The reductions of the computed motion that may also compare with what was measured.

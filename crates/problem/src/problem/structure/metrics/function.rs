@@ -5,11 +5,17 @@ use crate::problem::structure::channels::channel::Quantity;
 use crate::system::loads::measures::Measure;
 use std::borrow::Cow;
 
+/// A function of values and of the time at a place.
+pub type OfValues = fn(&[f64], &dyn Fn(usize) -> f64) -> Option<f64>;
+
+/// A function of a computed loop and of the measured one.
+pub type OfLoop = fn([&[f64]; 2], [&[f64]; 2]) -> Option<f64>;
+
 /// What computes a reduction.
 #[derive(Clone, Copy)]
 pub enum Function {
     /// Of the values of a channel, and of the time at their places.
-    Values(fn(&[f64], &dyn Fn(usize) -> f64) -> Option<f64>),
+    Values(OfValues),
     /// Of a channel in two motions: the size of a difference, which in a plane is that of a vector.
     Distance([Motion; 2], fn(&[f64], &[f64]) -> Option<f64>),
     /// Of a channel in two motions: another number.
@@ -29,7 +35,7 @@ pub enum Function {
     /// Of a channel and what was measured of it, at these times.
     Measured(fn(&[f64], [&[f64]; 2]) -> Option<f64>),
     /// Of two channels, and what was measured of both.
-    Loop(fn([&[f64]; 2], [&[f64]; 2]) -> Option<f64>),
+    Loop(OfLoop),
     /// Of the motion of the ground.
     Ground(OfGround),
 }

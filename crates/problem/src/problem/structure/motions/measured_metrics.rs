@@ -7,7 +7,7 @@ use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channels::channel::Channel;
 use crate::problem::structure::channels::measured::{Compared, measured_loop};
 use crate::problem::structure::metrics::against_measured::MeasuredFunction;
-use crate::problem::structure::metrics::function::Function;
+use crate::problem::structure::metrics::function::{Function, OfLoop};
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::{Case, Problem, Violation};
 use crate::solve::Unsolvable;
@@ -43,8 +43,7 @@ pub fn value(metric: &StructureMetric, of: MetricContext, computed: &Recorded) -
         let (c, m) = pair(metric.channel.as_ref()?)?;
         function(&times, [&c, m])
     };
-    let of_loop = |channels: [&Channel; 2],
-                   function: fn([&[f64]; 2], [&[f64]; 2]) -> Option<f64>| {
+    let of_loop = |channels: [&Channel; 2], function: OfLoop| {
         let ((first, m_first), (second, m_second)) = (pair(channels[0])?, pair(channels[1])?);
         function([&first, &second], [m_first, m_second])
     };
