@@ -46,6 +46,8 @@ pub fn compare<'py>(
             }
             Finding::Compared(comparison) => comparison,
         };
+        let origins = comparison.origins.iter();
+        notes.extend(origins.map(|origin| format!("{shown}: {origin}")));
         let own = comparison.alone.iter().zip(&comparison.columns);
         for ((cases, metrics), side) in own.zip(&sides) {
             let side = side.display();

@@ -2,7 +2,7 @@
 
 use super::words;
 use super::{Calibration, Fit};
-use slipgap_problem::problem::numbers::parameter::{Parameter, shortest};
+use slipgap_problem::problem::numbers::parameter::{Parameter, real};
 use slipgap_recommend::calibrate::End;
 use slipgap_study::Free;
 use slipgap_study::error::Error;
@@ -41,7 +41,7 @@ pub fn parameters(found: &Calibration) -> Result<Vec<u8>, Error> {
         .into_iter()
         .chain(interval)
         .chain(tenth)
-        .chain(free.range.ends.map(shortest))
+        .chain(free.range.ends.map(real))
         .chain([state.to_owned()])
         .collect()
     };
@@ -51,7 +51,7 @@ pub fn parameters(found: &Calibration) -> Result<Vec<u8>, Error> {
         [name_of(fit), name]
             .into_iter()
             .chain(empty)
-            .chain(free.range.ends.map(shortest))
+            .chain(free.range.ends.map(real))
             .chain(["not used".to_owned()])
             .collect()
     };
@@ -253,7 +253,7 @@ fn name_of(fit: &Fit) -> String {
 }
 
 fn cell(x: Option<f64>) -> String {
-    x.map_or(String::new(), shortest)
+    x.map_or(String::new(), real)
 }
 
 fn csv(header: Vec<String>, rows: impl Iterator<Item = Vec<String>>) -> Result<Vec<u8>, Error> {

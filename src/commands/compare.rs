@@ -68,8 +68,11 @@ fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
     Ok(if differing > 0 { NOT_MET } else { 0 })
 }
 
-/// Notes the cases and metrics that only one side has.
+/// Notes the cases and metrics that only one side has, and files that differ.
 fn note_sides(name: &str, comparison: &Comparison, sides: [&Path; 2]) {
+    for origin in &comparison.origins {
+        note(&format!("{name}: {origin}"));
+    }
     let own = comparison.alone.iter().zip(&comparison.columns);
     for ((cases, metrics), side) in own.zip(sides) {
         let side = side.display();

@@ -6,7 +6,7 @@ use super::claims;
 use super::terminal::{Terminal, note, print};
 use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::output::ensemble::EnsembleMetrics;
-use crate::batch::output::{Folder, is_outdated};
+use crate::batch::output::{Folder, outdated};
 use crate::batch::store::Store;
 use crate::batch::{self, RunOptions, ShownCases};
 use crate::checks::ReducedChecks;
@@ -161,20 +161,22 @@ fn section<'a>(
     })
 }
 
-/// Runs the study again if results.csv is of an earlier version, so that store and results.csv have the same rows.
+/// Runs the study again if results.csv is of another version of it, of its files or of the program, so that store and results.csv have the same rows.
 fn update_results(source: &Source, results: &Path) -> Result<(), Error> {
-    if !is_outdated(results, &source.study) {
+    if outdated(results, &source.study).is_empty() {
         return Ok(());
     }
     let folder = Folder::of_study(results)?;
     let store = Store::wait_and_open(results)?;
     // Another report may have run the study during the wait.
-    if !is_outdated(results, &source.study) {
+    let differences = outdated(results, &source.study);
+    if differences.is_empty() {
         return Ok(());
     }
     note(&format!(
-        "{}: the results are of an earlier version of the study; running it again",
-        source.name
+        "{}: the results are of {}; running it again",
+        source.name,
+        differences.join("; ")
     ));
     // Cases without a solution do not end the command; the page reports them.
     run::run_study(

@@ -2,7 +2,7 @@
 
 use super::{Comparison, compare, parameters, problem_of_columns};
 use crate::batch::files::place::is_object;
-use crate::batch::output::{RESULTS, problem_of};
+use crate::batch::output::{RESULTS, differences_between, problem_of};
 use crate::batch::store::{self, Rows, STORE};
 use crate::run::files;
 use slipgap_study::error::Error;
@@ -65,7 +65,10 @@ fn compare_studies(a: &Path, b: &Path, tolerance: f64) -> Result<Finding, Error>
         [Some(_), Some(_)] | [None, _] | [_, None] => None,
     };
     Ok(match known {
-        Some(parameters) => Finding::Compared(compare(&parameters, &first, &second, tolerance)),
+        Some(parameters) => Finding::Compared(Comparison {
+            origins: differences_between([a, b]),
+            ..compare(&parameters, &first, &second, tolerance)
+        }),
         None => Finding::OtherProblem,
     })
 }

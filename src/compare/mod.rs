@@ -41,6 +41,8 @@ pub struct Comparison {
     pub alone: [usize; 2],
     /// Metrics on the first side only, and on the second; those in the units of a study are not counted.
     pub columns: [Vec<String>; 2],
+    /// In what the files and the program differ that the results are of.
+    pub origins: Vec<String>,
 }
 
 impl Comparison {
@@ -104,7 +106,7 @@ pub fn compare(parameters: &[Parameter], a: &Rows, b: &Rows, tolerance: f64) -> 
         common,
         alone: [a.rows.len() - common, b.rows.len() - common],
         columns: [only(a, b), only(b, a)],
-        changes: Vec::new(),
+        ..Comparison::default()
     };
     for metric in metrics(a).into_iter().filter(|name| has(b, name)) {
         let places = [a, b].map(|rows| rows.columns.iter().position(|c| *c == metric));
@@ -140,7 +142,7 @@ pub fn compare(parameters: &[Parameter], a: &Rows, b: &Rows, tolerance: f64) -> 
     comparison
 }
 
-/// The values of the parameters in each row, as text.
+/// The values of the parameters in each row, as text: numbers with 15 digits, so that `1` is `1.0` and 1.9999999999999998 is 2.
 fn keys<'a>(parameters: &[Parameter], rows: &'a Rows) -> Vec<Vec<Cow<'a, str>>> {
     let place = |name: &str| rows.columns.iter().position(|column| column == name);
     let table = parameters.iter();
@@ -150,13 +152,21 @@ fn keys<'a>(parameters: &[Parameter], rows: &'a Rows) -> Vec<Vec<Cow<'a, str>>> 
         let mut key: Vec<Cow<str>> = Vec::new();
         for (parameter, place) in &places {
             key.push(match place {
-                Some(place) => Cow::Borrowed(&row[*place]),
-                None => Cow::Owned(default_of(parameter, &key, &places)),
+                Some(place) => digits_15(Cow::Borrowed(&row[*place])),
+                None => digits_15(Cow::Owned(default_of(parameter, &key, &places))),
             });
         }
         key
     };
     rows.rows.iter().map(key).collect()
+}
+
+/// A number with 15 digits; another text as it is.
+fn digits_15(text: Cow<str>) -> Cow<str> {
+    match text.parse::<f64>() {
+        Ok(x) => Cow::Owned(format!("{x:.14e}")),
+        Err(_) => text,
+    }
 }
 
 /// The default of a parameter as text; empty if it has none or does not apply. A name that decides whether it applies is

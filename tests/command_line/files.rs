@@ -24,13 +24,13 @@ fn results_have_a_row_for_each_case_with_all_parameters_and_metrics() {
     assert_eq!(rows.len(), 4);
     assert_eq!(
         parameters(1),
-        format!("0,displacement-control,0.1,,{step},{end},12,unloaded")
+        format!("0,displacement-control,0.1,,{step},{end},12.0,unloaded")
     );
     assert_eq!(
         parameters(2),
-        format!("1,displacement-control,1,,{step},{end},12,unloaded")
+        format!("1,displacement-control,1.0,,{step},{end},12.0,unloaded")
     );
-    assert_eq!(parameters(3), "2,velocity-control,,1,0.5,3,12,");
+    assert_eq!(parameters(3), "2,velocity-control,,1.0,0.5,3.0,12.0,");
     // Defined in the first two cases. The third ends before the rest at 6 pi.
     assert!(
         rows[1]
@@ -57,8 +57,12 @@ fn results_of_bars_have_both_stiffnesses_and_the_right_bar() {
          contact_duration,contact_steps,separations,max_overlap,rdot_oscillation,peak_force,impulse_error,restitution,\
          energy_drift_max,energy_drift_final,rms_error_r,rms_error_rdot\n"
     ));
-    assert!(two.contains("\n0,5,100,2,0.1,1.5,0,lumped,100,1,0.01,10,0.1,,100,1,0.01,10,2,-0.1,"));
-    assert!(wall.contains("\n0,5,100,2,0.1,1.5,0.25,lumped,100,1,0.01,10,0.1,wall,,,,,,,"));
+    assert!(two.contains(
+        "\n0,5.0,100.0,2,0.1,1.5,0.0,lumped,100.0,1.0,0.01,10.0,0.1,,100.0,1.0,0.01,10.0,2,-0.1,"
+    ));
+    assert!(
+        wall.contains("\n0,5.0,100.0,2,0.1,1.5,0.25,lumped,100.0,1.0,0.01,10.0,0.1,wall,,,,,,,")
+    );
 }
 
 #[test]
@@ -83,11 +87,11 @@ fn histories_have_a_row_for_each_step() {
         ]
     );
     let f = bench.text("o/f/histories/1.csv");
-    assert!(f.starts_with("T,X,V,S,X_exact,V_exact\n0,12,0,0,12,"));
+    assert!(f.starts_with("T,X,V,S,X_exact,V_exact\n0.0,12.0,0.0,0.0,12.0,"));
     assert_eq!(f.lines().count(), 1 + 81);
     let b = bench.text("o/b/histories/0.csv");
     assert!(
-        b.starts_with("t,r,rdot,force,r_exact,rdot_exact\n0,0,-1,0,0,"),
+        b.starts_with("t,r,rdot,force,r_exact,rdot_exact\n0.0,0.0,-1.0,0.0,0.0,"),
         "{b}"
     );
     let times: Vec<&str> = b
@@ -95,7 +99,7 @@ fn histories_have_a_row_for_each_step() {
         .skip(1)
         .filter_map(|l| l.split(',').next())
         .collect();
-    assert_eq!(times, ["0", "0.25", "0.5", "0.75", "1", "1.25", "1.5"]);
+    assert_eq!(times, ["0.0", "0.25", "0.5", "0.75", "1.0", "1.25", "1.5"]);
 }
 
 #[test]

@@ -19,6 +19,42 @@ pub fn shortest(x: f64) -> String {
     String::from_utf8_lossy(&text).into_owned()
 }
 
+/// Appends a number as a cell of a column of real numbers: as [`push_shortest`], but with a point or an exponent, from which other
+/// programs take the type of a column. Whole numbers below 1e16 are plain with `.0`.
+pub fn push_real(text: &mut Vec<u8>, x: f64) {
+    let start = text.len();
+    push_shortest(text, x);
+    let own = &text[start..];
+    if !x.is_finite() || own.contains(&b'.') {
+        return;
+    }
+    let zeros = match own.iter().position(|byte| *byte == b'e') {
+        None => 0,
+        // Behind one digit.
+        Some(place) => match own[place + 1..] {
+            [digit @ b'0'..=b'9'] => {
+                text.truncate(start + place);
+                usize::from(digit - b'0')
+            }
+            [b'1', digit @ b'0'..=b'5'] => {
+                text.truncate(start + place);
+                usize::from(digit - b'0') + 10
+            }
+            _ => return,
+        },
+    };
+    text.resize(text.len() + zeros, b'0');
+    text.extend_from_slice(b".0");
+}
+
+/// A number as a cell of a column of real numbers; see [`push_real`].
+pub fn real(x: f64) -> String {
+    let mut text = Vec::new();
+    push_real(&mut text, x);
+    // The text is ASCII.
+    String::from_utf8_lossy(&text).into_owned()
+}
+
 /// The shortest decimal form of a finite number that is not zero: its digits times 10^exponent.
 struct Decimal {
     negative: bool,
@@ -225,6 +261,41 @@ mod tests {
             }
         }
         assert!(halfway > 10, "{halfway}");
+    }
+
+    #[test]
+    fn real_numbers_have_a_point_or_an_exponent() {
+        for (x, text) in [
+            (0.0, "0.0"),
+            (-0.0, "-0.0"),
+            (2.0, "2.0"),
+            (-25.0, "-25.0"),
+            (1e3, "1000.0"),
+            (-7e9, "-7000000000.0"),
+            (2e10, "20000000000.0"),
+            (1e15, "1000000000000000.0"),
+            (1e16, "1e16"),
+            (9007199254740993.0, "9007199254740992.0"),
+            (1e300, "1e300"),
+            (1.5e20, "1.5e20"),
+            (1e-5, "1e-5"),
+            (0.1, "0.1"),
+            (12345.0, "12345.0"),
+        ] {
+            assert_eq!(real(x), text);
+        }
+        let mut random = ChaCha8Rng::seed_from_u64(3);
+        for power in -330..310 {
+            let whole = (random.next_u64() % 1000) as f64;
+            for x in [whole, f64::from_bits(random.next_u64())] {
+                let x = x * libm::pow(10.0, f64::from(power));
+                if x.is_finite() {
+                    let text = real(x);
+                    assert!(text.contains(['.', 'e']), "{text}");
+                    assert_eq!(text.parse::<f64>().unwrap().to_bits(), x.to_bits());
+                }
+            }
+        }
     }
 
     #[test]

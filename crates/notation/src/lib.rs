@@ -4,7 +4,7 @@
 
 mod digits;
 
-pub use digits::{push_shortest, push_whole, shortest};
+pub use digits::{push_real, push_shortest, push_whole, real, shortest};
 
 /// Hash of the code of this crate and of the crates of others that it computes with.
 pub const CODE_KEY: &str = env!("SLIPGAP_CODE");

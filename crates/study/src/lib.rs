@@ -47,6 +47,7 @@ pub use figure::kinds::{self, FigureKind, Marks, Ridge};
 pub use measure::{Measure, measures};
 pub use reduction::{CaseMetrics, Groups, Operator, Reduced, Reduction, reduced_cases};
 pub use slipgap_problem::problem::expression::{printable, unprintable};
+pub use source::folder::ReadFile;
 pub use source::input::{Input, STDIN};
 pub use source::setting::{Setting, SettingFault};
 pub use units::Units;
@@ -93,6 +94,8 @@ pub struct Study {
     pub settings: Vec<Setting>,
     /// SHA-256 of the bytes of the file and of the settings, in hexadecimal digits.
     pub sha256: String,
+    /// Records, matrices and other files that were read with it, by name.
+    pub read: Vec<ReadFile>,
 }
 
 impl Study {

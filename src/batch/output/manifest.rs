@@ -2,21 +2,17 @@
 //!
 //! During a run the manifest also lists the files that the run may write. The next run removes those of a killed run.
 
-use super::names::{HISTORIES, RESULTS, history_name};
+use super::names::{HISTORIES, MANIFEST, history_name};
+use super::origin::{json_of, origin};
 use crate::batch::WarnedCases;
 use crate::batch::files::atomic::write_atomically;
-use crate::batch::files::place::{Entry, entries, is_file, read_file};
-use crate::batch::store::key::SOLVER_VERSION;
+use crate::batch::files::place::{Entry, entries, read_file};
 use serde_json::{Map, Value, json};
+use slipgap_study::Study;
 use slipgap_study::error::Error;
-use slipgap_study::{Setting, Study};
 use std::collections::BTreeSet;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
-use std::process::Command;
-
-/// Name of the file.
-const MANIFEST: &str = "manifest.json";
 
 /// Whether a file is the manifest of a folder of results and not a study. The content decides, because a study may have
 /// the same name.
@@ -29,24 +25,10 @@ pub fn is_manifest(file: &Path) -> bool {
     file.file_name().is_some_and(|name| name == MANIFEST) && content().unwrap_or(false)
 }
 
-/// Whether the results.csv of a folder is of an earlier version of the study, by the hash in the manifest.
-pub fn is_outdated(results: &Path, study: &Study) -> bool {
-    let changed = || {
-        let manifest = json_of(&results.join(MANIFEST))?;
-        Some(manifest["study_sha256"].as_str()? != study.sha256)
-    };
-    is_file(&results.join(RESULTS)) && changed().unwrap_or(false)
-}
-
 /// Name of the problem in the manifest of a folder; `None` without a manifest, or in one of an earlier version.
 pub fn problem_of(folder: &Path) -> Option<String> {
     let manifest = json_of(&folder.join(MANIFEST))?;
     Some(manifest["problem"].as_str()?.to_owned())
-}
-
-/// The JSON in a file, if there is any.
-fn json_of(file: &Path) -> Option<Value> {
-    serde_json::from_slice(&read_file(file).ok()?).ok()
 }
 
 /// The manifest of a folder.
@@ -208,27 +190,6 @@ fn histories(folder: &Path, cases: u64) -> impl Iterator<Item = String> {
     })
 }
 
-/// The origin of results: study, versions, commit and settings. It asks git, which takes as long as thousands of cases.
-pub fn origin(study: &Study, file: &Path) -> Map<String, Value> {
-    let mut entries = json!({
-        "study": file.file_name().map(|name| name.to_string_lossy()),
-        "study_sha256": study.sha256,
-        "problem": study.problem.name(),
-        "program": env!("CARGO_PKG_NAME"),
-        "program_version": env!("CARGO_PKG_VERSION"),
-        "solver_version": SOLVER_VERSION,
-        "git_commit": commit_of(file),
-    });
-    if !study.settings.is_empty() {
-        let settings = study.settings.iter().map(Setting::text);
-        entries["set"] = settings.collect();
-    }
-    match entries {
-        Value::Object(entries) => entries,
-        _ => Map::new(),
-    }
-}
-
 fn write(folder: &Path, entries: &Map<String, Value>) -> Result<(), Error> {
     let entries = Value::Object(entries.clone());
     write_atomically(&folder.join(MANIFEST), |out| {
@@ -236,23 +197,4 @@ fn write(folder: &Path, entries: &Map<String, Value>) -> Result<(), Error> {
         // After a power failure without the manifest, no run would remove the files.
         out.sync()
     })
-}
-
-/// The commit of the repository of the study, if it is a file in a repository and git is installed.
-fn commit_of(file: &Path) -> Option<String> {
-    if !file.is_file() {
-        return None;
-    }
-    let folder = file
-        .parent()
-        .filter(|parent| !parent.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    let output = Command::new("git")
-        .arg("-C")
-        .arg(folder)
-        .args(["rev-parse", "HEAD"])
-        .output()
-        .ok()
-        .filter(|output| output.status.success())?;
-    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }

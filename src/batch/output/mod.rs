@@ -4,12 +4,13 @@ pub mod ensemble;
 pub mod fragility;
 mod manifest;
 mod names;
+mod origin;
 pub mod reductions;
 pub mod results;
 pub mod sobol;
 pub mod tables;
 
-pub use manifest::{is_manifest, is_outdated, manifest, problem_of};
+pub use manifest::{is_manifest, manifest, problem_of};
 pub use names::{
     FAILURES, INDICES, QUANTILES, REDUCTIONS, RESULTS, TESTS, TWO_SAMPLES, history_name,
 };
@@ -17,8 +18,10 @@ pub use names::{
 use super::WarnedCases;
 use super::files::atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
 use super::files::place::{make_folder, remove_empty_folder, remove_file};
-use manifest::{Manifest, origin};
+use manifest::Manifest;
 use names::{FRAGILITY, HISTORIES, MEMBERS};
+use origin::origin;
+pub use origin::{differences, differences_between, of_others, outdated};
 use serde_json::{Map, Value};
 use slipgap_study::Study;
 use slipgap_study::error::Error;

@@ -27,6 +27,9 @@ pub const FRAGILITY: &str = "fragility.csv";
 /// Name of the table of the members of their ensembles.
 pub const MEMBERS: &str = "fragility_members.csv";
 
+/// Name of the file with the origin of the results.
+pub const MANIFEST: &str = "manifest.json";
+
 /// Folder of the histories, each `CASE.csv`.
 pub const HISTORIES: &str = "histories";
 

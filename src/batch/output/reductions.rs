@@ -122,7 +122,7 @@ impl<'a> ReducedMetrics<'a> {
         let shown = |row: &usize| {
             let known = reduced.at.is_some() || reduction.kept.contains(row);
             let value = case.as_ref().filter(|_| known)?.values[*row];
-            value.map(|value| value.to_string())
+            value.map(|value| value.cell())
         };
         let cells = parameters.iter().map(|row| shown(row).unwrap_or_default());
         cells.collect()

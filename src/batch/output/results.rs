@@ -2,7 +2,7 @@
 
 use crate::batch::PartResult;
 use rayon::prelude::*;
-use slipgap_notation::{push_shortest, push_whole};
+use slipgap_notation::{push_real, push_whole};
 use slipgap_problem::problem::table::cases::{Cells, Column, NO_WHOLE, applies};
 use slipgap_study::Study;
 use std::io::{self, Write};
@@ -85,7 +85,7 @@ impl Text<'_> {
         Ok(match column {
             Column::Same(value) => Text::Same(match value {
                 None => Vec::new(),
-                Some(value) => in_csv(&value.to_string())?,
+                Some(value) => in_csv(&value.cell())?,
             }),
             Column::Each(Cells::Numbers(numbers)) => Text::Numbers(numbers),
             Column::Each(Cells::Whole(numbers)) => Text::Whole(numbers),
@@ -103,13 +103,13 @@ impl Text<'_> {
             Text::Numbers(numbers) => {
                 let x = numbers[row];
                 if applies(x) {
-                    push_shortest(text, x);
+                    push_real(text, x);
                 }
             }
             Text::Metrics(numbers) => {
                 let x = numbers[row];
                 if x.is_finite() {
-                    push_shortest(text, x);
+                    push_real(text, x);
                 }
             }
             Text::Whole(numbers) => {

@@ -1,7 +1,7 @@
 //! sobol.csv: the Sobol' indices of every metric of every saltelli design.
 
 use crate::batch::groups::sobol::{DesignColumns, DesignMetrics, MetricColumn};
-use slipgap_problem::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::numbers::parameter::real;
 use slipgap_statistics::sobol::Index;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
@@ -86,7 +86,7 @@ fn rows(study: &Study, design: &DesignColumns, column: &MetricColumn) -> Vec<Vec
 /// An index with its interval; empty cells for a metric without indices.
 fn cells(index: Option<Index>) -> [String; 3] {
     match index {
-        Some(Index { value, interval }) => [value, interval[0], interval[1]].map(shortest),
+        Some(Index { value, interval }) => [value, interval[0], interval[1]].map(real),
         None => Default::default(),
     }
 }

@@ -1,7 +1,7 @@
 //! CSV tables of cases without a solution, failures.csv, and of histories.
 
 use slipgap_motion::solve::Unsolvable;
-use slipgap_problem::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::numbers::parameter::real;
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::{Case, HistoryColumn, MeasuredChannel, Solution};
 use slipgap_study::Study;
@@ -43,7 +43,7 @@ impl<W: Write> FailureTable<W> {
 
 /// The number of a case and the parameters in these rows, as cells.
 fn parameters(number: u64, rows: &[usize], case: &Case) -> impl Iterator<Item = String> {
-    let value = |row: &usize| case.values[*row].map(|v| v.to_string()).unwrap_or_default();
+    let value = |row: &usize| case.values[*row].map(|v| v.cell()).unwrap_or_default();
     std::iter::once(number.to_string()).chain(rows.iter().map(value))
 }
 
@@ -109,6 +109,6 @@ pub fn write_history(
 pub(super) fn cell(value: Option<f64>) -> String {
     value
         .filter(|x| x.is_finite())
-        .map(shortest)
+        .map(real)
         .unwrap_or_default()
 }

@@ -12,7 +12,7 @@ use super::rows::Rows;
 use crate::batch::parts::chunk::MOST_ROWS;
 use slipgap_motion::solve::{MetricTable, Unsolvable, Warnings};
 use slipgap_problem::problem::Case;
-use slipgap_problem::problem::numbers::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
+use slipgap_problem::problem::numbers::parameter::{ColumnRule, Kind, Parameter, Value, real};
 use slipgap_study::Study;
 
 /// Column of the reason why a case could not be solved.
@@ -243,7 +243,7 @@ pub fn read_text(bytes: Vec<u8>) -> Result<Rows> {
         let cells: Vec<Option<String>> = match group.get_column_reader(place)? {
             ColumnReader::DoubleColumnReader(reader) => {
                 let numbers = cells(reader, count)?.into_iter();
-                numbers.map(|x| x.map(shortest)).collect()
+                numbers.map(|x| x.map(real)).collect()
             }
             ColumnReader::Int64ColumnReader(reader) => {
                 let numbers = cells(reader, count)?.into_iter();

@@ -133,7 +133,7 @@ fn a_new_parameter_that_is_given_has_its_column() {
         let place = after[0].iter().position(|name| name == "zeta").unwrap();
         assert!(!before[0].contains(&"zeta".to_owned()));
         let zeta: Vec<&str> = after[1..].iter().map(|row| row[place].as_str()).collect();
-        assert_eq!(zeta, ["0", "0.25", "0", "0.25"]);
+        assert_eq!(zeta, ["0.0", "0.25", "0.0", "0.25"]);
         // The rest of a row, without its number, is the row of the study before.
         for (i, row) in after.iter().enumerate().skip(1) {
             let mut rest = row.clone();

@@ -9,7 +9,7 @@ use crate::commands::arguments::sources;
 use crate::commands::terminal::{note, print, table};
 use crate::error::Error;
 use crate::figures::Front;
-use crate::problem::numbers::parameter::{Value, shortest};
+use crate::problem::numbers::parameter::{Value, real, shortest};
 use crate::recommend::Stop;
 use crate::recommend::format::digits;
 use crate::recommend::study::{Advice, Choice, From, Mesh, State, advise};
@@ -147,8 +147,8 @@ const PRINTED: Style = Style {
 
 /// candidates.csv.
 const CSV: Style = Style {
-    number: shortest,
-    value: |value| value.to_string(),
+    number: real,
+    value: Value::cell,
     missing: "",
 };
 

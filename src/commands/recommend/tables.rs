@@ -3,7 +3,7 @@
 use crate::commands::terminal::table;
 use crate::error::Error;
 use crate::problem::Case;
-use crate::problem::numbers::parameter::{Value, shortest};
+use crate::problem::numbers::parameter::{Value, real, shortest};
 use crate::recommend::format::digits;
 use crate::recommend::{
     Answer, Candidate, LEAST_HALVINGS, Outcome, Refined, Request, Robustness, SearchSpace, Target,
@@ -256,12 +256,12 @@ pub fn front(space: &dyn SearchSpace, request: &Request, answer: &Answer) -> Str
     for candidate in &answer.front {
         let value = |name: &&str| {
             let value = candidate.cases[0].get(name);
-            value.map_or(String::new(), |value| value.to_string())
+            value.map_or(String::new(), Value::cell)
         };
         let mut cells: Vec<String> = parameters.iter().map(value).collect();
         cells.push(candidate.cost.to_string());
         let errors = candidate.errors.iter().chain([&candidate.worst]);
-        cells.extend(errors.map(|x| shortest(*x)));
+        cells.extend(errors.map(|x| real(*x)));
         text += &(cells.join(",") + "\n");
     }
     text

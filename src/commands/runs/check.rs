@@ -1,5 +1,6 @@
 //! `slipgap check`: every check of every study, with the value tested.
 
+use crate::batch::output::{differences, of_others};
 use crate::batch::{self, RunOptions};
 use crate::checks::{CheckCollector, TestedValues, Verdict};
 use crate::commands::arguments::sources::Source;
@@ -11,6 +12,10 @@ use crate::problem::numbers::parameter::shortest;
 use crate::run::{UnsolvedCases, cases_run, without_value};
 use crate::warnings::StudyWarnings;
 use clap::Args;
+use std::path::Path;
+
+/// Where `run` writes by default: results there that are of other files or versions are reported.
+const RESULTS: &str = "figures";
 
 /// The arguments of `slipgap check`.
 #[derive(Args)]
@@ -39,6 +44,11 @@ struct Tested<'a> {
 fn check(sources: &[Source]) -> Result<u8, Error> {
     let (mut all, mut all_solved) = (Vec::new(), true);
     for source in sources {
+        let results = Path::new(RESULTS).join(&source.name);
+        let differences = differences(&results, &source.study);
+        if !differences.is_empty() {
+            note(&source.line(&of_others(&results, &differences)));
+        }
         let (checked, solved) = run_study(source)?;
         all.push(checked);
         all_solved &= solved;

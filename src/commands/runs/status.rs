@@ -1,5 +1,6 @@
 //! `slipgap status`: how far studies are that run here, on other machines or on a cluster.
 
+use crate::batch::output::{differences, of_others};
 use crate::batch::status::{MOST_SHARDS, Progress, State, StudyStatus, study_status};
 use crate::commands::arguments::sources::Source;
 use crate::commands::arguments::{JobsArgs, StudiesArgs, whole};
@@ -53,8 +54,14 @@ fn status(sources: &[Source], out: &Path, shards: Option<u64>, as_json: bool) ->
             let parts = if count == 1 { "part" } else { "parts" };
             note(&source.line(&format!("{count} {parts} of another version: {why}")));
         }
+        let differences = differences(&results, &source.study);
+        if !differences.is_empty() {
+            note(&source.line(&of_others(&results, &differences)));
+        }
         if as_json {
-            lines += &format!("{}\n", json_of(source, &status));
+            let mut object = json_of(source, &status);
+            object["results_of"] = differences.into();
+            lines += &format!("{object}\n");
             continue;
         }
         let shards = status.shards.iter();

@@ -48,7 +48,7 @@ fn the_tables_of_an_ensemble_are_those_of_its_cases() {
     assert!(
         rows(&two_samples)[1..]
             .iter()
-            .all(|row| row[1..4] == ["alpha", "0.1", "1"])
+            .all(|row| row[1..4] == ["alpha", "0.1", "1.0"])
     );
     let manifest = bench.text("figures/s/manifest.json");
     assert!(manifest.contains("quantiles.csv") && manifest.contains("two_samples.csv"));
@@ -110,11 +110,11 @@ fn the_points_of_fragility_figures_are_a_table() {
          dispersion_high_bootstrap"
     );
     let starts = [
-        "none,rms_error,1e9,8,4,0,0,0,0,0.602",
-        "none,rms_error,1e9,12,4,0,0,0,0,0.602",
-        "half,rms_error,0.05,8,4,0,2,0.5,0.067",
-        "half,rms_error,0.05,12,4,0,2,0.5,0.067",
-        "one,rms_error,0.05,8,3,0,2,0.6666666666666666,0.094",
+        "none,rms_error,1000000000.0,8.0,4,0,0,0.0,0.0,0.602",
+        "none,rms_error,1000000000.0,12.0,4,0,0,0.0,0.0,0.602",
+        "half,rms_error,0.05,8.0,4,0,2,0.5,0.067",
+        "half,rms_error,0.05,12.0,4,0,2,0.5,0.067",
+        "one,rms_error,0.05,8.0,3,0,2,0.6666666666666666,0.094",
     ];
     assert_eq!(lines.len(), 1 + starts.len(), "{table}");
     // 0 of 4: 1 - 0.025^(1/4); 2 of 4 and 2 of 3: the tables of Clopper and Pearson.
@@ -135,7 +135,7 @@ fn the_points_of_fragility_figures_are_a_table() {
         "{table}"
     );
     assert!(
-        table.contains("\nhalf,rms_error,0.05,8,4,0,2,0.5,"),
+        table.contains("\nhalf,rms_error,0.05,8.0,4,0,2,0.5,"),
         "{table}"
     );
     // A study without such a figure has no table, and the old one goes.

@@ -9,5 +9,6 @@ mod pictures;
 mod plane;
 mod reductions;
 mod restitution;
+mod types;
 mod units;
 mod untouched;

@@ -2,6 +2,7 @@
 
 #[cfg(unix)]
 mod ended;
+mod inputs;
 #[cfg(unix)]
 mod interrupted;
 mod kept;

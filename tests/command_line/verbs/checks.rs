@@ -102,7 +102,7 @@ fn a_case_without_a_solution_keeps_its_row() {
     assert_eq!(rows.len(), 4);
     assert_eq!(
         rows[2],
-        "1,displacement-control,1,,1e300,1e300,12,unloaded,,,,,,,,,"
+        "1,displacement-control,1.0,,1e300,1e300,12.0,unloaded,,,,,,,,,"
     );
     assert_eq!(rows[1][1..], rows[3][1..]);
     assert!(!rows[1].ends_with(','));

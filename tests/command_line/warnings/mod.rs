@@ -362,7 +362,7 @@ fn a_motion_that_ends_before_the_shaking_is_no_earthquake() {
     };
     let cut = |kinds: &[(String, u64, u64)]| kinds.iter().any(|kind| kind.0 == "motion-cut");
     assert!(!cut(&bench.kinds(&study(0.01, 10.0))));
-    assert!(bench.text("figures/s/results.csv").contains(",3,"));
+    assert!(bench.text("figures/s/results.csv").contains(",3.0,"));
     // Before the shaking, and by steps that pass over it.
     assert!(cut(&bench.kinds(&study(0.01, 5.0))));
     assert!(bench.text("figures/s/results.csv").contains(",0.01,"));

@@ -22,9 +22,13 @@ fn table(path: &str) -> Vec<Row> {
 
 /// The finite numbers of a column in rows with these values.
 fn numbers(rows: &[Row], column: &str, with: &[(&str, &str)]) -> Vec<f64> {
-    let chosen = rows
-        .iter()
-        .filter(|row| with.iter().all(|(name, value)| row[*name] == *value));
+    // Numbers by their value: a table has `1.0` where a person writes 1.
+    let same = |cell: &str, value: &str| match (cell.parse::<f64>(), value.parse::<f64>()) {
+        (Ok(cell), Ok(value)) => cell == value,
+        (Ok(_) | Err(_), _) => cell == value,
+    };
+    let all = |row: &&Row| with.iter().all(|(name, value)| same(&row[*name], value));
+    let chosen = rows.iter().filter(all);
     let numbers: Vec<f64> = chosen.filter_map(|row| row[column].parse().ok()).collect();
     assert!(!numbers.is_empty(), "{column} {with:?}");
     numbers

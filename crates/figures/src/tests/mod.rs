@@ -94,6 +94,7 @@ pub(super) fn run(values: &[(f64, f64, f64)]) -> Run {
         title: "a test".into(),
         settings: Vec::new(),
         sha256: String::new(),
+        read: Vec::new(),
         problem: problem.clone(),
         blocks: Vec::new(),
         ensemble: Vec::new(),

@@ -1,5 +1,7 @@
-//! Axes given by a rule instead of a list. The ends of an axis are the given numbers to the bit.
+//! Axes given by a rule instead of a list. The ends of an axis are the given numbers to the bit; values between them that are decimals of
+//! at most 15 digits are those decimals.
 
+use super::exact::{Even, Ratios};
 use super::powers::Powers;
 use crate::cases::axis::values::Values;
 use crate::source::faults::{Faults, join};
@@ -101,7 +103,7 @@ pub(crate) fn values(
         return refuse(2, &format!("gives {count} values; allowed: at most {MOST}"));
     }
     let (steps, powers) = (count - 1.0, Powers::of(b / a));
-    let point = |i: f64| match rule {
+    let near = |i: f64| match rule {
         Rule::Linspace if i == steps => b,
         Rule::Linspace => a + (b - a) * (i / steps),
         Rule::Geomspace if i == steps => b,
@@ -109,6 +111,20 @@ pub(crate) fn values(
         Rule::Geomspace => a * powers.at(i / steps),
         Rule::Range if (a + i * c - b).abs() <= SLACK * (b - a).abs() => b,
         Rule::Range => a + i * c,
+    };
+    let even = match rule {
+        Rule::Linspace => Even::to(a, b, steps as u64),
+        Rule::Range => Even::by(a, c),
+        Rule::Geomspace => None,
+    };
+    let ratios = Ratios::new(a, b, steps as u64).filter(|_| rule == Rule::Geomspace);
+    let point = |i: f64| {
+        let x = near(i);
+        // The ends are given.
+        let inside = i > 0.0 && x != b && x.is_finite();
+        let even = even.and_then(|even| even.at(i as u64));
+        let exact = even.or_else(|| ratios?.at(i as u64, x));
+        exact.filter(|_| inside).unwrap_or(x)
     };
     let positions = 0..count as usize;
     // Powers of a million numbers are a noticeable part of a run.

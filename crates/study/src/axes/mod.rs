@@ -4,6 +4,7 @@ pub(super) mod applicability;
 pub(super) mod axis_rule;
 pub(super) mod design;
 pub(super) mod draft;
+mod exact;
 pub(super) mod interval;
 pub(super) mod parameters;
 mod powers;

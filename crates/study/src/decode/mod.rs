@@ -20,6 +20,7 @@ use crate::error::Error;
 use crate::figure::figures;
 use crate::measure;
 use crate::source::faults::Faults;
+use crate::source::folder::Folder;
 use crate::source::hint::nearest;
 use crate::source::input::{Input, tree_of};
 use crate::source::object::Object;
@@ -98,7 +99,8 @@ impl Input {
             .flatten();
         setting::put_all(&mut root, &self.settings, &starts, &mut faults);
         let before = faults.count();
-        record_axis::expand(&mut root, &self.folder, &mut faults);
+        let folder = Folder::new(&self.folder);
+        record_axis::expand(&mut root, &folder, &mut faults);
         if faults.count() > before {
             // Without its files, an axis would be a fault of its own.
             return Err(Error::Faults(faults.in_file_order(texts)));
@@ -113,6 +115,7 @@ impl Input {
         let of_records = seed.map(|seed| [seed, own_records::RECORD.to_owned()]);
         Ok(Expanded {
             root,
+            folder,
             texts,
             set: set.chain(of_records).collect(),
             faults,
@@ -122,14 +125,16 @@ impl Input {
     fn decoded(&self, expanded: Expanded, limit: u64, whole: bool) -> Result<Study, Error> {
         let Expanded {
             root,
+            folder,
             texts,
             set,
             mut faults,
         } = expanded;
-        match study(&root, limit, &self.folder, (set, whole), &mut faults) {
+        match study(&root, limit, &folder, (set, whole), &mut faults) {
             Some(study) if faults.count() == 0 => Ok(Study {
                 settings: self.settings.clone(),
                 sha256: self.sha256(),
+                read: folder.into_files(),
                 ..study
             }),
             Some(_) | None => Err(Error::Faults(faults.in_file_order(texts))),
@@ -140,6 +145,8 @@ impl Input {
 /// The tree of a study with the settings and the lists of files in it.
 pub(crate) struct Expanded<'a> {
     pub root: Node,
+    /// The folder of its files, and which of them were read.
+    folder: Folder<'a>,
     /// The texts of its places.
     texts: Texts<'a>,
     /// The parameters that the command line set, each with the name of its setting.
@@ -153,7 +160,7 @@ pub(crate) struct Expanded<'a> {
 pub(crate) fn study(
     root: &Node,
     limit: u64,
-    folder: &Path,
+    folder: &Folder,
     (set, whole): (Vec<[String; 2]>, bool),
     faults: &mut Faults,
 ) -> Option<Study> {
@@ -224,6 +231,7 @@ pub(crate) fn study(
         checks,
         settings: Vec::new(),
         sha256: String::new(),
+        read: Vec::new(),
     })
 }
 
@@ -231,7 +239,7 @@ pub(crate) fn study(
 fn problem(
     object: &Object,
     root: (&Node, bool),
-    folder: &Path,
+    folder: &Folder,
     faults: &mut Faults,
 ) -> Option<Arc<dyn Problem>> {
     let known: Vec<&str> = problem::names().collect();

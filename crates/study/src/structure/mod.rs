@@ -17,6 +17,7 @@ mod springs;
 mod tests;
 
 use super::source::faults::{Faults, quoted};
+use super::source::folder::Folder;
 use super::source::object::Object;
 use super::source::tree::Node;
 use super::value;
@@ -31,7 +32,6 @@ use slipgap_problem::problem::structure::metrics::unit_consistency;
 use slipgap_problem::problem::structure::parts::template::{DampingStiffness, Reference, Template};
 use slipgap_problem::problem::structure::tables::schema::{self, Named};
 use std::collections::HashSet;
-use std::path::Path;
 use std::sync::Arc;
 
 /// The problem of the study at `root`, with records from `folder`; `None` if the structure has a fault. In a part of a study, unused
@@ -39,7 +39,7 @@ use std::sync::Arc;
 pub(super) fn problem(
     root: &Object,
     (root_node, whole): (&Node, bool),
-    folder: &Path,
+    folder: &Folder,
     faults: &mut Faults,
 ) -> Option<Arc<dyn Problem>> {
     let before = faults.count();

@@ -2,7 +2,7 @@
 
 use super::{EnsembleMetrics, text};
 use rayon::prelude::*;
-use slipgap_problem::problem::numbers::parameter::shortest;
+use slipgap_problem::problem::numbers::parameter::real;
 use slipgap_statistics::kolmogorov_smirnov::{interval, test};
 use slipgap_statistics::median;
 use slipgap_statistics::quantile::quantile;
@@ -66,7 +66,7 @@ impl EnsembleMetrics<'_> {
 /// The numbers of tests and cases by rising value.
 fn cells(tests: &[f64], cases: &[f64]) -> [String; NUMBERS.len()] {
     let found = test(tests, cases);
-    let number = |x: Option<f64>| x.map(shortest).unwrap_or_default();
+    let number = |x: Option<f64>| x.map(real).unwrap_or_default();
     let end = |ends: Option<[f64; 2]>, end: usize| number(ends.map(|ends| ends[end]));
     let (ends, median) = (interval(tests, cases), median::interval(tests));
     let verdict = found.map(|own| VERDICTS[usize::from(own.p < LEVEL)]);

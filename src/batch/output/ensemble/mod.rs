@@ -126,5 +126,5 @@ impl<'a> EnsembleMetrics<'a> {
 
 /// A value as a cell; empty for one that does not apply.
 fn text(value: Option<Value>) -> String {
-    value.map(|value| value.to_string()).unwrap_or_default()
+    value.map(|value| value.cell()).unwrap_or_default()
 }

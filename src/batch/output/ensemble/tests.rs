@@ -66,15 +66,15 @@ fn the_tables_have_what_a_hand_computes() {
         of_first(&study, &quantiles),
         [
             "metric,n,cases,empty,min,q05,q16,q25,median,q75,q84,q95,max,mean,standard_deviation,median_low,median_high".to_owned(),
-            format!("contact_duration,4,6,1,1,1.2,1.6400000000000001,2,4,5,6.08,7.3999999999999995,8,4,{},,", 7.5_f64.sqrt()),
-            format!("contact_duration,8,6,0,60,62.5,68,72.5,85,97.5,102,107.5,110,85,{},60,110", 350.0_f64.sqrt()),
+            format!("contact_duration,4,6,1,1.0,1.2,1.6400000000000001,2.0,4.0,5.0,6.08,7.3999999999999995,8.0,4.0,{},,", 7.5_f64.sqrt()),
+            format!("contact_duration,8,6,0,60.0,62.5,68.0,72.5,85.0,97.5,102.0,107.5,110.0,85.0,{},60.0,110.0", 350.0_f64.sqrt()),
         ]
     );
     // No value of the first is above one of the second: D = 1, and of the C(11, 5) = 462 divisions two are as far.
     let rows = of_first(&study, &two_samples);
     assert_eq!(rows[0], "metric,parameter,value_1,value_2,n,n_1,n_2,D,p");
     let (names, p) = rows[1].rsplit_once(',').unwrap();
-    assert_eq!(names, "contact_duration,n,4,8,,5,6,1");
+    assert_eq!(names, "contact_duration,n,4,8,,5,6,1.0");
     assert!((p.parse::<f64>().unwrap() - 2.0 / 462.0).abs() < 1e-17);
     // A metric without values has rows with counts alone.
     let empty = quantiles.lines().nth(3).unwrap();
@@ -105,27 +105,29 @@ fn ensembles_are_compared_where_all_else_is_equal() {
         pairs(&grid),
         [
             // parameter, both values, gamma, n and dt where they are the same
-            "gamma 1 2  4 0.025",
-            "gamma 1 3  4 0.025",
-            "gamma 2 3  4 0.025",
-            "gamma 1 2  8 0.0125",
-            "gamma 1 3  8 0.0125",
-            "gamma 2 3  8 0.0125",
-            "n 4 8 3  ",
-            "n 4 8 1  ",
-            "n 4 8 2  ",
+            "gamma 1.0 2.0  4 0.025",
+            "gamma 1.0 3.0  4 0.025",
+            "gamma 2.0 3.0  4 0.025",
+            "gamma 1.0 2.0  8 0.0125",
+            "gamma 1.0 3.0  8 0.0125",
+            "gamma 2.0 3.0  8 0.0125",
+            "n 4.0 8.0 3.0  ",
+            "n 4.0 8.0 1.0  ",
+            "n 4.0 8.0 2.0  ",
         ]
     );
     // Parameters that advance together are compared once.
     let zipped = format!(
         r#""parameters": {{"gamma": [1, 2], "n": [4, 8], {gap}, {REST}}}, "zip": [["gamma", "n"]], "ensemble": "gap""#
     );
-    assert_eq!(pairs(&zipped), ["gamma 1 2  "]);
+    assert_eq!(pairs(&zipped), ["gamma 1.0 2.0  "]);
     // Of more than ten values neighbours are compared, in the order of size.
     let many = format!(
         r#""parameters": {{"gamma": {{"linspace": [12, 1, 12]}}, "n": 4, {gap}, {REST}}}, "ensemble": "gap""#
     );
-    let expected: Vec<String> = (1..12).map(|i| format!("gamma {i} {} ", i + 1)).collect();
+    let expected: Vec<String> = (1..12)
+        .map(|i| format!("gamma {i}.0 {}.0 ", i + 1))
+        .collect();
     assert_eq!(pairs(&many), expected);
     // Ten values are all compared, 10 9/2 pairs; of eleven the ten neighbours.
     for (count, expected) in [(10, 45), (11, 10)] {

@@ -9,6 +9,7 @@ use super::tables::cell;
 use crate::batch::groups::fragility::FragilityCurve;
 use crate::batch::groups::point::FragilityPoint;
 use numbers::Numbers;
+use slipgap_problem::problem::numbers::parameter::{Kind, Value};
 use slipgap_study::error::Error;
 use slipgap_study::kinds::{FigureKind, Fragility};
 use slipgap_study::{ColumnRef, Figure, Study};
@@ -116,10 +117,9 @@ impl<'a> FragilityTable<'a> {
         let metric = &self.study.measures[figure.y].name;
         let first = [name.to_owned(), metric.clone(), cell(Some(figure.limit))];
         for curve in curves {
-            let last = self.numbers.of(figure, curve).into_iter().map(cell);
-            let last: Vec<String> = last.collect();
+            let last = self.numbers.of(figure, curve);
             for point in &curve.points {
-                let at = cell(Some(point.at).filter(|at| !at.is_nan()));
+                let at = self.place(figure, point.at);
                 let values = self.values(figure, curve, &at);
                 let place = |row: &usize| match figure.x == ColumnRef::Metric(*row) {
                     true => at.clone(),
@@ -137,7 +137,7 @@ impl<'a> FragilityTable<'a> {
             for share in curve.annual.iter().flat_map(|annual| &annual.shares) {
                 let values = self.values(figure, curve, "");
                 let member = share.member.iter();
-                let member = member.map(|value| value.map(|v| v.to_string()).unwrap_or_default());
+                let member = member.map(|value| value.map(|v| v.cell()).unwrap_or_default());
                 let [low, high] = share.capacity;
                 let numbers = [low, high, share.frequency, share.share]
                     .map(Some)
@@ -154,13 +154,22 @@ impl<'a> FragilityTable<'a> {
         Ok(())
     }
 
+    /// The place of a point along the axis, with the type of its column.
+    fn place(&self, figure: &Fragility, at: f64) -> String {
+        let table = self.study.problem.parameters();
+        match figure.parameter().map(|row| table[row].kind) {
+            Some(Kind::Whole { .. }) if at.fract() == 0.0 => Value::Whole(at as u64).cell(),
+            Some(_) | None => cell(Some(at).filter(|at| !at.is_nan())),
+        }
+    }
+
     /// The values of the parameters of a curve; `at` is that along the axis.
     fn values(&self, figure: &Fragility, curve: &FragilityCurve, at: &str) -> Vec<String> {
         let value = |row: &usize| match figure.parameter() == Some(*row) {
             true => at.to_owned(),
             false => {
                 let value = curve.shared.get(*row).copied().flatten();
-                value.map(|value| value.to_string()).unwrap_or_default()
+                value.map(|value| value.cell()).unwrap_or_default()
             }
         };
         self.parameters.iter().map(value).collect()

@@ -1,6 +1,7 @@
 //! The last columns of fragility.csv, which are the same in all rows of a curve.
 
 use crate::batch::groups::fragility::FragilityCurve;
+use crate::batch::output::tables::cell;
 use slipgap_study::kinds::{Fit, Fragility};
 use slipgap_study::{ColumnRef, Study};
 
@@ -78,40 +79,46 @@ impl Numbers {
         names
     }
 
-    pub(super) fn of(&self, figure: &Fragility, curve: &FragilityCurve) -> Vec<Option<f64>> {
+    pub(super) fn of(&self, figure: &Fragility, curve: &FragilityCurve) -> Vec<String> {
         let ends = [curve.intervals(), curve.bootstrap];
         let ends =
             ends.map(|ends| ends.map_or([None; 4], |[[a, b], [c, d]]| [a, b, c, d].map(Some)));
-        let mut all: Vec<Option<f64>> = ends.concat();
-        let count = |count: usize| Some(count as f64);
+        let mut all: Vec<String> = ends.concat().into_iter().map(cell).collect();
+        let count = |count: usize, has: bool| match has {
+            true => count.to_string(),
+            false => String::new(),
+        };
         if self.bounded {
             let own = figure.fit == Fit::Incremental;
-            all.extend(curve.bounded.map(|members| count(members).filter(|_| own)));
+            all.extend(curve.bounded.map(|members| count(members, own)));
         }
         if self.cloud {
             let line = curve.fit.as_ref().ok().and_then(|fit| fit.line);
-            all.extend([line.map(|line| line.slope), line.map(|line| line.deviation)]);
+            let line = [line.map(|line| line.slope), line.map(|line| line.deviation)];
+            all.extend(line.map(cell));
         }
         if self.collapsed {
-            all.push(count(curve.collapsed).filter(|_| figure.collapse.is_some()));
+            all.push(count(curve.collapsed, figure.collapse.is_some()));
         }
         for column in &self.against {
             let place = figure.against.iter().position(|own| own == column);
             let line = place.and_then(|i| curve.trends[i]);
-            all.extend([
+            let trend = [
                 line.map(|line| line.slope),
                 line.map(|line| line.p_of_slope()),
-            ]);
+            ];
+            all.extend(trend.map(cell));
         }
         if self.annual {
             let annual = curve.annual.as_ref();
-            all.extend([
+            let annual = [
                 annual.map(|own| own.frequency),
                 annual.and_then(|own| Some(own.interval?[0])),
                 annual.and_then(|own| Some(own.interval?[1])),
                 annual.map(|own| own.outside),
                 annual.map(|own| own.closed_form),
-            ]);
+            ];
+            all.extend(annual.map(cell));
         }
         all
     }

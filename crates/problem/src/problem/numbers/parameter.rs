@@ -1,7 +1,7 @@
 //! The table of parameters, with one row for each, for decoding, schema, columns, `explain` and the documentation.
 
 pub use crate::contact::number::Range;
-pub use slipgap_notation::{Scale, shortest};
+pub use slipgap_notation::{Scale, real, shortest};
 
 use super::text::{Table, Text, text};
 use crate::contact::number::{Number, Usual, same};
@@ -242,6 +242,14 @@ impl Value {
             Value::Number(x) => Some(x),
             Value::Whole(n) => Some(n as f64),
             Value::Name(_) => None,
+        }
+    }
+
+    /// The value as a cell of a table, in which a column of numbers has a point or an exponent.
+    pub fn cell(self) -> String {
+        match self {
+            Value::Number(x) => real(x),
+            Value::Whole(_) | Value::Name(_) => self.to_string(),
         }
     }
 

@@ -6,7 +6,7 @@ use crate::structure::keys::KEY;
 use slipgap_problem::problem::structure::channels::measured::{Measured, measured_loop};
 use slipgap_problem::problem::structure::channels::sample::Sample;
 use slipgap_problem::problem::structure::metrics::metric::StructureMetric;
-use slipgap_problem::problem::structure::metrics::reduction::{OF_VALUES, Reduction};
+use slipgap_problem::problem::structure::metrics::reduction::Reduction;
 
 /// Reports metrics of what was not measured.
 pub(in crate::structure) fn report_not_measured(
@@ -19,10 +19,14 @@ pub(in crate::structure) fn report_not_measured(
         let is_in_tests = |metric: &StructureMetric| {
             let channel = metric.channel.as_ref();
             let measured = channel.is_some_and(|channel| sample.channel(channel).is_some());
-            measured && !metric.measured && OF_VALUES.contains(&metric.reduction)
+            measured && !metric.measured && metric.reduction.is_of_values()
         };
         if !metrics.is_empty() && !metrics.iter().any(is_in_tests) {
-            let names = OF_VALUES.map(Reduction::name).join(", ");
+            let of_values = Reduction::all().filter(|own| own.is_of_values());
+            let names = of_values
+                .map(Reduction::name)
+                .collect::<Vec<_>>()
+                .join(", ");
             let message =
                 format!("no metric of the study is of a measured channel and one of {names}");
             let at = root.get(KEY.0).map_or(0, |node| node.at);

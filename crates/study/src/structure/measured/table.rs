@@ -4,7 +4,6 @@ use super::column::Column;
 use crate::source::faults::{Faults, quoted};
 use crate::source::hint::nearest;
 use crate::source::tree::Node;
-use crate::structure::reading::files::bytes;
 use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::structure::channels::measured::Test;
 use slipgap_system::system::measured_table::MeasuredTable;
@@ -24,7 +23,7 @@ pub(in crate::structure) fn test(
         faults.add(node.at, path, format!("{}: {why}", quoted(file)));
     };
     let place = (node, path);
-    let bytes = match bytes(&reader.folder.join(file), LARGEST) {
+    let bytes = match reader.folder.bytes(file, LARGEST) {
         Ok(bytes) => bytes,
         Err(why) => {
             refuse(why, place, faults);

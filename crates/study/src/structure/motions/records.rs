@@ -4,7 +4,6 @@ use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::structure::keys::{FUNCTION, range};
-use crate::structure::reading::files::bytes;
 use crate::structure::reading::reader::Reader;
 use crate::value::{name, number};
 use slipgap_problem::problem::numbers::parameter::{Range, shortest};
@@ -94,7 +93,10 @@ fn read(
     (unit, reading): (Option<Unit>, Reading),
     reader: &Reader,
 ) -> Result<Arc<Signal>, Fault> {
-    let bytes = bytes(&reader.folder.join(file), LARGEST).map_err(|why| (None, why))?;
+    let bytes = reader
+        .folder
+        .bytes(file, LARGEST)
+        .map_err(|why| (None, why))?;
     let record = loads::record::parse(file, &bytes, reading);
     let record = record.map_err(|fault| (None, format!("line {}: {}", fault.line, fault.cause)))?;
     let signal = loads::signal(&record, unit, 1.0 / reader.metre).map_err(|why| match why {

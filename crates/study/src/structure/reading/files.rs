@@ -3,15 +3,12 @@
 use super::given::Choices;
 use super::reader::Reader;
 use crate::source::faults::{Faults, quoted};
-use crate::source::input::open;
 use crate::source::tree::Node;
 use crate::value::text;
 use slipgap_problem::problem::interned;
 use slipgap_problem::problem::numbers::parameter::Kind;
 use slipgap_problem::problem::structure::given::chosen::Chosen;
 use slipgap_system::system::import::ImportFault;
-use std::io::{self, Read};
-use std::path::Path;
 
 /// The content of a file that the text at a place names, of `largest` bytes at most. Its bytes belong to the identity of the structure.
 pub(in crate::structure) fn read<T>(
@@ -22,7 +19,7 @@ pub(in crate::structure) fn read<T>(
     faults: &mut Faults,
     parse: impl FnOnce(&[u8]) -> Result<T, ImportFault>,
 ) -> Option<T> {
-    let found = bytes(&reader.folder.join(file), largest);
+    let found = reader.folder.bytes(file, largest);
     let bytes = match found {
         Ok(bytes) => bytes,
         Err(why) => {
@@ -40,24 +37,6 @@ pub(in crate::structure) fn read<T>(
             None
         }
     }
-}
-
-/// The bytes of a file of bounded size, or why there are none.
-pub(in crate::structure) fn bytes(path: &Path, largest: u64) -> Result<Vec<u8>, String> {
-    if std::fs::metadata(path).is_ok_and(|found| !found.is_file()) {
-        return Err("not a file".into());
-    }
-    let unread = |error: io::Error| format!("cannot read {}: {error}", path.display());
-    let opened = open(path).map_err(unread)?;
-    if opened.limit() > largest {
-        return Err(format!("larger than {} MiB", largest >> 20));
-    }
-    let mut bytes = Vec::new();
-    opened
-        .take(largest)
-        .read_to_end(&mut bytes)
-        .map_err(unread)?;
-    Ok(bytes)
 }
 
 impl Reader<'_> {

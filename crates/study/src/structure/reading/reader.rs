@@ -1,6 +1,7 @@
 //! What all parts of a structure are decoded with: the parameters of the study, the names of nodes, and the folder of records.
 
 use crate::source::faults::{Faults, in_words, quoted, unknown};
+use crate::source::folder::Folder;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::identity::Records;
@@ -19,7 +20,6 @@ use slipgap_system::system::loads::record::Heading;
 use slipgap_system::system::structure::Direction;
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashSet};
-use std::path::Path;
 use std::sync::Arc;
 
 /// A named part with its value in the study.
@@ -41,7 +41,7 @@ pub(in crate::structure) struct Reader<'a> {
     /// The study's unit of length in m.
     pub metre: f64,
     /// Folder of the study.
-    pub folder: &'a Path,
+    pub folder: &'a Folder<'a>,
     /// Rows of the parameters that the structure contains.
     pub used: RefCell<BTreeSet<usize>>,
     /// Records whose mean is removed without a key that says so, with this mean.

@@ -4,10 +4,10 @@ use super::cache::Cache;
 use super::pattern::Found;
 use super::selection::{Moments, select};
 use crate::source::faults::{Faults, quoted};
+use crate::source::folder::Folder;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::{CHOOSE, Keys, names, range};
-use crate::structure::reading::files::bytes;
 use crate::value::{name, number};
 use libm::log;
 use rayon::prelude::*;
@@ -17,7 +17,6 @@ use slipgap_system::system::loads::record::{self, Reading};
 use slipgap_system::system::loads::spectrum::spectrum;
 use slipgap_system::system::loads::{self, Unit};
 use slipgap_system::system::structure::Signal;
-use std::path::Path;
 
 /// Most bytes of a record.
 const LARGEST: u64 = 64 << 20;
@@ -45,7 +44,7 @@ pub(super) fn chosen(
     node: &Node,
     path: &str,
     files: Found,
-    folder: &Path,
+    folder: &Folder,
     faults: &mut Faults,
 ) -> Option<Found> {
     let choice = choice(node, path, faults)?;
@@ -153,11 +152,11 @@ impl Choice {
     ///
     /// # Errors
     /// Files that are no records, or too few of them.
-    fn of(&self, files: &[String], folder: &Path, cache: &Cache) -> Result<Vec<usize>, String> {
+    fn of(&self, files: &[String], folder: &Folder, cache: &Cache) -> Result<Vec<usize>, String> {
         // Read once, on all threads; in the order of the files, so that the choice is the same everywhere.
         let spectra: Vec<Result<Vec<f64>, String>> = files
             .par_iter()
-            .map(|file| self.logarithms(&folder.join(file), file, cache))
+            .map(|file| self.logarithms(folder, file, cache))
             .collect();
         let wrong = spectra.iter().filter_map(|own| own.as_ref().err());
         let wrong: Vec<&str> = wrong.take(MOST_FAULTS).map(String::as_str).collect();
@@ -190,9 +189,9 @@ impl Choice {
     }
 
     /// The logarithms of the spectrum of a file, in m/s2.
-    fn logarithms(&self, path: &Path, file: &str, cache: &Cache) -> Result<Vec<f64>, String> {
+    fn logarithms(&self, folder: &Folder, file: &str, cache: &Cache) -> Result<Vec<f64>, String> {
         let at_fault = |why: String| format!("{}: {why}", quoted(file));
-        let content = bytes(path, LARGEST).map_err(at_fault)?;
+        let content = folder.bytes(file, LARGEST).map_err(at_fault)?;
         let numbers = self.periods.iter().chain([&self.ratio]);
         let key = Cache::key(&content, numbers.copied());
         if let Some(known) = cache.read(&key, self.periods.len()) {

@@ -5,12 +5,12 @@
 use super::choice::chosen;
 use super::pattern::{Found, matching};
 use crate::source::faults::{Faults, join, quoted};
+use crate::source::folder::Folder;
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use crate::structure::keys::{COMPARE, FILES, KEY, names};
 use crate::structure::reading::given::{member, members, texts};
 use crate::value::text;
-use std::path::Path;
 
 /// The key of measurements, and the parameter of their files.
 const MEASURED: &str = KEY.0;
@@ -22,7 +22,7 @@ const CHOOSE: &str = FILES[1].0;
 type Listed = (String, usize, String, Found);
 
 /// Puts the lists of files into the parameters of a study; `folder` is that of the study.
-pub(crate) fn expand(root: &mut Node, folder: &Path, faults: &mut Faults) {
+pub(crate) fn expand(root: &mut Node, folder: &Folder, faults: &mut Faults) {
     let mut named = Vec::new();
     let Some(structure) = root.member("structure") else {
         return;
@@ -147,12 +147,12 @@ pub(in crate::structure) fn blocks(root: &mut Node) -> Vec<(String, &mut Node)> 
 }
 
 /// The files of an object, in the order of their names.
-fn files(node: &Node, path: &str, folder: &Path, faults: &mut Faults) -> Option<Found> {
+fn files(node: &Node, path: &str, folder: &Folder, faults: &mut Faults) -> Option<Found> {
     let object = Object::open(node, path, &names(FILES), faults)?;
     let node = object.need(FILES[0].0, FILES[0].1, faults)?;
     let path = object.path(FILES[0].0);
     let pattern = text(node, &path, faults)?;
-    let found = matching(&pattern, folder);
+    let found = matching(&pattern, folder.path);
     match found {
         Ok(found) => match object.get(CHOOSE) {
             Some(node) => chosen(node, &object.path(CHOOSE), found, folder, faults),

@@ -1,6 +1,7 @@
 //! Intensity measures of the ground as metrics, such as `ground.pga` or `ground.y.Sa(T, 0.05)`.
 
 use super::computed_ground::{self, Steps};
+use super::function::{Function, OfGround};
 use super::reduction::Reduction;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::scale_to::RATIO;
@@ -82,7 +83,7 @@ impl GroundMetric {
         template: &'a Template,
     ) -> Result<&'a Scaled, String> {
         let ground = &template.ground;
-        if of_set(reduction) {
+        if of_ground(reduction).is_some_and(OfGround::of_set) {
             if self.direction.is_some() {
                 return Err("a set has one for all directions; begin with ground.".to_owned());
             }
@@ -111,22 +112,16 @@ impl GroundMetric {
 
     /// The measure in a case.
     pub fn measure(&self, reduction: Reduction, case: &Case) -> Result<Option<Measure>, Violation> {
-        let measure = match reduction {
-            Reduction::GroundPga => Measure::PeakAcceleration,
-            Reduction::GroundPgv => Measure::PeakVelocity,
-            Reduction::GroundPgd => Measure::PeakDisplacement,
-            Reduction::GroundArias => Measure::Arias,
-            Reduction::GroundDuration => Measure::Duration,
-            Reduction::GroundMeanPeriod => Measure::MeanPeriod,
-            Reduction::GroundSpectral => {
+        match of_ground(reduction) {
+            Some(OfGround::Measure(measure)) => Ok(Some(measure)),
+            Some(OfGround::Oscillator) => {
                 let mut amounts = self.amounts.iter().map(|amount| amount.value(case));
                 let period = amounts.next().transpose()?;
                 let ratio = amounts.next().transpose()?.unwrap_or(RATIO);
-                return Ok(period.map(|period| Measure::Spectral { period, ratio }));
+                Ok(period.map(|period| Measure::Spectral { period, ratio }))
             }
-            _ => return Ok(None),
-        };
-        Ok(Some(measure))
+            Some(OfGround::Factor | OfGround::SetFactor | OfGround::SetRatio) | None => Ok(None),
+        }
     }
 
     /// Its value in a case, for the accelerations at its steps; none if they have no such measure.
@@ -139,21 +134,30 @@ impl GroundMetric {
     ) -> Option<f64> {
         let scaled = self.of(reduction, template).ok()?;
         let state = || scaled.set_state(case, template.metre);
-        match reduction {
-            Reduction::GroundFactor => return scaled.factor(case, template.metre).ok(),
-            Reduction::GroundSetFactor => return Some(state()?.factor),
-            Reduction::GroundSetRatio => return Some(state()?.ratio),
-            _ => {}
+        match of_ground(reduction)? {
+            OfGround::Factor => scaled.factor(case, template.metre).ok(),
+            OfGround::SetFactor => Some(state()?.factor),
+            OfGround::SetRatio => Some(state()?.ratio),
+            OfGround::Measure(_) | OfGround::Oscillator => {
+                let measure = self.measure(reduction, case).ok()??;
+                computed_ground::measured(scaled, measure, case, template.metre, steps)
+            }
         }
-        let measure = self.measure(reduction, case).ok()??;
-        computed_ground::measured(scaled, measure, case, template.metre, steps)
     }
 }
 
-/// Whether a measure is of the set of the ground.
-fn of_set(reduction: Reduction) -> bool {
-    matches!(
-        reduction,
-        Reduction::GroundSetFactor | Reduction::GroundSetRatio
-    )
+/// What of the ground a reduction is of.
+fn of_ground(reduction: Reduction) -> Option<OfGround> {
+    match reduction.row().function {
+        Function::Ground(of) => Some(of),
+        Function::Values(_)
+        | Function::Distance(..)
+        | Function::Pair(..)
+        | Function::Estimated
+        | Function::Perturbed(_)
+        | Function::Contact(..)
+        | Function::Energies(_)
+        | Function::Measured(_)
+        | Function::Loop(_) => None,
+    }
 }

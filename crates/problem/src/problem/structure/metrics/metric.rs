@@ -1,6 +1,7 @@
 //! Metrics of a structure: a reduction of a channel over time.
 
-use super::reduction::{ERRORS, OF_MEASURED, REDUCTIONS, Reduction};
+use super::function::Motion;
+use super::reduction::Reduction;
 use crate::problem::structure::channels::channel::Channel;
 use crate::problem::structure::metrics::ground::{GroundMetric, PREFIX, without_direction};
 
@@ -37,26 +38,29 @@ pub fn looks_like_metric(text: &str) -> bool {
     let name = text.split('(').next().unwrap_or_default().trim();
     let name = &*without_direction(name).0;
     let with_brackets = text.contains('(') && text.trim_end().ends_with(')');
-    let known = REDUCTIONS.iter().any(|known| known.0 == name);
-    known && (with_brackets || OF_ALL.contains(&name) || name.starts_with(PREFIX))
+    Reduction::named(name).is_some()
+        && (with_brackets || OF_ALL.contains(&name) || name.starts_with(PREFIX))
 }
 
 impl StructureMetric {
-    /// Whether it is one of these reductions, and not of what was measured.
-    pub fn is_exact(&self, reductions: &[Reduction]) -> bool {
-        !self.measured && reductions.contains(&self.reduction)
+    /// Whether it is this reduction, and not of what was measured.
+    pub fn is_exact(&self, reduction: Reduction) -> bool {
+        !self.measured && self.reduction == reduction
+    }
+
+    /// Whether it compares with this motion.
+    pub fn needs(&self, motion: Motion) -> bool {
+        !self.measured && self.reduction.needs(motion)
     }
 
     /// Whether it compares with an exact motion.
     pub fn needs_exact(&self) -> bool {
-        self.is_exact(&ERRORS)
+        !self.measured && self.reduction.needs_exact()
     }
 
     /// Its meaning.
     pub fn meaning(&self) -> &'static str {
-        let mut own = OF_MEASURED.iter().filter(|_| self.measured);
-        let own = own.find(|own| own.0 == self.reduction);
-        own.map_or(self.reduction.meaning(), |own| own.1)
+        self.reduction.meaning(self.measured)
     }
 }
 

@@ -1,6 +1,8 @@
 //! Metrics: reductions of channels to numbers, with their texts and units.
 
+pub mod against_measured;
 pub(crate) mod computed_ground;
+pub mod function;
 pub mod ground;
 pub mod metric;
 pub mod pieces;

@@ -1,7 +1,7 @@
 //! The texts of metrics, such as `peak(g1.right - p2)` or `rms_error(deck.u, measured)`.
 
 use super::metric::StructureMetric;
-use super::reduction::{ALL, REDUCTIONS, Reduction, Takes};
+use super::reduction::{REDUCTIONS, Reduction, Takes};
 use crate::problem::structure::channels::channel::{Channel, QUANTITIES};
 use crate::problem::structure::channels::names::Names;
 use crate::problem::structure::metrics::ground::{GroundMetric, without_direction};
@@ -25,11 +25,11 @@ impl StructureMetric {
         };
         let (name, direction) = without_direction(name);
         let name = &*name;
-        let Some(place) = REDUCTIONS.iter().position(|known| known.0 == name) else {
+        let Some(reduction) = Reduction::named(name) else {
             let all = REDUCTIONS.map(|known| known.0).join(", ");
             return Err(format!("no metric '{name}'; allowed: {all}"));
         };
-        let (reduction, takes) = ALL[place];
+        let takes = reduction.row().takes;
         let mut metric = StructureMetric {
             name: text.to_owned(),
             reduction,
@@ -56,10 +56,8 @@ impl StructureMetric {
             (Takes::Nothing, None) => {}
             (Takes::Nothing, Some(_)) => return Err(format!("{name} has no channel")),
             (_, None | Some("")) => {
-                let what = match takes {
-                    Takes::Contact | Takes::ContactOrMeasured => "a contact",
-                    _ => "a channel",
-                };
+                let contact = [Takes::Contact, Takes::ContactOrMeasured].contains(&takes);
+                let what = if contact { "a contact" } else { "a channel" };
                 return Err(format!("{name} needs {what} in brackets"));
             }
             (Takes::MeasuredChannel, _) if !metric.measured => {
@@ -83,7 +81,7 @@ impl StructureMetric {
             (Takes::Contact | Takes::ContactOrMeasured, Some(inside)) => {
                 let (place, in_plane) = contact(inside, names)?;
                 (metric.contact, metric.in_plane) = (Some(place), in_plane);
-                if in_plane && !IN_PLANE.contains(&reduction) {
+                if in_plane && !reduction.is_in_plane() {
                     return Err(format!(
                         "{inside} is a contact in a plane; name a direction, {inside}.1 or {inside}.2"
                     ));
@@ -132,23 +130,14 @@ impl Takes {
         if may(self) {
             return Ok(());
         }
-        let all = REDUCTIONS.iter().zip(ALL).filter(|(_, own)| may(own.1));
-        let all: Vec<&str> = all.map(|(own, _)| own.0).collect();
+        let all = Reduction::all().filter(|own| may(own.row().takes));
+        let all: Vec<&str> = all.map(Reduction::name).collect();
         Err(format!(
             "{name} does not compare with what was measured; these do: {}",
             all.join(", ")
         ))
     }
 }
-
-/// The metrics of contacts that a contact in a plane has as a whole.
-const IN_PLANE: [Reduction; 5] = [
-    Reduction::Work,
-    Reduction::EnergyPerCycle,
-    Reduction::ResidualSlip,
-    Reduction::Impulse,
-    Reduction::OpenTime,
-];
 
 /// A contact by its name, or by one of its channels; and whether it is both directions of one in a plane.
 fn contact(text: &str, names: &Names) -> Result<(usize, bool), String> {

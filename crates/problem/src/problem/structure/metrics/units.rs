@@ -1,7 +1,7 @@
 //! Names of the units of a structure, for the titles of figures.
 
+use super::function::UnitOf;
 use super::metric::StructureMetric;
-use super::reduction::Reduction;
 use super::unit_consistency::size_of;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::channels::words::Words;
@@ -49,32 +49,20 @@ impl UnitNames<'_> {
 
     /// The unit of a metric; `None` for a number or a ratio.
     pub fn of_metric(&self, metric: &StructureMetric, words: Words) -> Option<String> {
-        if metric.reduction.is_in_unit_of_channel() {
-            let of = |dimension| Some(self.of_dimension(dimension));
-            return words.unit(metric.channel.as_ref()?, of);
+        let against = metric.reduction.of_measured().filter(|_| metric.measured);
+        if against.is_some_and(|own| !own.has_unit) {
+            return None;
         }
-        match metric.reduction {
-            Reduction::GroundPga | Reduction::GroundSpectral => {
-                Some(self.of_dimension(Dimension::Acceleration))
-            }
-            Reduction::GroundPgv | Reduction::GroundArias => {
-                Some(self.of_dimension(Dimension::Velocity))
-            }
-            Reduction::GroundPgd => Some(self.length.to_owned()),
-            Reduction::GroundDuration
-            | Reduction::GroundMeanPeriod
-            | Reduction::TimeOfPeak
-            | Reduction::ContactTime
-            | Reduction::OpenTime
-            | Reduction::Divergence => Some(self.time.to_owned()),
-            Reduction::Impulse => Some(format!("{} {}", self.force, self.time)),
-            Reduction::EnergyPerCycle if metric.measured => None,
-            Reduction::Work | Reduction::EnergyPerCycle => {
-                Some(format!("{} {}", self.force, self.length))
-            }
-            Reduction::ResidualSlip => Some(self.length.to_owned()),
-            // Numbers and ratios.
-            _ => None,
+        let of = |dimension| Some(self.of_dimension(dimension));
+        match metric.reduction.row().unit {
+            UnitOf::Channel => words.unit(metric.channel.as_ref()?, of),
+            UnitOf::Time => of(Dimension::Time),
+            UnitOf::Length => of(Dimension::Length),
+            UnitOf::Velocity => of(Dimension::Velocity),
+            UnitOf::Acceleration => of(Dimension::Acceleration),
+            UnitOf::Energy => of(Dimension::Energy),
+            UnitOf::Impulse => Some(format!("{} {}", self.force, self.time)),
+            UnitOf::None => None,
         }
     }
 }

@@ -1,16 +1,19 @@
 //! Metrics in tests that are compared as a sample.
 
-use super::metric_values::of_values;
 use crate::problem::structure::StructureProblem;
+use crate::problem::structure::metrics::function::Function;
 
 impl StructureProblem {
     /// A metric in each test of the sample: the reduction of the measured values.
     pub(crate) fn sample_of(&self, metric: usize) -> Option<Vec<f64>> {
         let metric = self.metrics.get(metric).filter(|own| !own.measured)?;
+        let Function::Values(function) = metric.reduction.row().function else {
+            return None;
+        };
         let tests = self.template.sample.as_ref()?;
         let mut tests = tests.channel(metric.channel.as_ref()?)?;
         tests.try_fold(Vec::new(), |mut all, (time, values)| {
-            all.push(of_values(metric.reduction, values, |place| time[place])?);
+            all.push(function(values, &|place| time[place])?);
             Some(all)
         })
     }

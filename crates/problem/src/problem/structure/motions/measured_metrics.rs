@@ -3,12 +3,12 @@
 use super::recorded::{MetricContext, Recorded};
 use super::sweep::Ready;
 use crate::metrics::measured as reduce;
-use crate::metrics::structure::{peak, rms_error};
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channels::channel::Channel;
 use crate::problem::structure::channels::measured::{Compared, measured_loop};
+use crate::problem::structure::metrics::against_measured::MeasuredFunction;
+use crate::problem::structure::metrics::function::{Function, OfLoop};
 use crate::problem::structure::metrics::metric::StructureMetric;
-use crate::problem::structure::metrics::reduction::Reduction;
 use crate::problem::{Case, Problem, Violation};
 use crate::solve::Unsolvable;
 
@@ -39,24 +39,41 @@ pub fn value(metric: &StructureMetric, of: MetricContext, computed: &Recorded) -
         let c = reduce::at_times(&steps, of.dt, &times)?;
         Some((c, compared.values(channel)?))
     };
-    if metric.reduction == Reduction::EnergyPerCycle {
-        let [r, s] = measured_loop(metric.contact?);
-        let ((r, m_r), (s, m_s)) = (pair(&r)?, pair(&s)?);
-        return reduce::energy_per_cycle_error([&r, &s], [m_r, m_s]);
-    }
-    let (c, m) = pair(metric.channel.as_ref()?)?;
-    let sprague_geers = || reduce::sprague_geers(&times, &c, m);
-    match metric.reduction {
-        Reduction::RmsError => Some(rms_error(&c, m)),
-        Reduction::LastError => Some((c.last()? - m.last()?).abs()),
-        Reduction::PeakError => Some((peak(&c) - peak(m)).abs()),
-        Reduction::SpragueGeersMagnitude => Some(sprague_geers()?.magnitude),
-        Reduction::SpragueGeersPhase => Some(sprague_geers()?.phase),
-        Reduction::SpragueGeersCombined => Some(sprague_geers()?.combined),
-        Reduction::LoopDistance => {
-            let (second, m_second) = pair(metric.second.as_ref()?)?;
-            reduce::loop_distance([&c, &second], [m, m_second])
+    let of_channel = |function: fn(&[f64], [&[f64]; 2]) -> Option<f64>| {
+        let (c, m) = pair(metric.channel.as_ref()?)?;
+        function(&times, [&c, m])
+    };
+    let of_loop = |channels: [&Channel; 2], function: OfLoop| {
+        let ((first, m_first), (second, m_second)) = (pair(channels[0])?, pair(channels[1])?);
+        function([&first, &second], [m_first, m_second])
+    };
+    match (
+        metric.reduction.of_measured(),
+        metric.reduction.row().function,
+    ) {
+        (Some(own), _) => match own.function {
+            MeasuredFunction::Channel(function) => of_channel(function),
+            MeasuredFunction::Contact(function) => {
+                let [r, s] = measured_loop(metric.contact?);
+                of_loop([&r, &s], function)
+            }
+        },
+        (None, Function::Measured(function)) => of_channel(function),
+        (None, Function::Loop(function)) => {
+            let channels = [metric.channel.as_ref()?, metric.second.as_ref()?];
+            of_loop(channels, function)
         }
-        _ => None,
+        // A text of these does not say `measured`.
+        (
+            None,
+            Function::Values(_)
+            | Function::Distance(..)
+            | Function::Pair(..)
+            | Function::Estimated
+            | Function::Perturbed(_)
+            | Function::Contact(..)
+            | Function::Energies(_)
+            | Function::Ground(_),
+        ) => None,
     }
 }

@@ -11,6 +11,7 @@ use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channels::channel::Number;
 use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::metrics::computed_ground::Steps;
+use crate::problem::structure::metrics::function::{Function, Motion};
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::metrics::reduction::Reduction;
 use crate::problem::structure::model::assemble::{self, Model};
@@ -21,29 +22,20 @@ use crate::solve::{Unsolvable, Warnings};
 /// Refinement of the mesh that `mesh_error` compares with.
 const FINER: u32 = 4;
 
-/// Reductions that compare with the motion of `contacts_reference`.
-const AGAINST_REFERENCE: [Reduction; 3] = [
-    Reduction::RmsError,
-    Reduction::LastError,
-    Reduction::PeakError,
-];
-
-/// Reductions that always need the motion of the softened laws.
-const SOFTENED: [Reduction; 4] = [
-    Reduction::StepError,
-    Reduction::RegularisationError,
-    Reduction::ReferenceError,
-    Reduction::MeshError,
-];
-
 /// The motions of a case, its metrics and its warnings.
 pub type JudgedCase = (Motions, Vec<Option<f64>>, Warnings);
 
 impl StructureProblem {
-    /// Whether a metric has one of these reductions, and is not of what was measured.
-    fn has(&self, reductions: &[Reduction]) -> bool {
+    /// Whether a metric compares with this motion.
+    fn needs(&self, motion: Motion) -> bool {
         let mut all = self.metrics.iter();
-        all.any(|metric| metric.is_exact(reductions))
+        all.any(|metric| metric.needs(motion))
+    }
+
+    /// Whether a metric is the estimated error of the exact motion.
+    fn needs_estimate(&self) -> bool {
+        let mut all = self.metrics.iter();
+        all.any(|metric| metric.is_exact(Reduction::ReferenceError))
     }
 
     /// Cost of the exact motions of the metrics, in steps times modes.
@@ -54,12 +46,12 @@ impl StructureProblem {
         let outline = assemble::outline(&self.template, case, Model::Study);
         let integrated = outline.is_ok_and(|outline| !events::knows_laws(&outline));
         let rigid = self.against_rigid();
-        let against = self.has(&AGAINST_REFERENCE);
-        let softened = self.has(&SOFTENED) || against && !rigid;
-        let rigid = self.has(&[Reduction::RegularisationError]) || against && rigid;
+        let against = self.needs(Motion::Reference);
+        let softened = self.needs(Motion::Softened) || against && !rigid;
+        let rigid = self.needs(Motion::Rigid) || against && rigid;
         let motions = u64::from(softened) + u64::from(rigid);
         // An integrated motion has 12 evaluations in a step at least, and 4 where its error is wanted.
-        let of_step = match (integrated, self.has(&[Reduction::ReferenceError])) {
+        let of_step = match (integrated, self.needs_estimate()) {
             (true, true) => 400,
             (true, false) => 300,
             (false, _) => 30,
@@ -67,7 +59,7 @@ impl StructureProblem {
         let of_step = of_step + self.halved_steps();
         let at_steps = self.one_run_work(case).saturating_mul(of_step);
         let of_one = at_steps.saturating_add(self.motion_work(case, Model::Study) as u64);
-        let finer = match self.has(&[Reduction::MeshError]) {
+        let finer = match self.needs(Motion::Finer) {
             // As many nodes more in the motion at the steps.
             true => (self.motion_work(case, Model::Finer(FINER)) as u64)
                 .saturating_add(at_steps.saturating_mul(u64::from(FINER))),
@@ -79,13 +71,13 @@ impl StructureProblem {
     /// Whether a metric compares with the run with start and loads that are 1e-10 larger.
     pub(crate) fn needs_perturbed(&self) -> bool {
         let mut all = self.metrics.iter();
-        all.any(|metric| metric.reduction.needs_perturbed())
+        all.any(|metric| metric.reduction.needs(Motion::Perturbed))
     }
 
     /// Cost of the motion with the whole matrices, in steps times modes; 0 if no metric compares with it.
     pub(crate) fn unreduced_work(&self, case: &Case) -> u64 {
         let (true, Ok(numbering)) = (
-            self.has(&[Reduction::ReductionError]),
+            self.needs(Motion::Unreduced),
             assemble::check(&self.template, case),
         ) else {
             return 0;
@@ -155,7 +147,7 @@ impl StructureProblem {
         cases: [&Ready; L],
         prepared: &Prepared,
     ) -> [Option<Run>; L] {
-        let needs = |metric: &StructureMetric| metric.reduction.needs_perturbed();
+        let needs = |metric: &StructureMetric| metric.reduction.needs(Motion::Perturbed);
         let (Some(first), true) = (cases.first(), self.needs_perturbed()) else {
             return [const { None }; L];
         };
@@ -174,12 +166,8 @@ impl StructureProblem {
 
     /// Why there is no exact motion, with the first metric that needs it.
     fn needing(&self, why: Unsolvable) -> Unsolvable {
-        let needs = |metric: &&StructureMetric| {
-            SOFTENED.contains(&metric.reduction)
-                || metric.is_exact(&AGAINST_REFERENCE)
-                || metric.reduction == Reduction::RegularisationError
-        };
-        match (why, self.metrics.iter().find(needs)) {
+        let mut all = self.metrics.iter();
+        match (why, all.find(|metric| metric.needs_exact())) {
             (Unsolvable::Reference(why), Some(metric)) => {
                 Unsolvable::Reference(format!("{why} ({} needs it)", metric.name))
             }
@@ -191,7 +179,10 @@ impl StructureProblem {
         Recording {
             last: ready.last,
             numbers,
-            energy: self.has(&[Reduction::EnergyError, Reduction::NumericalDissipation]),
+            energy: {
+                let mut all = self.metrics.iter();
+                all.any(|metric| matches!(metric.reduction.row().function, Function::Energies(_)))
+            },
             watch: (!self.template.contacts.is_empty()).then_some(motion::EVERY),
         }
     }
@@ -225,26 +216,24 @@ impl StructureProblem {
         let numbers = self.numbers(numbering, StructureMetric::needs_exact);
         let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
         let referred =
-            self.has(&AGAINST_REFERENCE) || self.template.reference.is_some() && !more.is_empty();
+            self.needs(Motion::Reference) || self.template.reference.is_some() && !more.is_empty();
         let times: Vec<f64> = (0..=*last).map(|i| i as f64 * dt).collect();
         let rigid = self.against_rigid();
-        if self.has(&SOFTENED) || referred && !rigid {
+        if self.needs(Motion::Softened) || referred && !rigid {
             let exact = exact_motion::exact(structure, &times, &numbers);
             motions.softened = Some(exact.map_err(|why| self.needing(why))?);
         }
-        if self.has(&[Reduction::ReferenceError]) {
+        if self.needs_estimate() {
             motions.coarse = exact_motion::coarse(structure, &times, &numbers)?;
             motions.reference_errors = self.reference_errors(ready, &motions);
         }
-        if self.has(&[Reduction::RegularisationError]) || referred && rigid {
+        if self.needs(Motion::Rigid) || referred && rigid {
             let exact = exact_motion::exact(&motion::rigid(structure)?, &times, &numbers);
             motions.rigid = Some(exact.map_err(|why| self.needing(why))?);
         }
-        if self.has(&[Reduction::MeshError]) {
+        if self.needs(Motion::Finer) {
             let (finer, numbering) = self.structure(&ready.case, Model::Finer(FINER))?;
-            let numbers = self.numbers(&numbering, |metric| {
-                metric.reduction == Reduction::MeshError
-            });
+            let numbers = self.numbers(&numbering, |metric| metric.needs(Motion::Finer));
             motions.finer = Some((exact_motion::exact(&finer, &times, &numbers)?, numbering));
         }
         motions.unreduced = self.unreduced(ready)?;
@@ -274,13 +263,11 @@ impl StructureProblem {
 
     /// The motion of a case with the whole matrices; `None` if no metric compares with it.
     fn unreduced(&self, ready: &Ready) -> Result<Option<(Recorded, Numbering)>, Unsolvable> {
-        if !self.has(&[Reduction::ReductionError]) {
+        if !self.needs(Motion::Unreduced) {
             return Ok(None);
         }
         let (structure, numbering) = self.structure(&ready.case, Model::Unreduced)?;
-        let numbers = self.numbers(&numbering, |metric| {
-            metric.reduction == Reduction::ReductionError
-        });
+        let numbers = self.numbers(&numbering, |metric| metric.needs(Motion::Unreduced));
         let recording = Recording {
             last: ready.last,
             numbers: &numbers,

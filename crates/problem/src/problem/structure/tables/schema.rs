@@ -80,9 +80,9 @@ pub fn schema(
         unit: unit_of(metric).map_or(Borrowed("1"), Text::Owned),
         meaning: Borrowed(metric.meaning()),
         default: true,
-        empty: Borrowed(match metric.reduction {
-            Reduction::Divergence => "never",
-            _ => NO_VALUE,
+        empty: Borrowed(match metric.reduction == Reduction::Divergence {
+            true => "never",
+            false => NO_VALUE,
         }),
     };
     let channel = |drawn: &Drawn| Column {
@@ -142,7 +142,7 @@ fn budgets(
 ) -> Vec<Budget> {
     let row = |reduction: Reduction, channel: &Channel| {
         let same = |metric: &StructureMetric| {
-            metric.is_exact(&[reduction]) && metric.channel.as_ref() == Some(channel)
+            metric.is_exact(reduction) && metric.channel.as_ref() == Some(channel)
         };
         metrics.iter().position(same)
     };

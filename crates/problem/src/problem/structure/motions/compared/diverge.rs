@@ -91,11 +91,11 @@ impl StructureProblem {
     pub(crate) fn metrics_say(&self, values: &[Option<f64>]) -> Option<bool> {
         let says = |(row, value): (usize, &Option<f64>)| {
             let metric = self.metrics.get(row)?;
-            match metric.reduction {
-                Reduction::Divergence if metric.threshold == DIFFERENT => Some(value.is_some()),
-                Reduction::Difference => Some(value.is_some_and(|value| value > DIFFERENT)),
-                _ => None,
+            let is = |reduction| metric.reduction == reduction;
+            if is(Reduction::Divergence) && metric.threshold == DIFFERENT {
+                return Some(value.is_some());
             }
+            is(Reduction::Difference).then(|| value.is_some_and(|value| value > DIFFERENT))
         };
         let said: Vec<bool> = values.iter().enumerate().filter_map(says).collect();
         (!said.is_empty()).then(|| said.contains(&true))

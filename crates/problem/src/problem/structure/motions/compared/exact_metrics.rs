@@ -2,21 +2,10 @@
 
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::metrics::metric::StructureMetric;
-use crate::problem::structure::metrics::reduction::Reduction;
 use crate::problem::structure::motions::recorded::{MetricContext, Motions, distinct};
 use crate::problem::structure::motions::sweep::Ready;
 use crate::problem::structure::motions::{exact_motion, metric_values, motion};
 use crate::solve::Unsolvable;
-
-/// Reductions of a channel alone, which an exact motion has, too.
-const OF_MOTION: [Reduction; 6] = [
-    Reduction::Peak,
-    Reduction::Last,
-    Reduction::Min,
-    Reduction::Max,
-    Reduction::Rms,
-    Reduction::TimeOfPeak,
-];
 
 impl StructureProblem {
     /// The metrics in these rows of the exact motion at the steps, if they are of a channel that it has.
@@ -26,7 +15,7 @@ impl StructureProblem {
         rows: &[usize],
     ) -> Result<Vec<Option<f64>>, Unsolvable> {
         let metrics: Vec<&StructureMetric> = rows.iter().map(|row| &self.metrics[*row]).collect();
-        let of_motion = |own: &StructureMetric| !own.measured && OF_MOTION.contains(&own.reduction);
+        let of_motion = |own: &StructureMetric| !own.measured && own.reduction.is_of_values();
         let numbers = |own: &StructureMetric| {
             metric_values::needed(own, &ready.numbering, self.template.contacts.len())
         };

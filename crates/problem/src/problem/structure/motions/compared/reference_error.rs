@@ -37,7 +37,7 @@ impl StructureProblem {
     /// Halved steps in place of a step; 0 if no metric needs them.
     pub(crate) fn halved_steps(&self) -> u64 {
         let mut metrics = self.metrics.iter();
-        match metrics.any(|metric| metric.is_exact(&[Reduction::ReferenceError])) {
+        match metrics.any(|metric| metric.is_exact(Reduction::ReferenceError)) {
             true => FEWEST_HALVED,
             false => 0,
         }
@@ -48,7 +48,7 @@ impl StructureProblem {
         let (Some(exact), Some(coarse)) = (&motions.softened, &motions.coarse) else {
             return Vec::new();
         };
-        let is_own = |metric: &&StructureMetric| metric.is_exact(&[Reduction::ReferenceError]);
+        let is_own = |metric: &&StructureMetric| metric.is_exact(Reduction::ReferenceError);
         let metrics: Vec<_> = self.metrics.iter().filter(is_own).collect();
         let channels: Vec<_> = metrics
             .iter()
