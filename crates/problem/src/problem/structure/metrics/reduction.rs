@@ -46,7 +46,7 @@ reductions! {
     SpragueGeersMagnitude "sprague_geers_magnitude" MeasuredChannel "M = sqrt(I_cc/I_mm) - 1, I_xy the integral of x y over the measured times by trapezoids; above 0 where the computed motion is larger",
     SpragueGeersPhase "sprague_geers_phase" MeasuredChannel "P = acos(I_cm/sqrt(I_cc I_mm))/pi: 0 for the same shape, 0.5 without correlation, 1 for the opposite sign",
     SpragueGeersCombined "sprague_geers_combined" MeasuredChannel "sqrt(M^2 + P^2)",
-    EnergyPerCycle "energy_per_cycle" ContactOrMeasured "mean of the integral of S dr over whole cycles; a cycle begins where r rises through the middle of its extremes after it was 5 % of the half range below; empty without one",
+    EnergyPerCycle "energy_per_cycle" ContactOrMeasured "mean of the integral of S dr over whole cycles; a cycle begins where r rises through the middle of its extremes after it was 5 % of the half range below; the first one, from rest, counts; empty without one",
     LoopDistance "loop_distance" MeasuredLoop "distance of the computed and the measured loop of two channels, each over half its measured range: the larger of the mean distances from the points of one loop to the lines of the other",
     GroundPga "ground.pga" Ground "largest acceleration of the ground at the steps; all measures are of the motion that the structure gets, up to duration",
     GroundPgv "ground.pgv" Ground "largest velocity: the acceleration, straight between the points, integrated from rest",
