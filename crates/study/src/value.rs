@@ -180,8 +180,9 @@ const NO_NAMES: &str = "an expression with names of parameters is allowed only a
 fn own_name(fault: &ExpressionFault) -> Option<String> {
     let unknown = fault.unknown.as_deref()?;
     let allowed: Vec<&str> = unknown.allowed.iter().map(|name| &**name).collect();
-    nearest(&unknown.name, &allowed)
-        .is_none()
+    let is_number = unknown.name.parse::<f64>().is_ok();
+    let may_be = unknown.name.is_ascii() && !is_number;
+    (may_be && nearest(&unknown.name, &allowed).is_none())
         .then(|| format!("names {}; {NO_NAMES}", unknown.name))
 }
 

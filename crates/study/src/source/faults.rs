@@ -112,10 +112,12 @@ pub fn unknown(what: &str, name: &str, allowed: &[&str]) -> String {
         let _ = write!(message, ", did you mean \"{nearest}\"?");
     } else if let Some(sentence) = outside(name, allowed) {
         let _ = write!(message, ": {sentence}");
-    } else if matches!(what, "key" | "name") && is_table(allowed) {
-        message += ": only studies with \"problem\": \"structure\" have parameters of their own";
     }
     let _ = write!(message, "; allowed: {}", any_of(allowed));
+    let is_own = nearest(name, allowed).is_none() && outside(name, allowed).is_none();
+    if is_own && matches!(what, "key" | "name") && is_table(allowed) {
+        message += "; only studies with \"problem\": \"structure\" have parameters of their own";
+    }
     message
 }
 

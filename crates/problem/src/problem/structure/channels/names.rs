@@ -1,8 +1,7 @@
 //! The names of the parts of a structure.
 
 use crate::problem::structure::given::amount::Amount;
-use crate::problem::structure::given::node::{GROUND, NodeRef};
-use crate::problem::structure::parts::along::TiedDof;
+use crate::problem::structure::given::node::{GROUND, NodeRef, TiedDof};
 use crate::system::import::Imported;
 use crate::system::structure::Direction;
 use std::collections::HashMap;
