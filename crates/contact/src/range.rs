@@ -21,6 +21,8 @@ pub enum Range {
     AtLeastOne,
     /// 1/2 <= x <= 1
     FromHalfToOne,
+    /// x >= 1/2
+    AtLeastHalf,
     /// -1/3 <= x <= 0
     HilberHughesTaylor,
     /// x >= 0
@@ -43,6 +45,7 @@ impl Range {
             Range::AtMostOne => x <= 1.0,
             Range::AtLeastOne => x >= 1.0,
             Range::FromHalfToOne => (0.5..=1.0).contains(&x),
+            Range::AtLeastHalf => x >= 0.5,
             Range::HilberHughesTaylor => (-1.0 / 3.0..=0.0).contains(&x),
             Range::NotNegative => x >= 0.0,
             Range::NotZero => x != 0.0,
@@ -62,6 +65,7 @@ impl fmt::Display for Range {
             Range::AtMostOne => "<= 1",
             Range::AtLeastOne => ">= 1",
             Range::FromHalfToOne => "from 1/2 to 1",
+            Range::AtLeastHalf => ">= 1/2",
             Range::HilberHughesTaylor => "from -1/3 to 0",
             Range::NotNegative => ">= 0",
             Range::NotZero => "not 0",

@@ -33,6 +33,7 @@ use slipgap_drawing::DrawingError;
 use slipgap_drawing::layout::{self, coincide, envelope};
 use slipgap_drawing::style::Look;
 use slipgap_study::error::Error;
+use slipgap_study::kinds::{FigureKind, Fit};
 use slipgap_study::{Figure, Study};
 
 /// What a figure draws.
@@ -115,10 +116,30 @@ pub fn sheet(data: &FigureData) -> Sheet {
     if let Some(over) = &over {
         layout::small_print(&mut sheet, over);
     }
+    if let Some(words) = run_away(data) {
+        layout::small_print(&mut sheet, &words);
+    }
     if let Some(note) = &figure.note {
         layout::small_print(&mut sheet, note);
     }
     sheet
+}
+
+/// The remark on a figure with cases that run away; with `collapse` those are counted for what they are.
+fn run_away(data: &FigureData) -> Option<String> {
+    let is_counted =
+        matches!(&data.figure.kind, FigureKind::Fragility(own) if own.collapse.is_some());
+    let away = data.cases.iter().filter(|shown| shown.has_run_away());
+    let (away, all) = (away.count(), data.cases.len());
+    let of_fit = match &data.figure.kind {
+        FigureKind::Fragility(own) if own.fit == Fit::Cloud => {
+            ", and the line goes through them: give collapse"
+        }
+        _ => "",
+    };
+    (away > 0 && !is_counted).then(|| {
+        format!("{away} of {all} cases run away: their peaks grow with the duration{of_fit}.")
+    })
 }
 
 /// The remark on a figure of reductions, in markup: axis titles are too short for it.

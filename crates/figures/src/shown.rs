@@ -1,6 +1,6 @@
 //! The results that figures show, as columns: 8 bytes for a number of a case.
 
-use slipgap_motion::solve::MetricTable;
+use slipgap_motion::solve::{MetricTable, Warning};
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_problem::problem::{Case, Schema, Snapshot, Solution};
@@ -17,6 +17,7 @@ pub struct ShownCases {
     solutions: BTreeMap<usize, Arc<Solution>>,
     snapshots: BTreeMap<usize, Vec<Snapshot>>,
     failed: BTreeSet<usize>,
+    runaway: BTreeSet<usize>,
 }
 
 /// The columns that figures read.
@@ -37,6 +38,7 @@ impl ShownCases {
             solutions: BTreeMap::new(),
             snapshots: BTreeMap::new(),
             failed: BTreeSet::new(),
+            runaway: BTreeSet::new(),
         }
     }
 
@@ -71,6 +73,12 @@ impl ShownCases {
             }
         }
         let has_more = !solutions.is_empty() || metrics.failures().next().is_some();
+        let warned = metrics.warned();
+        let warned = warned.filter(|(_, warnings)| warnings.has(Warning::Runaway));
+        for (row, _) in warned {
+            let place = rows.binary_search(&(row as u32)).ok();
+            self.runaway.extend(place.map(|place| before + place));
+        }
         for (place, row) in (before..).zip(rows).filter(|_| has_more) {
             let row = *row as usize;
             if let Some(solution) = solutions.remove(&row) {
@@ -114,6 +122,8 @@ impl ShownCases {
                 .extend(snapshots.map(|snapshots| (place, snapshots)));
             some.failed
                 .extend(self.failed.contains(&row).then_some(place));
+            some.runaway
+                .extend(self.runaway.contains(&row).then_some(place));
         }
         some
     }
@@ -171,6 +181,11 @@ impl<'a> DrawnCase<'a> {
     pub fn metric(&self, row: usize) -> Option<f64> {
         let value = self.shown.metrics.get(row)?.get(self.row)?;
         Some(*value).filter(|x| !x.is_nan())
+    }
+
+    /// Whether its structure has lost its stability and run away.
+    pub fn has_run_away(&self) -> bool {
+        self.shown.runaway.contains(&self.row)
     }
 
     /// The values of these parameters, as a key.

@@ -1,11 +1,11 @@
 //! A value of the study file as a number, a string, a name or a value of a parameter.
 
 use super::source::faults::{Faults, any_of, in_words, quoted, shown, unknown};
-use super::source::hint::unit;
+use super::source::hint::{nearest, unit};
 use super::source::tree::{Node, Tree};
 use slipgap_problem::problem::PROBLEMS;
-use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::expression::unprintable;
+use slipgap_problem::problem::expression::{ExpressionFault, Formula};
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, Value, shortest};
 use std::fmt;
 
@@ -144,7 +144,10 @@ fn finite(node: &Node, path: &str, of: Option<&Parameter>, faults: &mut Faults) 
         {
             Ok(x) => return Some(x),
             Err(fault) => {
-                let what = parameters_in(formula).or_else(|| with_unit(formula, of));
+                let named = || of.and_then(|_| own_name(&fault));
+                let what = parameters_in(formula)
+                    .or_else(|| with_unit(formula, of))
+                    .or_else(named);
                 let what = what.unwrap_or_else(|| in_words(&fault));
                 faults.add(node.at, path, format!("{}: {what}", quoted(formula)));
             }
@@ -170,19 +173,30 @@ pub fn with_unit(text: &str, of: Option<&Parameter>) -> Option<String> {
     Some(hint)
 }
 
+/// What an expression in a list or rule may not have.
+const NO_NAMES: &str = "an expression with names of parameters is allowed only as the single value of a parameter, not in a list or rule";
+
+/// The hint for a name that may be that of a parameter of the study; `None` for one that is nearly that of a function.
+fn own_name(fault: &ExpressionFault) -> Option<String> {
+    let unknown = fault.unknown.as_deref()?;
+    let allowed: Vec<&str> = unknown.allowed.iter().map(|name| &**name).collect();
+    let is_number = unknown.name.parse::<f64>().is_ok();
+    let may_be = unknown.name.is_ascii() && !is_number;
+    (may_be && nearest(&unknown.name, &allowed).is_none())
+        .then(|| format!("names {}; {NO_NAMES}", unknown.name))
+}
+
 /// The hint for an expression of parameters, which is not allowed here; `None` for other texts.
 fn parameters_in(text: &str) -> Option<String> {
     PROBLEMS.iter().find_map(|problem| {
         let table = problem.parameters();
         let formula = Formula::number(text, table).ok()?;
-        let names: Vec<&str> = formula.uses().iter().map(|row| &*table[*row].name).collect();
-        (!names.is_empty()).then(|| {
-            format!(
-                "names {}; an expression with names of parameters is allowed only as the single value of a \
-                 parameter, not in a list or rule",
-                names.join(", ")
-            )
-        })
+        let names: Vec<&str> = formula
+            .uses()
+            .iter()
+            .map(|row| &*table[*row].name)
+            .collect();
+        (!names.is_empty()).then(|| format!("names {}; {NO_NAMES}", names.join(", ")))
     })
 }
 

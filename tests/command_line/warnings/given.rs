@@ -231,3 +231,133 @@ fn the_first_studies_of_readme_and_guide_have_no_warning() {
         bench.expect(0, &[&run[..], &short[..]].concat());
     }
 }
+
+#[test]
+fn weight_and_stops_on_both_sides_hold_a_part() {
+    let bench = Bench::new();
+    let study = |direction: &str, more: &str| {
+        format!(
+            r#"{{"problem": "structure", "parameters": {{{TIMES}}}, "structure": {{"masses": {{"a": {{"mass": 1, "direction": "{direction}"}}}},
+              "contacts": {{"c": {{"law": "impact", "k": 1000, "between": ["ground", "a"], "gap": 0}}{more}}},
+              "metrics": ["peak(c.S)"]}}"#
+        )
+    };
+    let static_load = r#"}, "static": {"gravity": -9.81}"#;
+    let shaken = r#"}, "ground": {"y": {"sine": {"amplitude": 1, "omega": 1}}}"#;
+    let load = |force: f64| {
+        format!(
+            r#"}}, "loads": [{{"at": "a", "table": {{"t": [0, 1], "f": [{force}, {force}]}}}}]"#
+        )
+    };
+    let other = r#", "d": {"law": "impact", "k": 1000, "between": ["a", "ground"], "gap": 1}"#;
+    assert_eq!(bench.kinds(&study("y", static_load)), []);
+    assert_eq!(bench.kinds(&study("y", &load(-2.0))), []);
+    assert_eq!(bench.kinds(&study("y", &format!("{other}{shaken}"))), []);
+    // Away from the contact, or to and fro on one side of it.
+    let unheld = some(&[("unheld-part", 1, 0)]);
+    let found = |more: &str| {
+        let kinds = bench.kinds(&study("y", more));
+        kinds
+            .into_iter()
+            .filter(|own| own.0 == "unheld-part")
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(found(&load(2.0)), unheld);
+    assert_eq!(found(shaken), unheld);
+}
+
+#[test]
+fn an_overlap_at_the_start_is_named_with_its_force() {
+    let bench = Bench::new();
+    let study = r#"{"problem": "structure", "parameters": {"gap": [0, -0.02], "dt": 1e-5, "duration": 0.1}, "structure": {"masses": {"a": 1},
+        "contacts": {"c": {"law": "impact", "k": 1e5, "between": ["ground", "a"], "gap": "gap"}}, "start": {"a": {"v": -1}}},
+        "metrics": ["peak(c.S)"]}"#;
+    assert_eq!(bench.kinds(study), some(&[("closed-at-start", 1, 1)]));
+    bench.file("s.json", study);
+    let run = bench.expect(0, &["run", "s.json"]);
+    // k times the overlap.
+    assert!(
+        run.err
+            .contains("contact c overlaps by 0.02 at t = 0 and presses with 2e3"),
+        "{run:?}"
+    );
+}
+
+#[test]
+fn a_structure_runs_away_above_the_energy_of_its_barrier() {
+    let bench = Bench::new();
+    // Elastic up to 0.1, then 1, less 4 u: the forces are 0 at u = 0.25, after the work 0.075 = v^2/2.
+    let barrier = 0.15_f64.sqrt();
+    let study = format!(
+        r#"{{"problem": "structure", "parameters": {{"v": [{}, {}], "dt": 0.001, "duration": 6}}, "structure": {{"masses": {{"a": 1}},
+          "springs": [{{"between": ["ground", "a"], "k": -4}}],
+          "contacts": {{"hinge": {{"law": "bilinear", "k1": 10, "Fy": 1, "k2": 0, "between": ["ground", "a"]}}}},
+          "start": {{"a": {{"v": "v"}}}}}}, "metrics": ["peak(a)"]}}"#,
+        0.99 * barrier,
+        1.01 * barrier
+    );
+    assert_eq!(bench.kinds(&study), some(&[("runaway", 1, 1)]));
+}
+
+#[test]
+fn friction_in_two_directions_is_seen_at_tied_nodes_and_fans_have_polygons() {
+    let bench = Bench::new();
+    let matrix = |a: f64| {
+        let head = "%%MatrixMarket matrix coordinate real symmetric\\n3 3 3\\n";
+        format!("{head}1 1 {a}\\n2 2 {a}\\n3 3 {}\\n", 20.0 * a)
+    };
+    let study = |contacts: &str| {
+        format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 0.1}}, "structure": {{"matrices": {{"b": {{"M": "{}", "K": "{}",
+              "dofs": [["1", "x"], ["1", "y"], ["1", "rz"]], "ties": "node,direction,terms\n2,x,1.x:1.0,1.rz:3.0\n2,y,1.y:1.0\n"}}}},
+              "contacts": {{{contacts}}}, "ground": {{"x": {{"sine": {{"amplitude": 9, "omega": 9}}}}}}}}, "metrics": ["peak(b.1.x)"]}}"#,
+            matrix(1.0),
+            matrix(50.0)
+        )
+    };
+    let two = ["x", "y"].map(|axis| {
+        format!(
+            r#""f{axis}": {{"law": "coulomb", "between": ["ground", "b.2.{axis}"], "limit": 0.01}}"#
+        )
+    });
+    let kinds = bench.kinds(&study(&two.join(", ")));
+    assert!(
+        kinds.iter().any(|own| own.0 == "friction-directions"),
+        "{kinds:?}"
+    );
+    let fan = (0..8).map(|i| {
+        let (y, x) = (f64::from(i) * std::f64::consts::PI / 8.0).sin_cos();
+        format!(r#""f{i}": {{"law": "displacement-control", "k": 10, "along": {{"b.1.x": {x}, "b.1.y": {y}}}, "limit": 0.01}}"#)
+    });
+    bench.file("s.json", &study(&fan.collect::<Vec<_>>().join(", ")));
+    let run = bench.expect(0, &["run", "s.json"]);
+    assert!(
+        run.err.contains("a polygon of 16 sides") && !run.err.contains("square"),
+        "{run:?}"
+    );
+}
+
+#[test]
+fn the_elastic_link_of_a_series_need_not_slide() {
+    let bench = Bench::new();
+    let study = |limit: &str, other: &str| {
+        format!(
+            r#"{{"problem": "structure", "parameters": {{{TIMES}}}, "structure": {{"masses": {{"a": 1}}, "springs": [{{"between": ["ground", "a"], "k": 1}}],
+              "contacts": {{"c": {{"between": ["ground", "a"], "series": [
+                {{"law": "displacement-control", "k": 10, "limit": {limit}}}, {other}]}}}},
+              "start": {{"a": {{"v": 1}}}}}}, "metrics": ["peak(a)"]}}"#
+        )
+    };
+    for other in [
+        r#"{"law": "viscous", "c": 1, "a": 1}"#,
+        r#"{"law": "displacement-control", "k": 10, "limit": 0.01}"#,
+        r#"{"law": "bilinear", "k1": 10, "Fy": 0.01, "ratio": 0.1}"#,
+    ] {
+        assert_eq!(bench.kinds(&study("1e6", other)), [], "{other}");
+    }
+    let stuck = study(
+        "1e6",
+        r#"{"law": "displacement-control", "k": 10, "limit": 1e5}"#,
+    );
+    assert_eq!(bench.kinds(&stuck), some(&[("never-slides", 1, 0)]));
+}

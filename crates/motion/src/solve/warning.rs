@@ -57,7 +57,10 @@ warnings! {
         "A metric uses the force of a friction contact that resists velocity, and over 6 steps its change alternates by more than 1 % of its peak.",
     UnheldPart "unheld-part"
         "have a part that nothing holds (a rigid-body mode): without contact and load it moves on freely"
-        "Neither springs nor contacts that are elastic at t = 0 nor friction connect a part with the ground; without loads, one with a start velocity or an impact may move freely.",
+        "Neither springs nor contacts that are elastic at t = 0 nor friction connect a part with the ground, nor do impacts or restrainers hold it in both directions, together or with a load that lasts, such as its weight. Without a load on it, one with a start velocity or an impact may move freely.",
+    ClosedAtStart "closed-at-start"
+        "have an impact that is closed at t = 0 without a static equilibrium: it throws its bodies apart; a gap is open where r > 0"
+        "At t = 0 an impact has r < 0, and there is no `static` that sets it in equilibrium.",
     RecordPeak "record-peak"
         "have a record with a peak above 2 g or below 1e-4 g: look at its unit and its scale"
         "With `units`, a ground acceleration times its scale, which is not 0, has a peak above 2 g or below 1e-4 g.",
@@ -83,8 +86,8 @@ warnings! {
         "have `gravity` in a direction in which no node moves"
         "`gravity` other than 0 has a direction that no mass, bar or row of matrices has.",
     FrictionDirections "friction-directions"
-        "have two friction contacts of different directions between the same bodies, whose limit is a square: give one contact with \"plane\", whose limit is a disc"
-        "Two friction contacts act in different directions between the same masses, nodes of matrices or supports, or between the ground and two equal masses: together they resist up to 1.41 times the limit.",
+        "have friction contacts of different directions between the same bodies, whose limit together is a polygon: give one contact with \"plane\", whose limit is a disc"
+        "Friction contacts act in different directions between the same masses, nodes of matrices (rows or tied) or supports, or between the ground and two equal masses: two at a right angle together resist up to 1.41 times the limit.",
     WaveSpeed "wave-speed"
         "have a bar with a wave speed below 500 m/s or above 8000 m/s: look at the units of EA, mass and length"
         "With `units`, sqrt(EA L/mass) of a bar is below 500 m/s or, with several elements, above 8000 m/s; steel has 5000 m/s, concrete 3500 m/s.",
@@ -97,12 +100,18 @@ warnings! {
     Restitution "restitution"
         "have an impact whose law gives a restitution that is not its target"
         "A note: two rigid bodies of `colliding_mass`, or of the masses of the nodes, part with a restitution that differs from `restitution` by more than 0.05.",
+    ImpactsAtOnce "impacts-at-once"
+        "have rigid impacts that touch at t = 0 and bounce at once with others: Newton's rule acts on all of them together, and with a gap, one after the other, bodies part with other velocities"
+        "A note: a rigid impact with `e` > 0, or one beside it, is closed at t = 0 and shares a body with another one. The order of impacts decides (Newton's cradle), and gap 0 has none.",
     NeverSlides "never-slides"
         "have friction that never slides: look at the units of N or of the limit"
-        "The force of a friction contact is below 95 % of its limit (of nu_min N, if it has nu_min) at every step, in every case of the study.",
+        "The force of a friction contact is below 95 % of its limit (of nu_min N, if it has nu_min) at every step, in every case of the study. An elastic contact in series with one that slides, yields or damps is left out.",
     NoContact "no-contact"
         "have no contact before `duration`; their contact metrics are undefined or 0"
         "No impact touches before `duration`, in every case of the study: a gap that stays open in some cases is a result.",
+    Runaway "runaway"
+        "have a structure that has lost its stability and runs away: peaks grow with `duration` and are no measure of the motion; a fragility figure counts it with `collapse`"
+        "K is not positive semidefinite, or a link softens, and at the last step the structure is further from its equilibrium than ever, moves on, and its own forces push it further.",
     CheckNotMet "check-not-met"
         "do not meet a check; `slipgap check` lists all checks"
         "A check of the study is not met.",
@@ -164,7 +173,7 @@ impl Warning {
 
     /// Whether it is a note, which is not denied with the warnings.
     pub const fn is_note(self) -> bool {
-        matches!(self, Warning::Restitution)
+        matches!(self, Warning::Restitution | Warning::ImpactsAtOnce)
     }
 
     const fn bit(self) -> u32 {

@@ -32,11 +32,11 @@ impl Faults {
 
     /// Adds the fault that a value is not `what`.
     pub fn must_be(&mut self, node: &Node, path: &str, what: &str) {
-        self.add(
-            node.at,
-            path,
-            format!("must be {what}, got {}", shown(node)),
-        );
+        let mut message = format!("must be {what}, got {}", shown(node));
+        if matches!(node.tree, Tree::Null) {
+            message += ", as None of Python is written; leave the key out instead";
+        }
+        self.add(node.at, path, message);
     }
 
     /// Number of faults. If it has not changed, no fault was added.
@@ -114,7 +114,17 @@ pub fn unknown(what: &str, name: &str, allowed: &[&str]) -> String {
         let _ = write!(message, ": {sentence}");
     }
     let _ = write!(message, "; allowed: {}", any_of(allowed));
+    let is_own = nearest(name, allowed).is_none() && outside(name, allowed).is_none();
+    if is_own && matches!(what, "key" | "name") && is_table(allowed) {
+        message += "; only studies with \"problem\": \"structure\" have parameters of their own";
+    }
     message
+}
+
+/// Whether these names have the parameters of the oscillator or the bars.
+fn is_table(names: &[&str]) -> bool {
+    let has = |two: [&str; 2]| two.iter().all(|name| names.contains(name));
+    has(["alpha", "dT"]) || has(["gamma", "k_I"])
 }
 
 /// The message of a fault of an expression, with the nearest name for an unknown one.

@@ -204,6 +204,14 @@ fn hint(reason: &str, before: &str, rest: &str) -> Option<&'static str> {
     let found = rest.chars().next()?;
     let number = "numbers are written as in 0.5, 5 or 1e-3";
     Some(match (reason, found) {
+        ("expected ident" | "expected value", 'N') if rest.starts_with("None") => {
+            "None of Python is null, and no number is null: leave the key out"
+        }
+        ("expected ident" | "expected value", 'T' | 'F')
+            if rest.starts_with("True") || rest.starts_with("False") =>
+        {
+            "True and False of Python are true and false"
+        }
         ("invalid number" | "expected value", 'I' | 'N') => "NaN and Infinity are not allowed",
         ("invalid number", _) => number,
         ("expected value" | "key must be a string", '}' | ']') if before.ends_with(',') => {

@@ -108,6 +108,25 @@ fn nothing_moves(template: &Template) -> bool {
         && template.loads.is_empty()
         && template.at_rest.is_empty()
         && template.start.is_empty()
+        && !template.contacts.iter().any(may_press)
+}
+
+/// Whether r of a contact at rest may have a force: an impact with a gap that may be below 0, or another law with a gap. A friction law
+/// has none.
+fn may_press(contact: &Contact) -> bool {
+    let Some(gap) = &contact.gap else {
+        return false;
+    };
+    let kind = match &contact.law {
+        Chosen::Name(law) => law_named(law).map(|law| law.kind),
+        Chosen::Parameter(_) => None,
+    };
+    match (kind, &gap.source) {
+        (Some(ContactKind::Friction), _) => false,
+        (Some(ContactKind::Impact), Source::Number(gap)) => *gap < 0.0,
+        (Some(ContactKind::Link) | None, Source::Number(gap)) => *gap != 0.0,
+        (_, Source::Expression(_)) => true,
+    }
 }
 
 /// An impact contact between nodes I and J of which I has the larger coordinate: it closes when they move apart.
@@ -126,7 +145,7 @@ fn exchanged_nodes(contact: &Contact, names: &Names) -> Option<String> {
         return None;
     };
     // A tied dof is elsewhere than its row.
-    if first.tied || second.tied {
+    if first.tied.is_some() || second.tied.is_some() {
         return None;
     }
     let (i, j) = match (factor(first)?, factor(second)?) {

@@ -25,7 +25,7 @@ fn sample(number: &Number) -> f64 {
     match number.range {
         Range::Positive | Range::NotZero | Range::Any => 1.5,
         Range::NotNegative => 0.5,
-        Range::Fraction | Range::UpToOne | Range::FromHalfToOne => 0.6,
+        Range::Fraction | Range::UpToOne | Range::FromHalfToOne | Range::AtLeastHalf => 0.6,
         Range::AtLeastOne => 2.0,
         Range::ZeroOrOne => 1.0,
         Range::FromTenthToTwo => 0.4,

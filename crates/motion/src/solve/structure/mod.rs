@@ -80,5 +80,12 @@ pub use crate::solve::structure::start::preload::settle;
 pub use general::{CriticalFault, critical_fault, critical_step};
 pub use run::run;
 
+use crate::system::structure::Structure;
+
+/// S(0) of every contact; `None` where rigid contacts have no forces that fit together.
+pub fn forces_at_start(structure: &Structure) -> Option<Vec<f64>> {
+    start::initial::forces(structure).ok()
+}
+
 #[cfg(test)]
 mod tests;

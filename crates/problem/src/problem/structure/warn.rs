@@ -1,5 +1,6 @@
 //! The warnings of a case of structures.
 
+mod at_start;
 mod between_steps;
 mod directions;
 mod doubt;
@@ -7,6 +8,7 @@ mod doubts;
 mod given;
 mod masses;
 mod matrices;
+mod never_slides;
 mod restitution;
 mod unheld;
 
@@ -20,7 +22,7 @@ use super::motions::metric_values;
 use super::motions::motion::{self, Recording};
 use super::motions::recorded::{Recorded, distinct};
 use super::motions::sweep::Ready;
-use super::parts::contact::{self, Normal};
+use super::parts::contact::Normal;
 use super::prepared::StructureProblem;
 use crate::contact::ContactKind;
 use crate::problem::Case;
@@ -36,9 +38,6 @@ const GAIN: f64 = 0.01;
 
 /// Peaks of a record in g, beyond which its unit is wrong.
 const PEAKS: [f64; 2] = [1e-4, 2.0];
-
-/// Share of its limit that a friction contact reaches where it slides; smooth laws come near to it only.
-const SLIDES: f64 = 0.95;
 
 /// Share of the motion away from each other by which two bodies that collide do not overlap.
 const DEEP: f64 = 0.5;
@@ -76,7 +75,10 @@ impl StructureProblem {
             .fold(Warnings::NONE, |set, doubt| set.with(doubt.0, true));
         Ok(given
             .with(Warning::DeepOverlap, contacts().any(overlaps))
-            .with(Warning::NeverSlides, self.never_slides(ready, watched))
+            .with(
+                Warning::NeverSlides,
+                never_slides::has_stuck(&self.template, ready, watched),
+            )
             .with(
                 Warning::ShortContact,
                 has_short_contact(structure, watched, ready.dt),
@@ -86,24 +88,13 @@ impl StructureProblem {
                 Warning::AlternatingForce,
                 self.force_alternates(ready, computed),
             )
+            .with(
+                Warning::Runaway,
+                watched.is_some_and(|watched| watched.runs_away),
+            )
             .with(Warning::UnheldPart, unheld::has_idle_part(structure))
             .with(Warning::RecordPeak, self.has_strange_record(&ready.case))
             .with(Warning::NoContact, some && !impacts.any(touches)))
-    }
-
-    /// Whether a friction contact never slides.
-    fn never_slides(&self, ready: &Ready, watched: Option<&Watched>) -> bool {
-        let watched = watched.map_or(&[][..], |watched| &watched.contacts);
-        let contacts = self.template.contacts.iter().zip(&ready.structure.contacts);
-        let sticks = |((given, own), seen): ((&contact::Contact, &Contact), &WatchedContact)| {
-            let value = |key| given.value(key, &ready.case).ok().flatten();
-            // At rest the coefficient is nu_min.
-            let least = value("nu_min")
-                .zip(value("nu"))
-                .map_or(1.0, |(min, nu)| min / nu);
-            own.law.kind() == ContactKind::Friction && seen.of_limit < SLIDES * least.min(1.0)
-        };
-        contacts.zip(watched).any(sticks)
     }
 
     /// Whether a contact makes more than 1 % of the largest energy.

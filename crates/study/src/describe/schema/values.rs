@@ -154,6 +154,7 @@ pub(super) fn number(range: Range) -> Json {
         Range::UpToOne => json!({ "type": "number", "minimum": 0, "maximum": 1 }),
         Range::AtMostOne => json!({ "type": "number", "maximum": 1 }),
         Range::AtLeastOne => json!({ "type": "number", "minimum": 1 }),
+        Range::AtLeastHalf => json!({ "type": "number", "minimum": 0.5 }),
         Range::FromHalfToOne => json!({ "type": "number", "minimum": 0.5, "maximum": 1 }),
         Range::HilberHughesTaylor => {
             json!({ "type": "number", "minimum": -1.0 / 3.0, "maximum": 0 })

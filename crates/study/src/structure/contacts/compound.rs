@@ -203,7 +203,7 @@ fn in_series(
             path: path.to_owned(),
         },
         factor: number(factor, at, path),
-        tied: false,
+        tied: None,
     };
     let inner: Option<Vec<NodeRef>> = (1..count)
         .map(|i| reader.names.node(&inner_node(name, i)))

@@ -30,6 +30,7 @@ use slipgap_problem::problem::structure::{
     },
 };
 use slipgap_system::system::import::{self, ImportFault, Pair};
+use std::sync::Arc;
 
 /// Most bytes of a file of pairs.
 const LARGEST: u64 = 64 << 20;
@@ -176,7 +177,7 @@ fn pairs(
                     line: pair.line,
                     message: reader.no_node(&name),
                 });
-                let tied = reader.names.node(&name).is_none();
+                let tied = reader.names.tied(&name, &amount(factor)).map(Arc::new);
                 let term = |(own, found): (f64, NodeRef)| Term {
                     node: NodeName {
                         node: found,
@@ -184,7 +185,7 @@ fn pairs(
                         path: path.clone(),
                     },
                     factor: amount(factor * own),
-                    tied,
+                    tied: tied.clone(),
                 };
                 Ok(found?.into_iter().map(term).collect::<Vec<Term>>())
             };

@@ -92,14 +92,14 @@ impl Reader<'_> {
 
     /// The terms of the nodes of a name with this factor.
     fn terms(&self, name: &str, nodes: Vec<(f64, NodeName)>, factor: &Amount) -> Vec<Term> {
-        let tied = self.names.node(name).is_none();
+        let tied = self.names.tied(name, factor).map(Arc::new);
         let terms = nodes.into_iter().map(|(own, node)| Term {
             node,
             factor: match tied {
-                true => self.times(factor, own),
-                false => factor.clone(),
+                Some(_) => self.times(factor, own),
+                None => factor.clone(),
             },
-            tied,
+            tied: tied.clone(),
         });
         terms.collect()
     }

@@ -20,10 +20,10 @@ pub(in crate::methods) const DESCRIPTION: Description = Description {
         MethodParameter {
             name: "newmark_gamma",
             symbol: "*γ*_N_",
-            range: Range::NotNegative,
+            range: Range::AtLeastHalf,
             default: 0.6,
             tried: &[0.6],
-            meaning: "Newmark's gamma; numerical damping above 1/2",
+            meaning: "Newmark's gamma; numerical damping above 1/2, below no step is stable",
         },
     ],
     method: |numbers| match *numbers {

@@ -60,6 +60,13 @@ impl Dofs {
         self.tied.get(&key).map(|place| &self.ties[*place])
     }
 
+    /// The rows of which a dof is the sum, each with its factor: of a tied dof, or one row.
+    pub fn rows_of(&self, node: &str, direction: Direction) -> Option<Vec<(usize, f64)>> {
+        let name = format!("{node}.{}", direction.name());
+        let tied = || self.tie(&name).map(|tie| tie.along.clone());
+        self.row(&name).map(|row| vec![(row, 1.0)]).or_else(tied)
+    }
+
     /// The node and the tie of a line.
     fn tie_of(&self, line: &str, index: usize) -> Result<(String, Tie), ImportFault> {
         let mut own = cells(line);

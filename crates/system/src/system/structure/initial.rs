@@ -3,7 +3,6 @@
 use super::sparse::factor::negative_pivot;
 use super::{Contact, Structure, Symmetric};
 use crate::contact::{ClippedLine, ContactKind};
-use std::collections::BTreeMap;
 
 /// Stiffness of a contact that touches, over the largest entry of K: below the inverse of what is round-off of a pivot.
 const RIGID: f64 = 1e4;
@@ -89,66 +88,10 @@ impl Structure {
         }
         part
     }
-
-    /// The parts that nothing holds at rest, by their nodes: neither springs nor contacts that are elastic or friction
-    /// connect them with the ground.
-    pub fn unheld_nodes(&self) -> Vec<Vec<usize>> {
-        let size = self.len();
-        let mut part = self.parts();
-        let mut held = vec![0.0; size];
-        let mut diagonal = vec![0.0; size];
-        // A spring to the ground is what is left of the sum of a row of K.
-        for ((i, j), k) in self.stiffness.entries() {
-            held[i] += k;
-            if i != j {
-                held[j] += k;
-            } else {
-                diagonal[i] = k;
-            }
-        }
-        let mut grounded: Vec<bool> = held
-            .iter()
-            .zip(&diagonal)
-            .map(|(held, diagonal)| held.abs() > 1e-12 * diagonal.max(f64::MIN_POSITIVE))
-            .collect();
-        for contact in self.contacts.iter().filter(|contact| contact.holds()) {
-            let Some((first, others)) = contact.along.split_first() else {
-                continue;
-            };
-            others
-                .iter()
-                .for_each(|(node, _)| join(&mut part, first.0, *node));
-            // Equal displacements of all its nodes change r.
-            let sum: f64 = contact.along.iter().map(|(_, factor)| factor).sum();
-            grounded[first.0] |= sum != 0.0;
-        }
-        let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        for i in 0..size {
-            members.entry(root(&part, i)).or_default().push(i);
-        }
-        // A node between contacts in series is where they have it.
-        let is_between = self.chain_nodes();
-        let free = members.into_values().filter(|members| {
-            !members.iter().any(|i| grounded[*i]) && !members.iter().all(|i| is_between[*i])
-        });
-        free.collect()
-    }
-
-    /// Their names.
-    pub fn unheld_parts(&self) -> Vec<String> {
-        let name = |i: &usize| self.nodes[*i].name.as_str();
-        let free = self.unheld_nodes().into_iter();
-        let names = free.filter_map(|members| match members[..] {
-            [one] => Some(name(&one).to_owned()),
-            [one, .., last] => Some(format!("{} to {}", name(&one), name(&last))),
-            [] => None,
-        });
-        names.collect()
-    }
 }
 
 /// The first node of the part of a node.
-fn root(part: &[usize], mut i: usize) -> usize {
+pub(super) fn root(part: &[usize], mut i: usize) -> usize {
     while part[i] != i {
         i = part[i];
     }
@@ -156,7 +99,7 @@ fn root(part: &[usize], mut i: usize) -> usize {
 }
 
 /// Makes one part of the parts of two nodes.
-fn join(part: &mut [usize], i: usize, j: usize) {
+pub(super) fn join(part: &mut [usize], i: usize, j: usize) {
     let (a, b) = (root(part, i), root(part, j));
     part[a.max(b)] = a.min(b);
 }

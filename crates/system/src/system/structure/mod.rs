@@ -5,6 +5,7 @@
 
 mod chains;
 mod direction;
+mod held;
 mod inertia;
 mod initial;
 mod observed;

@@ -18,6 +18,8 @@ pub enum CriticalFault {
     Rigid(String),
     /// A node without mass, with this name.
     Massless(String),
+    /// No step is stable with the coefficients of the method.
+    Never,
     /// The step is above the critical one.
     Above {
         /// Critical step.
@@ -31,7 +33,7 @@ impl CriticalFault {
     /// The parameter that is at fault.
     pub fn parameter(&self) -> &'static str {
         match self {
-            CriticalFault::Rigid(_) | CriticalFault::Massless(_) => "method",
+            CriticalFault::Rigid(_) | CriticalFault::Massless(_) | CriticalFault::Never => "method",
             CriticalFault::Above { .. } => "dt",
         }
     }
@@ -47,6 +49,9 @@ impl fmt::Display for CriticalFault {
             CriticalFault::Massless(node) => write!(
                 f,
                 "has no stable step with a node without mass, such as '{node}'; allowed: the other methods"
+            ),
+            CriticalFault::Never => f.write_str(
+                "has no stable step with these coefficients, however short; newmark needs newmark_gamma >= 1/2",
             ),
             CriticalFault::Above { critical, dt } => write!(
                 f,
@@ -109,6 +114,9 @@ pub fn critical_fault(structure: &Structure, method: &Method, dt: f64) -> Option
     let limit = method.stability_limit();
     if limit == f64::INFINITY {
         return None;
+    }
+    if limit == 0.0 {
+        return Some(CriticalFault::Never);
     }
     if let Some(stop) = structure.contacts.iter().find(|c| c.law.is_stop()) {
         return Some(CriticalFault::Rigid(stop.name.clone()));

@@ -2,5 +2,6 @@
 
 pub(crate) mod books;
 pub(crate) mod ledger;
+mod runaway;
 pub(crate) mod step_view;
 pub(crate) mod watch;

@@ -1,5 +1,6 @@
 //! What warnings need of a run: how far each contact was closed, its force and its work, and the largest energy.
 
+use super::runaway::Runaway;
 use super::step_view::Kind;
 use crate::lane::Lane;
 use crate::solve::structure::State;
@@ -20,6 +21,8 @@ pub struct Watch<const L: usize> {
     stored: Lane<L>,
     /// Largest energy at the steps that are looked at.
     energy: Lane<L>,
+    /// Of structures that may run away.
+    runaway: Option<Runaway<L>>,
     /// Steps from one look at the energy to the next.
     every: usize,
     step: usize,
@@ -47,6 +50,8 @@ pub struct Watched {
     pub stored: f64,
     /// Largest energy: kinetic, strain, and stored in contacts, at the steps that were looked at, as the energy error has it.
     pub energy: f64,
+    /// Whether the structure has lost its stability and moves away at the last step.
+    pub runs_away: bool,
 }
 
 /// What a run shows of a contact; but for `of_limit`, zeros for one that cannot make energy.
@@ -100,6 +105,7 @@ impl<const L: usize> Watch<L> {
             works: vec![zero; start.contacts()],
             stored,
             energy: start.energy() + stored,
+            runaway: Runaway::new(structures, start),
             every,
             step: 0,
         }
@@ -146,6 +152,9 @@ impl<const L: usize> Watch<L> {
                 }
             }
         }
+        if let Some(runaway) = &mut self.runaway {
+            runaway.add(state);
+        }
         if self.step.is_multiple_of(self.every) {
             let energy = state.energy() + state.stored_energy();
             self.energy = self.energy.larger(energy).larger(state.least_energy());
@@ -174,6 +183,7 @@ impl<const L: usize> Watch<L> {
             contacts,
             stored: self.stored.0[l],
             energy: self.energy.0[l],
+            runs_away: self.runaway.as_ref().is_some_and(|own| own.of_lane(l)),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The names of the parts of a structure.
 
-use crate::problem::structure::given::node::{GROUND, NodeRef};
+use crate::problem::structure::given::amount::Amount;
+use crate::problem::structure::given::node::{GROUND, NodeRef, TiedDof};
 use crate::system::import::Imported;
 use crate::system::structure::Direction;
 use std::collections::HashMap;
@@ -217,6 +218,22 @@ impl Names {
         let terms = tie.along.iter();
         let terms = terms.map(|(row, factor)| (*factor, NodeRef::Dof(matrices, *row)));
         Some(terms.collect())
+    }
+
+    /// The tied dof of matrices with this name and factor; `None` for other names.
+    pub fn tied(&self, name: &str, factor: &Amount) -> Option<TiedDof> {
+        if self.node(name).is_some() {
+            return None;
+        }
+        let (part, place) = name.split_once('.')?;
+        let matrices = self.matrices(part)?;
+        let tie = self.matrices[matrices].1.dofs.tie(place)?;
+        Some(TiedDof {
+            matrices,
+            node: place.rsplit_once('.')?.0.to_owned(),
+            direction: tie.direction,
+            factor: factor.clone(),
+        })
     }
 
     /// The place of the bar with this name.

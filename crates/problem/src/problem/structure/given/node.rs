@@ -1,7 +1,9 @@
 //! Nodes of a structure by their names, and their numbers in a case.
 
+use super::amount::Amount;
 use super::rows::{RowNumber, Rows};
 use crate::problem::Violation;
+use crate::system::structure::Direction;
 use std::sync::Arc;
 
 /// A node as the study names it.
@@ -198,4 +200,17 @@ impl Numbering {
             }),
         }
     }
+}
+
+/// A dof of matrices that is a sum of rows, with its factor.
+#[derive(Debug, Clone)]
+pub struct TiedDof {
+    /// The place of the matrices.
+    pub matrices: usize,
+    /// The name of its node.
+    pub node: String,
+    /// Its direction.
+    pub direction: Direction,
+    /// Its factor.
+    pub factor: Amount,
 }

@@ -1,7 +1,8 @@
 //! A node with its factor.
 
 use crate::problem::structure::given::amount::Amount;
-use crate::problem::structure::given::node::NodeName;
+use crate::problem::structure::given::node::{NodeName, TiedDof};
+use std::sync::Arc;
 
 /// A node with its factor in a relative displacement.
 #[derive(Debug, Clone)]
@@ -10,6 +11,6 @@ pub struct Term {
     pub node: NodeName,
     /// Its factor.
     pub factor: Amount,
-    /// Whether the study names a tied dof instead, of which this is a part.
-    pub tied: bool,
+    /// The tied dof that the study names instead, of which this is a part.
+    pub tied: Option<Arc<TiedDof>>,
 }

@@ -1,14 +1,16 @@
-//! Friction by two contacts in two directions, whose limit is a square in place of a disc.
+//! Friction by two contacts in two directions, whose limit is a polygon in place of a disc.
 
 use super::doubt::Doubt;
 use crate::contact::ContactKind;
 use crate::problem::Case;
+use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::node::NodeRef;
 use crate::problem::structure::parts::contact::Contact;
 use crate::problem::structure::parts::contacts::law_named;
 use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::structure::Direction;
+use std::sync::Arc;
 
 /// Sine of the angle between directions that are parallel but for round-off.
 const PARALLEL: f64 = 1e-9;
@@ -38,21 +40,46 @@ pub fn of_one_body(template: &Template, case: &Case) -> Option<Doubt> {
         .filter_map(|own| Some((own, bodies(template, case, own)?)))
         .filter(|(_, bodies)| !bodies.is_empty())
         .collect();
-    for (i, (first, a)) in all.iter().enumerate() {
-        for (second, b) in &all[i + 1..] {
-            if cross(template, case, a, b) {
-                let [of, to] = [a, b].map(|bodies| words(bodies[0].1));
-                let [first, second] = [first, second].map(|own| &own.name);
-                let text = format!("contacts {first} in {of} and {second} in {to}");
-                return Some((Warning::FrictionDirections, text));
+    for (i, own) in all.iter().enumerate() {
+        let mut fan = vec![own];
+        // Those of other directions than all before.
+        for other in &all[i + 1..] {
+            let differs = |own: &&(&Contact, Vec<Joined>)| {
+                directions_differ(template, case, &own.1, &other.1) == Some(true)
+            };
+            if fan.iter().all(differs) {
+                fan.push(other);
             }
+        }
+        if let [first, .., last] = &fan[..] {
+            return Some((
+                Warning::FrictionDirections,
+                fan_words(first, last, fan.len()),
+            ));
         }
     }
     None
 }
 
-/// Whether two contacts join the same bodies in different directions.
-fn cross(template: &Template, case: &Case, a: &[Joined], b: &[Joined]) -> bool {
+/// The contacts of a fan, and the form of its limit if it is no square.
+fn fan_words(
+    (first, a): &(&Contact, Vec<Joined>),
+    (last, b): &(&Contact, Vec<Joined>),
+    count: usize,
+) -> String {
+    let [of, to] = [a, b].map(|bodies| words(bodies[0].1));
+    let [first, last] = [&first.name, &last.name];
+    match count {
+        2 => format!("contacts {first} in {of} and {last} in {to}"),
+        _ => format!(
+            "{count} contacts from {first} in {of} to {last} in {to}, a polygon of {} sides",
+            2 * count
+        ),
+    }
+}
+
+/// Whether two contacts that join the same bodies have different directions; `None` for those of other bodies.
+fn directions_differ(template: &Template, case: &Case, a: &[Joined], b: &[Joined]) -> Option<bool> {
     let mut differ = false;
     let mut pairs = a.iter().map(|(own, x)| {
         let other = b
@@ -61,7 +88,7 @@ fn cross(template: &Template, case: &Case, a: &[Joined], b: &[Joined]) -> bool {
         differ |= !are_parallel(*x, other.1);
         Some(())
     });
-    a.len() == b.len() && pairs.all(|pair| pair.is_some()) && differ
+    (a.len() == b.len() && pairs.all(|pair| pair.is_some())).then_some(differ)
 }
 
 /// The bodies of a contact without the ground; `None` where it turns one.
@@ -71,7 +98,22 @@ fn bodies<'a>(
     contact: &'a Contact,
 ) -> Option<Vec<Joined<'a>>> {
     let mut found: Vec<Joined> = Vec::new();
-    for term in &contact.along {
+    for (i, term) in contact.along.iter().enumerate() {
+        if let Some(tied) = &term.tied {
+            let before = i
+                .checked_sub(1)
+                .and_then(|i| contact.along[i].tied.as_ref());
+            if !before.is_some_and(|before| Arc::ptr_eq(before, tied)) {
+                let body = Body::Node(tied.matrices, &tied.node);
+                add(
+                    template,
+                    case,
+                    &mut found,
+                    (body, tied.direction, &tied.factor),
+                )?;
+            }
+            continue;
+        }
         let (direction, body) = match term.node.node {
             NodeRef::Ground => continue,
             NodeRef::Mass(place) => {
@@ -91,23 +133,34 @@ fn bodies<'a>(
                 (own.direction, Body::Support(&own.name))
             }
         };
-        let translations = Direction::TRANSLATIONS.iter();
-        let axis = translations.clone().position(|own| *own == direction)?;
-        let factor = term.factor.value(case).ok()?;
-        let known = found
-            .iter_mut()
-            .find(|(other, moved)| moved[axis] == 0.0 && is_same(template, case, other, &body));
-        match known {
-            Some((_, moved)) => moved[axis] = factor,
-            None => {
-                let mut moved = [0.0; 3];
-                moved[axis] = factor;
-                found.push((body, moved));
-            }
-        }
+        add(template, case, &mut found, (body, direction, &term.factor))?;
     }
     found.retain(|(_, moved)| *moved != [0.0; 3]);
     Some(found)
+}
+
+/// Adds a direction in which a contact moves a body; `None` where it turns it.
+fn add<'a>(
+    template: &Template,
+    case: &Case,
+    found: &mut Vec<Joined<'a>>,
+    (body, direction, factor): (Body<'a>, Direction, &Amount),
+) -> Option<()> {
+    let mut translations = Direction::TRANSLATIONS.iter();
+    let axis = translations.position(|own| *own == direction)?;
+    let factor = factor.value(case).ok()?;
+    let known = found
+        .iter_mut()
+        .find(|(other, moved)| moved[axis] == 0.0 && is_same(template, case, other, &body));
+    match known {
+        Some((_, moved)) => moved[axis] = factor,
+        None => {
+            let mut moved = [0.0; 3];
+            moved[axis] = factor;
+            found.push((body, moved));
+        }
+    }
+    Some(())
 }
 
 /// Masses of one name are one body; so may be two masses of the same size that move in different directions.
@@ -118,6 +171,14 @@ fn is_same(template: &Template, case: &Case, first: &Body, second: &Body) -> boo
             let are_whole = !own.name.contains('.') && !other.name.contains('.');
             let [m, n] = [own, other].map(|own| own.mass.value(case));
             a == b || are_whole && own.direction != other.direction && m.is_ok() && m == n
+        }
+        (Body::Node(matrices, a), Body::Node(other, b)) => {
+            let dofs = &template.matrices[*matrices].imported.dofs;
+            // Two nodes at one point of a rigid link move as one.
+            let both = Direction::TRANSLATIONS
+                .map(|direction| [a, b].map(|node| dofs.rows_of(node, direction)));
+            let moves = both.iter().flatten().any(Option::is_some);
+            matrices == other && (a == b || moves && both.iter().all(|[a, b]| a == b))
         }
         (first, second) => first == second,
     }

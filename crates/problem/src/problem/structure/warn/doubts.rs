@@ -2,7 +2,7 @@
 
 use super::doubt::Doubt;
 use super::masses::Masses;
-use super::{between_steps, directions, given, matrices, restitution};
+use super::{at_start, between_steps, directions, given, matrices, restitution};
 use crate::problem::Case;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::given::node::Numbering;
@@ -28,6 +28,8 @@ impl StructureProblem {
             given::idle_gravity(template, case),
             given::wave_speed(template, case),
             directions::of_one_body(template, case),
+            at_start::closed(structure),
+            at_start::at_once(structure),
             self.computed_steps(case).and_then(|steps| {
                 let cut = computed_ground::cut(template, case, steps);
                 cut.or_else(|| between_steps::missed(template, case, steps))

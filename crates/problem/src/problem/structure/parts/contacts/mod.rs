@@ -2,11 +2,11 @@
 
 mod limit;
 
-use super::contact::Contact;
+use super::contact::{Contact, Normal};
 use crate::contact::number::Number;
 use crate::contact::numbers::structure::TABLE;
 use crate::contact::offer::{Offered, Place};
-use crate::contact::{ContactKind, GivenNumbers, LAWS};
+use crate::contact::{ContactKind, GivenNumbers, LAWS, LawFault};
 use crate::problem::laws::laws;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::{Case, Violation};
@@ -89,8 +89,33 @@ pub fn relation(
         table: &contact.table(case)?,
         others: &others,
     };
-    let form = (law.offer.form)(&given).map_err(|fault| violation(contact, fault.to_string()))?;
+    let form = (law.offer.form)(&given).map_err(|fault| {
+        let of_parts = matches!(contact.normal, Some(Normal::Parts(_)));
+        match fault {
+            LawFault::NoLimit { instead, .. } if of_parts => violation(
+                contact,
+                format!(
+                    "the force of {} presses it, and how much it does at rest follows from the equilibrium, which needs {instead}; give {instead} instead",
+                    pressing_names(contact)
+                ),
+            ),
+            fault => violation(contact, fault.to_string()),
+        }
+    })?;
     Ok(StructureLaw::new(form, limit))
+}
+
+/// The names of the contacts and springs that press a contact.
+fn pressing_names(contact: &Contact) -> String {
+    match &contact.normal {
+        Some(Normal::Parts(parts)) => {
+            let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+            names.join(", ")
+        }
+        Some(Normal::Constant(_) | Normal::Table(_) | Normal::Weight { .. }) | None => {
+            String::new()
+        }
+    }
 }
 
 /// The laws of contacts that push, whose forces may be a normal force.
