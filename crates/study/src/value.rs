@@ -183,7 +183,7 @@ fn own_name(fault: &ExpressionFault) -> Option<String> {
     let is_number = unknown.name.parse::<f64>().is_ok();
     let may_be = unknown.name.is_ascii() && !is_number;
     (may_be && nearest(&unknown.name, &allowed).is_none())
-        .then(|| format!("names {}; {NO_NAMES}", unknown.name))
+        .then(|| format!("unknown name; {NO_NAMES}"))
 }
 
 /// The hint for an expression of parameters, which is not allowed here; `None` for other texts.

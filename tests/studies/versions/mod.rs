@@ -13,9 +13,9 @@ const CHANGED: [&str; 3] = ["contact_duration", "separations", "rdot_oscillation
 /// operations over thousands of steps gives 2e-11 at most. The stiffer the spring, the more often contact opens and closes, and the
 /// more round-off grows: 1.3e-9 at 1e4. At 1e5 it decides in which step contact opens, and the numbers are not compared.
 fn round_off(stiffness: Option<&str>) -> Option<f64> {
-    match stiffness {
-        Some("1e5") => None,
-        Some("1e4") => Some(1e-8),
+    match stiffness.and_then(|text| text.parse::<f64>().ok()) {
+        Some(1e5) => None,
+        Some(1e4) => Some(1e-8),
         _ => Some(1e-10),
     }
 }

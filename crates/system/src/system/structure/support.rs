@@ -69,8 +69,7 @@ impl Structure {
         carried.fold(w[node], |sum, x| sum + x)
     }
 
-    /// Adds a C that acts on the motion beside what nodes follow at rest, R u_s with K R = -K_fs, whatever R the equations have: the
-    /// support of a given displacement gets the load C R v_s.
+    /// Adds a C that acts on the motion beside R u_s, K R = -K_fs, also if the equations have R = 0: then C R v_s is a load.
     pub fn damp_beside_supports(&mut self, damping: &Symmetric) {
         self.damping.add_matrix(damping, 1.0);
         let displaced = self.loads.iter().filter_map(|load| match &*load.signal {
@@ -80,22 +79,18 @@ impl Structure {
             Signal::Motion(..) | Signal::Sine { .. } | Signal::Table(_) => None,
         });
         let displaced: Vec<_> = displaced.collect();
-        let regular = || Factor::regular(&self.stiffness, SINGULAR).ok();
-        let Some(factor) = (!displaced.is_empty())
-            .then(|| regular().or_else(|| pinned(&self.stiffness)))
-            .flatten()
-        else {
+        if displaced.is_empty() {
+            return;
+        }
+        let Some(factor) = pinned(&self.stiffness) else {
             return;
         };
         for (motion, of_displacement) in displaced {
             let mut r = vec![0.0; self.len()];
-            // Of R = 0 the load is -K_fs u_s.
             of_displacement.iter().for_each(|(row, x)| r[*row] += x);
             factor.solve(&mut r);
-            let along = pattern(damping, &r, &[])
-                .into_iter()
-                .map(|(row, x)| (row, -x));
-            let pattern: Along = along.collect();
+            r.iter_mut().for_each(|x| *x = -*x);
+            let pattern = pattern(damping, &r, &[]);
             if !pattern.is_empty() {
                 let signal = Arc::new(Signal::Motion(motion, Quantity::Velocity));
                 self.loads.push(Load { pattern, signal });

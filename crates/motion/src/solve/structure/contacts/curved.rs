@@ -4,23 +4,23 @@
 //! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact. In an explicit method r' does not depend on
 //! the forces: there y and a are those of rdot' = y - a S.
 
-use super::curved_contact::{Contact, Memory, has_three_points};
+use super::curved_contact::{Contact, Memory};
 use super::curved_group::{Group, Groups, LastShares, grouped, groups, of_masses};
 use super::curved_plane::{self};
 use super::curved_step::{Motion, Scale, explicit_line, line};
 use super::static_friction::Bound;
 use crate::contact::coupled::curved::CurvedForces;
 use crate::contact::plane::{PlaneLaw, PlaneMemory};
-use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, Unsolved};
+use crate::contact::{AnyRunningLaw, ContactLaw, Unsolved};
 use crate::system::structure::{Chain, PlaneRow, Structure};
 
 /// The contacts of one structure.
 #[derive(Debug)]
 pub(crate) struct Curved {
     forces: CurvedForces,
-    contacts: Vec<Contact>,
+    pub(super) contacts: Vec<Contact>,
     /// Contacts in series answer together.
-    groups: Vec<Group>,
+    pub(super) groups: Vec<Group>,
     /// The last answer of each group that is a chain, in this step.
     shares: Vec<LastShares>,
     /// Of the groups: a, and the numbers of a step.
@@ -31,9 +31,6 @@ pub(crate) struct Curved {
     /// Of the contacts.
     force: Vec<f64>,
 }
-
-/// A flexibility beside which every law is stiff.
-const SOFT: f64 = 1e200;
 
 impl Curved {
     /// The contacts of a structure with this H, by rows; `None` if all its laws are clipped lines.
@@ -152,31 +149,6 @@ impl Curved {
     /// What the law of a contact in a plane remembers; `None` of others and of second directions.
     pub(crate) fn plane(&self, contact: usize) -> Option<PlaneMemory> {
         self.contacts[contact].plane.map(|plane| plane.memory)
-    }
-
-    /// Whether a contact's law may have several answers in a step.
-    pub(crate) fn is_ambiguous(&self) -> bool {
-        self.is_ambiguous_in(|_| true)
-    }
-
-    /// Whether the law of a contact of such kinds may.
-    pub(crate) fn is_ambiguous_in(&self, kinds: impl Fn(ContactKind) -> bool) -> bool {
-        let has_one = |group: &Group, contact: &Contact| {
-            if !kinds(contact.relation.kind()) {
-                return true;
-            }
-            let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
-            let law = contact.relation.law(limit);
-            // Another contact in series may be as soft as it likes.
-            let own = if group.is_chain() { SOFT } else { contact.own };
-            let later = match has_three_points(&contact.relation, contact.scale) {
-                true => contact.scale.by_three_points(),
-                false => contact.scale,
-            };
-            law.properties().has_one_root(&later.steps(own)[0])
-        };
-        let mut groups = self.groups.iter();
-        !groups.all(|group| group.contacts().all(|i| has_one(group, &self.contacts[i])))
     }
 
     /// S of a contact whose r changes by this in the present step.

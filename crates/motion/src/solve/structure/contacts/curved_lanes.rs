@@ -1,12 +1,44 @@
 //! Lanes whose structures have contacts with laws that are not clipped lines.
 
 use super::curved::Curved;
+use super::curved_contact::{Contact, has_three_points};
+use super::curved_group::Group;
 use super::curved_step::Motion;
 use super::forces::Forces;
 use super::static_friction::Bound;
-use crate::contact::Unsolved;
+use crate::contact::{ContactKind, Unsolved};
 use crate::lane::Lane;
 use crate::system::structure::Structure;
+
+/// A flexibility beside which every law is stiff.
+const SOFT: f64 = 1e200;
+
+impl Curved {
+    /// Whether a contact's law may have several answers in a step.
+    pub(crate) fn is_ambiguous(&self) -> bool {
+        self.is_ambiguous_in(|_| true)
+    }
+
+    /// Whether the law of a contact of such kinds may.
+    pub(crate) fn is_ambiguous_in(&self, kinds: impl Fn(ContactKind) -> bool) -> bool {
+        let has_one = |group: &Group, contact: &Contact| {
+            if !kinds(contact.relation.kind()) {
+                return true;
+            }
+            let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
+            let law = contact.relation.law(limit);
+            // Another contact in series may be as soft as it likes.
+            let own = if group.is_chain() { SOFT } else { contact.own };
+            let later = match has_three_points(&contact.relation, contact.scale) {
+                true => contact.scale.by_three_points(),
+                false => contact.scale,
+            };
+            law.properties().has_one_root(&later.steps(own)[0])
+        };
+        let mut groups = self.groups.iter();
+        !groups.all(|group| group.contacts().all(|i| has_one(group, &self.contacts[i])))
+    }
+}
 
 /// Whether a structure has such a contact, contacts in series, or contacts that follow the velocity of nodes without mass.
 pub(crate) fn any_curved<const L: usize>(cases: &[&Structure; L]) -> bool {

@@ -1,12 +1,10 @@
 //! Tests of the stepper.
 
 mod at_rest;
-mod between_steps;
 mod bodies;
 mod books;
 mod carried;
 mod curved;
-mod dampers;
 mod dense;
 mod lanes;
 mod large;

@@ -1,6 +1,8 @@
 //! The other methods.
 
+mod between_steps;
 mod critical;
+mod dampers;
 mod energy;
 mod impulses;
 mod order;
@@ -15,7 +17,7 @@ use crate::methods::{
 use crate::solve::structure::{Books, Prepared, State, run};
 
 /// Every method but constant average acceleration, with its name.
-pub(super) fn methods() -> [(&'static str, Method); 9] {
+fn methods() -> [(&'static str, Method); 9] {
     let family = Method::Family;
     [
         (

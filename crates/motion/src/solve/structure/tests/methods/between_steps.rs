@@ -1,9 +1,8 @@
 //! Loads and supports that change between the steps, by all methods.
 
 use super::*;
-use crate::methods::{METHODS, Method};
-use crate::solve::structure::{Prepared, run};
-use crate::system::structure::{Motion, Table};
+use crate::methods::METHODS;
+use crate::system::structure::Motion;
 
 /// All methods with their default numbers; central-difference, which needs no K, too.
 fn methods() -> impl Iterator<Item = Method> {

@@ -1,10 +1,8 @@
 //! Dampers at nodes without mass: Maxwell's element between a mass and the ground, by a node and in series.
 
-use super::methods::methods;
 use super::*;
 use crate::contact::ClippedLine;
-use crate::methods::Method;
-use crate::solve::structure::{Prepared, balance, run};
+use crate::solve::structure::balance;
 
 const BRACE: f64 = 400.0;
 const VISCOSITY: f64 = 10.0;
