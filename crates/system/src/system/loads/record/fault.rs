@@ -1,5 +1,6 @@
 //! Faults of record files.
 
+use super::foreign::Looks;
 use std::fmt;
 
 /// Why a file is no record: displayed as `FILE:LINE: MESSAGE`.
@@ -55,6 +56,28 @@ pub enum RecordCause {
     /// A row with so many numbers, without the wanted column; or without a wanted one, but with more than one acceleration. The last
     /// one says whether the rows have no times.
     Fields(usize, Option<usize>, bool),
+    /// A row with so many numbers, which are no columns; or one without times.
+    Row(usize, bool),
+    /// Rows with so many numbers that look like one series; or without times.
+    Series(usize, bool),
+    /// The same where a column is wanted.
+    Wrapped(usize),
+    /// A row with so many numbers, the first one with so many in this line.
+    Ragged(usize, usize, usize),
+    /// So many rows, but the header states, there, so many.
+    Rows(usize, String, f64),
+    /// Times that are so far apart, but the header states another step, there.
+    Steps(f64, String, f64),
+    /// No times; the header states a time step, there.
+    NoTimes(f64, String),
+    /// A time step of the study, that of the file, and where it is stated.
+    Contradicts(f64, f64, String),
+    /// A column other than the first of a file in this format, whose rows are one series.
+    OneColumn(&'static str, usize),
+    /// Numbers behind the line that says that they end.
+    AfterEnd(usize),
+    /// A known format that is not read.
+    Foreign(Box<Looks>),
     /// The wanted column has the times.
     ColumnOfTimes,
     /// Columns and components together.
@@ -136,19 +159,63 @@ impl fmt::Display for RecordCause {
             RecordCause::Fields(count, Some(column), _) => {
                 write!(f, "a row needs {column} numbers or more, got {count}")
             }
-            RecordCause::Fields(count, None, false) => write!(
+            RecordCause::Fields(count, None, even) => write!(
                 f,
-                "a row must have two numbers, t and a, with decimal points, got {count}; of several columns give \"column\""
+                "{}, got {count}; of several columns give \"column\"",
+                wanted(*even)
             ),
-            RecordCause::Fields(count, None, true) => write!(
+            RecordCause::Row(count, even) => write!(f, "{}, got {count}", wanted(*even)),
+            RecordCause::Series(count, even) => write!(
                 f,
-                "a row must have one number, a, since \"dt\" is given, got {count}; of several columns give \"column\""
+                "{}, got {count}; the rows look like one series of numbers, not like columns: write one number a line{}",
+                wanted(*even),
+                if *even { "" } else { ", and give \"dt\"" }
             ),
+            RecordCause::Wrapped(count) => write!(
+                f,
+                "the rows look like one series in rows of {count} numbers, not like columns: write one number a line; columns need a line with their names before them"
+            ),
+            RecordCause::Ragged(count, first, line) => write!(
+                f,
+                "a row must have as many numbers as that of line {line}, {first}, got {count}; if the rows are one series, write one number a line"
+            ),
+            RecordCause::Rows(rows, by, count) => {
+                write!(f, "the table has {rows} rows, but {by} is {count}")
+            }
+            RecordCause::Steps(step, by, stated) => {
+                write!(f, "the times are {step} apart, but {by} is {stated}")
+            }
+            RecordCause::NoTimes(step, by) => write!(
+                f,
+                "the file has no row of two numbers, t and a; {by} states a time step: give \"dt\": {step}"
+            ),
+            RecordCause::Contradicts(dt, stated, by) => {
+                write!(f, "dt is {dt}, but {stated} by {by}; give {stated}")
+            }
+            RecordCause::OneColumn(format, column) => write!(
+                f,
+                "the file is {format}, whose rows are one series, which is column 1; give 1 or no column, got {column}"
+            ),
+            RecordCause::AfterEnd(line) => write!(
+                f,
+                "numbers after line {line}, which says that they end; a file must have one record"
+            ),
+            RecordCause::Foreign(looks) => {
+                let marks = looks.marks.iter().map(|mark| format!("\"{mark}\""));
+                let marks: Vec<String> = marks.collect();
+                write!(
+                    f,
+                    "the file looks like {}, by {}; this format is not read, {}: write the accelerations as a table, t and a in two columns, or a alone with \"dt\", and give \"unit\"",
+                    looks.name,
+                    marks.join(", "),
+                    looks.rows
+                )
+            }
             RecordCause::ColumnOfTimes => f.write_str(
                 "column 1 has the times; give another column, or \"dt\" if the table has no times",
             ),
             RecordCause::TwoChoices => f.write_str(
-                "column and dt are of tables, which have no components; give one or the other",
+                "the file is a table, which has columns and no components; give no component",
             ),
             RecordCause::OneComponent(format) => {
                 write!(
@@ -220,6 +287,44 @@ impl fmt::Display for RecordCause {
 }
 
 impl std::error::Error for RecordCause {}
+
+impl RecordCause {
+    /// The key of the study that the file contradicts.
+    pub fn key(&self) -> Option<&'static str> {
+        if matches!(self, RecordCause::Contradicts(..)) {
+            return Some("dt");
+        }
+        let of_component = matches!(self, RecordCause::TwoChoices | RecordCause::OneComponent(_));
+        let of_column = matches!(
+            self,
+            RecordCause::OneColumn(..)
+                | RecordCause::Fields(_, Some(_), _)
+                | RecordCause::Wrapped(_)
+        );
+        [("component", of_component), ("column", of_column)]
+            .into_iter()
+            .find_map(|(key, is_own)| is_own.then_some(key))
+    }
+
+    /// Whether it is about rows that are not those of a table.
+    pub(super) fn is_of_rows(&self) -> bool {
+        matches!(
+            self,
+            RecordCause::NoRow(_)
+                | RecordCause::Fields(..)
+                | RecordCause::Row(..)
+                | RecordCause::Series(..)
+        )
+    }
+}
+
+/// What a row must have; without times one number.
+fn wanted(even: bool) -> &'static str {
+    match even {
+        false => "a row must have two numbers, t and a, with decimal points",
+        true => "a row must have one number, a, with a decimal point, since \"dt\" is given",
+    }
+}
 
 /// The start of a text of a file: displayed in quotes on one line.
 #[derive(Debug, Clone, PartialEq, Eq)]
