@@ -2,9 +2,8 @@
 
 use super::fault::{LineFault, RecordCause, fault};
 use super::heading::{self, Heading, spaced};
-use super::number::{all, before_end, fields, number};
-use super::table::{Stated, check_quantity};
-use super::{Format, Reading, Record};
+use super::number::{Stated, all, before_end, fields, number};
+use super::{Format, Reading, Record, quantity};
 use crate::system::loads::Unit;
 
 /// The format.
@@ -63,7 +62,7 @@ fn parse(lines: &[&str], header: usize) -> Result<(Record, Stated), LineFault> {
             }
         }
     }
-    check_quantity(titles)?;
+    quantity::check(titles)?;
     let (npts, dt) = counts(lines[header]).map_err(|cause| fault(header, cause))?;
     let source = format!("NPTS of line {}", header + 1);
     let values = all(lines, header + 1, npts, &source)?;

@@ -3,8 +3,7 @@
 
 use super::fault::{LineFault, RecordCause, fault};
 use super::heading::{self, Heading, spaced};
-use super::number::{first, number, table};
-use super::table::Stated;
+use super::number::{Stated, first, number, table};
 use super::{Format, Reading, Record, component, end};
 use crate::system::loads::Unit;
 

@@ -3,8 +3,7 @@
 
 use super::fault::{LineFault, RecordCause, fault};
 use super::heading::{self, Heading, spaced};
-use super::number::{first, table};
-use super::table::Stated;
+use super::number::{Stated, first, table};
 use super::{Format, Reading, Record, component};
 use crate::system::loads::Unit;
 

@@ -2,8 +2,7 @@
 
 use super::fault::{LineFault, RecordCause, Shown, fault};
 use super::heading::Heading;
-use super::number::{all, number};
-use super::table::Stated;
+use super::number::{Stated, all, number};
 use super::{Format, Mean, Reading, Record, end, mean as means};
 use crate::system::loads::Unit;
 

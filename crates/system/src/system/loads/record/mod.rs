@@ -11,6 +11,7 @@ mod heading;
 mod knet;
 mod mean;
 pub(in crate::system) mod number;
+mod quantity;
 mod smc;
 pub(in crate::system) mod table;
 pub(in crate::system) mod text;
@@ -22,7 +23,7 @@ pub use mean::Mean;
 
 use super::Unit;
 use fault::{LineFault, fault};
-use table::Stated;
+use number::Stated;
 
 /// A recorded acceleration. It is straight between its points.
 #[derive(Debug, Clone, PartialEq)]
@@ -167,7 +168,7 @@ fn of_format(format: &Format, lines: &[&str], reading: &Reading) -> Result<Recor
 fn agree(stated: &Stated, dt: Option<f64>) -> Result<(), LineFault> {
     match dt.filter(|dt| (dt - stated.value).abs() > SAME * stated.value) {
         Some(dt) => {
-            let cause = RecordCause::Contradicts(dt, stated.value, table::by(stated));
+            let cause = RecordCause::Contradicts(dt, stated.value, stated.place());
             Err(fault(stated.line, cause))
         }
         None => Ok(()),

@@ -3,6 +3,30 @@
 use super::fault::{LineFault, RecordCause, Shown, fault};
 use super::text::is_end;
 
+/// A number of a header.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Stated {
+    /// The number; of a sampling rate the time step.
+    pub value: f64,
+    /// Its label.
+    pub by: String,
+    /// Index of its line.
+    pub line: usize,
+}
+
+impl Stated {
+    /// Where it is.
+    pub(super) fn place(&self) -> String {
+        format!("{} of line {}", self.by, self.line + 1)
+    }
+
+    /// A number with its label and the index of its line.
+    pub(super) fn new(value: f64, by: &str, line: usize) -> Stated {
+        let by = by.to_owned();
+        Stated { value, by, line }
+    }
+}
+
 /// A finite number, also with `D` before its exponent; else why not.
 pub(in crate::system) fn number(text: &str) -> Result<f64, RecordCause> {
     match text.replace(['d', 'D'], "e").parse::<f64>() {

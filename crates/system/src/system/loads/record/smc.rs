@@ -3,8 +3,7 @@
 
 use super::fault::{LineFault, RecordCause, fault};
 use super::heading::{self, Heading, spaced};
-use super::number::{all, table};
-use super::table::Stated;
+use super::number::{Stated, all, table};
 use super::{Format, Record, end};
 use crate::system::loads::Unit;
 

@@ -2,28 +2,9 @@
 
 use super::super::at2;
 use super::super::fault::{LineFault, RecordCause, fault};
-use super::super::number::number;
-use super::quantity::of_unit;
+use super::super::number::{Stated, number};
+use super::super::quantity::of_unit;
 use crate::system::loads::Unit;
-
-/// A number of a header.
-#[derive(Debug, Clone, PartialEq)]
-pub(in super::super) struct Stated {
-    /// The number; of a sampling rate the time step.
-    pub value: f64,
-    /// Its label.
-    pub by: String,
-    /// Index of its line.
-    pub line: usize,
-}
-
-impl Stated {
-    /// A number with its label and the index of its line.
-    pub(in super::super) fn new(value: f64, by: &str, line: usize) -> Stated {
-        let by = by.to_owned();
-        Stated { value, by, line }
-    }
-}
 
 /// What a header states.
 #[derive(Debug, Default)]

@@ -56,33 +56,28 @@ pub(super) fn step(rows: &Rows) -> Option<f64> {
     (step > 0.0 && is_even && step != 1.0).then_some(step)
 }
 
-/// Why rows of so many numbers are not those of two, or of one if they have no times.
+/// Why a row of so many numbers is not one of two, or of one if the table has no times.
 pub(super) fn fault(rows: &Rows, count: usize, even: bool) -> RecordCause {
-    let widths = || rows.lines.iter().map(|line| cells(line).len());
-    let is_uniform = count > 2 - usize::from(even) && widths().all(|width| width == count);
+    let least = 2 - usize::from(even);
+    let widths: Vec<usize> = rows.lines.iter().map(|line| cells(line).len()).collect();
+    let full = widths.iter().filter(|width| **width == count).count();
     let firsts = rows
         .lines
         .iter()
         .map_while(|line| number(cells(line).first()?).ok());
     let firsts: Vec<f64> = firsts.collect();
     let rises = firsts.windows(2).all(|pair| pair[0] < pair[1]);
-    match is_uniform && !is_series(rows) && (even || rises || rows.names.is_some()) {
-        true => RecordCause::Fields(count, None, even),
-        // Rows of the same length, or all but the last one.
-        false if !is_uniform && !is_filled(rows, count) => RecordCause::Row(count, even),
-        false => RecordCause::Series(count, even),
+    let is_filled = rows.names.is_none() && !rises && widths.iter().all(|width| *width <= count);
+    match count > least && full == widths.len() {
+        true if is_series(rows) => RecordCause::Series(count, even),
+        true if even || rises => RecordCause::Fields(count, None, even),
+        true => RecordCause::EvenColumns(count),
+        // The last row of a series, or of a part of it, has what is left.
+        false if is_filled && count > least && 2 * full > widths.len() => {
+            RecordCause::Series(count, even)
+        }
+        false => RecordCause::Row(count, even),
     }
-}
-
-/// Whether all rows but the last one have so many numbers, the first of which do not rise.
-fn is_filled(rows: &Rows, count: usize) -> bool {
-    let [full @ .., last] = &rows.lines[..] else {
-        return false;
-    };
-    count > 2
-        && cells(last).len() < count
-        && !full.is_empty()
-        && full.iter().all(|line| cells(line).len() == count)
 }
 
 /// The numbers of rows of one length; `None` if a field is none.

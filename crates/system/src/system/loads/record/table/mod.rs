@@ -4,14 +4,10 @@
 mod facts;
 pub(in crate::system) mod fields;
 mod layout;
-mod quantity;
-
-pub(super) use facts::Stated;
-pub(super) use quantity::check as check_quantity;
 
 use super::fault::{LineFault, RecordCause, fault};
 use super::number::{before_end, decimal, number};
-use super::{Reading, Record, end};
+use super::{Reading, Record, end, quantity};
 use crate::system::loads::Unit;
 use facts::Facts;
 use fields::{cells, decimal_comma};
@@ -42,11 +38,10 @@ pub(super) fn parse(lines: &[&str], reading: &Reading) -> Result<Record, LineFau
     let lines = before_end(lines)?;
     let Some(from) = row_of(lines, least) else {
         let facts = Facts::of(lines)?;
-        let cause = match facts.step {
-            Some(step) if least == 2 => RecordCause::NoTimes(step.value, by(&step)),
-            _ => RecordCause::NoRow(least),
-        };
-        return Err(fault(end(lines), cause));
+        return Err(match facts.step.filter(|_| least == 2) {
+            Some(step) => fault(step.line, RecordCause::NoTimes(step.value, step.place())),
+            None => fault(end(lines), RecordCause::NoRow(least)),
+        });
     };
     let count = cells(lines[from]).len();
     let (header, body) = lines.split_at(from);
@@ -67,7 +62,7 @@ pub(super) fn parse(lines: &[&str], reading: &Reading) -> Result<Record, LineFau
     let mut record = Record {
         times: Vec::new(),
         values: Vec::new(),
-        unit: unit(header, reading.column, count).or(facts.unit),
+        unit: unit((header, &rows), &facts, reading),
         removed_mean: None,
     };
     for (index, line) in body.iter().enumerate() {
@@ -91,7 +86,10 @@ pub(super) fn parse(lines: &[&str], reading: &Reading) -> Result<Record, LineFau
             (None, dt) => record.times.len() as f64 * dt.unwrap_or_default(),
         };
         if let Some(&last) = record.times.last().filter(|last| t <= **last) {
-            return Err(at(RecordCause::Time { t, last }));
+            return Err(at(match reading.column {
+                Some(_) if reading.dt.is_none() => RecordCause::ColumnOfNoTimes(t, last),
+                _ => RecordCause::Time { t, last },
+            }));
         }
         record.times.push(t);
         record.values.push(a);
@@ -177,7 +175,7 @@ fn check_facts(
     if let Some(own) = facts.count.as_ref().filter(|own| own.value != count as f64) {
         return Err(fault(
             own.line,
-            RecordCause::Rows(count, by(own), own.value),
+            RecordCause::Rows(count, own.place(), own.value),
         ));
     }
     let of_times = layout::step(rows);
@@ -190,26 +188,30 @@ fn check_facts(
         // Times have few digits.
         (None, Some(own), Some(step)) if (own.value - step).abs() > 0.01 * step => Err(fault(
             own.line,
-            RecordCause::Steps(step, by(own), own.value),
+            RecordCause::Steps(step, own.place(), own.value),
         )),
         _ => Ok(()),
     }
 }
 
-/// Where a number is stated.
-pub(super) fn by(own: &Stated) -> String {
-    format!("{} of line {}", own.by, own.line + 1)
-}
-
-/// The unit of acceleration in brackets in a line of the header, as in `Acc. (m/s2)`. In a line with a name for each of `count`
-/// columns it is that of the column.
-fn unit(header: &[&str], column: Option<usize>, count: usize) -> Option<Unit> {
+/// The unit of acceleration: in brackets in the name of the wanted column, as in `Acc. (m/s2)`, behind a label, or in brackets in
+/// another line that names no columns.
+fn unit((header, rows): (&[&str], &Rows), facts: &Facts, reading: &Reading) -> Option<Unit> {
     let in_brackets = |text: &str| quantity::in_brackets(text, Unit::spelled);
-    let of_line = |line: &&str| match (column, &cells(line)[..]) {
-        (Some(column), names) if names.len() == count => in_brackets(names.get(column - 1)?),
-        _ => in_brackets(line),
+    let count = rows.lines.first().map_or(0, |line| cells(line).len());
+    let of_names = header
+        .iter()
+        .find_map(|line| match (reading.column, &cells(line)[..]) {
+            (Some(column), names) if names.len() == count => in_brackets(names.get(column - 1)?),
+            _ => None,
+        });
+    let others = || {
+        let mut others = header
+            .iter()
+            .filter(|line| reading.column.is_none() || cells(line).len() != count);
+        others.find_map(|line| in_brackets(line))
     };
-    header.iter().find_map(of_line)
+    of_names.or(facts.unit).or_else(others)
 }
 
 /// t and a of a row; no t without times.

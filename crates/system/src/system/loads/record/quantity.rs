@@ -1,6 +1,6 @@
 //! Headers that name a velocity or a displacement.
 
-use super::super::fault::{LineFault, RecordCause, fault};
+use super::fault::{LineFault, RecordCause, fault};
 use crate::system::loads::Unit;
 
 /// Words of a line that is about the soil, or about single numbers of the motion.
@@ -9,7 +9,7 @@ const OTHERS: [&str; 8] = [
 ];
 
 /// The fault of a header that names a velocity or a displacement and nowhere an acceleration.
-pub(in super::super) fn check(header: &[&str]) -> Result<(), LineFault> {
+pub(super) fn check(header: &[&str]) -> Result<(), LineFault> {
     if header.iter().any(|line| is_acceleration(line)) {
         return Ok(());
     }
