@@ -75,8 +75,11 @@ pub(super) fn decode(
         let (test, bytes) = long_test(file, place, (&time, &of_channels), reader, faults)?;
         reader.keep(file, &bytes);
         if let (None, Some(first)) = (&delay, test.time.first()) {
-            let t = shortest(*first);
-            reader.begins(file, *first, &format!("and its points before t = 0 are not compared: \"delay\": {t} makes its first point t = 0, \"delay\": 0 ends this note"));
+            let what = format!(
+                "and its points before t = 0 are not compared: \"delay\": {} makes its first point t = 0, \"delay\": 0 ends this note",
+                shortest(*first)
+            );
+            reader.begins(file, *first, &what);
         }
         Some((file, Arc::new(test)))
     });

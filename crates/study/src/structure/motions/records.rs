@@ -113,8 +113,11 @@ fn read(
         }
     }
     if let (None, Some(first)) = (function.get("start"), record.times.first()) {
-        let t = shortest(*first);
-        reader.begins(file, *first, &format!("and what is before t = 0 is not used: \"start\": {t} makes its first point t = 0, \"start\": 0 ends this note"));
+        let what = format!(
+            "and what is before t = 0 is not used: add {} to its times to use all, \"start\": 0 ends this note",
+            shortest(-first)
+        );
+        reader.begins(file, *first, &what);
     }
     let heading = Heading::of(&bytes, &reading);
     let mut headings = reader.headings.borrow_mut();
