@@ -52,13 +52,15 @@ pub struct Reading {
     pub component: Option<usize>,
 }
 
+/// The record of a file whose rows are one series, and the time step that its header states.
+type Series = Result<(Record, Stated), LineFault>;
+
 /// A format besides tables.
 struct Format {
     name: &'static str,
     /// Whether a file is in this format; else why not.
     find: fn(&[&str]) -> Result<(), &'static str>,
-    /// The record, and the time step that the header states.
-    read: fn(&[&str], &Reading) -> Result<(Record, Stated), LineFault>,
+    read: fn(&[&str], &Reading) -> Series,
     /// What the header names.
     heading: fn(&[&str], &Reading) -> Heading,
     /// Whether a file may have several components.

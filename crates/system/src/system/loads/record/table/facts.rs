@@ -103,22 +103,30 @@ impl Facts {
                 facts.step = step.or_else(rate).filter(|own| own.value > 0.0);
             }
             if facts.unit.is_none()
-                && let Some(rest) = UNITS.iter().find_map(|label| after(&plain, label))
+                && let Some(words) = UNITS.iter().find_map(|label| units(after(&plain, label)?))
             {
-                let given = rest.trim_start_matches([' ', ':', '=']);
-                let given = given.strip_prefix("of ").unwrap_or(given);
-                let given = given
-                    .split([' ', ',', ';', '(', ')'])
-                    .next()
-                    .unwrap_or_default();
-                facts.unit = Unit::spelled(given);
-                if let Some(other) = of_unit(given) {
+                facts.unit = words.iter().find_map(|word| Unit::spelled(word));
+                // `Units: m, s` are those of something else.
+                let is_own = |word: &&&str| words.len() == 1 || word.contains('/');
+                let other = words.first().filter(is_own).and_then(|word| of_unit(word));
+                if let (None, Some(other)) = (facts.unit, other) {
                     return Err(fault(line, RecordCause::Quantity(other)));
                 }
             }
         }
         Ok(facts)
     }
+}
+
+/// The words behind a label of a unit: after a colon or the like.
+fn units(rest: &str) -> Option<Vec<&str>> {
+    let mut signs = [":", "=", " :", " =", " of ", " are ", " in "].into_iter();
+    let rest = signs.find_map(|sign| rest.strip_prefix(sign))?;
+    let words = rest.split([' ', ',', ';', '(', ')']);
+    let words: Vec<&str> = words
+        .filter(|word| !word.is_empty() && *word != "of")
+        .collect();
+    (!words.is_empty()).then_some(words)
 }
 
 /// A line in small letters with single blanks, also for underlines.

@@ -52,7 +52,7 @@ pub(super) fn decimal_comma(line: &str) -> Option<RecordCause> {
     }
     let words: Vec<&str> = line.split_whitespace().collect();
     let is_number = |word: &&str| number(word).is_ok() || has_comma(word);
-    let between_blanks = words.len() > 1 && words.iter().all(|word| is_number(word));
+    let between_blanks = words.len() > 1 && words.iter().all(is_number);
     let shown = words
         .iter()
         .find(|word| has_comma(word))

@@ -142,13 +142,16 @@ fn check_columns(header: &[&str], rows: &Rows, reading: &Reading) -> Result<(), 
         .iter()
         .rposition(|line| line.contains(char::is_alphabetic));
     let line = line.unwrap_or_default();
-    quantity::check(&header[..line])?;
     let wanted = reading
         .column
         .unwrap_or(2 - usize::from(reading.dt.is_some()));
     let Some(name) = names.get(wanted - 1) else {
-        return Ok(());
+        return quantity::check(&header[..line]);
     };
+    // A name such as `a` or `acc_x` says more than a title.
+    if !name.to_lowercase().starts_with('a') {
+        quantity::check(&header[..line])?;
+    }
     if wanted == 1 && is_time(name) {
         return Err(fault(line, RecordCause::ColumnOfTimes));
     }

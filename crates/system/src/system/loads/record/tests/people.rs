@@ -322,6 +322,9 @@ fn a_velocity_is_no_acceleration_whatever_the_unit_of_the_study() {
         "shear wave velocity 300 m/s\n0 1\n1 2\n",
         "Vs30 (m/s): 300\n0 1\n1 2\n",
         "velocity 3, displacement 4, acceleration 5\n0 1\n1 2\n",
+        "displacement control of the table\nt,a\n0,1\n1,2\n",
+        "Units: m, s\n0 1\n1 2\n",
+        "Unit G, building 5\n0 1\n1 2\n",
         "t (s),a (m/s2),v (m/s)\n0,1,7\n1,2,7\n",
     ] {
         let column = text.contains("7\n").then_some(2);
