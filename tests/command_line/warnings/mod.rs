@@ -1,5 +1,6 @@
 //! Warnings: each kind is triggered by what it names and by nothing else, and none depends on threads, store or shards.
 
+mod files;
 mod given;
 
 use crate::Bench;

@@ -94,6 +94,9 @@ warnings! {
     MotionCut "motion-cut"
         "have a motion or a load of which less than 95 % is computed: the rest lies after `duration` or between steps"
         "The accelerations at the steps up to `duration` have less than 95 % of the peak, the Arias intensity or the target spectrum of a recorded motion, or of the target of another motion; or the file of a support has a larger displacement than the steps. Of other loads, motions and N as functions of time: up to `duration`, the largest value, or the largest velocity of a given displacement, is above that at the steps by more than 5 %, or a sine has less than eight steps in a period, so that its impulse is 5 % too small.",
+    MeasuredScale "measured-scale"
+        "have measured values more than 50 times those of the motion, or below a 50th: look at the unit of the column"
+        "A metric compares with what was measured, and its peak is more than 50 times that of the same channel of the motion, or less than a 50th; of tests that are compared as a sample, the median of a metric.",
     EndsInContact "ends-in-contact"
         "end while the bars touch; `contact_duration` and `contact_steps` are undefined: take a longer `duration`"
         "The bars of bar-impact touch at the last step.",

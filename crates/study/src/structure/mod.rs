@@ -95,6 +95,7 @@ pub(super) fn problem(
         used: Default::default(),
         records: Default::default(),
         removed_means: Default::default(),
+        early: Default::default(),
         headings: Default::default(),
         of_ground: Default::default(),
     };
@@ -206,6 +207,7 @@ pub(super) fn problem(
         );
     }
     let mut notes = Vec::from_iter(crate::structure::motions::records::note(&reader));
+    notes.extend(crate::structure::reading::files::early_note(&reader));
     notes.extend(doubts::notes(&template, &reader.names, node));
     let of_measured = root.get(keys::KEY.0).zip(template.measured.as_ref());
     let of_measured = of_measured.map(|(node, own)| (node, own.delays));

@@ -1,7 +1,8 @@
 //! Tables of measured values: a line with the names of the columns, then rows of numbers.
 
-use super::loads::record::fields::split;
-use super::loads::record::number::number;
+use super::loads::record::number::{decimal, number};
+use super::loads::record::table::fields::{bare, split};
+use super::loads::record::text::{decode, is_end};
 use super::loads::record::{RecordCause, RecordFault, Shown};
 
 /// Largest number of a cell: sums of squares of such numbers in any unit are finite.
@@ -39,8 +40,8 @@ impl MeasuredTable {
     /// # Errors
     /// No line of names, or a row with more or fewer fields than names.
     pub fn read(file: &str, bytes: &[u8]) -> Result<MeasuredTable, RecordFault> {
-        let text = String::from_utf8_lossy(bytes); // Names of columns may have any encoding, such as that of a degree sign.
-        let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+        let text = decode(bytes);
+        let lines = text.lines().enumerate();
         let mut lines = lines.filter(|(_, line)| {
             let line = line.trim();
             !line.is_empty() && !line.starts_with('#')
@@ -57,7 +58,15 @@ impl MeasuredTable {
             return Err(at(header, RecordCause::NoNames));
         }
         let mut rows = Vec::new();
+        let mut end = None;
         for (index, line) in lines {
+            if let Some(end) = end {
+                return Err(at(index, RecordCause::AfterEnd(end + 1)));
+            }
+            if is_end(line) {
+                end = Some(index);
+                continue;
+            }
             let cells = cells(line, by);
             let ends = cells.len() == names.len() + 1 && cells.last() == Some(&"");
             if cells.len() != names.len() && !ends {
@@ -131,14 +140,7 @@ impl MeasuredTable {
 
 /// The fields of a line without their quotes.
 fn cells(line: &str, by: Option<char>) -> Vec<&str> {
-    let bare = |field: &'_ str| field.len() >= 2 && field.starts_with('"') && field.ends_with('"');
-    let fields = split(line, by).into_iter();
-    fields
-        .map(|field| match bare(field) {
-            true => field[1..field.len() - 1].trim(),
-            false => field,
-        })
-        .collect()
+    split(line, by).into_iter().map(bare).collect()
 }
 
 /// The number of a cell; else why there is none.
@@ -146,10 +148,7 @@ fn cell(text: &str) -> Result<f64, RecordCause> {
     if text.is_empty() {
         return Err(RecordCause::Missing);
     }
-    let found = number(text).map_err(|cause| match number(&text.replacen(',', ".", 1)) {
-        Ok(_) => RecordCause::DecimalComma(Shown::new(text)),
-        Err(_) => cause,
-    })?;
+    let found = decimal(text)?;
     match found.abs() <= LARGEST {
         true => Ok(found),
         false => Err(RecordCause::Bounds(Shown::new(text))),

@@ -70,9 +70,12 @@ pub(crate) const FUNCTION: Keys = &[
     ),
     (
         "column",
-        "column of a table with the accelerations, from 1; t and a if left out",
+        "column of a table with the accelerations, from 1; t and a if left out; another file has the column 1",
     ),
-    ("dt", "time step in s of a table without times"),
+    (
+        "dt",
+        "time step in s of a table without times; of another file that of its header",
+    ),
     ("component", "component of a file with several, from 1"),
     (
         "scale",
@@ -101,7 +104,7 @@ pub(crate) const FUNCTIONS: usize = 5;
 pub(crate) const FILES: Keys = &[
     (
         "files",
-        "a folder (without .md), or a pattern with one *, such as \"records/*.smc\"; in the order of names",
+        "a folder (without .md), or a pattern with one *, such as \"records/*.smc\"; in the order of names, numbers in them by their values (r_2 before r_10)",
     ),
     (
         "choose",

@@ -16,7 +16,7 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::named::named_metrics::hinted;
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::name;
-use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::numbers::parameter::{Range, shortest};
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::channels::channel::Channel;
 use slipgap_problem::problem::structure::channels::measured::{FEWEST, Measured, Test};
@@ -74,6 +74,13 @@ pub(super) fn decode(
         let place = (node, &*path);
         let (test, bytes) = long_test(file, place, (&time, &of_channels), reader, faults)?;
         reader.keep(file, &bytes);
+        if let (None, Some(first)) = (&delay, test.time.first()) {
+            let what = format!(
+                "and its points before t = 0 are not compared: \"delay\": {} makes its first point t = 0, \"delay\": 0 ends this note",
+                shortest(*first)
+            );
+            reader.begins(file, *first, &what);
+        }
         Some((file, Arc::new(test)))
     });
     let tests = tests.collect();

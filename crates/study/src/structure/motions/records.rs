@@ -36,7 +36,7 @@ pub(in crate::structure) fn record(
     let before = faults.count();
     let mut records = Vec::new();
     for file in files {
-        match read(file, (unit, reading), reader) {
+        match read(file, (unit, reading), function, reader) {
             Ok(signal) => records.push((file, signal)),
             Err((key, why)) => {
                 let wrong = key.and_then(|key| Some((function.get(key)?.at, function.path(key))));
@@ -91,6 +91,7 @@ type Fault = (Option<&'static str>, String);
 fn read(
     file: &str,
     (unit, reading): (Option<Unit>, Reading),
+    function: &Object,
     reader: &Reader,
 ) -> Result<Arc<Signal>, Fault> {
     let bytes = reader
@@ -98,7 +99,10 @@ fn read(
         .bytes(file, LARGEST)
         .map_err(|why| (None, why))?;
     let record = loads::record::parse(file, &bytes, reading);
-    let record = record.map_err(|fault| (None, format!("line {}: {}", fault.line, fault.cause)))?;
+    let record = record.map_err(|fault| {
+        let why = format!("line {}: {}", fault.line, fault.cause);
+        (fault.cause.key(), why)
+    })?;
     let signal = loads::signal(&record, unit, 1.0 / reader.metre).map_err(|why| match why {
         SignalFault::TwoUnits { .. } => (Some("unit"), why.to_string()),
         SignalFault::NoUnit | SignalFault::NotFinite => (None, why.to_string()),
@@ -109,6 +113,13 @@ fn read(
         if !means.iter().any(|(known, _)| known == file) {
             means.push((file.to_owned(), removed));
         }
+    }
+    if let (None, Some(first)) = (function.get("start"), record.times.first()) {
+        let what = format!(
+            "and what is before t = 0 is not used: add {} to its times to use all, \"start\": 0 ends this note",
+            shortest(-first)
+        );
+        reader.begins(file, *first, &what);
     }
     let heading = Heading::of(&bytes, &reading);
     let mut headings = reader.headings.borrow_mut();

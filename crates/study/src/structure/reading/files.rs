@@ -6,7 +6,7 @@ use crate::source::faults::{Faults, quoted};
 use crate::source::tree::Node;
 use crate::value::text;
 use slipgap_problem::problem::interned;
-use slipgap_problem::problem::numbers::parameter::Kind;
+use slipgap_problem::problem::numbers::parameter::{Kind, shortest};
 use slipgap_problem::problem::structure::given::chosen::Chosen;
 use slipgap_system::system::import::ImportFault;
 
@@ -44,6 +44,31 @@ impl Reader<'_> {
     pub fn keep(&self, file: &str, bytes: &[u8]) {
         self.records.borrow_mut().add(file, bytes);
     }
+}
+
+impl Reader<'_> {
+    /// Keeps for the notes that a file has times from `first` on, before t = 0.
+    pub fn begins(&self, file: &str, first: f64, what: &str) {
+        let mut early = self.early.borrow_mut();
+        if first < 0.0 && !early.iter().any(|(known, _)| known == file) {
+            early.push((
+                file.to_owned(),
+                format!("begins at t = {}, {what}", shortest(first)),
+            ));
+        }
+    }
+}
+
+/// Which files begin before t = 0, for `explain`, `run` and the page.
+pub(in crate::structure) fn early_note(reader: &Reader) -> Option<String> {
+    let early = reader.early.borrow();
+    let (file, what) = early.first()?;
+    let more = match early.len() {
+        1 => String::new(),
+        2 => "; so does 1 more file".to_owned(),
+        count => format!("; so do {} more files", count - 1),
+    };
+    Some(format!("{} {what}{more}", quoted(file)))
 }
 
 impl Reader<'_> {

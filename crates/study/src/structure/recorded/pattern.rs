@@ -1,5 +1,6 @@
 //! The files of a folder, or of a pattern with one `*`.
 
+use std::cmp::Ordering;
 use std::path::{Path, is_separator};
 
 /// Most files of an axis.
@@ -58,10 +59,85 @@ pub(super) fn matching(pattern: &str, folder: &Path) -> Result<Found, String> {
             found.push((star.to_owned(), path));
         }
     }
-    found.sort_by(|a, b| a.1.cmp(&b.1));
+    found.sort_by(|a, b| natural(&a.1, &b.1));
     match found.len() {
         0 => Err(format!("no file in {} has such a name", place.display())),
         1..=MOST => Ok(found),
         many => Err(format!("{many} files; allowed: at most {MOST}")),
+    }
+}
+
+/// The natural order of names: whole numbers by their values, so that `r_2` is before `r_10`; equal ones by their text.
+fn natural(a: &str, b: &str) -> Ordering {
+    let (mut left, mut right) = (a, b);
+    while let (Some(first), Some(second)) = (left.chars().next(), right.chars().next()) {
+        let (of_left, of_right) = (digits(left), digits(right));
+        let order = match of_left.is_empty() || of_right.is_empty() {
+            true => first.cmp(&second),
+            false => {
+                let [x, y] = [of_left, of_right].map(|own| own.trim_start_matches('0'));
+                x.len().cmp(&y.len()).then_with(|| x.cmp(y))
+            }
+        };
+        if order.is_ne() {
+            return order;
+        }
+        let taken = |own: &str, first: char| own.len().max(first.len_utf8());
+        left = &left[taken(of_left, first)..];
+        right = &right[taken(of_right, second)..];
+    }
+    left.len().cmp(&right.len()).then_with(|| a.cmp(b))
+}
+
+/// The digits with which a text begins.
+fn digits(text: &str) -> &str {
+    let end = text.find(|c: char| !c.is_ascii_digit());
+    &text[..end.unwrap_or(text.len())]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_in_names_are_in_their_order() {
+        let names = [
+            "a/r.csv",
+            "a/r_1.csv",
+            "a/r_01.csv",
+            "a/r_2.csv",
+            "a/r_2_3.csv",
+            "a/r_2_12.csv",
+            "a/r_10.csv",
+            "a/r_18446744073709551616.csv",
+            "a/r_a.csv",
+            "b/r_1.csv",
+            "\u{e9}2",
+            "\u{e9}10",
+        ];
+        let mut sorted = names;
+        sorted.reverse();
+        sorted.sort_by(|a, b| natural(a, b));
+        // Equal numbers are in the order of their texts.
+        let expected = [
+            "a/r.csv",
+            "a/r_01.csv",
+            "a/r_1.csv",
+            "a/r_2.csv",
+            "a/r_2_3.csv",
+            "a/r_2_12.csv",
+            "a/r_10.csv",
+            "a/r_18446744073709551616.csv",
+            "a/r_a.csv",
+            "b/r_1.csv",
+            "\u{e9}2",
+            "\u{e9}10",
+        ];
+        assert_eq!(sorted, expected);
+        for a in names {
+            for b in names {
+                assert_eq!(natural(a, b), natural(b, a).reverse());
+            }
+        }
     }
 }

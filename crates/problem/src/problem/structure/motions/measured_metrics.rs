@@ -30,6 +30,43 @@ impl StructureProblem {
     }
 }
 
+/// Ratio of measured values to those of the motion, from which one of them has another unit: cm for m, or mm for m, even where the
+/// motion is twice as large.
+const FAR: f64 = 50.0;
+
+impl StructureProblem {
+    /// Whether measured values are far from those of a motion with these values of the metrics.
+    pub(crate) fn is_far_from_measured(
+        &self,
+        of: MetricContext,
+        computed: &Recorded,
+        values: &[Option<f64>],
+    ) -> bool {
+        let is_far = |c: f64, m: f64| c > 0.0 && m > 0.0 && !(1.0 / FAR..=FAR).contains(&(m / c));
+        let of_channel = |channel: &Channel| {
+            let compared = of.compared?;
+            let steps = computed.channel(channel, of.numbering);
+            let c = reduce::at_times(&steps, of.dt, &compared.times())?;
+            Some(is_far(peak(&c), peak(compared.values(channel)?)))
+        };
+        let of_metric = |(row, metric): (usize, &StructureMetric)| {
+            if metric.measured {
+                let of_loop = metric.contact.map(measured_loop);
+                let channels = metric.channel.iter().chain(&metric.second);
+                let mut channels = channels.chain(of_loop.iter().flatten());
+                return channels.any(|channel| of_channel(channel).unwrap_or(false));
+            }
+            let sample = self.sample_of(row).zip(values[row]);
+            sample.is_some_and(|(mut tests, value)| {
+                tests.sort_by(f64::total_cmp);
+                let median = tests.get(tests.len() / 2).copied().unwrap_or_default();
+                is_far(value.abs(), median.abs())
+            })
+        };
+        self.metrics.iter().enumerate().any(of_metric)
+    }
+}
+
 /// The value of a metric that compares with what was measured; `None` where it is undefined.
 pub fn value(metric: &StructureMetric, of: MetricContext, computed: &Recorded) -> Option<f64> {
     let compared = of.compared?;

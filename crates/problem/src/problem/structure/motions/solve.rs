@@ -17,7 +17,7 @@ use crate::problem::structure::metrics::reduction::Reduction;
 use crate::problem::structure::model::assemble::{self, Model};
 use crate::problem::structure::parts::template::Reference;
 use crate::solve::structure::Prepared;
-use crate::solve::{Unsolvable, Warnings};
+use crate::solve::{Unsolvable, Warning, Warnings};
 
 /// Refinement of the mesh that `mesh_error` compares with.
 const FINER: u32 = 4;
@@ -256,8 +256,10 @@ impl StructureProblem {
             }
             None => metric_values::value(metric, of, &motions).filter(|x| x.is_finite()),
         };
-        let values = self.metrics.iter().map(value).collect();
+        let values: Vec<Option<f64>> = self.metrics.iter().map(value).collect();
         let warnings = self.warnings_of(ready, &motions.computed, watched.as_ref())?;
+        let is_far = self.is_far_from_measured(of, &motions.computed, &values);
+        let warnings = warnings.with(Warning::MeasuredScale, is_far);
         Ok((motions, values, warnings))
     }
 

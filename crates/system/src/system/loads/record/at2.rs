@@ -2,18 +2,21 @@
 
 use super::fault::{LineFault, RecordCause, fault};
 use super::heading::{self, Heading, spaced};
-use super::number::{all, number};
-use super::{Format, Reading, Record, columns};
+use super::number::{Stated, all, before_end, fields, number};
+use super::{Format, Reading, Record, quantity};
 use crate::system::loads::Unit;
 
 /// The format.
 pub(super) const FORMAT: Format = Format {
     name: "PEER AT2",
     find: |lines| match header(lines) {
+        Some(header) if is_table(lines, header) => {
+            Err("its rows are not NPTS numbers but those of a table")
+        }
         Some(_) => Ok(()),
         None => Err("no line of the first 20 names NPTS and DT"),
     },
-    read,
+    read: |lines, _| parse(lines, header(lines).unwrap_or_default()),
     heading,
     components: false,
 };
@@ -26,14 +29,6 @@ const HEADER: usize = 20;
 enum Key {
     Npts,
     Dt,
-}
-
-/// The record; the header of a table may name NPTS and DT, too.
-fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
-    let Some(header) = header(lines) else {
-        return columns::parse(lines, reading);
-    };
-    parse(lines, header).or_else(|fault| columns::parse(lines, reading).map_err(|_| fault))
 }
 
 /// The index of the line that names NPTS and DT.
@@ -57,7 +52,7 @@ fn keys(line: &str) -> impl Iterator<Item = Key> + '_ {
 }
 
 /// The record of a file whose line `header` names NPTS and DT.
-fn parse(lines: &[&str], header: usize) -> Result<Record, LineFault> {
+fn parse(lines: &[&str], header: usize) -> Result<(Record, Stated), LineFault> {
     let titles = &lines[..header];
     for (index, title) in titles.iter().enumerate() {
         let title = title.to_ascii_lowercase();
@@ -67,20 +62,47 @@ fn parse(lines: &[&str], header: usize) -> Result<Record, LineFault> {
             }
         }
     }
+    quantity::check(titles)?;
     let (npts, dt) = counts(lines[header]).map_err(|cause| fault(header, cause))?;
     let source = format!("NPTS of line {}", header + 1);
-    let values = all(before_end(lines), header + 1, npts, &source)?;
+    let values = all(lines, header + 1, npts, &source)?;
     let unit = titles.iter().find_map(|title| unit(title));
-    Ok(Record::even(values, dt, unit))
+    let step = Stated::new(dt, "DT", header);
+    Ok((Record::even(values, dt, unit), step))
 }
 
-/// The lines before one such as `*** End Data ***`, with which some programs end a file.
-fn before_end<'a, 'b>(lines: &'a [&'b str]) -> &'a [&'b str] {
-    let is_end = |line: &&str| {
-        let line = line.trim().to_ascii_lowercase();
-        line.starts_with("***") && line.contains("end data")
+/// NPTS and DT of the lines before the first row of a table, with the index of their line.
+pub(super) fn stated(lines: &[&str]) -> Option<(usize, f64, f64)> {
+    let header = header(lines)?;
+    let (npts, dt) = counts(lines[header]).ok()?;
+    Some((header, npts, dt))
+}
+
+/// Whether the rows behind the header are those of a table: of one length, two numbers or more, and not NPTS numbers in all. Either
+/// there are NPTS rows, or the first numbers are times.
+fn is_table(lines: &[&str], header: usize) -> bool {
+    let lines = before_end(lines).unwrap_or(lines);
+    let row = |line: &&str| -> Option<Vec<f64>> {
+        let line = line.replace(';', " ");
+        fields(&line).map(|text| number(text).ok()).collect()
     };
-    &lines[..lines.iter().position(is_end).unwrap_or(lines.len())]
+    let body = lines.iter().skip(header + 1);
+    let body = body.filter(|line| !line.trim().is_empty());
+    let rows: Vec<Vec<f64>> = body
+        .skip_while(|line| row(line).is_none())
+        .map_while(row)
+        .collect();
+    let Some(width) = rows.first().map(Vec::len).filter(|width| *width > 1) else {
+        return false;
+    };
+    let npts = counts(lines[header]).map_or(f64::NAN, |counts| counts.0);
+    let rises = rows.len() > 2
+        && rows
+            .windows(2)
+            .all(|pair| pair[0].first() < pair[1].first());
+    rows.iter().all(|own| own.len() == width)
+        && (rows.len() * width) as f64 != npts
+        && (rows.len() as f64 == npts || rises)
 }
 
 /// NPTS and DT: the first two numbers of the line, in the order of the names, which are before, between or after them.

@@ -3,7 +3,7 @@
 
 use super::fault::{LineFault, RecordCause, fault};
 use super::heading::{self, Heading, spaced};
-use super::number::{first, number, table};
+use super::number::{Stated, first, number, table};
 use super::{Format, Reading, Record, component, end};
 use crate::system::loads::Unit;
 
@@ -29,7 +29,7 @@ fn is_start(line: &&str) -> bool {
 }
 
 /// The record of a channel, in the unit that the file names.
-fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
+fn read(lines: &[&str], reading: &Reading) -> Result<(Record, Stated), LineFault> {
     let starts = starts(lines);
     if starts.is_empty() {
         return Err(fault(0, RecordCause::Quantity("velocity or displacement")));
@@ -49,7 +49,9 @@ fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
     }
     let source = format!("the number of points of line {}", data + 1);
     let values = first(lines, data + 1, values as f64, &source)?;
-    Ok(Record::even(values, step / 1000.0, unit(lines[data])))
+    let step = step / 1000.0;
+    let stated = Stated::new(step, "real header 62 (in ms) below the label", header);
+    Ok((Record::even(values, step, unit(lines[data])), stated))
 }
 
 /// The lines with which channels of accelerations begin; those of velocities and displacements are no components.

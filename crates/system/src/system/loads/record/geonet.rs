@@ -3,7 +3,7 @@
 
 use super::fault::{LineFault, RecordCause, fault};
 use super::heading::{self, Heading, spaced};
-use super::number::{first, table};
+use super::number::{Stated, first, table};
 use super::{Format, Reading, Record, component};
 use crate::system::loads::Unit;
 
@@ -11,7 +11,10 @@ use crate::system::loads::Unit;
 pub(super) const FORMAT: Format = Format {
     name: "GeoNet V1A or V2A",
     find: |lines| match lines.first().is_some_and(is_start) {
-        true => Ok(()),
+        true if marks(lines) >= FEWEST => Ok(()),
+        true => {
+            Err("its first 16 lines are not those of GeoNet, such as \"Site\" and \"Component\"")
+        }
         false => Err(
             "line 1 does not begin with \"Corrected accelerogram\" or \"Uncorrected accelerogram\"",
         ),
@@ -27,6 +30,28 @@ const HEADER: [usize; 3] = [16, 4, 6];
 /// Line and field of the number of accelerations among the whole numbers, and of the time step among the numbers.
 const PLACES: [[usize; 2]; 2] = [[3, 3], [2, 5]];
 
+/// Words with which lines of the text begin, and how many of them a file has at least: others have the same first line.
+const MARKS: [&str; 8] = [
+    "site ",
+    "component ",
+    "instrument ",
+    "resolution",
+    "number of points",
+    "acceleration",
+    "velocity",
+    "displacement",
+];
+const FEWEST: usize = 2;
+
+/// Number of the marks of the format that the text has.
+fn marks(lines: &[&str]) -> usize {
+    let begins = |mark: &&&str| {
+        let mut text = lines.iter().take(HEADER[0]);
+        text.any(|line| line.trim_start().to_ascii_lowercase().starts_with(**mark))
+    };
+    MARKS.iter().filter(begins).count()
+}
+
 /// Whether a component begins with this line.
 fn is_start(line: &&str) -> bool {
     let line = line.trim_start().to_ascii_lowercase();
@@ -34,7 +59,7 @@ fn is_start(line: &&str) -> bool {
 }
 
 /// The record of a component in mm/s2.
-fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
+fn read(lines: &[&str], reading: &Reading) -> Result<(Record, Stated), LineFault> {
     let starts = starts(lines);
     let name = |start: &usize| behind(lines, *start, "Component").trim().to_owned();
     let names: Vec<String> = starts.iter().map(name).collect();
@@ -56,7 +81,10 @@ fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
     }
     let source = format!("field 4 of line {}", start + text + PLACES[0][0] + 1);
     let values = first(lines, start + text + whole + numbers, count, &source)?;
-    Ok(Record::even(values, dt, Some(Unit::MillimetrePerSecond2)))
+    let line = start + text + whole + PLACES[1][0];
+    let step = Stated::new(dt, "field 6 of the header", line);
+    let record = Record::even(values, dt, Some(Unit::MillimetrePerSecond2));
+    Ok((record, step))
 }
 
 /// The lines with which components begin.

@@ -1,5 +1,6 @@
 //! The event, station and component that the header of a record names.
 
+use super::text::decode;
 use super::{FORMATS, Reading};
 
 /// What a header names; empty where it names nothing.
@@ -16,12 +17,10 @@ pub struct Heading {
 impl Heading {
     /// The heading of a record file; empty for a table.
     pub fn of(bytes: &[u8], reading: &Reading) -> Heading {
-        let text = String::from_utf8_lossy(bytes);
-        let lines: Vec<&str> = text.trim_start_matches('\u{feff}').lines().collect();
+        let text = decode(bytes);
+        let lines: Vec<&str> = text.lines().collect();
         let format = FORMATS.iter().find(|format| (format.find)(&lines).is_ok());
-        let is_table = reading.column.is_some() || reading.dt.is_some();
-        let heading = format.filter(|_| !is_table);
-        heading.map_or_else(Heading::default, |own| (own.heading)(&lines, reading))
+        format.map_or_else(Heading::default, |own| (own.heading)(&lines, reading))
     }
 
     /// `event, station, component`, without what is empty.
@@ -114,7 +113,7 @@ mod tests {
 
     #[test]
     fn a_table_with_the_header_of_a_format_has_no_heading_of_it() {
-        let text = "Nowhere-01, 1/1/2000, Hand Written, 90\nNPTS= 2, DT= 1\n1 2\n";
+        let text = "Nowhere-01, 1/1/2000, Hand Written, 90\nNPTS= 2, DT= 1\n0 2\n1 3\n";
         let reading = Reading {
             column: Some(2),
             ..Reading::default()

@@ -2,16 +2,22 @@
 
 use super::fault::{LineFault, RecordCause, Shown, fault};
 use super::heading::Heading;
-use super::number::{all, number};
+use super::number::{Stated, all, number};
 use super::{Format, Mean, Reading, Record, end, mean as means};
 use crate::system::loads::Unit;
 
 /// The format.
 pub(super) const FORMAT: Format = Format {
     name: "K-NET ASCII",
-    find: |lines| match header(lines, "Scale Factor") {
-        Some(_) => Ok(()),
-        None => Err("no line of the first 17 begins with \"Scale Factor\""),
+    find: |lines| match LABELS
+        .iter()
+        .filter(|label| header(lines, label).is_some())
+        .count()
+    {
+        FEWEST.. => Ok(()),
+        _ => Err(
+            "its first 17 lines are not those of K-NET, such as \"Sampling Freq(Hz)\" and \"Scale Factor\"",
+        ),
     },
     read: |lines, reading: &Reading| parse(lines, reading.mean.unwrap_or(Mean::Removed)),
     heading: |lines, _| {
@@ -29,6 +35,18 @@ pub(super) const FORMAT: Format = Format {
 /// Lines of the header.
 const HEADER: usize = 17;
 
+/// Labels of the header, and how many of them a file has at least: tables may have one, too.
+const LABELS: [&str; 7] = [
+    "Origin Time",
+    "Station Code",
+    "Sampling Freq(Hz)",
+    "Duration Time(s)",
+    "Dir.",
+    "Scale Factor",
+    "Memo",
+];
+const FEWEST: usize = 3;
+
 /// The index and the rest of the line of the header that begins with `label`.
 fn header<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
     let rest = lines
@@ -40,7 +58,7 @@ fn header<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
 }
 
 /// The record in gal (cm/s2): (count - mean of all counts) a/b with the scale factor a(gal)/b, or count a/b if the mean is kept.
-fn parse(lines: &[&str], mean: Mean) -> Result<Record, LineFault> {
+fn parse(lines: &[&str], mean: Mean) -> Result<(Record, Stated), LineFault> {
     let memo = lines.get(HEADER - 1).map(|line| line.trim());
     if !memo.is_some_and(|memo| memo.starts_with("Memo")) {
         return Err(fault(end(lines).min(HEADER - 1), RecordCause::Header));
@@ -75,8 +93,9 @@ fn parse(lines: &[&str], mean: Mean) -> Result<Record, LineFault> {
         .iter()
         .chain(&record.values)
         .all(|x| x.is_finite());
+    let line = header(lines, "Sampling Freq(Hz)").map_or(0, |own| own.0);
     finite
-        .then_some(record)
+        .then_some((record, Stated::new(dt, "Sampling Freq(Hz)", line)))
         .ok_or_else(|| fault(HEADER, RecordCause::TooLarge))
 }
 

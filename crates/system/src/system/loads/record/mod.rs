@@ -3,23 +3,27 @@
 //! The content decides on the format. A file that is in none of the others is a table.
 
 mod at2;
-mod columns;
 mod cosmos;
 mod fault;
-pub(in crate::system) mod fields;
+mod foreign;
 mod geonet;
 mod heading;
 mod knet;
 mod mean;
 pub(in crate::system) mod number;
+mod quantity;
 mod smc;
+pub(in crate::system) mod table;
+pub(in crate::system) mod text;
 
 pub use fault::{RecordCause, RecordFault, Shown};
+pub use foreign::Looks;
 pub use heading::Heading;
 pub use mean::Mean;
 
 use super::Unit;
 use fault::{LineFault, fault};
+use number::Stated;
 
 /// A recorded acceleration. It is straight between its points.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,20 +44,23 @@ pub struct Reading {
     /// What happens to the mean. Without it, the mean of K-NET is removed, because its counts have the offset of the digitiser, and
     /// that of the other formats is kept.
     pub mean: Option<Mean>,
-    /// The column of a table that has the accelerations, from 1.
+    /// The column of a table that has the accelerations, from 1; of another format the only one.
     pub column: Option<usize>,
-    /// The time step of a table without times.
+    /// The time step of a table without times; of another format, that of its header.
     pub dt: Option<f64>,
     /// The component of a file with several, from 1.
     pub component: Option<usize>,
 }
+
+/// The record of a file whose rows are one series, and the time step that its header states.
+type Series = Result<(Record, Stated), LineFault>;
 
 /// A format besides tables.
 struct Format {
     name: &'static str,
     /// Whether a file is in this format; else why not.
     find: fn(&[&str]) -> Result<(), &'static str>,
-    read: fn(&[&str], &Reading) -> Result<Record, LineFault>,
+    read: fn(&[&str], &Reading) -> Series,
     /// What the header names.
     heading: fn(&[&str], &Reading) -> Heading,
     /// Whether a file may have several components.
@@ -68,6 +75,9 @@ const FORMATS: [Format; 5] = [
     cosmos::FORMAT,
     geonet::FORMAT,
 ];
+
+/// Share by which two time steps that are the same may differ: one may be from a rate.
+const SAME: f64 = 1e-6;
 
 impl Record {
     /// Values that are `dt` apart, from t = 0 on.
@@ -96,8 +106,8 @@ impl Record {
 /// # Errors
 /// The first line at fault. Of a file in an unknown format, the formats that were tried and why it is in none of them.
 pub fn parse(name: &str, bytes: &[u8], reading: Reading) -> Result<Record, RecordFault> {
-    let text = String::from_utf8_lossy(bytes); // Names of stations in a header may have any encoding.
-    let lines: Vec<&str> = text.trim_start_matches('\u{feff}').lines().collect();
+    let text = text::decode(bytes);
+    let lines: Vec<&str> = text.lines().collect();
     let record = record(&lines, &reading).map(|record| match reading.mean {
         Some(Mean::Removed) => record.without_mean(),
         Some(Mean::Kept) | None => record,
@@ -111,36 +121,60 @@ pub fn parse(name: &str, bytes: &[u8], reading: Reading) -> Result<Record, Recor
 
 /// The record of a file by its format.
 fn record(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
-    // Only a table has columns, or no times.
-    if reading.column.is_some() || reading.dt.is_some() {
-        if reading.component.is_some() {
-            return Err(fault(0, RecordCause::TwoChoices));
-        }
-        return columns::parse(lines, reading);
-    }
     let mut others = Vec::new();
     for format in &FORMATS {
         match (format.find)(lines) {
-            Ok(()) if reading.component.is_some() && !format.components => {
-                return Err(fault(0, RecordCause::OneComponent(format.name)));
-            }
-            Ok(()) => return (format.read)(lines, reading),
+            Ok(()) => return of_format(format, lines, reading),
             Err(why) => others.push((format.name, why)),
         }
     }
-    if reading.component.is_some() {
-        return Err(fault(0, RecordCause::OneComponent(columns::NAME)));
+    if let Some(looks) = foreign::looks(lines) {
+        return Err(fault(0, RecordCause::Foreign(Box::new(looks))));
     }
-    columns::parse(lines, reading).map_err(|LineFault { line, cause }| {
+    if reading.component.is_some() {
+        let given = reading.column.is_some() || reading.dt.is_some();
+        return Err(fault(
+            0,
+            match given {
+                true => RecordCause::TwoChoices,
+                false => RecordCause::OneComponent(table::NAME),
+            },
+        ));
+    }
+    let given = reading.column.is_some() || reading.dt.is_some();
+    table::parse(lines, reading).map_err(|LineFault { line, cause }| {
         // Rows before this one would be those of a table.
-        let is_first = columns::first_row(lines).is_none_or(|first| line <= first + 1);
-        let is_none = matches!(cause, RecordCause::NoRow(_) | RecordCause::Fields(..));
-        let cause = match is_first && is_none {
+        let is_first = table::first_row(lines).is_none_or(|first| line <= first + 1);
+        let cause = match is_first && !given && cause.is_of_rows() {
             true => RecordCause::Unknown(Box::new(cause), others),
             false => cause,
         };
         LineFault { line, cause }
     })
+}
+
+/// The record of a file in a format whose rows are one series, with the time step of its header.
+fn of_format(format: &Format, lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
+    if reading.component.is_some() && !format.components {
+        return Err(fault(0, RecordCause::OneComponent(format.name)));
+    }
+    if let Some(column) = reading.column.filter(|column| *column > 1) {
+        return Err(fault(0, RecordCause::OneColumn(format.name, column)));
+    }
+    let (record, step) = (format.read)(lines, reading)?;
+    agree(&step, reading.dt)?;
+    Ok(record)
+}
+
+/// The time step of the study is the one that a header states.
+fn agree(stated: &Stated, dt: Option<f64>) -> Result<(), LineFault> {
+    match dt.filter(|dt| (dt - stated.value).abs() > SAME * stated.value) {
+        Some(dt) => {
+            let cause = RecordCause::Contradicts(dt, stated.value, stated.place());
+            Err(fault(stated.line, cause))
+        }
+        None => Ok(()),
+    }
 }
 
 /// The place of the wanted one of these components, from 0.
@@ -165,5 +199,3 @@ fn end(lines: &[&str]) -> usize {
 
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod tests_formats;

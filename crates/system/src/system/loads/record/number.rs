@@ -1,6 +1,31 @@
 //! Numbers of record files, as Fortran and others write them.
 
 use super::fault::{LineFault, RecordCause, Shown, fault};
+use super::text::is_end;
+
+/// A number of a header.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Stated {
+    /// The number; of a sampling rate the time step.
+    pub value: f64,
+    /// Its label.
+    pub by: String,
+    /// Index of its line.
+    pub line: usize,
+}
+
+impl Stated {
+    /// Where it is.
+    pub(super) fn place(&self) -> String {
+        format!("{} of line {}", self.by, self.line + 1)
+    }
+
+    /// A number with its label and the index of its line.
+    pub(super) fn new(value: f64, by: &str, line: usize) -> Stated {
+        let by = by.to_owned();
+        Stated { value, by, line }
+    }
+}
 
 /// A finite number, also with `D` before its exponent; else why not.
 pub(in crate::system) fn number(text: &str) -> Result<f64, RecordCause> {
@@ -11,6 +36,14 @@ pub(in crate::system) fn number(text: &str) -> Result<f64, RecordCause> {
     }
 }
 
+/// A number of a table; else why not, also that it has a decimal comma.
+pub(in crate::system) fn decimal(text: &str) -> Result<f64, RecordCause> {
+    number(text).map_err(|cause| match number(&text.replacen(',', ".", 1)) {
+        Ok(_) => RecordCause::DecimalComma(Shown::new(text)),
+        Err(_) => cause,
+    })
+}
+
 /// All numbers of the lines from `from` on, `count` of them; `source` says where the count is from.
 pub(super) fn all(
     lines: &[&str],
@@ -18,6 +51,7 @@ pub(super) fn all(
     count: f64,
     source: &str,
 ) -> Result<Vec<f64>, LineFault> {
+    let lines = before_end(lines)?;
     let mut numbers = Vec::new();
     for (index, line) in lines.iter().enumerate().skip(from) {
         for text in fields(line) {
@@ -84,10 +118,25 @@ fn enough(
     Err(fault(super::end(lines), fewer))
 }
 
+/// The lines before the one that says that the numbers end, if there is one; no numbers follow it.
+pub(super) fn before_end<'a, 'b>(lines: &'a [&'b str]) -> Result<&'a [&'b str], LineFault> {
+    let Some(end) = lines.iter().position(|line| is_end(line)) else {
+        return Ok(lines);
+    };
+    let is_row = |line: &&str| {
+        let mut fields = fields(line).peekable();
+        fields.peek().is_some() && fields.all(|text| number(text).is_ok())
+    };
+    match lines[end..].iter().position(is_row) {
+        Some(more) => Err(fault(end + more, RecordCause::AfterEnd(end + 1))),
+        None => Ok(&lines[..end]),
+    }
+}
+
 /// The fields of a line.
 ///
 /// Fortran fills a field of a fixed width, so that a minus may follow the number before it without a blank.
-fn fields(line: &str) -> impl Iterator<Item = &str> {
+pub(super) fn fields(line: &str) -> impl Iterator<Item = &str> {
     let fields = line.split(|c: char| c.is_whitespace() || c == ',');
     fields.flat_map(signed).filter(|text| !text.is_empty())
 }

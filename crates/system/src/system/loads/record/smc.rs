@@ -3,7 +3,7 @@
 
 use super::fault::{LineFault, RecordCause, fault};
 use super::heading::{self, Heading, spaced};
-use super::number::{all, table};
+use super::number::{Stated, all, table};
 use super::{Format, Record, end};
 use crate::system::loads::Unit;
 
@@ -11,7 +11,8 @@ use crate::system::loads::Unit;
 pub(super) const FORMAT: Format = Format {
     name: "SMC",
     find: |lines| match quantity(lines) {
-        Some(_) => Ok(()),
+        Some(_) if has_mark(lines) => Ok(()),
+        Some(_) => Err("no line of the first 11 is \"*\" or begins with \"station =\""),
         None => {
             Err("line 1 does not begin with a digit and \"CORRECTED ACCELEROGRAM\" or the like")
         }
@@ -42,8 +43,14 @@ fn quantity(lines: &[&str]) -> Option<&'static str> {
     known.map(|known| known.1)
 }
 
+/// Whether a line of the text is empty in the way of the format, or names the station.
+fn has_mark(lines: &[&str]) -> bool {
+    let mut text = lines.iter().take(HEADER[0]).map(|line| line.trim());
+    text.any(|line| line == "*" || line.starts_with("station ="))
+}
+
 /// The record in cm/s2.
-fn read(lines: &[&str]) -> Result<Record, LineFault> {
+fn read(lines: &[&str]) -> Result<(Record, Stated), LineFault> {
     match quantity(lines) {
         None | Some("acceleration") => {}
         Some(other) => return Err(fault(0, RecordCause::Quantity(other))),
@@ -69,7 +76,9 @@ fn read(lines: &[&str]) -> Result<Record, LineFault> {
     let source = format!("whole number 17 of the header, in line {}", count_line + 1);
     let values = all(lines, data.min(end(lines)), count, &source)?;
     let dt = 1.0 / rate;
-    Ok(Record::even(values, dt, Some(Unit::CentimetrePerSecond2)))
+    let step = Stated::new(dt, "the sampling rate (number 2 of the header)", from);
+    let record = Record::even(values, dt, Some(Unit::CentimetrePerSecond2));
+    Ok((record, step))
 }
 
 /// What lines 4 and 6 name, such as `1989  10  18    0004 Loma Prieta, CA` and `station = Shafter  component=    270`.

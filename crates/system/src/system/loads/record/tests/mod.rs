@@ -1,5 +1,8 @@
 //! Hand-written files of each format; no recorded motion.
 
+mod formats;
+mod people;
+
 use super::*;
 use proptest::prelude::*;
 
@@ -177,11 +180,15 @@ fn faults_of_two_columns_have_their_line() {
         ("t a\n\n", format!("f:2: {none}{tried}")),
         ("1\n2\n3", format!("f:3: {none}{tried}")),
         ("t a\n0 1 2\n", format!("f:2: {rows} 3{give}{tried}")),
-        ("0 1\n2\n", format!("f:2: {rows} 1{give}")),
-        ("0,1\n1,,2\n", format!("f:2: {rows} 3{give}")),
-        ("t;a\n0,01;1\n", "f:2: not a number: \"0,01\"".into()),
+        ("0 1 2\n1 2 3\n", format!("f:1: {rows} 3{give}{tried}")),
+        ("0 1\n2\n", format!("f:2: {rows} 1")),
+        ("0,1\n1,,2\n", format!("f:2: {rows} 3")),
+        (
+            "t;a\n0,01;1\n",
+            "f:2: numbers must have decimal points, got \"0,01\"".into(),
+        ),
         ("0 0x1\n1 2\n", "f:1: not a number: \"0x1\"".into()),
-        ("0 1\n1 2\nend\n", format!("f:3: {rows} 1{give}")),
+        ("0 1\n1 2\nlast\n", format!("f:3: {rows} 1")),
         ("0 1\n1 inf\n", "f:2: not a finite number: \"inf\"".into()),
         ("t a\n-.5x ***\n1 2\n", "f:2: not a number: \"-.5x\"".into()),
         ("0 nan\n1 2\n", "f:1: not a finite number: \"nan\"".into()),
