@@ -3,6 +3,7 @@
 use super::recorded::{MetricContext, Recorded};
 use super::sweep::Ready;
 use crate::metrics::measured as reduce;
+use crate::metrics::structure::peak;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channels::channel::Channel;
 use crate::problem::structure::channels::measured::{Compared, measured_loop};
