@@ -2,9 +2,6 @@
 
     M a + C v + K u + B S = p(t),   r = B^T u + (factors of supports) u_support + gap,   v, a by average acceleration
 
-A step has the mean of each load. With samples of a record inside it, this is the change of velocity (of a load by v: of displacement)
-over dt; else both ends have it.
-
 Independent of slipgap's way: no flexibility of the contacts is formed. Every contact has a mode, in which its force is a line of r at the
 end of the step; the stiffness of the lines is added to the matrix of the step, all degrees of freedom are solved for, and the modes
 are changed until each agrees with the solution. The equations are strictly convex, so modes that agree are the answer. Linear
@@ -121,27 +118,6 @@ def solve(study, folder, split=False):
     follow = refined(m.K, -m.Kfs) if split else np.zeros_like(m.Kfs)
     Mfs, Cfs, Kfs = m.Mfs + m.M @ follow, m.Cfs + m.C @ follow, m.Kfs + m.K @ follow
 
-    def mean(motion, t0, t1):
-        """Means of a, v and u over a step: half the sum of both ends, of a and v their integrals where a sample is inside."""
-        ends = np.array([motion.at(t0), motion.at(t1)], REAL)
-        means = ends.mean(axis=0)
-        samples = (motion.t + motion.delay - t0) / (t1 - t0)
-        if ((samples > 1e-9) & (samples < 1 - 1e-9)).any():
-            means[:2] = (ends[1, 1:] - ends[0, 1:]) / (t1 - t0)
-        return means
-
-    def missed(t0, t1):
-        """What the loads at both ends of a step miss of its mean, twice."""
-        p = np.zeros(len(m.free), REAL)
-        of = lambda motion: 2 * mean(motion, t0, t1) - motion.at(t0) - motion.at(t1)
-        for d, motion in ground.items():
-            p -= m.M @ m.influence[d] * of(motion)[0]
-        for i, (name, d) in enumerate(m.owners):
-            if d in shaken[name]:
-                a, v, u = of(shaken[name][d])
-                p -= Mfs[:, i] * a + Cfs[:, i] * v + Kfs[:, i] * u
-        return p
-
     def loads(t):
         """p, displacements of the supports in x, and R times displacement and velocity of the supports."""
         p = np.zeros(len(m.free), REAL)
@@ -183,13 +159,10 @@ def solve(study, folder, split=False):
         raise ValueError("velocity-control in motion at t = 0 is not read: its force is not 0 then")
     khat = Solver(4 / dt**2 * M + 2 / dt * C + K, B, contacts)
     rows = [(REAL(0), u + moved[0], v + moved[1], r, S)]
-    # The balances of both ends of a step have the sum of its loads: the one at the end has what that at the start had too little.
-    rest = np.zeros(len(m.free), REAL)
     for step in range(1, count + 1):
         t = step * dt
         f, us, moved = loads(t)
-        rest = missed(t - dt, t) - rest
-        f = f + rest * ~still + M @ (4 / dt**2 * u + 4 / dt * v + a) + C @ (2 / dt * u + v)
+        f = f + M @ (4 / dt**2 * u + 4 / dt * v + a) + C @ (2 / dt * u + v)
         before = list(zip(r, rate, S))
         new, r1, S, modes = khat.solve(f, B.T @ moved[0] + m.Bs.T @ us + m.gap, modes, before, dt)
         a = np.where(massive, 4 / dt**2 * (new - u) - 4 / dt * v - a, 0)
