@@ -279,7 +279,7 @@ fn faulty_keys_of_a_motion_name_what_is_allowed() {
             record(r#""scale_to": {"spectrum": {"T": [1], "Sa": [1]}, "from": 1, "to": 1}"#),
             "structure.ground.scale_to.to: must be larger than from",
         ),
-        (record(r#""column": 2"#), "structure.ground.record:"),
+        (record(r#""column": 2"#), "structure.ground.column:"),
         (
             record(r#""component": 1.5"#),
             "structure.ground.component: must be a whole number from 1 to 1000000, got 1.5",
