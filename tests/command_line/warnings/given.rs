@@ -329,7 +329,7 @@ fn friction_in_two_directions_is_seen_at_tied_nodes_and_fans_have_polygons() {
         let (y, x) = (f64::from(i) * std::f64::consts::PI / 8.0).sin_cos();
         format!(r#""f{i}": {{"law": "displacement-control", "k": 10, "along": {{"b.1.x": {x}, "b.1.y": {y}}}, "limit": 0.01}}"#)
     });
-    bench.file("s.json", &study(&fan.collect::<Vec<_>>().join(", ")));
+    bench.file("s.json", study(&fan.collect::<Vec<_>>().join(", ")));
     let run = bench.expect(0, &["run", "s.json"]);
     assert!(
         run.err.contains("a polygon of 16 sides") && !run.err.contains("square"),
