@@ -30,14 +30,14 @@ const RUNS: [Run; 5] = [
         study: OSCILLATORS,
         cases: [16_384, 49_152],
         format: "parquet",
-        recorded: 2561,
+        recorded: 1707,
     },
     Run {
         name: "run of oscillators with results.csv",
         study: OSCILLATORS,
         cases: [4096, 8192],
         format: "csv",
-        recorded: 14_380,
+        recorded: 17_132,
     },
     Run {
         name: "run of bars, n = 10",
@@ -67,7 +67,7 @@ const RUNS: [Run; 5] = [
             "metrics": ["peak(a)", "peak(b)", "peak(gap.S)", "impacts(gap)"]"#,
         cases: [256, 768],
         format: "parquet",
-        recorded: 137_261,
+        recorded: 227_307,
     },
 ];
 
