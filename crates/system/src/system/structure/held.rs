@@ -62,6 +62,10 @@ impl Structure {
             members.entry(part[i]).or_default().push(i);
             is_held[part[i]] |= grounded[i];
         }
+        members.retain(|own, _| !is_held[*own]);
+        if members.is_empty() {
+            return Vec::new();
+        }
         let stopped = self.stopped(&part, &is_held);
         // A node between contacts in series is where they have it.
         let is_between = self.chain_nodes();

@@ -4,7 +4,7 @@
 //! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact. In an explicit method r' does not depend on
 //! the forces: there y and a are those of rdot' = y - a S.
 
-use super::curved_contact::{Contact, Memory};
+use super::curved_contact::{Contact, Memory, has_curved};
 use super::curved_group::{Group, Groups, LastShares, grouped, groups, of_masses};
 use super::curved_plane::{self};
 use super::curved_step::{Motion, Scale, explicit_line, line};
@@ -40,12 +40,8 @@ impl Curved {
         pace: f64,
         dt: f64,
     ) -> Option<Curved> {
-        let mut contacts = structure.contacts.iter();
-        let chains = structure.chains();
-        let any = !chains.is_empty()
-            || contacts.any(|contact| contact.law.is_curved())
-            || structure.has_massless_dampers();
-        any.then(|| Curved::of_all(structure, &chains, flexibility, pace, dt))
+        let all = || Curved::of_all(structure, &structure.chains(), flexibility, pace, dt);
+        has_curved(structure).then(all)
     }
 
     /// The contacts of a structure with this H, by rows, also if all its laws are clipped lines. Those in `chains` answer together.

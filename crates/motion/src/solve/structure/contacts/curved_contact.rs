@@ -39,6 +39,14 @@ pub(crate) struct Contact {
 /// What the law of a contact remembers, also of a contact in a plane, and its mean rdot over the last step.
 pub(crate) type Memory = (AnyRunningLaw<1>, Option<PlaneMemory>, Option<f64>);
 
+/// Whether a structure has a contact with a curved law, contacts in series, or contacts that follow the velocity of nodes without mass.
+pub(crate) fn has_curved(structure: &Structure) -> bool {
+    let mut contacts = structure.contacts.iter();
+    contacts.any(|contact| contact.law.is_curved())
+        || !structure.chains().is_empty()
+        || structure.has_massless_dampers()
+}
+
 /// Whether three points give rdot' of a contact at a node without mass: of laws that are smooth in it. Others know only its sign, which
 /// must be that of r' - r.
 pub(crate) fn has_three_points(law: &StructureLaw, scale: Scale) -> bool {

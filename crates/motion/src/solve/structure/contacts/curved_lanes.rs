@@ -1,7 +1,7 @@
 //! Lanes whose structures have contacts with laws that are not clipped lines.
 
 use super::curved::Curved;
-use super::curved_contact::{Contact, has_three_points};
+use super::curved_contact::{Contact, has_curved, has_three_points};
 use super::curved_group::Group;
 use super::curved_step::Motion;
 use super::forces::Forces;
@@ -40,15 +40,6 @@ impl Curved {
     }
 }
 
-/// Whether a structure has such a contact, contacts in series, or contacts that follow the velocity of nodes without mass.
-pub(crate) fn any_curved<const L: usize>(cases: &[&Structure; L]) -> bool {
-    let mut contacts = cases.iter().flat_map(|case| &case.contacts);
-    contacts.any(|contact| contact.law.is_curved())
-        || cases
-            .iter()
-            .any(|case| !case.chains().is_empty() || case.has_massless_dampers())
-}
-
 /// The contacts of each lane that has such a law; empty if no lane has. `forces` leaves these lanes out. A lane with a law that may
 /// have several answers in a step fails.
 pub(crate) fn curved_lanes<const L: usize>(
@@ -58,7 +49,7 @@ pub(crate) fn curved_lanes<const L: usize>(
     dt: f64,
     forces: &mut Forces<L>,
 ) -> Vec<Option<Curved>> {
-    if !any_curved(cases) {
+    if !cases.iter().any(|case| has_curved(case)) {
         return Vec::new();
     }
     let of = |case: &&Structure| Curved::new(case, flexibility, pace, dt);

@@ -4,7 +4,8 @@ use super::stages::General;
 use crate::lane::Lane;
 use crate::solve::structure::Prepared;
 use crate::solve::structure::contacts::curved::Curved;
-use crate::solve::structure::contacts::curved_lanes::{any_curved, curved_lanes, meet_lane};
+use crate::solve::structure::contacts::curved_contact::has_curved;
+use crate::solve::structure::contacts::curved_lanes::{curved_lanes, meet_lane};
 use crate::solve::structure::contacts::curved_step::Motion;
 use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::linear_part::linear::Linear;
@@ -16,7 +17,7 @@ pub(super) fn contacts<const L: usize>(
     parts: &[Linear],
     forces: &mut [Forces<L>],
 ) -> Vec<Vec<Option<Curved>>> {
-    if !any_curved(cases) {
+    if !cases.iter().any(|case| has_curved(case)) {
         return Vec::new();
     }
     let of_part = |(linear, forces): (&Linear, &mut Forces<L>)| {

@@ -56,33 +56,16 @@ impl<const L: usize> Runaway<L> {
         let nodes = first.nodes.iter().enumerate();
         mass.extend(nodes.map(|(i, node)| (i, i, node.mass)));
         let lanes = |of: &dyn Fn(&Structure) -> f64| Lane(structures.map(of));
-        let is_loaded = |of: &Structure| !of.preload.load.is_empty();
-        let nodes = (0..first.len()).map(|i| {
-            lanes(&|of| {
-                if is_loaded(of) {
-                    of.displacement[i]
-                } else {
-                    0.0
-                }
-            })
-        });
+        // 0 without static loads.
+        let at_rest = |of: &Structure, x: f64| match of.preload.load.is_empty() {
+            true => 0.0,
+            false => x,
+        };
+        let nodes = (0..first.len()).map(|i| lanes(&|of| at_rest(of, of.displacement[i])));
         let contacts = (0..start.contacts()).map(|c| {
-            let r = lanes(&|of| {
-                let moved = if is_loaded(of) {
-                    of.relative(c, &of.displacement)
-                } else {
-                    0.0
-                };
-                of.contacts[c].gap + moved
-            });
-            let force = lanes(&|of| {
-                if is_loaded(of) {
-                    of.preload.force(c).unwrap_or(0.0)
-                } else {
-                    0.0
-                }
-            });
-            [r, force]
+            let moved = |of: &Structure| at_rest(of, of.relative(c, &of.displacement));
+            let force = |of: &Structure| at_rest(of, of.preload.force(c).unwrap_or(0.0));
+            [lanes(&|of| of.contacts[c].gap + moved(of)), lanes(&force)]
         });
         Some(Runaway {
             nodes: nodes.collect(),

@@ -19,6 +19,9 @@ const NEAR: f64 = 1e-9;
 /// Gives the nodes without mass that have damping the velocity of their equilibrium, and leaves them as they are where dashpots and
 /// contacts have none.
 pub(super) fn move_damped(structure: &mut Structure) {
+    if structure.has_mass_everywhere() {
+        return;
+    }
     let coupled = structure.coupled_mass.nonzero_rows();
     let damped = structure.damping.nonzero_rows();
     let is_own = |i: &usize| structure.nodes[*i].mass == 0.0 && !coupled[*i] && damped[*i];

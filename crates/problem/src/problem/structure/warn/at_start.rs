@@ -55,6 +55,9 @@ pub fn at_once(structure: &Structure) -> Option<Doubt> {
     let stops: Vec<(usize, &Contact, f64)> = stops
         .filter_map(|(place, own)| Some((place, own, restitution(own)?)))
         .collect();
+    if stops.len() < 2 {
+        return None;
+    }
     let largest = largest_length(structure);
     let touches = |place: usize, own: &Contact| {
         structure.relative(place, &structure.displacement) + own.gap <= ROUND_OFF * largest

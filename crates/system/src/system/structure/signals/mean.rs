@@ -17,32 +17,26 @@ impl Signal {
     /// jump or several points of a table or of a motion inside, or with one that the ends miss by much, and all steps of the
     /// velocity of an imposed displacement.
     ///
-    /// Elsewhere both ends have it to second order. A sine has none: it is smooth. Nor has a displacement: a step feels K u by the values at its ends.
+    /// Elsewhere both ends have it to second order. A sine has none: it is smooth. Nor has a displacement: a step feels K u by the
+    /// values at its ends.
     pub fn exact_means(&self, dt: f64, steps: usize) -> Vec<(usize, f64)> {
-        let mut points = match self {
+        let points = match self {
             Signal::Sine { .. } | Signal::Motion(_, Quantity::Displacement) => return Vec::new(),
             Signal::Motion(motion, Quantity::Velocity) if motion.is_by_displacement() => {
-                let u: Vec<f64> = motion
-                    .at_steps(dt, steps)
-                    .iter()
-                    .map(|own| own[0])
-                    .collect();
-                let means = u.windows(2).map(|pair| (pair[1] - pair[0]) / dt);
+                let u = motion.at_steps(dt, steps);
+                let means = u.windows(2).map(|pair| (pair[1][0] - pair[0][0]) / dt);
                 return (1..).zip(means).collect();
             }
-            Signal::Motion(motion, Quantity::Velocity | Quantity::Acceleration) => motion.points(),
-            Signal::Table(table) => table.times().to_vec(),
+            Signal::Motion(motion, Quantity::Velocity | Quantity::Acceleration) => {
+                inside(&motion.points(), dt, steps)
+            }
+            Signal::Table(table) => inside(table.times(), dt, steps),
         };
-        let largest = points.iter().map(|time| self.at(*time).abs());
-        let least = MISSED * largest.fold(0.0, f64::max);
+        if points.is_empty() {
+            return Vec::new();
+        }
         let ends = self.step_ends(dt, steps);
-        points.sort_by(f64::total_cmp);
-        let inside = |time: &f64| {
-            let in_steps = time / dt;
-            let distance = (in_steps - in_steps.round()).abs();
-            (distance > AT_END && in_steps > 0.0 && in_steps < steps as f64).then_some(in_steps)
-        };
-        let points: Vec<f64> = points.iter().filter_map(inside).collect();
+        let least = MISSED * self.largest_at_points();
         let same_step = |a: &f64, b: &f64| a.floor() == b.floor();
         let mut value = self.rising();
         let means = points.chunk_by(same_step).filter_map(|points| {
@@ -62,6 +56,31 @@ impl Signal {
         });
         means.collect()
     }
+
+    /// The largest absolute value at the points.
+    fn largest_at_points(&self) -> f64 {
+        let most = |most: f64, x: f64| most.max(x.abs());
+        match self {
+            Signal::Sine { amplitude, .. } => amplitude.abs(),
+            Signal::Table(table) => table.values().iter().copied().fold(0.0, most),
+            Signal::Motion(motion, quantity) => {
+                let points = motion.points().into_iter();
+                let values = points.map(|time| motion.quantity(*quantity, time));
+                values.fold(0.0, most)
+            }
+        }
+    }
+}
+
+/// The points that are inside of the steps, in steps; the times rise.
+fn inside(times: &[f64], dt: f64, steps: usize) -> Vec<f64> {
+    let end = steps as f64;
+    let first = times.partition_point(|time| *time <= 0.0);
+    let points = times[first..].iter().map(|time| time / dt);
+    let points = points.take_while(|point| *point < end);
+    points
+        .filter(|point| (point - point.round()).abs() > AT_END)
+        .collect()
 }
 
 #[cfg(test)]
