@@ -74,8 +74,9 @@ impl<'a> StudyWarnings<'a> {
         for own in all.iter_mut().filter(|own| own.kind.is_of_all_cases()) {
             own.is_note = own.cases != solved;
         }
-        // Friction that slides in some cases needs no word; how many cases have no contact is always said.
-        all.retain(|own| !own.is_note || own.kind != Warning::NeverSlides);
+        // What slides, yields or pulls in some cases needs no word; how many cases have no contact is always said.
+        let is_said = |kind: Warning| !kind.is_of_all_cases() || kind == Warning::NoContact;
+        all.retain(|own| !own.is_note || is_said(own.kind));
         all
     }
 }

@@ -86,3 +86,11 @@ pub use slipgap_contact::contact::OwnAnswer;
 /// ```
 #[doc(inline)]
 pub use slipgap_contact::contact::OwnState;
+
+/// Why the answer of an [`OwnLaw`] is not taken; [`crate::Unsolvable::OwnLaw`] has it with the step and the contact.
+///
+/// ```
+/// assert_eq!(slipgap_solver::OwnFault::NotFinite.to_string(), "answers with NaN or infinity");
+/// ```
+#[doc(inline)]
+pub use slipgap_contact::contact::OwnFault;

@@ -82,8 +82,14 @@ impl fmt::Display for WarnedCases {
 }
 
 /// The numbers of cases by kind, in the order of the table.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct WarningCounts([Option<(u64, u64)>; WARNINGS.len()]);
+
+impl Default for WarningCounts {
+    fn default() -> WarningCounts {
+        WarningCounts([None; WARNINGS.len()])
+    }
+}
 
 impl WarningCounts {
     /// Counts a case with a warning; cases may come in any order.

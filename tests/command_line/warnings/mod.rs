@@ -2,6 +2,8 @@
 
 mod files;
 mod given;
+mod long_step;
+mod weight;
 
 use crate::Bench;
 use serde_json::Value as Json;

@@ -257,6 +257,13 @@ impl<const L: usize> ContactResponse<L> for AnyRunningLaw<L> {
     }
 }
 
+impl AnyRunningLaw<1> {
+    /// Why the last answer of an [`OwnLaw`] is not taken; `None` of other laws.
+    pub fn own_fault(&mut self) -> Option<OwnFault> {
+        Own::running(self).and_then(|running| running.memory.fault())
+    }
+}
+
 /// One of the laws. A loop over steps is compiled for it alone where sweeps of millions have this law.
 pub trait OneLaw: Law + Copy {
     /// The law, if it is this one.

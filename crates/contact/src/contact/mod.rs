@@ -44,8 +44,8 @@ pub use laws::impact::{
     Jankowski, KelvinVoigt, Rigid, Ye,
 };
 pub use laws::link::{
-    Bilinear, Imk, Multilinear, Own, OwnAnswer, OwnLaw, OwnState, OwnStep, Restrainer, STATES,
-    Viscous,
+    Bilinear, Imk, Multilinear, Own, OwnAnswer, OwnFault, OwnLaw, OwnState, OwnStep, Restrainer,
+    STATES, Viscous,
 };
 pub use laws::yielding::{Band, OneSided, Straight};
 pub use offers::{GivenNumbers, LawFault, number, numbers, offer};

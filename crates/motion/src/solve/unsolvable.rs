@@ -1,6 +1,6 @@
 //! Why a case has no solution.
 
-use crate::contact::Unsolved;
+use crate::contact::{OwnFault, Unsolved};
 use std::fmt;
 
 /// Why a case has no solution.
@@ -21,6 +21,15 @@ pub enum Unsolvable {
         step: usize,
         /// Why.
         why: Unsolved,
+    },
+    /// The law of a user's program has no answer to a step that can be taken; 0 is the start.
+    OwnLaw {
+        /// The step.
+        step: usize,
+        /// Name of the contact.
+        contact: String,
+        /// Why.
+        why: OwnFault,
     },
     /// 4/dt^2 M + 2/dt C + K is not positive definite.
     Indefinite {
@@ -60,6 +69,23 @@ pub enum Unsolvable {
     Stored(String),
 }
 
+impl Unsolvable {
+    /// The same with the name of the contact whose law has no answer.
+    pub(crate) fn with_name<'a>(self, name: impl Fn(usize) -> &'a str) -> Unsolvable {
+        match self {
+            Unsolvable::NoForces {
+                step,
+                why: Unsolved::Own { contact, why },
+            } => Unsolvable::OwnLaw {
+                step,
+                contact: name(contact).to_owned(),
+                why,
+            },
+            other => other,
+        }
+    }
+}
+
 impl fmt::Display for Unsolvable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -69,6 +95,9 @@ impl fmt::Display for Unsolvable {
             }
             Unsolvable::NoSolution { step } => write!(f, "step {step} has no solution"),
             Unsolvable::NoForces { step, why } => write!(f, "step {step}: {why}"),
+            Unsolvable::OwnLaw { step, contact, why } => {
+                write!(f, "step {step}: the law of contact {contact} {why}")
+            }
             Unsolvable::Indefinite { node } => write!(
                 f,
                 "the matrix of a step, 4/dt^2 M + 2/dt C + K, is not positive definite at node {node}"

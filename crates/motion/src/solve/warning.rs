@@ -52,8 +52,11 @@ warnings! {
     BarGain "bar-gain"
         "have bars that gain more than 1 % of their energy; take a smaller dt or a softer contact"
         "`energy_drift_max` or `energy_drift_final` of the bars is above 1 %.",
+    LongStep "long-step"
+        "have a step that is long for the structure itself: fewer than 12 steps in the shortest period that matters; take a smaller dt"
+        "Of up to 200 nodes: a metric of displacements, velocities, accelerations or forces has at least 5 % of its motion from a mode with fewer than 12 steps in its period, with the elastic links at their initial stiffness, without friction and impacts. The motion is that by a load or a motion of the ground, alone, or from the start. Of friction-oscillator, dT is above 1.",
     AlternatingForce "alternating-force"
-        "have metrics of the force of a friction contact that alternates from step to step; displacements and work are good, these metrics are not"
+        "have metrics of the force of a friction contact that alternates from step to step: use metrics of its work, or of displacements"
         "A metric uses the force of a friction contact that resists velocity, and over 6 steps its change alternates by more than 1 % of its peak.",
     UnheldPart "unheld-part"
         "have a part that nothing holds (a rigid-body mode): without contact and load it moves on freely"
@@ -67,12 +70,27 @@ warnings! {
     DeepOverlap "deep-overlap"
         "have an impact that overlaps by more than its gap: it is soft, look at the units of k and of the masses"
         "With `units`, the largest overlap of an impact that does not yield is larger than its gap > 0 and than half of what r rises above the gap.",
+    NormalWeight "normal-weight"
+        "have contacts whose N together is far from the weight that rests on them: N is a force, look at its units"
+        "With `units`, a part that only contacts with N hold, on the ground or on parts with springs, has a sum of N below a quarter or above four times its mass times 9.81 m/s2.",
+    NormalTension "normal-tension"
+        "have friction without N at a step, since the springs that N names are in tension: look at their signs, and at the weight that presses them (`static`)"
+        "N of a friction contact is the force of springs alone, and is 0 at a step.",
+    LargeRadius "large-radius"
+        "have a pendulum with R above 100 m: look at its units"
+        "With `units`, R of a contact is above 100 m.",
+    SupportDrift "support-drift"
+        "have a support that drifts away: a sine acceleration from rest has a mean velocity of amplitude/omega; a `phase` of pi/2 has none"
+        "A support has a `sine` acceleration whose velocity has a mean that moves it further than its amplitude up to `duration`, and no `baseline` that removes it.",
     SpringMass "spring-mass"
         "have a spring whose `mass` is not that of its nodes"
         "`mass` of a spring with a period is 1 % or more below the mass of its node (of two, m1 m2/(m1 + m2)), or above that of all nodes that springs and bars connect with it; rows of matrices are left out.",
     DampingRatio "damping-ratio"
         "have a damping ratio above 1: 0.05 is 5 %"
         "`ratio` of a spring or `modal_damping` is above 1.",
+    DampedTwice "damped-twice"
+        "have damping that is given twice: both act"
+        "Two of these are not 0: `modal_damping`; `rayleigh`; C of matrices or `ratio` of springs.",
     FrictionCoefficient "friction-coefficient"
         "have a coefficient of friction above 2: 0.05 is 5 %"
         "`nu` of a contact is above 2.",
@@ -83,8 +101,8 @@ warnings! {
         "have matrices whose longest period is below 0.05 s or above 10 s: M and K may be exchanged, or not be in `units`"
         "With `units`, the longest natural period of a structure with matrices, without contacts, is below 0.05 s or above 10 s.",
     IdleGravity "idle-gravity"
-        "have `gravity` in a direction in which no node moves"
-        "`gravity` other than 0 has a direction that no mass, bar or row of matrices has.",
+        "have `gravity` in a direction in which nothing carries weight"
+        "`gravity` other than 0 has a direction that no mass, bar or row of matrices has; or, with `units` and 9 m/s2 or more, one in which friction contacts alone hold a part.",
     FrictionDirections "friction-directions"
         "have friction contacts of different directions between the same bodies, whose limit together is a polygon: give one contact with \"plane\", whose limit is a disc"
         "Friction contacts act in different directions between the same masses, nodes of matrices (rows or tied) or supports, or between the ground and two equal masses: two at a right angle together resist up to 1.41 times the limit.",
@@ -100,6 +118,15 @@ warnings! {
     EndsInContact "ends-in-contact"
         "end while the bars touch; `contact_duration` and `contact_steps` are undefined: take a longer `duration`"
         "The bars of bar-impact touch at the last step.",
+    Undamped "undamped"
+        "have no damping at all, and impacts under an earthquake: each one excites motions that do not decay"
+        "A note: C is 0, there are impacts, and the ground or a support moves by a record or a synthetic motion.",
+    EndsEarly "ends-early"
+        "have a `duration` that is no multiple of the time step: the last step is before it"
+        "A note: `duration` over the time step is no whole number.",
+    TimeBefore "time-before"
+        "have a file with times before 0: what is before 0 does not act"
+        "A note: a load, a motion or N is a table or file whose first time is below 0.",
     Restitution "restitution"
         "have an impact whose law gives a restitution that is not its target"
         "A note: two rigid bodies of `colliding_mass`, or of the masses of the nodes, part with a restitution that differs from `restitution` by more than 0.05.",
@@ -112,6 +139,12 @@ warnings! {
     NoContact "no-contact"
         "have no contact before `duration`; their contact metrics are undefined or 0"
         "No impact touches before `duration`, in every case of the study: a gap that stays open in some cases is a result.",
+    NeverYields "never-yields"
+        "have contacts with Fy of which none yields: look at the units of Fy"
+        "The forces of all contacts with `Fy` that act are below 95 % of it at every step, in every case of the study.",
+    NeverPulls "never-pulls"
+        "have restrainers of which none pulls: look at the units of their slack"
+        "No contact with `slack` has a force at any step, in every case of the study.",
     Runaway "runaway"
         "have a structure that has lost its stability and runs away: peaks grow with `duration` and are no measure of the motion; a fragility figure counts it with `collapse`"
         "K is not positive semidefinite, or a link softens, and at the last step the structure is further from its equilibrium than ever, moves on, and its own forces push it further.",
@@ -122,10 +155,10 @@ warnings! {
 
 /// The warnings of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Warnings(u32);
+pub struct Warnings(u64);
 
 /// Each kind has a bit of its own.
-const _: () = assert!(WARNINGS.len() <= u32::BITS as usize);
+const _: () = assert!(WARNINGS.len() <= u64::BITS as usize);
 
 impl Warnings {
     /// No warning.
@@ -171,16 +204,26 @@ impl Warnings {
 impl Warning {
     /// Whether it is a warning only if every case of the study has it: in some cases it is a result.
     pub const fn is_of_all_cases(self) -> bool {
-        matches!(self, Warning::NoContact | Warning::NeverSlides)
+        matches!(
+            self,
+            Warning::NoContact | Warning::NeverSlides | Warning::NeverYields | Warning::NeverPulls
+        )
     }
 
     /// Whether it is a note, which is not denied with the warnings.
     pub const fn is_note(self) -> bool {
-        matches!(self, Warning::Restitution | Warning::ImpactsAtOnce)
+        matches!(
+            self,
+            Warning::Restitution
+                | Warning::ImpactsAtOnce
+                | Warning::Undamped
+                | Warning::EndsEarly
+                | Warning::TimeBefore
+        )
     }
 
-    const fn bit(self) -> u32 {
-        1 << self as u32
+    const fn bit(self) -> u64 {
+        1 << self as u64
     }
 }
 

@@ -13,10 +13,20 @@ use crate::lane::Lane;
 /// Relative slack in comparing times and counting steps: 8 pi/(pi/10) is 80 steps, 70 (pi/10) is 7 pi.
 pub const SLACK: f64 = 1e-12;
 
+/// Share of a duration by which it may differ from a multiple of the step: both may be rounded decimals.
+const ROUNDED: f64 = 1e-6;
+
 /// The number of steps N that fit in `duration`; 1.2/0.4 is 3.
 pub fn steps(duration: f64, step: f64) -> u64 {
     // A quotient above the range of u64 saturates. The rules of time refuse it.
     (duration / step * (1.0 + SLACK)) as u64
+}
+
+/// The time of the last step, if `duration` is no multiple of `step`.
+pub fn last_time(duration: f64, step: f64) -> Option<f64> {
+    let count = duration / step;
+    let ends_early = (count - count.round()).abs() > ROUNDED * count;
+    ends_early.then(|| steps(duration, step) as f64 * step)
 }
 
 /// Whether time `t` has reached `mark`, within the slack.

@@ -280,6 +280,12 @@ pub fn cases_without_contact(problem: &dyn Problem, table: &MetricTable) -> u64 
 /// Most steps of a run: a history of more, with its exact solution, would not fit in 2 GiB.
 pub const MOST_STEPS: u64 = 30_000_000;
 
+/// The note that a motion ends at this time, before its duration.
+fn ends_early(end: f64) -> (Warning, String) {
+    let text = format!("the last step is at {}", numbers::short::short(end));
+    (Warning::EndsEarly, text)
+}
+
 /// The rules that every problem has for its `step` and duration.
 fn time_rules(step_name: &'static str, step: f64, duration: f64) -> Vec<Violation> {
     let message = if step > duration {

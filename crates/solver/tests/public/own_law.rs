@@ -6,8 +6,9 @@ mod example;
 use example::{LAW, RATIO, mass_on};
 use slipgap_solver::laws::{Bilinear, KelvinVoigt, Tanh};
 use slipgap_solver::{
-    AverageAcceleration, Bathe, ContactKind, ContactLaw, Limit, Method, Own, OwnAnswer, OwnLaw,
-    OwnState, OwnStep, Signal, Solution, StructureLaw, Unsolvable, exact, run,
+    AverageAcceleration, Bathe, Contact, ContactKind, ContactLaw, Direction, Limit, Method, Node,
+    Own, OwnAnswer, OwnFault, OwnLaw, OwnState, OwnStep, Signal, Solution, Structure, StructureLaw,
+    Unsolvable, exact, run,
 };
 
 fn own() -> ContactLaw {
@@ -172,4 +173,155 @@ fn an_own_law_has_no_exact_motion_and_says_so() {
         text.contains("spring") && text.contains("user's program"),
         "{text}"
     );
+}
+
+/// S = k r up to r = 1/2, and from there with this slope; or what else an answer may be.
+#[derive(Debug)]
+struct Odd(&'static str);
+
+impl OwnLaw for Odd {
+    fn answer(&self, step: &OwnStep, state: &OwnState) -> OwnAnswer {
+        let r = step.to[0];
+        let bent = |slope: f64| r.signum() * (2.0 + slope * (r.abs() - 0.5));
+        let late = |other: f64| if r > 0.5 { other } else { 4.0 * r };
+        let force = match self.0 {
+            "softens" if r.abs() > 0.5 => bent(-3.0),
+            "falls" => -1e6 * r,
+            "nan" => late(f64::NAN),
+            "nan at once" => f64::NAN,
+            "infinite" => late(f64::INFINITY),
+            "friction" => 50.0 * step.to[1],
+            "open impact" => 4.0 * (r - 1.0),
+            "varies" => {
+                CALLS.with(|calls| calls.set(calls.get() + 1));
+                4.0 * r + CALLS.with(std::cell::Cell::get) as f64
+            }
+            _ => 4.0 * r,
+        };
+        let slope = match self.0 {
+            "steep" => 1e300,
+            "flat" => 0.0,
+            "negative" => -1e9,
+            "no slope" => f64::NAN,
+            _ => 4.0,
+        };
+        let own = if self.0 == "lost" { f64::NAN } else { 0.0 };
+        OwnAnswer {
+            force,
+            slopes: [slope, 0.0],
+            state: [state[0] + own; 8],
+        }
+    }
+
+    fn kind(&self) -> ContactKind {
+        match self.0 {
+            "friction" => ContactKind::Friction,
+            "pulls" | "open impact" => ContactKind::Impact,
+            _ => ContactKind::Link,
+        }
+    }
+
+    fn largest_stiffness(&self) -> f64 {
+        4.0
+    }
+}
+
+thread_local! {
+    static CALLS: std::cell::Cell<u32> = const { std::cell::Cell::new(0) };
+}
+
+/// One mass, or two with such a contact between them, too.
+fn odd(name: &'static str, masses: usize, dt: f64) -> Result<Solution, Unsolvable> {
+    let law: &'static Odd = Box::leak(Box::new(Odd(name)));
+    let limit = (name == "friction").then(|| Limit::constant(1.0));
+    let law = StructureLaw::new(ContactLaw::Own(Own::new(law)), limit);
+    let node = |i: usize| Node {
+        name: format!("m{i}"),
+        mass: 1.0,
+        direction: Direction::X,
+    };
+    let mut structure = Structure::new((0..masses).map(node).collect());
+    for i in 0..masses {
+        structure.stiffness.add_spring([None, Some(i)], 1.0);
+        let before = i.checked_sub(1).map(|before| (before, -1.0));
+        let along = before.into_iter().chain([(i, 1.0)]).collect();
+        let (name, law) = (format!("c{i}"), law.clone());
+        structure.contacts.push(Contact {
+            name,
+            along,
+            gap: 0.0,
+            law,
+        });
+    }
+    structure.velocity[0] = 2.0;
+    run(
+        &structure,
+        &AverageAcceleration.into(),
+        dt,
+        (4.0 / dt) as usize,
+    )
+}
+
+#[test]
+fn the_force_of_an_own_law_is_its_answer_or_the_step_is_refused() {
+    use OwnFault::{BeyondLimit, NoAnswer, NotFinite, NotPure, Pulls};
+    for (name, expected) in [
+        ("falls", NoAnswer),
+        ("nan", NotFinite),
+        ("nan at once", NotFinite),
+        ("infinite", NotFinite),
+        ("lost", NotFinite),
+        ("friction", BeyondLimit),
+        ("pulls", Pulls),
+        ("open impact", Pulls),
+        ("varies", NotPure),
+    ] {
+        for masses in [1, 2] {
+            match odd(name, masses, 0.01) {
+                Err(Unsolvable::OwnLaw { step, contact, why }) => {
+                    assert_eq!((why, contact.as_str()), (expected, "c0"), "{name}");
+                    let first = ["nan", "infinite", "falls"].contains(&name);
+                    assert!(if first { step > 0 } else { step <= 1 }, "{name}");
+                }
+                other => panic!("{name}: {other:?}"),
+            }
+        }
+    }
+    // A law that falls less than a step has inertia has one root: the forces are the law's to round-off.
+    for dt in [0.01, 0.1] {
+        for masses in [1, 2] {
+            let motion = odd("softens", masses, dt).unwrap();
+            let law = Odd("softens");
+            let mut most = 0.0;
+            for (r, s) in motion.opening.iter().zip(&motion.force) {
+                let to = [r[0], 0.0];
+                let step = OwnStep {
+                    from: to,
+                    to,
+                    dt,
+                    limit: 0.0,
+                };
+                let own = law.answer(&step, &OwnState::default()).force;
+                // The search for the forces of two contacts ends at 1e-12 of them.
+                assert!((own - s[0]).abs() < 1e-11, "{own} {}", s[0]);
+                most = f64::max(most, r[0].abs());
+            }
+            assert!(most > 0.6);
+        }
+    }
+}
+
+#[test]
+fn slopes_do_not_change_the_root() {
+    for masses in [1, 2] {
+        let right = odd("", masses, 0.01).unwrap();
+        for name in ["steep", "flat", "negative", "no slope"] {
+            let own = odd(name, masses, 0.01).unwrap();
+            // Bisection ends at round-off of S, which 400 steps carry on.
+            assert!(
+                difference(&own.displacement, &right.displacement) < 1e-12,
+                "{name}"
+            );
+        }
+    }
 }

@@ -19,6 +19,7 @@ mod step;
 #[cfg(test)]
 pub(super) mod tests;
 
+use crate::contact::OwnFault;
 use active_set::{ActiveSet, At};
 use matrix::Matrix;
 pub use rigid::RigidForces;
@@ -40,11 +41,21 @@ pub enum Unsolved {
     TooManyRounds,
     /// A force falls with velocity or displacement so fast that a step may have several answers.
     Falling,
+    /// A law of a user's program has no answer that can be taken.
+    Own {
+        /// The contact, from 0.
+        contact: usize,
+        /// Why.
+        why: OwnFault,
+    },
 }
 
 impl fmt::Display for Unsolved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+        let text = match self {
+            Unsolved::Own { contact, why } => {
+                return write!(f, "the law of contact {contact} {why}");
+            }
             Unsolved::Singular => {
                 "the contact forces are not unique: contacts that stick or are shut at the same time depend on each other"
             }
@@ -52,7 +63,8 @@ impl fmt::Display for Unsolved {
             Unsolved::Falling => {
                 "a force falls with velocity or displacement so fast that a step may have several answers; take a smaller dt"
             }
-        })
+        };
+        f.write_str(text)
     }
 }
 

@@ -53,8 +53,8 @@ pub fn run<const L: usize>(
         Kind::General(state) => (state.finite(), state.failures()),
     };
     let mut failures = failures.into_iter().zip(finite);
-    std::array::from_fn(|_| match failures.next() {
-        Some((Some(why), _)) => Err(why),
+    std::array::from_fn(|l| match failures.next() {
+        Some((Some(why), _)) => Err(why.with_name(|contact| &cases[l].contacts[contact].name)),
         Some((None, true)) => Ok(()),
         _ => Err(Unsolvable::OutOfRange),
     })

@@ -6,11 +6,13 @@ use crate::contact::{AnyRunningLaw, ContactLaw, DisplacementControl, OneLaw, Vel
 use crate::lane::Lane;
 use crate::methods::{AverageAcceleration, Method, OneMode, Recursion};
 use crate::metrics::friction::{COUNT, Sampled, evaluate, work_by_energy};
-use crate::metrics::steps;
+use crate::metrics::{last_time, steps};
 use crate::problem::preset::Preset;
 use crate::problem::{Case, method};
 use crate::solve::sweep::{LaneCase, ReferenceKey};
-use crate::solve::{Displacements, EachMethod, Loops, Motion, Steps, ToSystem, Track};
+use crate::solve::{
+    Displacements, EachMethod, Loops, Motion, Steps, ToSystem, Track, Warning, Warnings,
+};
 use crate::system::{Linear, Mode, System};
 use slipgap_contact::for_widest;
 
@@ -102,6 +104,26 @@ impl<W, M> OscillatorCase<W, M> {
         }
     }
 
+    /// Whether the step is long for the period of the oscillator.
+    #[inline(always)]
+    pub fn has_long_step(&self) -> bool {
+        self.step > LONG
+    }
+
+    /// The time of the last step, if `duration` is no multiple of the step.
+    #[inline(always)]
+    pub fn ends_early(&self) -> Option<f64> {
+        last_time(self.duration, self.step)
+    }
+
+    /// The warnings of the case, which need no motion.
+    #[inline(always)]
+    pub fn own_warnings(&self) -> Warnings {
+        Warnings::NONE
+            .with(Warning::LongStep, self.has_long_step())
+            .with(Warning::EndsEarly, self.ends_early().is_some())
+    }
+
     /// The exact solution at the case's steps.
     pub fn exact_at_steps(&self) -> Sampled {
         Sampled::new(self.x0, self.step, self.last, self.duration)
@@ -127,6 +149,9 @@ impl<W: Copy + Into<ContactLaw>, M: EachMethod> ToSystem for OscillatorCase<W, M
         }
     }
 }
+
+/// omega dt from which a step is long: six steps in a period.
+const LONG: f64 = 1.0;
 
 /// The laws of `[F]` have loops of their own.
 pub struct LawsOfPaper;
@@ -169,6 +194,11 @@ impl<W: Copy + Into<ContactLaw>, M: EachMethod> LaneCase<LANES> for OscillatorCa
             work.0[l] = case.work(motion, l);
         }
         evaluate_all(&motion.track.0[..exact.count()], work, exact)
+    }
+
+    #[inline(always)]
+    fn warnings(&self, _: impl Fn(usize) -> f64) -> Warnings {
+        self.own_warnings()
     }
 
     fn metrics_of_one(

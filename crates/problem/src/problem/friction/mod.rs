@@ -7,7 +7,7 @@ mod tables;
 
 use super::method::{self, step_rules};
 use super::side_by_side::{Form, selected, sweep_cases};
-use super::{Case, Problem, Schema, Solution, Violation, time_rules};
+use super::{Case, Problem, Schema, Solution, Violation, ends_early, time_rules};
 use crate::exact::coulomb::Coulomb;
 use crate::history::History;
 use crate::lane::Lane;
@@ -16,9 +16,10 @@ use crate::metrics::budget::Norm;
 use crate::metrics::friction::{work_by_energy, work_by_steps};
 use crate::metrics::{self, cells};
 use crate::problem::table::cases::Cases;
-use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warnings};
+use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warning};
 use crate::system::System;
 use case::{LANES, OscillatorCase, PlainCase};
+use std::f64::consts::PI;
 use std::sync::Arc;
 use tables::{BUDGET, LOSSES_AND_COST, REFERENCE_ERRORS, SCHEMA, rows};
 
@@ -93,6 +94,23 @@ impl Problem for FrictionOscillator {
         self.judge(&own, &track, work, wanted)
     }
 
+    fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
+        let Some(own) = OscillatorCase::new(case) else {
+            return Vec::new();
+        };
+        let count = 2.0 * PI / own.step;
+        let long = || {
+            (
+                Warning::LongStep,
+                format!("a period of 2 pi has {count:.1} steps"),
+            )
+        };
+        let long = own.has_long_step().then(long);
+        long.into_iter()
+            .chain(own.ends_early().map(ends_early))
+            .collect()
+    }
+
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
         Some(coulomb(case.at(rows::X0)?, times))
     }
@@ -148,7 +166,7 @@ impl FrictionOscillator {
             computed,
             exact,
             metrics,
-            warnings: Warnings::NONE,
+            warnings: case.own_warnings(),
         })
     }
 }

@@ -7,7 +7,7 @@ use crate::exact::wave::Wave;
 use crate::lane::Lane;
 use crate::methods::{ContactWork, ManyModes, Method, Recursion};
 use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, evaluate, step_work};
-use crate::metrics::steps;
+use crate::metrics::{last_time, steps};
 use crate::problem::Case;
 use crate::problem::preset::Preset;
 use crate::solve::Track as AnyTrack;
@@ -42,6 +42,11 @@ impl ImpactCase {
             duration,
             last: steps(duration, dt),
         })
+    }
+
+    /// The time of the last step, if `duration` is no multiple of the step.
+    pub fn ends_early(&self) -> Option<f64> {
+        last_time(self.duration, self.dt)
     }
 
     /// The system, and the scales of r, rdot and F in the problem.
@@ -173,6 +178,7 @@ impl LaneCase<LANES> for ImpactCase {
                 metrics(CONTACT_STEPS).is_nan() && !metrics(MAX_OVERLAP).is_nan(),
             )
             .with(Warning::NoContact, metrics(MAX_OVERLAP).is_nan())
+            .with(Warning::EndsEarly, self.ends_early().is_some())
     }
 }
 

@@ -12,7 +12,7 @@ mod snapshot;
 mod tables;
 
 use super::side_by_side::{Form, selected, sweep_cases};
-use super::{Case, Problem, Schema, Snapshot, Solution, Violation, method};
+use super::{Case, Problem, Schema, Snapshot, Solution, Violation, ends_early, method};
 use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::budget::Norm;
@@ -22,7 +22,7 @@ use crate::metrics::{self, cells};
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::table::cases::Cases;
 use crate::solve::sweep::LaneCase;
-use crate::solve::{self, MetricTable, ToSystem, Unsolvable};
+use crate::solve::{self, MetricTable, ToSystem, Unsolvable, Warning};
 use crate::system::System;
 use case::{ImpactCase, LANES};
 use scaled::Scaled;
@@ -141,6 +141,11 @@ impl Problem for BarImpact {
             (Some(scaled), Some(dt)) => second_impact::second(&scaled, dt, flight).to_vec(),
             (None, _) | (_, None) => Vec::new(),
         }
+    }
+
+    fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
+        let end = ImpactCase::new(case).and_then(|own| own.ends_early());
+        end.map(ends_early).into_iter().collect()
     }
 
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {

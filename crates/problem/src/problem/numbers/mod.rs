@@ -2,5 +2,6 @@
 
 pub(crate) mod choice;
 pub mod parameter;
+pub(crate) mod short;
 pub(crate) mod text;
 pub mod unit;

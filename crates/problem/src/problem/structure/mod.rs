@@ -18,6 +18,7 @@ use super::{
     Case, HistoryColumn, MeasuredChannel, Problem, Samples, Schema, Solution, Violation, time_rules,
 };
 use crate::history::History;
+use crate::problem::numbers::short::short;
 pub use crate::problem::structure::described::ground::GroundMotion;
 pub use crate::problem::structure::described::scheme::picture::Scheme;
 pub use crate::problem::structure::given::set::SetSpectra;
@@ -25,7 +26,7 @@ pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAM
 use crate::solve::{MetricTable, Unsolvable, Warning};
 use crate::system::structure::Structure;
 use described::{describe, ground, scheme};
-use given::{short, signal_cache};
+use given::signal_cache;
 use metrics::units::UnitNames;
 pub use model::assemble::MOST_NODES;
 use model::assemble::{self, Model, assemble};
@@ -287,7 +288,7 @@ impl Problem for StructureProblem {
         let mut text = describe::describe(&structure, &models, times, units, &restitutions);
         text += &listed::listed(&self.template, numbering.elements());
         text += &ground::described(&self.template, case, self.computed_steps(case)?);
-        text += &named_rows::described(&self.template, case, short::short);
+        text += &named_rows::described(&self.template, case, short);
         let dt = case.at(self.schema.step)?;
         if let Some(measured) = &self.template.measured
             && let Ok(compared) = measured.in_case(case, dt, self.steps(case))

@@ -6,11 +6,15 @@ mod directions;
 mod doubt;
 mod doubts;
 mod given;
+mod long_step;
 mod masses;
 mod matrices;
 mod never_slides;
 mod restitution;
+mod twice;
 mod unheld;
+mod unused;
+mod weight;
 
 use super::channels::channel::{Number, Quantity};
 use super::given::loads::Kind;
@@ -73,6 +77,10 @@ impl StructureProblem {
         let given = given
             .iter()
             .fold(Warnings::NONE, |set, doubt| set.with(doubt.0, true));
+        let given = match watched {
+            Some(watched) => unused::with(given, &self.template, ready, watched),
+            None => given,
+        };
         Ok(given
             .with(Warning::DeepOverlap, contacts().any(overlaps))
             .with(

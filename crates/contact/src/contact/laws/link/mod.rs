@@ -10,6 +10,6 @@ mod viscous;
 pub use bilinear::Bilinear;
 pub use imk::Imk;
 pub use multilinear::Multilinear;
-pub use own::{Own, OwnAnswer, OwnLaw, OwnState, OwnStep, STATES};
+pub use own::{Own, OwnAnswer, OwnFault, OwnLaw, OwnState, OwnStep, STATES};
 pub use restrainer::Restrainer;
 pub use viscous::Viscous;

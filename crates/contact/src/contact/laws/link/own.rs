@@ -2,7 +2,7 @@
 
 use crate::contact::impact::PUSHES;
 use crate::contact::prelude::*;
-use std::fmt::Debug;
+use std::fmt::{self, Debug};
 
 /// Numbers that an [`OwnLaw`] may remember from step to step.
 pub const STATES: usize = 8;
@@ -12,12 +12,13 @@ pub type OwnState = [f64; STATES];
 
 /// A law that a user's program defines.
 ///
-/// S must not fall with r and rdot, so that a step has one root. An impact has S <= 0, and none while r > 0; friction has |S| within its
-/// limit. The law is one of time steps: its exact motion is not known.
+/// S should not fall with r and rdot, so that a step has one root; where it falls, a step has an answer of the law or is
+/// [`Unsolved::Own`](crate::contact::Unsolved). An impact has S <= 0, and none while r > 0; friction has |S| within its limit. The law is
+/// one of time steps: its exact motion is not known.
 pub trait OwnLaw: Debug + Sync {
     /// The answer at the end of a step, with the state at its start.
     ///
-    /// It is called several times in a step; the state of the last call counts.
+    /// It is called several times in a step, also with motions that do not come about, and must have one answer for one step and state.
     fn answer(&self, step: &OwnStep, state: &OwnState) -> OwnAnswer;
 
     /// What its contact can do.
@@ -58,6 +59,39 @@ pub struct OwnAnswer {
     pub state: OwnState,
 }
 
+/// Why the answer of an [`OwnLaw`] is not taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OwnFault {
+    /// S or a number of the state is NaN or infinite.
+    NotFinite,
+    /// S is not the law's answer to the end of the step: S falls there, or jumps.
+    NoAnswer,
+    /// Two calls with the same step and state differ.
+    NotPure,
+    /// An impact pulls, or presses while it is open.
+    Pulls,
+    /// |S| of friction is above its limit.
+    BeyondLimit,
+}
+
+impl fmt::Display for OwnFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            OwnFault::NotFinite => "answers with NaN or infinity",
+            OwnFault::NoAnswer => "has no answer at the end of the step: its force falls or jumps there; take a smaller dt",
+            OwnFault::NotPure => "answers twice with different numbers to the same step and state",
+            OwnFault::Pulls => "is an impact with S > 0, or with a force while r > 0",
+            OwnFault::BeyondLimit => "is friction with abs(S) above its limit",
+        })
+    }
+}
+
+/// Largest difference between S and the law's answer, over their size: round-off of the root, and of a law with a high stiffness.
+const ROUND_OFF: f64 = 1e-9;
+
+/// Most times that a bracket doubles: a law that falls has its root beyond the answer to the free motion.
+const DOUBLED: usize = 64;
+
 /// A contact with an [`OwnLaw`].
 #[derive(Debug, Clone, Copy)]
 pub struct Own {
@@ -85,13 +119,20 @@ pub struct Step<const L: usize> {
     on: StepFlexibility<L>,
 }
 
-/// The states of L contacts.
+/// The states of L contacts, and why a law's last answer is not taken.
 #[derive(Debug, Clone, Copy)]
-pub struct States<const L: usize>([OwnState; L]);
+pub struct States<const L: usize>([(OwnState, Option<OwnFault>); L]);
 
 impl<const L: usize> Default for States<L> {
     fn default() -> States<L> {
-        States([OwnState::default(); L])
+        States([(OwnState::default(), None); L])
+    }
+}
+
+impl States<1> {
+    /// Why the last answer is not taken.
+    pub fn fault(&self) -> Option<OwnFault> {
+        self.0[0].1
     }
 }
 
@@ -162,31 +203,87 @@ impl<const L: usize> StepLaw<L> for Step<L> {
                 from[0] + trial.change.0[l] - start[0] * trial.force.0[l],
                 trial.rate.0[l] - start[1] * trial.force.0[l],
             ];
-            let state = memory.0[l];
-            let answer = |s: f64| {
-                let to = [0, 1].map(|i| free[i] - end[i] * s);
-                let Own { law, limit } = self.laws[l];
-                let dt = self.on.dt.0[l];
-                law.answer(
-                    &OwnStep {
-                        from,
-                        to,
-                        dt,
-                        limit,
-                    },
-                    &state,
-                )
+            let (state, _) = memory.0[l];
+            let own = self.laws[l];
+            let step = |s: f64| OwnStep {
+                from,
+                to: [0, 1].map(|i| free[i] - end[i] * s),
+                dt: self.on.dt.0[l],
+                limit: own.limit,
             };
-            // S = F(r* - h S, rdot* - h_rate S): between 0 and the answer to the free motion, as F does not fall.
-            let most = answer(0.0).force;
-            let s = roots::rising_once(most.min(0.0), most.max(0.0), most, |s| {
-                let own = answer(s);
-                let slope = end[0] * own.slopes[0] + end[1] * own.slopes[1];
-                [s - own.force, 1.0 + slope]
-            });
-            memory.0[l] = answer(s).state;
+            // Of S = (r* - r)/h, where r is small beside its terms.
+            let terms =
+                from[0].abs() + trial.change.0[l].abs() + (start[0] * trial.force.0[l]).abs();
+            let round_off = match end[0] > 0.0 {
+                true => 4.0 * f64::EPSILON * terms / end[0],
+                false => 0.0,
+            };
+            let answer = |s: f64| own.law.answer(&step(s), &state);
+            let s = own.root(end, round_off, answer);
+            let last = answer(s);
+            let fault = own.fault(step(s).to[0], &last, &answer(s));
+            let fault =
+                fault.or_else(|| (!is_root(s, round_off, &answer)).then_some(OwnFault::NoAnswer));
+            memory.0[l] = (last.state, fault);
             force.0[l] = s;
         }
         force
     }
+}
+
+impl Own {
+    /// S = F(r* - h S, rdot* - h_rate S).
+    fn root(&self, end: [f64; 2], round_off: f64, answer: impl Fn(f64) -> OwnAnswer) -> f64 {
+        let value = |s: f64| s - answer(s).force;
+        // Between 0 and the answer to the free motion, where F does not fall; else further on.
+        let most = answer(0.0).force;
+        let [mut low, mut high] = [most.min(0.0), most.max(0.0)];
+        for _ in 0..DOUBLED {
+            match most > 0.0 {
+                true if value(high) < 0.0 => [low, high] = [high, 2.0 * high],
+                false if value(low) > 0.0 => [low, high] = [2.0 * low, low],
+                _ => break,
+            }
+        }
+        let root = |with_slopes: bool| {
+            roots::rising_once(low, high, most, |s| {
+                let own = answer(s);
+                let slope = end[0] * own.slopes[0] + end[1] * own.slopes[1];
+                [
+                    s - own.force,
+                    if with_slopes { 1.0 + slope } else { f64::NAN },
+                ]
+            })
+        };
+        // Slopes that are far too steep end the search before the root.
+        let s = root(true);
+        match is_root(s, round_off, &answer) {
+            true => s,
+            false => root(false),
+        }
+    }
+
+    /// Why the law's answer to a step that ends at r is not taken; `again` is a second one.
+    fn fault(&self, r: f64, answer: &OwnAnswer, again: &OwnAnswer) -> Option<OwnFault> {
+        let bits = |own: &OwnAnswer| (own.force.to_bits(), own.state.map(f64::to_bits));
+        let is_finite = answer.force.is_finite() && answer.state.iter().all(|x| x.is_finite());
+        let pulls = answer.force > 0.0 || (r > 0.0 && answer.force < 0.0);
+        match self.kind() {
+            _ if !is_finite => Some(OwnFault::NotFinite),
+            _ if bits(answer) != bits(again) => Some(OwnFault::NotPure),
+            ContactKind::Impact if pulls => Some(OwnFault::Pulls),
+            ContactKind::Friction if answer.force.abs() > self.limit * (1.0 + ROUND_OFF) => {
+                Some(OwnFault::BeyondLimit)
+            }
+            ContactKind::Impact | ContactKind::Friction | ContactKind::Link => None,
+        }
+    }
+}
+
+/// Whether S is the law's answer to it, or the answer rises through it within round-off: of a law with a high stiffness, or a step.
+fn is_root(s: f64, round_off: f64, answer: impl Fn(f64) -> OwnAnswer) -> bool {
+    let value = |s: f64| s - answer(s).force;
+    let difference = value(s);
+    let near = round_off + ROUND_OFF * s.abs().max((s - difference).abs());
+    difference.abs() <= near || (value(s - near) <= 0.0 && value(s + near) >= 0.0)
 }

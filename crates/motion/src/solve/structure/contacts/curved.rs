@@ -116,6 +116,7 @@ impl Curved {
                 terms: [0.0; 2],
                 displacement: 0.0,
                 change: 0.0,
+                answered: 0.0,
             }
         };
         let contacts = contacts.iter().enumerate().map(contact).collect();
@@ -246,8 +247,12 @@ impl Curved {
                 own: &self.own,
                 shares: &self.shares,
             };
-            self.forces
-                .solve(&self.d, &self.size, &groups, &mut self.together)?;
+            let solved = self
+                .forces
+                .solve(&self.d, &self.size, &groups, &mut self.together);
+            if let Err(why) = solved {
+                return Err(self.own_fault(false).unwrap_or(why));
+            }
             for (g, group) in self.groups.iter().enumerate() {
                 group.write(self.together[g], &mut self.force);
             }
@@ -273,7 +278,20 @@ impl Curved {
                 Some(PlaneRow::Second) => {}
             }
         }
-        Ok(&self.force)
+        match self.own_fault(true) {
+            None => Ok(&self.force),
+            Some(why) => Err(why),
+        }
+    }
+
+    /// The first contact whose law is of a user's program and has no answer to the step, or to the motion without forces.
+    fn own_fault(&mut self, is_solved: bool) -> Option<Unsolved> {
+        let contacts = self.contacts.iter_mut().zip(&self.force).enumerate();
+        let mut faults = contacts.filter_map(|(contact, (own, force))| {
+            let why = own.own_fault(is_solved.then_some(*force))?;
+            Some(Unsolved::Own { contact, why })
+        });
+        faults.next()
     }
 
     /// Energy that the contacts store.

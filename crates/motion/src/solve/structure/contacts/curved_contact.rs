@@ -3,9 +3,15 @@
 use super::curved_plane::Plane;
 use super::curved_step::{Motion, ROUND_OFF, Scale, line, trial};
 use crate::contact::plane::PlaneMemory;
-use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial};
+use crate::contact::{
+    AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, OwnFault, Trial, Unsolved, WhichLaw,
+};
 use crate::lane::Lane;
 use crate::system::structure::{PlaneRow, Structure, StructureLaw};
+
+/// Largest difference between the force of a step and the answer of a law of a user's program to it: the search for the forces of many
+/// contacts ends at 1e-12 of their sum.
+const SAME: f64 = 1e-8;
 
 /// A contact.
 #[derive(Debug)]
@@ -30,6 +36,8 @@ pub(crate) struct Contact {
     /// r at the end of the step, and its change.
     pub(crate) displacement: f64,
     pub(crate) change: f64,
+    /// The law's answer to the last step.
+    pub(crate) answered: f64,
     /// The mean rdot of the step before, if three points give rdot'.
     pub(crate) before: Option<f64>,
     /// The law of both directions of a contact in a plane, beside the first one.
@@ -227,7 +235,8 @@ impl Contact {
         if self.has_not_begun(y, force) {
             trial.change = Lane([-self.motion.displacement]);
         }
-        ContactResponse::force(&mut self.law, 0, &trial);
+        let Lane([answer]) = ContactResponse::force(&mut self.law, 0, &trial);
+        self.answered = answer;
         self.change = y - self.own * force;
         if has_three_points(&self.relation, self.scale) {
             self.follow_from(Some(self.change / self.scale.dt));
@@ -247,6 +256,23 @@ impl Contact {
             && (self.motion.displacement + change).abs() <= least
     }
 
+    /// Why the force of a law of a user's program is not taken, after a step with this force; without one, why its answer to the motion
+    /// without forces is not.
+    pub(crate) fn own_fault(&mut self, force: Option<f64>) -> Option<OwnFault> {
+        if self.now.which() != WhichLaw::Own {
+            return None;
+        }
+        let Some(force) = force else {
+            let mut law = self.law;
+            ContactResponse::force(&mut law, 0, &self.trial(self.motion.change));
+            return law.own_fault();
+        };
+        let differs = (self.answered - force).abs() > SAME * force.abs().max(self.answered.abs());
+        self.law
+            .own_fault()
+            .or(differs.then_some(OwnFault::NoAnswer))
+    }
+
     pub(crate) fn stored_energy(&self, r: f64, s: f64) -> f64 {
         use crate::contact::StoredEnergy;
         self.relation.law(1.0).stored_energy(r, s)
@@ -255,7 +281,12 @@ impl Contact {
 
 /// S(0) of a contact with a law that is not a clipped line: it follows from r and rdot, or from its state, which is unbent without static
 /// loads.
-pub(crate) fn first_force(structure: &Structure, contact: usize, r: f64, rdot: f64) -> f64 {
+pub(crate) fn first_force(
+    structure: &Structure,
+    contact: usize,
+    r: f64,
+    rdot: f64,
+) -> Result<f64, Unsolved> {
     let relation = &structure.contacts[contact].law;
     let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
     let law = relation.law(limit);
@@ -266,12 +297,12 @@ pub(crate) fn first_force(structure: &Structure, contact: usize, r: f64, rdot: f
     };
     let remembers = structure.preload.laws.get(contact).copied().flatten();
     if let (Some(force), None) = (law.properties().unbent_force(rdot), remembers) {
-        return force;
+        return Ok(force);
     }
     // A contact that leaves its equilibrium with a velocity has the state of the equilibrium.
     let at_rest = structure.preload.force(contact);
     if let (Some(own), Some(_), true) = (law.evolution(), at_rest, rdot != 0.0) {
-        return own.force(own.at_start(at_rest, r), r, rdot);
+        return Ok(own.force(own.at_start(at_rest, r), r, rdot));
     }
     let running = || ContactLaw::running(&[law], &scale.steps(0.0));
     let mut law: AnyRunningLaw<1> = remembers.unwrap_or_else(running);
@@ -282,5 +313,8 @@ pub(crate) fn first_force(structure: &Structure, contact: usize, r: f64, rdot: f
         ..Motion::default()
     };
     let Lane([force]) = ContactResponse::force(&mut law, 1, &trial(&motion, 0.0, rdot));
-    force
+    match law.own_fault() {
+        None => Ok(force),
+        Some(why) => Err(Unsolved::Own { contact, why }),
+    }
 }

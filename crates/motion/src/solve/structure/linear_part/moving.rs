@@ -84,6 +84,7 @@ impl<const L: usize> Moving<L> {
                     now.0[l] = value;
                 }
                 if motion.is_by_displacement() {
+                    support.now[2].0[l] = motion.shown_acceleration_at(t);
                     support.missed.0[l] = missed(motion, end, self.dt, &self.weights);
                 }
             }

@@ -11,8 +11,8 @@ use crate::system::structure::{PlaneRow, Structure, StructureLaw};
 pub struct Watch<const L: usize> {
     /// Those that may make energy, by their places.
     contacts: Vec<(usize, Contact<L>)>,
-    /// The friction contacts by their places, each with the largest abs(S) over its limit.
-    friction: Vec<(usize, Lane<L>)>,
+    /// The friction contacts by their places, each with the largest abs(S) over its limit, and its smallest limit.
+    friction: Vec<(usize, [Lane<L>; 2])>,
     /// Those of them that have both directions of a contact in a plane.
     planes: Vec<usize>,
     /// Work of the last step, for methods whose state has both ends of it.
@@ -35,8 +35,8 @@ struct Contact<const L: usize> {
     last: [Lane<L>; 2],
     /// Smallest r and S.
     smallest: [Lane<L>; 2],
-    /// Largest r.
-    largest: Lane<L>,
+    /// Largest r and S.
+    largest: [Lane<L>; 2],
     /// Work up to the last step, and the smallest work up to any step.
     work: [Lane<L>; 2],
 }
@@ -63,10 +63,14 @@ pub struct WatchedContact {
     pub opening: f64,
     /// Smallest force S; below 0 if an impact touches.
     pub force: f64,
+    /// Largest force S.
+    pub pull: f64,
     /// Smallest work of the structure on the contact, the integral of S dr, up to any step.
     pub work: f64,
     /// Largest abs(S) of a friction contact over its limit; 1 or more also where the limit is 0, without N.
     pub of_limit: f64,
+    /// Smallest limit of a friction contact at the steps after t = 0.
+    pub limit: f64,
 }
 
 impl<const L: usize> Watch<L> {
@@ -83,7 +87,7 @@ impl<const L: usize> Watch<L> {
             let contact = Contact {
                 last: now,
                 smallest: now,
-                largest: now[0],
+                largest: now,
                 work: [zero; 2],
             };
             (c, contact)
@@ -100,7 +104,9 @@ impl<const L: usize> Watch<L> {
         let planes = (0..start.contacts()).filter(|c| row(*c) == Some(PlaneRow::First));
         Watch {
             contacts: contacts.collect(),
-            friction: friction.map(|c| (c, zero)).collect(),
+            friction: friction
+                .map(|c| (c, [zero, Lane::splat(f64::INFINITY)]))
+                .collect(),
             planes: planes.collect(),
             works: vec![zero; start.contacts()],
             stored,
@@ -124,8 +130,9 @@ impl<const L: usize> Watch<L> {
                     let mean = state.mean_force(*c, [s, now[1]]);
                     contact.add(now, mean * (now[0] - r));
                 }
-                for (c, most) in &mut self.friction {
+                for (c, [most, least]) in &mut self.friction {
                     let limit = state.limit(*c);
+                    *least = least.smaller(limit);
                     let force = size(self.planes.contains(c), |of| state.contacts[*c + of].force);
                     let mut share = of_limit(force, limit);
                     if let Some(friction) = &state.two_limits {
@@ -141,8 +148,9 @@ impl<const L: usize> Watch<L> {
                     let now = state.contact(*c);
                     contact.add([now.displacement, now.force], self.works[*c]);
                 }
-                for (c, most) in &mut self.friction {
+                for (c, [most, least]) in &mut self.friction {
                     let limit = state.contact(*c).limit;
+                    *least = least.smaller(limit);
                     let force = size(self.planes.contains(c), |of| state.contact(*c + of).force);
                     let mut share = of_limit(force, limit);
                     if let Some(friction) = general.two_limits() {
@@ -167,16 +175,19 @@ impl<const L: usize> Watch<L> {
         for (c, contact) in &self.contacts {
             contacts[*c] = WatchedContact {
                 displacement: contact.smallest[0].0[l],
-                opening: contact.largest.0[l],
+                opening: contact.largest[0].0[l],
                 force: contact.smallest[1].0[l],
+                pull: contact.largest[1].0[l],
                 work: contact.work[1].0[l],
                 of_limit: 0.0,
+                limit: 0.0,
             };
         }
-        for (c, most) in &self.friction {
-            contacts[*c].of_limit = most.0[l];
-            if self.planes.contains(c) {
-                contacts[*c + 1].of_limit = most.0[l];
+        for (c, [most, least]) in &self.friction {
+            let second = *c + usize::from(self.planes.contains(c));
+            for contact in &mut contacts[*c..=second] {
+                contact.of_limit = most.0[l];
+                contact.limit = least.0[l];
             }
         }
         Watched {
@@ -225,7 +236,8 @@ impl<const L: usize> Contact<L> {
         self.work = [sum, least.smaller(sum)];
         let [r, s] = self.smallest;
         self.smallest = [r.smaller(now[0]), s.smaller(now[1])];
-        self.largest = self.largest.larger(now[0]);
+        let [r, s] = self.largest;
+        self.largest = [r.larger(now[0]), s.larger(now[1])];
         self.last = now;
     }
 }

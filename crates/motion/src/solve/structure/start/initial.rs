@@ -52,7 +52,7 @@ pub(crate) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
                 forces[c + 1] = second;
                 first
             }
-            (None, None) => first_force(structure, c, r, rdot),
+            (None, None) => first_force(structure, c, r, rdot)?,
             (Some(ClippedLine::Viscous { viscosity }), _) => (viscosity * rdot).clamp(low, high),
             (Some(ClippedLine::Coulomb), _) if rdot > 0.0 => high,
             (Some(ClippedLine::Coulomb), _) if rdot < 0.0 => low,

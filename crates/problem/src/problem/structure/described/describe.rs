@@ -2,7 +2,7 @@
 
 use super::lists::{count, lines, list};
 use crate::contact::{ClippedLine, ContactKind, ContactLaw};
-use crate::problem::structure::given::short::short;
+use crate::problem::numbers::short::short;
 use crate::problem::structure::model::contact_duration;
 use crate::problem::structure::model::damping::{Modes, modes};
 use crate::problem::structure::parts::models::Models;

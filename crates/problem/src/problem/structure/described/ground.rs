@@ -1,10 +1,10 @@
 //! The acceleration of the ground in a case, for response spectra.
 
 use crate::problem::Case;
+use crate::problem::numbers::short::short;
 use crate::problem::structure::given::loads::Kind;
 use crate::problem::structure::given::set::SetSpectra;
 use crate::problem::structure::given::shape::Scaled;
-use crate::problem::structure::given::short::short;
 use crate::problem::structure::metrics::computed_ground::{Steps, measured};
 use crate::problem::structure::metrics::units::UnitNames;
 use crate::problem::structure::parts::template::Template;

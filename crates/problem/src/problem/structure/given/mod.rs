@@ -9,7 +9,6 @@ pub mod rows;
 pub mod scale_to;
 pub mod set;
 pub mod shape;
-pub(crate) mod short;
 pub(crate) mod signal_cache;
 pub mod strength;
 pub mod supports;

@@ -1,10 +1,10 @@
 //! The part of the motion of the ground or of a support that a case computes: its accelerations at the steps up to `duration`.
 
 use crate::problem::Case;
+use crate::problem::numbers::short::short;
 use crate::problem::structure::given::loads::Kind;
 use crate::problem::structure::given::scale_to::RATIO;
 use crate::problem::structure::given::shape::Scaled;
-use crate::problem::structure::given::short::short;
 use crate::problem::structure::given::supports::{Course, Points, Support};
 use crate::problem::structure::parts::contact::Normal;
 use crate::problem::structure::parts::template::Template;

@@ -1,7 +1,7 @@
 //! Modes of the structure, and one damping ratio in each of them.
 
 use crate::system::structure::{Structure, Symmetric};
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// Most nodes of a structure whose modes are computed: the matrices are full.
 pub const MOST_MODES: usize = 1000;
@@ -62,6 +62,27 @@ pub struct Modes {
 }
 
 impl Modes {
+    /// phi^T f of each mode for a force on nodes, or the factor of each mode in a sum of displacements. Nodes without mass are left out.
+    pub fn components(&self, structure: &Structure, along: &[(usize, f64)]) -> Vec<f64> {
+        let mut values = vec![0.0; structure.len()];
+        for (node, value) in along {
+            values[*node] += value;
+        }
+        let own = self.nodes.iter().map(|node| values[*node]);
+        let own = DVector::from_iterator(self.nodes.len(), own);
+        let scaled = match &self.root {
+            Some(root) => root.solve_lower_triangular(&own),
+            None => {
+                let roots = self
+                    .nodes
+                    .iter()
+                    .map(|node| structure.nodes[*node].mass.sqrt());
+                Some(own.component_div(&DVector::from_iterator(self.nodes.len(), roots)))
+            }
+        };
+        scaled.map_or(Vec::new(), |own| self.shapes.tr_mul(&own).data.into())
+    }
+
     /// The node that moves most in a mode, by its share of the mass.
     pub fn most_moved(&self, mode: usize) -> usize {
         let shape = self.shapes.column(mode);

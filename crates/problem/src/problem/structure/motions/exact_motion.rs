@@ -102,7 +102,9 @@ pub(super) fn exact_value(
     match number {
         Number::Displacement(node) => structure.total(node, t, 0, state.u),
         Number::Velocity(node) => structure.total(node, t, 1, state.v),
-        Number::Acceleration(support) => structure.supports[support].motion.at(t)[2],
+        Number::Acceleration(support) => {
+            structure.supports[support].motion.shown_acceleration_at(t)
+        }
         Number::Derived(_) | Number::Energy(_) => f64::NAN,
         Number::Contact(contact, quantity) => match quantity {
             Quantity::Displacement => state.r[contact],

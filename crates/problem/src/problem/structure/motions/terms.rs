@@ -53,8 +53,13 @@ impl Terms {
 
     pub(super) fn add_motion(&mut self, factor: f64, motion: &Arc<Motion>, quantity: Quantity) {
         if factor != 0.0 {
-            let signal = Arc::new(Signal::Motion(motion.clone(), quantity));
-            self.signals.push((factor, signal));
+            let signal = match quantity {
+                Quantity::Acceleration => motion.shown_acceleration(),
+                Quantity::Displacement | Quantity::Velocity => {
+                    Signal::Motion(motion.clone(), quantity)
+                }
+            };
+            self.signals.push((factor, Arc::new(signal)));
         }
     }
 }

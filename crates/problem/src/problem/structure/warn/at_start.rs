@@ -2,7 +2,7 @@
 
 use super::doubt::Doubt;
 use crate::contact::{ClippedLine, ContactKind};
-use crate::problem::structure::given::short::short;
+use crate::problem::numbers::short::short;
 use crate::solve::Warning;
 use crate::solve::structure::forces_at_start;
 use crate::system::structure::{Contact, Structure};

@@ -2,8 +2,9 @@
 
 use super::doubt::Doubt;
 use crate::problem::Case;
+use crate::problem::numbers::short::short;
 use crate::problem::structure::given::loads::{Kind, Source};
-use crate::problem::structure::given::short::short;
+use crate::problem::structure::given::shape::Scaled;
 use crate::problem::structure::given::supports::{Course, Points};
 use crate::problem::structure::metrics::computed_ground::{ENOUGH, Steps};
 use crate::problem::structure::parts::contact::Normal;
@@ -11,33 +12,87 @@ use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::structure::Signal;
 
-/// The first load, motion or N of which the steps have too little. [`computed_ground::cut`] has the records of motions.
-///
-/// [`computed_ground::cut`]: super::super::metrics::computed_ground::cut
-pub fn missed(template: &Template, case: &Case, steps: Steps) -> Option<Doubt> {
+/// A function of time of a structure.
+struct Function<'a> {
+    name: String,
+    source: &'a Source,
+    /// Whether a part of it, from another time on, is chosen.
+    is_cut: bool,
+    /// Whether its records are looked at: [`computed_ground::cut`] has those of motions.
+    ///
+    /// [`computed_ground::cut`]: super::super::metrics::computed_ground::cut
+    records: bool,
+}
+
+fn scaled(name: String, own: &Scaled, records: bool) -> Function<'_> {
+    Function {
+        name,
+        source: &own.source,
+        is_cut: own.shape.start.is_some(),
+        records,
+    }
+}
+
+/// The loads, motions and N that are functions of time.
+fn functions(template: &Template) -> impl Iterator<Item = Function<'_>> {
     let loads = template.loads.iter().enumerate();
-    let loads = loads.map(|(number, load)| (format!("loads[{number}]"), &load.force.source, true));
+    let loads = loads.map(|(number, load)| scaled(format!("loads[{number}]"), &load.force, true));
     let ground = template.ground.iter();
-    let ground = ground.map(|own| (format!("ground in {}", own.0.name()), &own.1.source, false));
+    let ground = ground.map(|own| scaled(format!("ground in {}", own.0.name()), &own.1, false));
     let accelerated = template.supports.iter().filter_map(|own| {
         let name = format!("support {}", own.full_name());
-        Some((name, &own.acceleration()?.source, false))
+        Some(scaled(name, own.acceleration()?, false))
     });
     let normals = template.contacts.iter().filter_map(|own| {
-        let (source, records) = match own.normal.as_ref()? {
-            Normal::Table(source) => (source, true),
-            Normal::Weight { vertical, .. } => (&vertical.source, false),
-            Normal::Constant(_) | Normal::Parts(_) => return None,
-        };
-        Some((format!("N of contact {}", own.name), source, records))
+        let name = format!("N of contact {}", own.name);
+        match own.normal.as_ref()? {
+            Normal::Table(source) => Some(Function {
+                name,
+                source,
+                is_cut: false,
+                records: true,
+            }),
+            Normal::Weight { vertical, .. } => Some(scaled(name, vertical, false)),
+            Normal::Constant(_) | Normal::Parts(_) => None,
+        }
     });
-    let mut all = loads.chain(ground).chain(accelerated).chain(normals);
-    let found = all.find_map(|(name, source, records)| {
-        let text = of_source(source, records, case, (template.metre, steps))?;
-        Some(format!("{name}: {text}"))
+    loads.chain(ground).chain(accelerated).chain(normals)
+}
+
+/// The first load, motion or N of which the steps have too little.
+pub fn missed(template: &Template, case: &Case, steps: Steps) -> Option<Doubt> {
+    let found = functions(template).find_map(|own| {
+        let text = of_source(own.source, own.records, case, (template.metre, steps))?;
+        Some(format!("{}: {text}", own.name))
     });
     let text = found.or_else(|| displaced(template, case, steps))?;
     Some((Warning::MotionCut, text))
+}
+
+/// The first load, motion or N by points that begins before t = 0.
+pub fn before(template: &Template, case: &Case) -> Option<Doubt> {
+    let begins = |own: &Function| {
+        let signal = own.source.signal(case, template.metre).ok()?;
+        match &*signal {
+            Signal::Table(table) if !own.is_cut => table.times().first().copied(),
+            Signal::Table(_) | Signal::Sine { .. } | Signal::Motion(..) => None,
+        }
+    };
+    let mut all = functions(template).filter(|own| !own.source.is_sampled());
+    let found = all.find_map(|own| Some((begins(&own).filter(|t| *t < 0.0)?, own.name)));
+    let displaced = || {
+        template.supports.iter().find_map(|own| {
+            let is_given = own.acceleration().is_none();
+            let motion = is_given.then(|| own.in_case(case, template.metre, true).ok())??;
+            let first = motion.points().into_iter().next().filter(|t| *t < 0.0)?;
+            Some((first, format!("support {}", own.full_name())))
+        })
+    };
+    let (first, name) = found.or_else(displaced)?;
+    Some((
+        Warning::TimeBefore,
+        format!("{name} begins at {}", short(first)),
+    ))
 }
 
 fn of_source(

@@ -2,11 +2,12 @@
 
 use super::doubt::Doubt;
 use super::masses::Masses;
-use super::{at_start, between_steps, directions, given, matrices, restitution};
-use crate::problem::Case;
+use super::{at_start, between_steps, directions, given, matrices, restitution, twice, weight};
+use crate::metrics::last_time;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::metrics::computed_ground;
+use crate::problem::{Case, ends_early};
 use crate::system::structure::Structure;
 
 impl StructureProblem {
@@ -18,19 +19,31 @@ impl StructureProblem {
         numbering: &Numbering,
     ) -> Vec<Doubt> {
         let template = &self.template;
+        let steps = self.computed_steps(case);
         let masses = Masses::new(structure, numbering);
         [
             given::spring_mass(template, case, &masses),
             given::damping_ratio(template, case),
+            twice::damped(template, case),
+            twice::none(template, case, structure),
             given::friction_coefficient(template, case),
+            given::radius(template, case),
+            weight::far(template, case, structure),
             given::colliding_mass(template, case, &masses),
             matrices::periods(template, structure),
-            given::idle_gravity(template, case),
+            given::idle_gravity(template, case)
+                .or_else(|| weight::along_friction(template, case, structure)),
             given::wave_speed(template, case),
             directions::of_one_body(template, case),
             at_start::closed(structure),
             at_start::at_once(structure),
-            self.computed_steps(case).and_then(|steps| {
+            between_steps::before(template, case),
+            steps.and_then(|steps| self.long_step(structure, numbering, steps)),
+            steps.and_then(|steps| {
+                given::support_drift(template, case, steps.dt * steps.last as f64)
+            }),
+            self.ends_early(case),
+            steps.and_then(|steps| {
                 let cut = computed_ground::cut(template, case, steps);
                 cut.or_else(|| between_steps::missed(template, case, steps))
             }),
@@ -39,5 +52,11 @@ impl StructureProblem {
         .into_iter()
         .flatten()
         .collect()
+    }
+
+    /// A duration that is no multiple of the step.
+    fn ends_early(&self, case: &Case) -> Option<Doubt> {
+        let (step, duration) = (case.at(self.schema.step)?, case.at(self.schema.duration)?);
+        last_time(duration, step).map(ends_early)
     }
 }

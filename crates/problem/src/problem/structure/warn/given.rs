@@ -3,14 +3,15 @@
 use super::doubt::Doubt;
 use super::masses::Masses;
 use crate::problem::Case;
+use crate::problem::numbers::short::short;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::given::amount::Amount;
-use crate::problem::structure::given::short::short;
 use crate::problem::structure::metrics::unit_consistency::size_of;
 use crate::problem::structure::metrics::units::UnitNames;
 use crate::problem::structure::parts::contacts::law_named;
 use crate::problem::structure::parts::template::{SpringNumbers, StaticLoad, Template};
 use crate::solve::Warning;
+use crate::system::structure::{Baseline, Signal};
 
 /// Part of a mass by which a spring's may differ from it: masses are rounded.
 const ROUNDED: f64 = 0.01;
@@ -20,6 +21,9 @@ const FAR: f64 = 2.0;
 
 /// Above it, a coefficient of friction is one in percent.
 const COEFFICIENT: f64 = 2.0;
+
+/// Radius of a pendulum in m: those of bearings are below 10 m, those of domes below 100 m.
+const RADIUS: f64 = 100.0;
 
 /// Wave speeds of materials of bars in m/s.
 const SPEEDS: [f64; 2] = [500.0, 8000.0];
@@ -61,6 +65,47 @@ pub fn damping_ratio(template: &Template, case: &Case) -> Option<Doubt> {
         let own = ratio.value(case).ok().filter(|own| *own > 1.0)?;
         let text = format!("{} is {}", ratio.path, short(own));
         Some((Warning::DampingRatio, text))
+    })
+}
+
+/// A pendulum with a radius above 100 m, if the units say so.
+pub fn radius(template: &Template, case: &Case) -> Option<Doubt> {
+    if template.units.is_empty() {
+        return None;
+    }
+    template.contacts.iter().find_map(|contact| {
+        law_named(contact.law.name(case)).filter(|law| law.has("R"))?;
+        let radius = contact.number("R")?;
+        let own = radius.value(case).ok()? * template.metre;
+        let text = || format!("{} is {} m", radius.path, short(own));
+        (own > RADIUS).then(|| (Warning::LargeRadius, text()))
+    })
+}
+
+/// A support with a sine acceleration from rest, whose velocity has a mean.
+pub fn support_drift(template: &Template, case: &Case, end: f64) -> Option<Doubt> {
+    template.supports.iter().find_map(|own| {
+        let acceleration = own.acceleration()?;
+        let signal = acceleration.source.signal(case, template.metre).ok()?;
+        let Signal::Sine {
+            omega,
+            phase,
+            amplitude,
+        } = *signal
+        else {
+            return None;
+        };
+        // v(t) = (cos(phase) - cos(omega t + phase)) amplitude/omega; u oscillates by amplitude/omega^2.
+        let drift = (libm::cos(phase) * omega * end).abs();
+        let is_removed = own.baseline != Baseline::None;
+        (amplitude != 0.0 && drift > 1.0 && !is_removed).then(|| {
+            let text = format!(
+                "support {} drifts by {} times the amplitude of its displacement",
+                own.full_name(),
+                short((drift * 10.0).round() / 10.0)
+            );
+            (Warning::SupportDrift, text)
+        })
     })
 }
 

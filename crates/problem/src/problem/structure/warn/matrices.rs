@@ -1,8 +1,8 @@
 //! Natural periods of matrices that no structure has.
 
 use super::doubt::Doubt;
+use crate::problem::numbers::short::short;
 use crate::problem::numbers::unit::Dimension;
-use crate::problem::structure::given::short::short;
 use crate::problem::structure::metrics::unit_consistency::size_of;
 use crate::problem::structure::metrics::units::UnitNames;
 use crate::problem::structure::parts::template::Template;

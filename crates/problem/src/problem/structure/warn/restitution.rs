@@ -2,7 +2,7 @@
 
 use super::doubt::Doubt;
 use crate::problem::Case;
-use crate::problem::structure::given::short::short;
+use crate::problem::numbers::short::short;
 use crate::problem::structure::model::contact_duration;
 use crate::problem::structure::parts::contact;
 use crate::problem::structure::parts::contacts::law_named;

@@ -1,0 +1,58 @@
+//! Damping that is given twice, and none at all.
+
+use super::doubt::Doubt;
+use crate::contact::ContactKind;
+use crate::problem::Case;
+use crate::problem::structure::given::amount::Amount;
+use crate::problem::structure::given::loads::Kind;
+use crate::problem::structure::parts::template::{SpringNumbers, Template};
+use crate::solve::Warning;
+use crate::system::structure::Structure;
+
+/// Damping in all modes beside other damping.
+pub fn damped(template: &Template, case: &Case) -> Option<Doubt> {
+    let acts = |amount: &Amount| amount.value(case).is_ok_and(|value| value != 0.0);
+    let ratio = template
+        .springs
+        .iter()
+        .find_map(|spring| match &spring.numbers {
+            SpringNumbers::Period { ratio, .. } => ratio.as_ref().filter(|ratio| acts(ratio)),
+            SpringNumbers::Stiffness { .. } => None,
+        });
+    let matrices = template.matrices.iter().find(|own| {
+        let damping = own.in_case(case).damping.iter();
+        damping.flat_map(|own| own.entries()).any(|(_, c)| c != 0.0)
+    });
+    let parts = ratio.map(|ratio| ratio.path.clone());
+    let parts = parts.or_else(|| matrices.map(|own| format!("{}.C", own.place.1)));
+    let modal = template.modal_damping.as_ref().filter(|own| acts(own));
+    let rayleigh = template.rayleigh.iter().flatten().find(|own| acts(own));
+    let given = [
+        modal.map(|own| own.path.clone()),
+        rayleigh.map(|own| own.path.clone()),
+        parts,
+    ];
+    let given: Vec<String> = given.into_iter().flatten().collect();
+    (given.len() > 1).then(|| (Warning::DampedTwice, given.join(" and ")))
+}
+
+/// Impacts under an earthquake without any damping.
+pub fn none(template: &Template, case: &Case, structure: &Structure) -> Option<Doubt> {
+    let impact = structure
+        .contacts
+        .iter()
+        .find(|own| own.law.kind() == ContactKind::Impact)?;
+    let ground = template.ground.iter().map(|(_, ground)| ground);
+    let supports = template
+        .supports
+        .iter()
+        .filter_map(|own| own.acceleration());
+    let is_earthquake = ground.chain(supports).any(|own| {
+        let moves = |kind: &Kind| matches!(kind, Kind::Record { .. } | Kind::Synthetic { .. });
+        let scale = own.scale.as_ref().map(|scale| scale.value(case));
+        moves(own.source.kind()) && scale != Some(Ok(0.0))
+    });
+    let is_undamped = || structure.damping.entries().all(|(_, c)| c == 0.0);
+    (is_earthquake && is_undamped())
+        .then(|| (Warning::Undamped, format!("contact {}", impact.name)))
+}

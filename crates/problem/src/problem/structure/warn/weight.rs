@@ -1,0 +1,182 @@
+//! Bearings whose normal forces are not the weight on them.
+
+use super::doubt::Doubt;
+use crate::contact::ContactKind;
+use crate::problem::Case;
+use crate::problem::numbers::short::short;
+use crate::problem::structure::parts::contact::{Contact as Given, Normal};
+use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::template::{StaticLoad, Template};
+use crate::solve::Warning;
+use crate::system::loads::STANDARD_GRAVITY;
+use crate::system::structure::{Contact, Direction, Structure};
+
+/// Factor by which N together is far from the weight; t for kN is 9.81, and one bearing of a continuous girder has its own share.
+const FAR: f64 = 4.0;
+
+/// K times a displacement as a whole, over the largest entry of K: below it no spring holds the part.
+const FREE: f64 = 1e-6;
+
+/// Most of gravity in m/s2 that is not all of it: a part of it may act along a slope.
+const WHOLE: f64 = 9.0;
+
+/// A part of a structure in one direction, which no spring holds there.
+struct Body<'a> {
+    mass: f64,
+    /// The sum of N of its contacts, and the name of the first one.
+    normal: f64,
+    first: &'a str,
+}
+
+/// A part that rests on contacts with N alone.
+pub fn far(template: &Template, case: &Case, structure: &Structure) -> Option<Doubt> {
+    let has_normal = |own: &Given| own.normal.is_some();
+    if template.units.is_empty() || !template.contacts.iter().any(has_normal) {
+        return None;
+    }
+    let gravity = STANDARD_GRAVITY / template.metre;
+    let part = structure.parts();
+    let parts = (0..structure.len()).filter(|node| part[*node] == *node);
+    let bodies = parts.flat_map(|own| [Direction::X, Direction::Y, Direction::Z].map(|d| (own, d)));
+    let of = Parts {
+        template,
+        case,
+        structure,
+        part: &part,
+    };
+    bodies.filter_map(|own| of.body(own)).find_map(|body| {
+        let weight = body.mass * gravity;
+        let fits = (weight / FAR..=weight * FAR).contains(&body.normal);
+        let text = || {
+            format!(
+                "N is {} in all, of contact {} and those beside it, under a mass with the weight {}",
+                short(body.normal),
+                body.first,
+                short(weight)
+            )
+        };
+        (!fits).then(|| (Warning::NormalWeight, text()))
+    })
+}
+
+/// Gravity along the contacts of a part that friction alone holds in its direction.
+pub fn along_friction(template: &Template, case: &Case, structure: &Structure) -> Option<Doubt> {
+    let (direction, amount) = template.at_rest.iter().find_map(|load| match load {
+        StaticLoad::Gravity(direction, amount) => Some((*direction, amount)),
+        StaticLoad::Force(..) => None,
+    })?;
+    let is_whole = amount.value(case).ok()?.abs() * template.metre > WHOLE;
+    if template.units.is_empty() || !is_whole {
+        return None;
+    }
+    let part = structure.parts();
+    let of = Parts {
+        template,
+        case,
+        structure,
+        part: &part,
+    };
+    let mut parts = (0..structure.len()).filter(|node| part[*node] == *node);
+    let contact = parts.find_map(|own| {
+        let own = (own, direction);
+        of.free_mass(own)?;
+        let contacts = structure.contacts.iter();
+        let mut contacts = contacts
+            .filter(|contact| of.touches(contact, own))
+            .peekable();
+        let first = contacts.peek()?.name.clone();
+        let is_friction = |contact: &Contact| contact.law.kind() == ContactKind::Friction;
+        contacts.all(is_friction).then_some(first)
+    })?;
+    let text = format!(
+        "in {} friction alone holds a part, contact {contact} first",
+        direction.name()
+    );
+    Some((Warning::IdleGravity, text))
+}
+
+/// A structure by its parts.
+struct Parts<'a> {
+    template: &'a Template,
+    case: &'a Case,
+    structure: &'a Structure,
+    /// The part of each node.
+    part: &'a [usize],
+}
+
+impl Parts<'_> {
+    /// A part that contacts with N hold in a direction, and nothing else.
+    fn body(&self, own: (usize, Direction)) -> Option<Body<'_>> {
+        let mass = self.free_mass(own)?;
+        let mut body = Body {
+            mass,
+            normal: 0.0,
+            first: "",
+        };
+        let contacts = self.template.contacts.iter().zip(&self.structure.contacts);
+        for (given, contact) in contacts {
+            if !self.touches(contact, own) {
+                continue;
+            }
+            match contact.law.kind() {
+                ContactKind::Impact => continue,
+                // A bearing without N carries weight, a damper does not.
+                ContactKind::Link if contact.initial_stiffness() > 0.0 => return None,
+                ContactKind::Link => continue,
+                ContactKind::Friction => {}
+            }
+            let others = contact.along.iter().map(|(node, _)| *node);
+            let mut others = others.filter(|node| self.part[*node] != own.0);
+            // What lies on another part may have others on itself.
+            if others.any(|node| self.free_mass((self.part[node], own.1)).is_some()) {
+                return None;
+            }
+            body.normal += self.normal(given)?;
+            if body.first.is_empty() {
+                body.first = &given.name;
+            }
+        }
+        (!body.first.is_empty()).then_some(body)
+    }
+
+    /// N at rest, if it is a number.
+    fn normal(&self, contact: &Given) -> Option<f64> {
+        law_named(contact.law.name(self.case)).filter(|law| law.has("nu"))?;
+        match contact.normal.as_ref()? {
+            Normal::Constant(normal) => normal.value(self.case).ok(),
+            Normal::Weight { weight, .. } => weight.value(self.case).ok(),
+            Normal::Table(_) | Normal::Parts(_) => None,
+        }
+    }
+
+    fn touches(&self, contact: &Contact, own: (usize, Direction)) -> bool {
+        contact.along.iter().any(|(node, _)| self.is_in(*node, own))
+    }
+
+    fn is_in(&self, node: usize, (part, direction): (usize, Direction)) -> bool {
+        self.part[node] == part && self.structure.nodes[node].direction == direction
+    }
+
+    /// The mass of a part in a direction, > 0, if no spring holds it there.
+    fn free_mass(&self, own: (usize, Direction)) -> Option<f64> {
+        let size = self.structure.len();
+        let whole = |node| f64::from(u8::from(self.is_in(node, own)));
+        let moved: Vec<f64> = (0..size).map(whole).collect();
+        let mut force = vec![0.0; size];
+        self.structure.stiffness.add_product(&moved, &mut force);
+        let largest = self.structure.stiffness.largest();
+        if force.iter().any(|force| force.abs() > FREE * largest) {
+            return None;
+        }
+        let mut inertia = vec![0.0; size];
+        self.structure
+            .coupled_mass
+            .add_product(&moved, &mut inertia);
+        let own = self.structure.nodes.iter().zip(&inertia);
+        let mass = moved
+            .iter()
+            .zip(own)
+            .map(|(u, (node, coupled))| u * (node.mass + coupled));
+        Some(mass.sum()).filter(|mass: &f64| *mass > 0.0)
+    }
+}
