@@ -352,3 +352,123 @@ def test_contacts_loads_and_channels_name_tied_dofs(export: Callable[..., None],
     expected = [value for u in their_motion().T for value in (np.abs(u).max(), u[-1], np.sqrt((u**2).mean()))]
     # Round-off: both solve the same equations, and OpenSees stops at an unbalanced force of 1e-10.
     assert [float(found[metric]) for metric in METRICS] == pytest.approx(expected, rel=1e-8, abs=0)
+
+
+def plain(more: Callable[[], None] = lambda: None) -> None:
+    """A column in space with its top at node 2; `more` adds what a study has to know."""
+    ops.wipe()
+    ops.model("basic", "-ndm", 3, "-ndf", 6)
+    ops.geomTransf("Linear", 1, 1, 0, 0)
+    ops.node(1, 0.0, 0.0, 0.0)
+    ops.node(2, 0.0, 0.0, 5.0)
+    ops.node(3, 0.0, 0.0, 5.0)
+    for node in (1, 3):
+        ops.fix(node, 1, 1, 1, 1, 1, 1)
+    ops.mass(2, 50.0, 50.0, 50.0, 0.0, 0.0, 0.0)
+    ops.element("elasticBeamColumn", 1, 1, 2, 0.2, 3e7, 1.2e7, 0.003, 0.002, 0.002, 1)
+    more()
+
+
+def spring(material: str, *numbers: float) -> Callable[[], None]:
+    def add() -> None:
+        ops.uniaxialMaterial(material, 5, *numbers)
+        ops.element("zeroLength", 90, 3, 2, "-mat", 5, "-dir", 1)
+
+    return add
+
+
+def upper(transformation: str) -> Callable[[], None]:
+    def add() -> None:
+        ops.geomTransf(transformation, 7, 1, 0, 0)
+        ops.node(4, 0.0, 0.0, 9.0)
+        ops.mass(4, 10.0, 10.0, 10.0, 0.0, 0.0, 0.0)
+        ops.element("elasticBeamColumn", 90, 2, 4, 0.2, 3e7, 1.2e7, 0.003, 0.002, 0.002, 7)
+
+    return add
+
+
+def bearing() -> None:
+    ops.uniaxialMaterial("Elastic", 9, 1e6)
+    others = [part for key in ("-P", "-T", "-My", "-Mz") for part in (key, 9)]
+    ops.element("elastomericBearingPlasticity", 90, 3, 2, 5000.0, 50.0, 0.1, 0.0, 2.0, *others, "-orient", 0, 0, 1, 1, 0, 0)
+
+
+def hinge() -> None:
+    ops.node(4, 0.0, 0.0, 9.0)
+    ops.mass(4, 10.0, 10.0, 10.0, 0.0, 0.0, 0.0)
+    ops.uniaxialMaterial("Steel02", 1, 4e5, 2e8, 0.01, 18, 0.925, 0.15)
+    ops.section("Fiber", 1, "-GJ", 1e6)
+    ops.patch("rect", 1, 8, 8, -0.3, -0.3, 0.3, 0.3)
+    ops.beamIntegration("Lobatto", 1, 1, 5)
+    ops.element("forceBeamColumn", 90, 2, 4, 1, 1)
+
+
+CHANGING: dict[str, Callable[[], None]] = {
+    "bearing": bearing,
+    "fibres": hinge,
+    "corotational": upper("Corotational"),
+    "P-delta": upper("PDelta"),
+    "gap": spring("ElasticPPGap", 1e6, -1e9, -0.05),
+    "wide gap": spring("ElasticPPGap", 1e6, 1e9, 0.2),
+    "hook": spring("ENT", 1e6),
+    "damper": spring("Viscous", 500.0, 0.4),
+    "yielding": spring("Steel01", 100.0, 1e5, 0.01),
+}
+
+
+@pytest.mark.parametrize("case", CHANGING)
+def test_elements_whose_matrices_change_are_named(case: str, export: Callable[..., None], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    plain(CHANGING[case])
+    with pytest.raises(ValueError, match=r"1 elements .* \(element 90 of nodes") as refused:
+        export(tmp_path / "m")
+    assert "nonlinear=True" in str(refused.value) and not list(tmp_path.iterdir())
+    # The model is at its start again.
+    export(tmp_path / "m", nonlinear=True)
+    assert "element 90 of nodes" in capsys.readouterr().out
+    assert io.mmread(tmp_path / "m.K.mtx").toarray()[0, 0] >= 5760.0 - 1e-6
+
+
+@pytest.mark.parametrize("material", [("Elastic", 1e6), ("Viscous", 500.0, 1.0)])
+def test_linear_parts_beside_a_column_are_exported(material: tuple[Any, ...], export: Callable[..., None], tmp_path: Path) -> None:
+    plain(spring(*material))
+    ops.rayleigh(0.1, 0.0, 0.001, 0.0)
+    export(tmp_path / "m")
+    K, C = (io.mmread(tmp_path / f"m.{key}.mtx").toarray() for key in "KC")
+    # 12 EI/L^3; Rayleigh damping is that of the column, since springs without length have none unless it is asked for.
+    k, c = (1e6, 0.0) if material[0] == "Elastic" else (0.0, 500.0)
+    assert K[0, 0] == pytest.approx(5760.0 + k, rel=1e-12, abs=0)
+    assert C[0, 0] == pytest.approx(0.1 * 50.0 + 0.001 * 5760.0 + c, rel=1e-12, abs=0)
+
+
+def test_modal_damping_is_in_c(export: Callable[..., None], tmp_path: Path) -> None:
+    plain()
+    squares = ops.eigen("-fullGenLapack", 2)
+    ops.modalDamping(0.05)
+    export(tmp_path / "m")
+    C = io.mmread(tmp_path / "m.C.mtx").toarray()
+    # The two modes of bending have mass in x and y alone.
+    assert C.diagonal()[:3] == pytest.approx([*(2.0 * 0.05 * np.sqrt(squares) * 50.0), 0.0], rel=1e-9, abs=1e-12)
+
+
+def loaded(load: Callable[[], None]) -> Callable[[], None]:
+    def add() -> None:
+        ops.timeSeries("Linear", 1)
+        ops.pattern("Plain", 4, 1)
+        load()
+
+    return add
+
+
+@pytest.mark.parametrize(
+    ("load", "part"),
+    [
+        (lambda: ops.load(2, 10.0, 0, 0, 0, 0, 0), "a load on node 2"),
+        (lambda: ops.eleLoad("-ele", 1, "-type", "-beamUniform", 1.0, 1.0, 0.0), "a load on element 1"),
+        (lambda: ops.sp(2, 1, 0.01), "a motion of nodes"),
+    ],
+)
+def test_loads_are_refused(load: Callable[[], None], part: str, export: Callable[..., None], tmp_path: Path) -> None:
+    plain(loaded(load))
+    with pytest.raises(ValueError, match=f"pattern 4 has {part}"):
+        export(tmp_path / "m")
+    assert not list(tmp_path.iterdir())

@@ -11,6 +11,7 @@ mod preset;
 mod side_by_side;
 pub mod structure;
 pub mod table;
+mod times;
 
 pub use crate::problem::numbers::text::{Text, interned};
 pub use crate::problem::table::case::{Case, Violation};
@@ -34,6 +35,7 @@ use numbers::unit::Dimension;
 use std::sync::{Arc, LazyLock};
 use structure::{GroundMotion, Scheme, SetSpectra};
 use table::cases::Cases;
+use times::{ends_early, time_rules};
 
 /// A problem: its schema, and how one of its cases is solved and judged.
 ///
@@ -279,28 +281,3 @@ pub fn cases_without_contact(problem: &dyn Problem, table: &MetricTable) -> u64 
 
 /// Most steps of a run: a history of more, with its exact solution, would not fit in 2 GiB.
 pub const MOST_STEPS: u64 = 30_000_000;
-
-/// The note that a motion ends at this time, before its duration.
-fn ends_early(end: f64) -> (Warning, String) {
-    let text = format!("the last step is at {}", numbers::short::short(end));
-    (Warning::EndsEarly, text)
-}
-
-/// The rules that every problem has for its `step` and duration.
-fn time_rules(step_name: &'static str, step: f64, duration: f64) -> Vec<Violation> {
-    let message = if step > duration {
-        format!("must be at most duration = {duration}, got {step}")
-    } else if steps(duration, step) > MOST_STEPS {
-        format!(
-            "gives {:.3e} steps, at most {MOST_STEPS} fit in memory",
-            duration / step
-        )
-    } else {
-        return Vec::new();
-    };
-    vec![Violation {
-        parameter: step_name.into(),
-        message,
-        at: None,
-    }]
-}

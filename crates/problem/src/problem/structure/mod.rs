@@ -18,7 +18,6 @@ use super::{
     Case, HistoryColumn, MeasuredChannel, Problem, Samples, Schema, Solution, Violation, time_rules,
 };
 use crate::history::History;
-use crate::problem::numbers::short::short;
 pub use crate::problem::structure::described::ground::GroundMotion;
 pub use crate::problem::structure::described::scheme::picture::Scheme;
 pub use crate::problem::structure::given::set::SetSpectra;
@@ -288,7 +287,7 @@ impl Problem for StructureProblem {
         let mut text = describe::describe(&structure, &models, times, units, &restitutions);
         text += &listed::listed(&self.template, numbering.elements());
         text += &ground::described(&self.template, case, self.computed_steps(case)?);
-        text += &named_rows::described(&self.template, case, short);
+        text += &named_rows::described(&self.template, case);
         let dt = case.at(self.schema.step)?;
         if let Some(measured) = &self.template.measured
             && let Ok(compared) = measured.in_case(case, dt, self.steps(case))

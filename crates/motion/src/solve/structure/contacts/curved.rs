@@ -29,7 +29,7 @@ pub(crate) struct Curved {
     size: Vec<f64>,
     together: Vec<f64>,
     /// Of the contacts.
-    force: Vec<f64>,
+    pub(super) force: Vec<f64>,
 }
 
 impl Curved {
@@ -282,16 +282,6 @@ impl Curved {
             None => Ok(&self.force),
             Some(why) => Err(why),
         }
-    }
-
-    /// The first contact whose law is of a user's program and has no answer to the step, or to the motion without forces.
-    fn own_fault(&mut self, is_solved: bool) -> Option<Unsolved> {
-        let contacts = self.contacts.iter_mut().zip(&self.force).enumerate();
-        let mut faults = contacts.filter_map(|(contact, (own, force))| {
-            let why = own.own_fault(is_solved.then_some(*force))?;
-            Some(Unsolved::Own { contact, why })
-        });
-        faults.next()
     }
 
     /// Energy that the contacts store.

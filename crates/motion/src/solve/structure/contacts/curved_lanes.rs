@@ -14,6 +14,16 @@ use crate::system::structure::Structure;
 const SOFT: f64 = 1e200;
 
 impl Curved {
+    /// The first contact whose law is of a user's program and has no answer to the step, or to the motion without forces.
+    pub(super) fn own_fault(&mut self, is_solved: bool) -> Option<Unsolved> {
+        let contacts = self.contacts.iter_mut().zip(&self.force).enumerate();
+        let mut faults = contacts.filter_map(|(contact, (own, force))| {
+            let why = own.own_fault(is_solved.then_some(*force))?;
+            Some(Unsolved::Own { contact, why })
+        });
+        faults.next()
+    }
+
     /// Whether a contact's law may have several answers in a step.
     pub(crate) fn is_ambiguous(&self) -> bool {
         self.is_ambiguous_in(|_| true)

@@ -2,6 +2,7 @@
 
 mod damped;
 pub(crate) mod equilibrium;
+mod first_force;
 pub(crate) mod initial;
 pub(crate) mod instant;
 pub(crate) mod preload;

@@ -2,6 +2,7 @@
 
 use super::schema::Drawn;
 use crate::problem::Case;
+use crate::problem::numbers::short::short;
 use crate::problem::structure::given::node::NodeRef;
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::parts::template::{Moved, StaticLoad, Template};
@@ -49,13 +50,13 @@ pub fn named_rows(
 }
 
 /// What a reduction keeps in a case, for people.
-pub fn described(template: &Template, case: &Case, number: impl Fn(f64) -> String) -> String {
+pub fn described(template: &Template, case: &Case) -> String {
     let mut text = String::new();
     for matrices in &template.matrices {
         let Some(Ok(reduced)) = matrices.reduce.as_ref().map(|own| own.reduced(case)) else {
             continue;
         };
-        let [last, next] = reduced.frequencies().map(|own| own.map(&number));
+        let [last, next] = reduced.frequencies().map(|own| own.map(short));
         let last = last.map_or(String::new(), |last| format!(" up to the frequency {last}"));
         let next = match next {
             Some(next) => format!(", the first left out has {next}"),

@@ -1,6 +1,6 @@
 //! Motions of supports: an acceleration with its integrals from rest.
 
-use super::motion_pieces::{MotionFault, Piece, pieces, sine};
+use super::motion_pieces::{MotionFault, Piece, accelerations, pieces, sine};
 use crate::system::structure::{Baseline, Signal, Table};
 use libm::{cos, sin};
 use std::sync::Arc;
@@ -133,11 +133,11 @@ impl Motion {
         let finite = pieces
             .iter()
             .all(|piece| piece.values.iter().all(|x| x.is_finite()));
-        let accelerations = of_points(times, &secants, delay).filter(|_| finite);
-        let accelerations = accelerations.ok_or(MotionFault::NotFinite)?;
+        let shown = accelerations(times, &secants, delay).filter(|_| finite);
+        let shown = shown.ok_or(MotionFault::NotFinite)?;
         Ok(Motion {
             course: Course::Pieces(pieces),
-            accelerations: Some(Arc::new(accelerations)),
+            accelerations: Some(Arc::new(shown)),
         })
     }
 
@@ -289,28 +289,6 @@ impl Motion {
         }
         derivatives
     }
-}
-
-/// Accelerations at points with these slopes between them: the velocities that they make are 0 at both ends.
-fn of_points(times: &[f64], secants: &[f64], delay: f64) -> Option<Table> {
-    let (mut t, mut a) = (vec![delay + times[0]], vec![0.0]);
-    for (i, time) in times.iter().enumerate() {
-        let before = i.checked_sub(1);
-        let slope = |i: Option<usize>| i.and_then(|i| secants.get(i)).copied().unwrap_or(0.0);
-        let length = |i: usize| match times.get(i + 1) {
-            Some(next) => next - times[i],
-            None => 0.0,
-        };
-        let both = before.map_or(0.0, length) + length(i);
-        t.push(delay + time);
-        a.push(match both > 0.0 {
-            true => 2.0 * (slope(Some(i)) - slope(before)) / both,
-            false => 0.0,
-        });
-    }
-    t.extend(t.last().copied());
-    a.push(0.0);
-    Table::new(t, a)
 }
 
 #[cfg(test)]

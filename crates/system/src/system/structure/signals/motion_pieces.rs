@@ -63,6 +63,28 @@ pub(crate) fn pieces(
     Ok(pieces)
 }
 
+/// Accelerations at points with these slopes between them: the velocities that they make are 0 at both ends.
+pub(crate) fn accelerations(times: &[f64], secants: &[f64], delay: f64) -> Option<Table> {
+    let (mut t, mut a) = (vec![delay + times[0]], vec![0.0]);
+    for (i, time) in times.iter().enumerate() {
+        let before = i.checked_sub(1);
+        let slope = |i: Option<usize>| i.and_then(|i| secants.get(i)).copied().unwrap_or(0.0);
+        let length = |i: usize| match times.get(i + 1) {
+            Some(next) => next - times[i],
+            None => 0.0,
+        };
+        let both = before.map_or(0.0, length) + length(i);
+        t.push(delay + time);
+        a.push(match both > 0.0 {
+            true => 2.0 * (slope(Some(i)) - slope(before)) / both,
+            false => 0.0,
+        });
+    }
+    t.extend(t.last().copied());
+    a.push(0.0);
+    Table::new(t, a)
+}
+
 /// u, v and a of a sine at the time t after its start: the integrals from rest, without differences of nearly equal numbers.
 pub(crate) fn sine([amplitude, omega, phase]: [f64; 3], t: f64) -> [f64; 3] {
     let x = omega * t;
