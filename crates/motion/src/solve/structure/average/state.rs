@@ -8,6 +8,7 @@ use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::contacts::laws::{Line, bounds};
 use crate::solve::structure::contacts::static_friction::StaticFriction;
 use crate::solve::structure::inputs::loads::Inputs;
+use crate::solve::structure::inputs::pressing::Pressing;
 use crate::solve::structure::linear_part::moving::Moving;
 use crate::solve::structure::start::initial;
 use crate::solve::structure::{ContactStep, Prepared};
@@ -38,6 +39,8 @@ pub(crate) struct Average<'a, const L: usize> {
     pub(crate) moving: Option<Moving<L>>,
     /// Friction with two limits.
     pub(crate) two_limits: Option<StaticFriction>,
+    /// What presses in a step that is repeated.
+    pub(crate) pressing: Option<Pressing<L>>,
 }
 
 /// The motion of a contact, and its law.
@@ -278,6 +281,7 @@ impl<'a, const L: usize> Average<'a, L> {
             },
             moving: Moving::new(cases, dt, &prepared.method),
             two_limits: StaticFriction::new(cases),
+            pressing: None,
         };
         state.touch();
         state

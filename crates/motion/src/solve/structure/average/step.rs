@@ -1,6 +1,6 @@
 //! A step by the constant average acceleration method, in lanes.
 
-use super::state::{Average, ContactState, Nodes};
+use super::state::{Average, ContactState};
 use crate::lane::Lane;
 use crate::solve::structure::contacts::curved_lanes::meet_lane;
 use crate::solve::structure::contacts::laws::friction;
@@ -12,6 +12,14 @@ impl<const L: usize> Average<'_, L> {
     #[inline(always)]
     pub(crate) fn step(&mut self, step: usize) {
         self.step = step;
+        match self.inputs.limits_follow() {
+            true => self.repeat(step),
+            false => self.once(step),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn once(&mut self, step: usize) {
         self.prescribe(step);
         self.eliminate();
         self.meet(step);
@@ -37,15 +45,10 @@ impl<const L: usize> Average<'_, L> {
             self.prescribe_massless(step);
         }
         if self.inputs.limits_vary() {
-            let contacts = &self.contacts;
-            let force = |contact: usize| contacts[contact].force;
-            let nodes = Nodes {
-                prepared: self.prepared,
-                p: &self.p,
-                w: &self.w,
-                moved: &self.moved,
-            };
-            let motion = |node: usize| [nodes.displacement(node), nodes.velocity(node)];
+            let pressing = self.pressing.as_ref();
+            let zero = Lane::splat(0.0);
+            let force = |contact: usize| pressing.map_or(zero, |own| own.force[contact]);
+            let motion = |node: usize| pressing.map_or([zero; 2], |own| own.motion[node]);
             for (contact, limit, slides) in self.inputs.limits(step, force, motion) {
                 let [mut low, mut high] = self.forces.bounds(contact);
                 for (l, _) in slides.iter().enumerate().filter(|(_, slides)| **slides) {

@@ -15,7 +15,7 @@ use crate::contact::{AnyRunningLaw, ContactLaw, Unsolved};
 use crate::system::structure::{Chain, PlaneRow, Structure};
 
 /// The contacts of one structure.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Curved {
     forces: CurvedForces,
     pub(super) contacts: Vec<Contact>,

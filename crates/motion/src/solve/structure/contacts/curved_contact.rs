@@ -14,7 +14,7 @@ use crate::system::structure::{PlaneRow, Structure, StructureLaw};
 const SAME: f64 = 1e-8;
 
 /// A contact.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Contact {
     pub(crate) relation: StructureLaw,
     /// The law with its memory: the answer with the flexibility a, and the law itself, without flexibility.
@@ -70,8 +70,11 @@ impl Contact {
 
     /// Takes the mean rdot of the step before, from which on three points give rdot'.
     pub(crate) fn follow_from(&mut self, before: Option<f64>) {
-        if before.is_some() && self.before.is_none() {
-            self.scale = self.scale.by_three_points();
+        if before.is_some() != self.before.is_some() {
+            self.scale = match before {
+                Some(_) => self.scale.by_three_points(),
+                None => self.scale.by_two_points(),
+            };
             self.law.change(&self.now, &self.scale.steps(self.own));
             self.line = line(&self.relation, self.scale.pace);
         }

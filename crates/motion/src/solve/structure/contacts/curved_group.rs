@@ -211,7 +211,7 @@ impl Group {
 }
 
 /// The last y of a chain in a step and its answer, for which the search asks more than once.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct LastShares(RefCell<Option<(f64, Shares)>>);
 
 /// The groups over a step.

@@ -65,6 +65,14 @@ impl Scale {
         }
     }
 
+    /// The same in the first step.
+    pub(crate) fn by_two_points(self) -> Scale {
+        Scale {
+            pace: 1.0 / self.dt,
+            ..self
+        }
+    }
+
     /// rdot' of a contact at a node without mass that changes by this; `before` is (r - r(i-1))/dt if three points give it.
     pub(crate) fn massless_rate(self, change: f64, before: Option<f64>) -> f64 {
         let own = change / self.dt;

@@ -26,10 +26,9 @@ pub(crate) struct TwoLimits {
     pub(crate) lane: usize,
     /// Ls/L > 1.
     ratio: f64,
-    /// L at the end of the step, and the mean of both ends; where other parts press, they do so as at the start of the step.
+    /// L at the end of the step, and the mean of both ends.
     limit: f64,
     mean: f64,
-    is_pressed: bool,
     /// Whether the lower end and the upper one are kinetic.
     kinetic: [bool; 2],
     /// The force at the start of the step in the balance: what S is the mean with.
@@ -48,7 +47,6 @@ impl StaticFriction {
             for (contact, own) in case.contacts.iter().enumerate() {
                 let ratio = own.law.static_ratio();
                 if ratio > 1.0 {
-                    let is_pressed = (own.law.limit()).is_some_and(|own| own.pressed_by.is_some());
                     let limit = own.law.limit().map_or(0.0, |limit| limit.at(0.0));
                     let rate = case.relative(contact, &case.velocity);
                     all.push(TwoLimits {
@@ -57,7 +55,6 @@ impl StaticFriction {
                         ratio,
                         limit,
                         mean: limit,
-                        is_pressed,
                         kinetic: [rate < 0.0, rate > 0.0],
                         start: None,
                     });
@@ -71,10 +68,7 @@ impl StaticFriction {
     pub(crate) fn limit<const L: usize>(&mut self, contact: usize, limit: Lane<L>) {
         for own in self.0.iter_mut().filter(|own| own.contact == contact) {
             let limit = limit.0[own.lane];
-            own.mean = match own.is_pressed {
-                true => limit,
-                false => 0.5 * (own.limit + limit),
-            };
+            own.mean = 0.5 * (own.limit + limit);
             own.limit = limit;
         }
     }

@@ -18,6 +18,7 @@ mod curved;
 mod held;
 mod mass;
 mod meet;
+mod repeat;
 mod rigid;
 mod stages;
 mod start;

@@ -11,6 +11,7 @@ use crate::solve::structure::contacts::static_friction::StaticFriction;
 use crate::solve::structure::general::held::corrections::Corrections;
 use crate::solve::structure::general::held::impacts::Impacts;
 use crate::solve::structure::inputs::loads::Inputs;
+use crate::solve::structure::inputs::pressing::Pressing;
 use crate::solve::structure::linear_part::moving::Moving;
 
 /// The state of L structures after a step.
@@ -47,6 +48,8 @@ pub(crate) struct General<'a, const L: usize> {
     pub(super) refused: [Option<Unsolvable>; L],
     /// Friction with two limits.
     pub(super) two_limits: Option<StaticFriction>,
+    /// What presses in a sub-step that is repeated.
+    pub(super) pressing: Option<Pressing<L>>,
 }
 
 /// The motion at one time.

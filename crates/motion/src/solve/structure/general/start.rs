@@ -111,6 +111,7 @@ impl<'a, const L: usize> General<'a, L> {
             moving,
             refused,
             two_limits: StaticFriction::new(cases),
+            pressing: None,
         };
         state.touch(parts.len());
         state

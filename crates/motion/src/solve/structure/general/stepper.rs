@@ -15,13 +15,17 @@ impl<const L: usize> General<'_, L> {
         let parts = self.prepared.sub_steps.len();
         self.stages.swap(0, parts);
         for part in 0..parts {
-            self.sub_step(part, (step - 1) * parts + part + 1);
+            let end = (step - 1) * parts + part + 1;
+            match self.inputs.limits_follow() {
+                true => self.repeat(part, end),
+                false => self.sub_step(part, end),
+            }
         }
     }
 
     /// The sub-step `part` of a step; `end` is the number of its end among all sub-steps.
     #[inline(always)]
-    fn sub_step(&mut self, part: usize, end: usize) {
+    pub(super) fn sub_step(&mut self, part: usize, end: usize) {
         self.prescribe(part, end);
         self.eliminate(part);
         self.meet(part, end);
@@ -85,11 +89,10 @@ impl<const L: usize> General<'_, L> {
         }
         if self.inputs.limits_vary() {
             let forces = &mut self.forces[part];
-            let start = &self.stages[part].contacts;
-            let force = |contact: usize| start[contact][2];
-            let nodes = &self.stages[part].nodes;
-            let place = &self.prepared.place;
-            let motion = |node: usize| [nodes[place[node]][0], nodes[place[node]][1]];
+            let pressing = self.pressing.as_ref();
+            let zero = Lane::splat(0.0);
+            let force = |contact: usize| pressing.map_or(zero, |own| own.force[contact]);
+            let motion = |node: usize| pressing.map_or([zero; 2], |own| own.motion[node]);
             for (contact, limit, slides) in self.inputs.limits(end, force, motion) {
                 let [mut low, mut high] = self.contacts[contact].bounds;
                 for (l, _) in slides.iter().enumerate().filter(|(_, slides)| **slides) {

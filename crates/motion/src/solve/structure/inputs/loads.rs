@@ -185,8 +185,13 @@ impl<const L: usize> Inputs<L> {
         !self.limits.is_empty()
     }
 
-    /// The limits that change, at a step: contact, limit, and the lanes that have it. `force` gives the forces of contacts at the
-    /// start of the step, `motion` u and u' of nodes there.
+    /// Whether other contacts or springs press any contact.
+    pub(crate) fn limits_follow(&self) -> bool {
+        self.limits.iter().any(|own| !own.pressed_by.is_empty())
+    }
+
+    /// The limits that change, at a step: contact, limit, and the lanes that have it. `force` gives the forces of contacts
+    /// that press, `motion` u and u' of nodes.
     #[inline(always)]
     pub(crate) fn limits<'a>(
         &'a self,

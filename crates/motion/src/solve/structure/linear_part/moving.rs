@@ -10,6 +10,8 @@ use std::sync::Arc;
 pub(crate) struct Moving<const L: usize> {
     /// Length of the steps, or sub-steps, that [`Moving::advance`] counts.
     dt: f64,
+    /// The end that was reached last.
+    reached: Option<usize>,
     /// [`Method::load_weights`].
     weights: Vec<f64>,
     supports: Vec<Support<L>>,
@@ -65,6 +67,7 @@ impl<const L: usize> Moving<L> {
         let mut moving = Moving {
             dt: dt / method.count_of_sub_steps() as f64,
             weights: method.load_weights(),
+            reached: None,
             supports: supports.collect(),
             factors: (0..contacts).map(factors).collect(),
             start: vec![zero; contacts],
@@ -74,8 +77,12 @@ impl<const L: usize> Moving<L> {
         Some(moving)
     }
 
-    /// Moves the supports to the end of step `end`.
+    /// Moves the supports to the end of step `end`, once.
     pub(crate) fn advance(&mut self, end: usize) {
+        if self.reached == Some(end) {
+            return;
+        }
+        self.reached = Some(end);
         let t = end as f64 * self.dt;
         for support in &mut self.supports {
             for (l, motion) in support.motions.iter().enumerate() {

@@ -7,7 +7,7 @@ use crate::solve::structure::general::contacts::LaneContact;
 use crate::system::structure::Structure;
 
 /// What the corrections need.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Corrections<const L: usize> {
     /// dt^2 M^-1 B by columns: places and values.
     pub(crate) columns: Vec<Vec<(usize, f64)>>,

@@ -4,7 +4,7 @@ use crate::solve::structure::Prepared;
 use crate::solve::structure::general::contacts::LaneContact;
 
 /// What rigid stops and Coulomb friction of the method of Moreau and Jean need.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Impacts<const L: usize> {
     /// The stops that are active in the step.
     pub(crate) active: Vec<[bool; L]>,

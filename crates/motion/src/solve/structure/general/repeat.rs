@@ -1,0 +1,54 @@
+//! A sub-step whose friction limits follow the forces of other parts at its end.
+
+use super::stages::General;
+use crate::lane::Lane;
+use crate::solve::structure::inputs::pressing::Pressing;
+
+impl<const L: usize> General<'_, L> {
+    /// Does a sub-step until the limits are those of its end.
+    #[cold]
+    pub(super) fn repeat(&mut self, part: usize, end: usize) {
+        let (start, force) = (self.stages[part].clone(), self.force.clone());
+        let curved = self.curved.get(part).cloned();
+        let (two_limits, impacts) = (self.two_limits.clone(), self.impacts.clone());
+        let corrections = self.corrections.clone();
+        // A force that acts over the whole step is that of the time at which springs have theirs.
+        let sub_step = &self.prepared.sub_steps[part].sub_step;
+        let acts_at = match sub_step.forces {
+            [0.0, _] => sub_step.weights[1],
+            [_, _] => 1.0,
+        };
+        let (force_now, motion) = self.pressed_by(part, 0.0);
+        self.pressing = Some(Pressing::new(force_now, motion));
+        loop {
+            self.sub_step(part, end);
+            let (force_now, motion) = self.pressed_by(part, acts_at);
+            let inputs = (&self.inputs, end);
+            let pressing = self.pressing.as_mut();
+            if pressing.is_none_or(|own| own.follow(inputs, &force_now, &motion)) {
+                break;
+            }
+            self.stages[part].clone_from(&start);
+            self.force.clone_from(&force);
+            if let (Some(own), Some(curved)) = (self.curved.get_mut(part), &curved) {
+                own.clone_from(curved);
+            }
+            self.two_limits.clone_from(&two_limits);
+            self.impacts.clone_from(&impacts);
+            self.corrections.clone_from(&corrections);
+        }
+        self.pressing = None;
+    }
+
+    /// S of the contacts at the start or the end of a sub-step, and u and u' of the nodes at this part of it.
+    fn pressed_by(&self, part: usize, at: f64) -> (Vec<Lane<L>>, Vec<[Lane<L>; 2]>) {
+        let [start, end] = [&self.stages[part], &self.stages[part + 1]];
+        let own = if at > 0.0 { end } else { start };
+        let force = own.contacts.iter().map(|[_, _, force]| *force);
+        let motion = self.prepared.place.iter().map(|place| {
+            let [start, end] = [start.nodes[*place], end.nodes[*place]];
+            [0, 1].map(|i| start[i] + (end[i] - start[i]) * at)
+        });
+        (force.collect(), motion.collect())
+    }
+}
