@@ -255,13 +255,13 @@ fn a_contact_presses_another_one() {
         // Round-off of a force of 20 that rests.
         assert!((a - b).abs() < 1e-11, "{found:?} {expected:?}");
     }
-    // With vertical motion, the force of the step before is one step late: the error is of first order.
+    // With vertical motion the block slides and sticks: of second order, within what its stops within a step change.
     let last = |dt: f64| metrics(&block(pressed.clone(), 4.0, dt))[3];
     let reference = last(6.25e-5);
     let [coarse, fine] = [4e-3, 1e-3].map(|dt| (last(dt) - reference).abs());
     let ratio = coarse / fine;
     assert!(
-        (2.5..8.0).contains(&ratio) && fine < 1e-3,
+        (12.0..30.0).contains(&ratio) && fine < 1e-4,
         "{coarse:e} {fine:e}"
     );
     let unknown = fault(&block(json!({"contact": "flor"}), 0.0, 0.01));

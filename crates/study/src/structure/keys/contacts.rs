@@ -86,5 +86,5 @@ pub(crate) const WEIGHT: Keys = &[
 /// The key of a normal force that other parts have.
 pub(crate) const PRESSING: Keys = &[(
     "contact",
-    "name of an impact contact or of a spring, or a list of names: N is the sum of max(-S, 0), with their S at the start of each step",
+    "name of an impact contact or of a spring, or a list of names: N is the sum of max(-S, 0), with their S at the end of each step",
 )];

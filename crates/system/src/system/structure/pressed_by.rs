@@ -2,7 +2,7 @@
 
 use super::{Spring, Structure};
 
-/// The normal force of a friction contact by other parts: the sum of max(-S, 0) over them, with S at the start of a step.
+/// The normal force of a friction contact by other parts: the sum of max(-S, 0) over them, with S at the end of a step.
 #[derive(Debug, Clone, Default)]
 pub struct PressedBy {
     /// The coefficient of friction, by which the force is multiplied.

@@ -166,7 +166,7 @@ pub struct Limit {
     pub varying: Option<(f64, Arc<Signal>)>,
     /// How the coefficient of friction falls with the normal force; `None` if it does not.
     pub pressure: Option<Pressure>,
-    /// What presses the contact with its force at the start of a step, which is added.
+    /// What presses the contact with its force at the end of a step, which is added.
     pub pressed_by: Option<PressedBy>,
     /// Of Coulomb friction: up to so many times the limit a contact sticks, >= 1. 1 of other laws.
     pub static_ratio: f64,

@@ -5,7 +5,7 @@ use crate::solve::structure::contacts::curved::Curved;
 use crate::solve::structure::contacts::curved_lanes::curved_lanes;
 use crate::solve::structure::contacts::curved_step::Motion;
 use crate::solve::structure::contacts::forces::Forces;
-use crate::solve::structure::contacts::laws::{Line, bounds};
+use crate::solve::structure::contacts::laws::Line;
 use crate::solve::structure::contacts::static_friction::StaticFriction;
 use crate::solve::structure::inputs::loads::Inputs;
 use crate::solve::structure::inputs::pressing::Pressing;
@@ -255,7 +255,7 @@ impl<'a, const L: usize> Average<'a, L> {
         };
         let contacts: Vec<_> = (0..m).map(contact).collect();
         let bound = |c: usize| {
-            let side = |k: usize| of(&|case| bounds(&case.contacts[c], 0.0)[k]);
+            let side = |k: usize| of(&|case| initial::bounds_at_start(case, c)[k]);
             (contacts[c].line.compliance, [side(0), side(1)])
         };
         let mut forces = Forces::new(&prepared.flexibility, (0..m).map(bound));

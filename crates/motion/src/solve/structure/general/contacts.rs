@@ -3,7 +3,7 @@
 use crate::contact::ClippedLine;
 use crate::lane::Lane;
 use crate::methods::{Method, SubStep};
-use crate::solve::structure::contacts::laws::bounds;
+use crate::solve::structure::start::initial::bounds_at_start;
 use crate::system::structure::{Contact, Structure, StructureLaw};
 
 /// A contact of L structures.
@@ -175,10 +175,7 @@ impl<const L: usize> LaneContact<L> {
         let rigid = |law: &StructureLaw| law.line().is_some_and(ClippedLine::is_rigid);
         LaneContact {
             gap: of(|contact| contact.gap),
-            bounds: [
-                of(|contact| bounds(contact, 0.0)[0]),
-                of(|contact| bounds(contact, 0.0)[1]),
-            ],
+            bounds: [0, 1].map(|side| lanes(cases, |case| bounds_at_start(case, c)[side])),
             softness: of(|contact| softness(&contact.law)),
             by_force: of(|contact| match contact.law.line() {
                 Some(ClippedLine::Elastic { .. }) => softness(&contact.law),

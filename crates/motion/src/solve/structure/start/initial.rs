@@ -74,7 +74,7 @@ pub(crate) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
 }
 
 /// The bounds of a contact's force at t = 0, where static loads may press it.
-fn bounds_at_start(structure: &Structure, contact: usize) -> [f64; 2] {
+pub(crate) fn bounds_at_start(structure: &Structure, contact: usize) -> [f64; 2] {
     let own = &structure.contacts[contact];
     match own.law.limit().filter(|limit| limit.pressed_by.is_some()) {
         Some(limit) => {

@@ -78,7 +78,7 @@ pub enum Normal {
         /// a, the vertical acceleration.
         vertical: Scaled,
     },
-    /// The forces of other contacts and of springs at the start of each step.
+    /// The forces of other contacts and of springs at the end of each step.
     Parts(Vec<PressingPart>),
 }
 

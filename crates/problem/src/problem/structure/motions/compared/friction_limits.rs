@@ -24,15 +24,11 @@ pub fn of(
         .map(|contact| {
             let limit = contact.law.limit()?;
             let times = motion.time.iter().enumerate();
-            // Other parts press as they did at the start of the step.
-            let before = |step: usize, of: Number| {
-                let course = course(of).get(step.saturating_sub(1));
-                course.copied().unwrap_or(0.0)
-            };
+            let value = |step: usize, of: Number| course(of).get(step).copied().unwrap_or(0.0);
             let at = |step: usize, t: f64| {
-                let force = |other| before(step, Number::Contact(other, Quantity::Force));
+                let force = |other| value(step, Number::Contact(other, Quantity::Force));
                 let moving = |node| [Number::Displacement(node), Number::Velocity(node)];
-                limit.pressed_in(t, force, |node| moving(node).map(|of| before(step, of)))
+                limit.pressed_in(t, force, |node| moving(node).map(|of| value(step, of)))
             };
             Some(times.map(|(step, t)| at(step, *t)).collect())
         })
