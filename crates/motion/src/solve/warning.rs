@@ -125,8 +125,8 @@ warnings! {
         "have a `duration` that is no multiple of the time step: the last step is before it"
         "A note: `duration` over the time step is no whole number.",
     TimeBefore "time-before"
-        "have a file with times before 0: what is before 0 does not act"
-        "A note: a load, a motion or N is a table or file whose first time is below 0.",
+        "have a table with times before 0: what is before 0 does not act"
+        "A note: a load, a motion or N is a table whose first time is below 0. Files have a note of their own.",
     Restitution "restitution"
         "have an impact whose law gives a restitution that is not its target"
         "A note: two rigid bodies of `colliding_mass`, or of the masses of the nodes, part with a restitution that differs from `restitution` by more than 0.05.",

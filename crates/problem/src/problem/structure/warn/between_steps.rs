@@ -69,7 +69,7 @@ pub fn missed(template: &Template, case: &Case, steps: Steps) -> Option<Doubt> {
     Some((Warning::MotionCut, text))
 }
 
-/// The first load, motion or N by points that begins before t = 0.
+/// The first load, motion or N by points of the study that begins before t = 0; of files, notes of their reader tell it.
 pub fn before(template: &Template, case: &Case) -> Option<Doubt> {
     let begins = |own: &Function| {
         let signal = own.source.signal(case, template.metre).ok()?;
@@ -78,12 +78,15 @@ pub fn before(template: &Template, case: &Case) -> Option<Doubt> {
             Signal::Table(_) | Signal::Sine { .. } | Signal::Motion(..) => None,
         }
     };
-    let mut all = functions(template).filter(|own| !own.source.is_sampled());
+    let is_given = |own: &Function| matches!(own.source.kind(), Kind::Table { .. });
+    let mut all = functions(template).filter(is_given);
     let found = all.find_map(|own| Some((begins(&own).filter(|t| *t < 0.0)?, own.name)));
     let displaced = || {
         template.supports.iter().find_map(|own| {
-            let is_given = own.acceleration().is_none();
-            let motion = is_given.then(|| own.in_case(case, template.metre, true).ok())??;
+            let Course::Displacement(Points::List(_), _) = &own.course else {
+                return None;
+            };
+            let motion = own.in_case(case, template.metre, true).ok()?;
             let first = motion.points().into_iter().next().filter(|t| *t < 0.0)?;
             Some((first, format!("support {}", own.full_name())))
         })
