@@ -90,7 +90,7 @@ fn peaks_with_twelve_steps_err_by_some_percent() {
         )
     };
     let peaks = |count: f64| -> Vec<f64> {
-        bench.file("s.json", &study(0.5 / count));
+        bench.file("s.json", study(0.5 / count));
         bench.expect(0, &["run", "s.json"]);
         let table = bench.text("figures/s/results.csv");
         let rows = table.lines().skip(1);

@@ -223,7 +223,7 @@ impl<const L: usize> StepLaw<L> for Step<L> {
             let last = answer(s);
             let fault = own.fault(step(s).to[0], &last, &answer(s));
             let fault =
-                fault.or_else(|| (!is_root(s, round_off, &answer)).then_some(OwnFault::NoAnswer));
+                fault.or_else(|| (!is_root(s, round_off, answer)).then_some(OwnFault::NoAnswer));
             memory.0[l] = (last.state, fault);
             force.0[l] = s;
         }

@@ -56,7 +56,7 @@ impl<const L: usize> Pressing<L> {
             let stays = |(used, next): (&Lane<L>, &Lane<L>)| {
                 let [used, next] = [used.0[l], next.0[l]];
                 // Not a number: the lane has failed.
-                !((next - used).abs() > STAYS * next.max(used))
+                next.is_nan() || (next - used).abs() <= STAYS * next.max(used)
             };
             if used.iter().zip(&next).all(stays) {
                 self.settled[l] = true;
