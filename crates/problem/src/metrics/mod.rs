@@ -22,11 +22,10 @@ pub fn steps(duration: f64, step: f64) -> u64 {
     (duration / step * (1.0 + SLACK)) as u64
 }
 
-/// The time of the last step, if `duration` is no multiple of `step`.
-pub fn last_time(duration: f64, step: f64) -> Option<f64> {
-    let count = duration / step;
-    let ends_early = (count - count.round()).abs() > ROUNDED * count;
-    ends_early.then(|| steps(duration, step) as f64 * step)
+/// The time of the last of so many steps, if `duration` is no multiple of `step`.
+pub fn last_time(duration: f64, step: f64, last: u64) -> Option<f64> {
+    let end = last as f64 * step;
+    (duration - end > ROUNDED * duration).then_some(end)
 }
 
 /// Whether time `t` has reached `mark`, within the slack.

@@ -113,7 +113,7 @@ impl<W, M> OscillatorCase<W, M> {
     /// The time of the last step, if `duration` is no multiple of the step.
     #[inline(always)]
     pub fn ends_early(&self) -> Option<f64> {
-        last_time(self.duration, self.step)
+        last_time(self.duration, self.step, self.last)
     }
 
     /// The warnings of the case, which need no motion.

@@ -46,7 +46,7 @@ impl ImpactCase {
 
     /// The time of the last step, if `duration` is no multiple of the step.
     pub fn ends_early(&self) -> Option<f64> {
-        last_time(self.duration, self.dt)
+        last_time(self.duration, self.dt, self.last)
     }
 
     /// The system, and the scales of r, rdot and F in the problem.
