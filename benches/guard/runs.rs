@@ -45,7 +45,7 @@ const RUNS: [Run; 5] = [
             "gap": {"linspace": [0, 0.1, 16]}, "gamma": {"geomspace": [0.1, 10, CASES]}}"#,
         cases: [1024, 3072],
         format: "parquet",
-        recorded: 25_818,
+        recorded: 28_400,
     },
     Run {
         name: "run of bars, n = 40",
