@@ -7,7 +7,6 @@ mod laws;
 mod motions;
 mod negative;
 mod own_structure;
-mod pressed;
 mod records;
 mod reduction;
 mod series;
