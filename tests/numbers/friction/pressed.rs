@@ -96,3 +96,23 @@ fn a_neutral_system_does_not_grow() {
         }
     }
 }
+
+/// The belt is slow, so that the mass sticks to it at times: with 0.2 it does so for good.
+#[test]
+fn steps_tend_to_the_exact_motion_of_coulomb_friction_by_a_spring() {
+    for mu in [0.2, 0.4] {
+        let errors = |dt: f64| {
+            let asked = ["step_error(m.x)", "step_error(m.x.v)"];
+            let mut study = study(dt, 30.0, "average-acceleration", &asked);
+            study["structure"]["contacts"]["pad"]["nu"] = json!(mu);
+            study["structure"]["start"]["belt"]["v"] = json!(0.5);
+            metrics(&study)
+        };
+        let [coarse, fine] = [0.08, 0.01].map(errors);
+        for (coarse, fine) in coarse.iter().zip(&fine) {
+            // 8^2 of the second order; a stop and the begin of a slide are anywhere within a step.
+            let ratio = coarse / fine;
+            assert!((40.0..100.0).contains(&ratio), "{mu}: {coarse} {fine}");
+        }
+    }
+}

@@ -23,6 +23,7 @@ mod tableau;
 #[cfg(test)]
 mod tests;
 mod watched;
+mod widened;
 
 use super::events::{EventsFault, Model, State, StateBuffers};
 use crate::contact::ContactLaw;
@@ -31,6 +32,7 @@ use crate::exact::adaptive::watched::Watched;
 use crate::system::structure::Structure;
 use drive::Drive;
 use std::fmt;
+use widened::Widened;
 
 /// Most degrees of freedom.
 pub const MOST_NODES: usize = 100;
@@ -130,6 +132,22 @@ impl std::error::Error for AdaptiveFault {}
 /// Computes the motion from t = 0 with a tolerance. Calls `visit(i, state)` at `times[i]`, finite numbers that rise from a number
 /// >= 0. Only these nodes matter: u and u' of others have no meaning.
 pub fn run_of(
+    structure: &Structure,
+    nodes: &[usize],
+    times: &[f64],
+    tolerance: f64,
+    mut visit: impl FnMut(usize, &State),
+) -> Result<(), AdaptiveFault> {
+    let Some((planes, mut widened)) = Widened::new(structure) else {
+        return run_planes(structure, nodes, times, tolerance, visit);
+    };
+    run_planes(&planes, nodes, times, tolerance, |i, state| {
+        visit(i, &widened.given(state));
+    })
+}
+
+/// The same for friction without compliance in planes only.
+fn run_planes(
     structure: &Structure,
     nodes: &[usize],
     times: &[f64],

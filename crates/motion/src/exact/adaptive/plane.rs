@@ -7,6 +7,9 @@ use crate::contact::plane::{self, Pair, PlaneLaw, PlaneStep, dot, length};
 /// Relative size of values that are round-off.
 const ROUND_OFF: f64 = 1e-15;
 
+/// Round-off of a mean velocity in a step over the terms of the displacement and the step.
+const ROUND_OFF_OF_MEAN: f64 = 1e-14;
+
 /// Speed over the largest one so far, below which a rigid contact that slides has come to rest: its way from there is 1e-18 of the whole.
 const STOPS: f64 = 1e-9;
 
@@ -27,6 +30,42 @@ pub struct PlaneContact {
     largest: [f64; 2],
     /// Largest speed so far.
     speed: f64,
+    /// The last end of a step, if a rigid contact slides along its first direction there: nothing turns then.
+    on_line: Option<OnLine>,
+}
+
+/// The motion on a line at the end of a step.
+#[derive(Debug, Clone, Copy)]
+struct OnLine {
+    t: f64,
+    r: f64,
+    rdot: f64,
+    /// Sum of the sizes of the terms of r.
+    size: f64,
+}
+
+impl OnLine {
+    /// The least velocity from here to a state, in the direction of the one here: of the parabola with both velocities and their mean.
+    fn least_velocity(&self, state: &PlaneState) -> Watched {
+        let (h, way) = (state.t - self.t, self.rdot.signum());
+        let [start, end] = [self.rdot, state.rdot[0]].map(|rdot| way * rdot);
+        let mean = way * (state.r[0] - self.r) / h;
+        let curvature = 3.0 * (start + end) - 6.0 * mean;
+        let slope = end - start - curvature;
+        let lowest = -slope / (2.0 * curvature);
+        let dips = end > 0.0 && curvature > 0.0 && 0.0 < lowest && lowest < 1.0;
+        Watched {
+            value: match dips {
+                true => start + 0.5 * slope * lowest,
+                false => end,
+            },
+            least: match dips {
+                true => ROUND_OFF_OF_MEAN * self.size / h,
+                false => 0.0,
+            },
+            one_sided: true,
+        }
+    }
 }
 
 /// What a contact without compliance does.
@@ -83,6 +122,7 @@ impl PlaneContact {
             imposed: None,
             is_fast: false,
             speed: length(rdot),
+            on_line: None,
         }
     }
 
@@ -126,7 +166,11 @@ impl PlaneContact {
             _ => {
                 let along = match (self.imposed, self.has_direction(state.t)) {
                     (Some(Imposed::Force(force)), _) => return force,
-                    (_, true) => state.rdot,
+                    // Beyond rest it stays smooth: rest ends the step.
+                    (_, true) => match self.line(state) {
+                        Some(line) => [line.rdot, 0.0],
+                        None => state.rdot,
+                    },
                     (_, false) => state.held,
                 };
                 let size = length(along);
@@ -188,9 +232,10 @@ impl PlaneContact {
             to.push(match phase {
                 Phase::Sticks => one_sided(own - length(state.held), ROUND_OFF * own),
                 Phase::Begins { .. } => one_sided(1.0, 0.0),
-                Phase::Slides if own > 0.0 => {
-                    one_sided(length(state.rdot) - STOPS * self.speed, 0.0)
-                }
+                Phase::Slides if own > 0.0 => match self.line(state) {
+                    Some(line) => line.least_velocity(state),
+                    None => one_sided(length(state.rdot) - STOPS * self.speed, 0.0),
+                },
                 Phase::Slides => one_sided(1.0, 0.0),
             });
             return;
@@ -262,8 +307,28 @@ impl PlaneContact {
     }
 
     /// Whether one that slides has come to rest.
-    pub fn stops(&self, rdot: Pair, limit: Option<LimitAt>) -> bool {
+    pub fn stops(&self, state: &PlaneState, limit: Option<LimitAt>) -> bool {
         let slides = self.phase == Some(Phase::Slides) && self.limit(limit) > 0.0;
-        slides && length(rdot) <= STOPS * self.speed
+        let rests = || match self.line(state) {
+            Some(line) => line.rdot.signum() * state.rdot[0] <= 0.0,
+            None => length(state.rdot) <= STOPS * self.speed,
+        };
+        slides && rests()
+    }
+
+    /// The motion on a line, if a state goes on along it.
+    fn line(&self, state: &PlaneState) -> Option<OnLine> {
+        self.on_line.filter(|_| state.rdot[1] == 0.0)
+    }
+
+    /// Keeps a state from which a contact that slides goes on along a line; `size` is that of the terms of r.
+    pub fn follow_line(&mut self, state: &PlaneState, size: f64) {
+        let is_on = self.phase == Some(Phase::Slides) && state.rdot[1] == 0.0;
+        self.on_line = (is_on && state.rdot[0] != 0.0).then_some(OnLine {
+            t: state.t,
+            r: state.r[0],
+            rdot: state.rdot[0],
+            size,
+        });
     }
 }

@@ -1,7 +1,7 @@
 //! Directions of degrees of freedom.
 
 /// The direction of a degree of freedom.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Direction {
     /// Along x.
     #[default]

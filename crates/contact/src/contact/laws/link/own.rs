@@ -219,11 +219,10 @@ impl<const L: usize> StepLaw<L> for Step<L> {
                 false => 0.0,
             };
             let answer = |s: f64| own.law.answer(&step(s), &state);
-            let s = own.root(end, round_off, answer);
+            let (s, is_root) = own.root(end, round_off, answer);
             let last = answer(s);
             let fault = own.fault(step(s).to[0], &last, &answer(s));
-            let fault =
-                fault.or_else(|| (!is_root(s, round_off, answer)).then_some(OwnFault::NoAnswer));
+            let fault = fault.or((!is_root).then_some(OwnFault::NoAnswer));
             memory.0[l] = (last.state, fault);
             force.0[l] = s;
         }
@@ -232,8 +231,13 @@ impl<const L: usize> StepLaw<L> for Step<L> {
 }
 
 impl Own {
-    /// S = F(r* - h S, rdot* - h_rate S).
-    fn root(&self, end: [f64; 2], round_off: f64, answer: impl Fn(f64) -> OwnAnswer) -> f64 {
+    /// S = F(r* - h S, rdot* - h_rate S), and whether it is: the last S that was tried otherwise.
+    fn root(
+        &self,
+        end: [f64; 2],
+        round_off: f64,
+        answer: impl Fn(f64) -> OwnAnswer,
+    ) -> (f64, bool) {
         let value = |s: f64| s - answer(s).force;
         // Between 0 and the answer to the free motion, where F does not fall; else further on.
         let most = answer(0.0).force;
@@ -255,11 +259,11 @@ impl Own {
                 ]
             })
         };
+        let checked = |s: f64| (s, is_root(s, round_off, &answer));
         // Slopes that are far too steep end the search before the root.
-        let s = root(true);
-        match is_root(s, round_off, &answer) {
-            true => s,
-            false => root(false),
+        match checked(root(true)) {
+            (s, true) => (s, true),
+            (_, false) => checked(root(false)),
         }
     }
 

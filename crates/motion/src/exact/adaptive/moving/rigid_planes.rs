@@ -28,24 +28,13 @@ pub fn held(model: &Model, rows: &[usize], of: &Accelerations, limits: &[f64]) -
         .iter()
         .map(|row| model.columns[*row].dot(&a) + (of.gaps)(*row))
         .collect();
-    let m = rows.len();
-    let mut matrix = model.flexibility(rows);
     let most = limits.iter().copied().fold(0.0, f64::max);
-    let scale = |i: usize| {
-        if most > 0.0 {
-            limits[i].max(LEAST * most)
-        } else {
-            1.0
-        }
+    let weight = |i: usize| match most > 0.0 {
+        true => most / limits[i].max(LEAST * most),
+        false => 1.0,
     };
-    for i in 0..m {
-        forces[i] *= scale(i);
-        for j in 0..m {
-            matrix[i * m + j] *= scale(i) * scale(j);
-        }
-    }
-    if let Some(factor) = Cholesky::of_any(matrix, m) {
+    if let Some(factor) = Cholesky::sharing(model.flexibility(rows), rows.len(), weight) {
         factor.solve(&mut forces);
     }
-    (0..m).map(|i| scale(i) * forces[i]).collect()
+    forces
 }

@@ -42,8 +42,17 @@ impl Cholesky {
 
     /// Factors a symmetric matrix >= 0 with a positive diagonal; `None` for another one.
     pub fn of_any(a: Vec<f64>, size: usize) -> Option<Cholesky> {
+        Cholesky::sharing(a, size, |_| 1.0)
+    }
+
+    /// The same for a solution of a singular matrix in which contacts with equal parts share as the inverse of these weights, >= 1.
+    pub fn sharing(a: Vec<f64>, size: usize, weight: impl Fn(usize) -> f64) -> Option<Cholesky> {
         Cholesky::new(a.clone(), size).or_else(|| {
-            let factor = Cholesky::new(regular(&a, size), size)?;
+            let mut more = regular(&a, size);
+            for i in 0..size {
+                more[i * size + i] += ADDED * (weight(i) - 1.0) * a[i * size + i];
+            }
+            let factor = Cholesky::new(more, size)?;
             Some(Cholesky {
                 singular: Some(a),
                 ..factor
@@ -109,6 +118,18 @@ mod tests {
         assert!((b[0] + b[1] - sum).abs() < 1e-14 && (b[2] - third).abs() < 1e-14);
         // Round-off over what is added to the diagonal.
         assert!((b[0] - b[1]).abs() < 1e-9, "{b:?}");
+    }
+
+    #[test]
+    fn contacts_share_as_the_inverse_of_their_weights() {
+        let mut b = [1.0, 1.0];
+        let factor = Cholesky::sharing(vec![1.0; 4], 2, |i| [1.0, 4.0][i]);
+        factor.unwrap().solve(&mut b);
+        // What is added to the diagonal, and its round-off after corrections.
+        assert!(
+            (b[0] - 0.8).abs() < 1e-9 && (b[1] - 0.2).abs() < 1e-9,
+            "{b:?}"
+        );
     }
 
     #[test]

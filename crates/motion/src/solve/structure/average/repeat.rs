@@ -1,16 +1,33 @@
 //! A step whose friction limits follow the forces of other parts at its end.
 
-use super::state::Average;
+use super::state::{Average, ContactState};
 use crate::lane::Lane;
+use crate::solve::structure::contacts::curved::Curved;
+use crate::solve::structure::contacts::static_friction::StaticFriction;
 use crate::solve::structure::inputs::pressing::Pressing;
+
+/// What a step changes, as at its start. The lists are kept from step to step.
+#[derive(Debug, Default)]
+pub(crate) struct Start<const L: usize> {
+    /// P, W, the moved nodes and S.
+    lists: [Vec<Lane<L>>; 4],
+    contacts: Vec<ContactState<L>>,
+    curved: Vec<Option<Curved>>,
+    two_limits: Option<StaticFriction>,
+}
 
 impl<const L: usize> Average<'_, L> {
     /// Does a step until the limits are those of its end.
     #[cold]
     pub(super) fn repeat(&mut self, step: usize) {
-        let (p, w, moved) = (self.p.clone(), self.w.clone(), self.moved.clone());
-        let (contacts, force) = (self.contacts.clone(), self.force.clone());
-        let (curved, two_limits) = (self.curved.clone(), self.two_limits.clone());
+        let mut start = std::mem::take(&mut self.start);
+        let lists = [&self.p, &self.w, &self.moved, &self.force];
+        for (kept, own) in start.lists.iter_mut().zip(lists) {
+            kept.clone_from(own);
+        }
+        start.contacts.clone_from(&self.contacts);
+        start.curved.clone_from(&self.curved);
+        start.two_limits.clone_from(&self.two_limits);
         let (force_now, motion) = self.pressed_by();
         self.pressing = Some(Pressing::new(force_now, motion));
         loop {
@@ -21,15 +38,16 @@ impl<const L: usize> Average<'_, L> {
             if pressing.is_none_or(|own| own.follow(inputs, &force_now, &motion)) {
                 break;
             }
-            self.p.clone_from(&p);
-            self.w.clone_from(&w);
-            self.moved.clone_from(&moved);
-            self.contacts.clone_from(&contacts);
-            self.force.clone_from(&force);
-            self.curved.clone_from(&curved);
-            self.two_limits.clone_from(&two_limits);
+            let lists = [&mut self.p, &mut self.w, &mut self.moved, &mut self.force];
+            for (own, kept) in lists.into_iter().zip(&start.lists) {
+                own.clone_from(kept);
+            }
+            self.contacts.clone_from(&start.contacts);
+            self.curved.clone_from(&start.curved);
+            self.two_limits.clone_from(&start.two_limits);
         }
         self.pressing = None;
+        self.start = start;
     }
 
     /// S of the contacts, and u and u' of the nodes.

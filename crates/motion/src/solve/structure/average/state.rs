@@ -1,5 +1,6 @@
 //! The state of structures in lanes, by the constant average acceleration method.
 
+use super::repeat::Start;
 use crate::lane::Lane;
 use crate::solve::structure::contacts::curved::Curved;
 use crate::solve::structure::contacts::curved_lanes::curved_lanes;
@@ -41,6 +42,8 @@ pub(crate) struct Average<'a, const L: usize> {
     pub(crate) two_limits: Option<StaticFriction>,
     /// What presses in a step that is repeated.
     pub(crate) pressing: Option<Pressing<L>>,
+    /// The start of that step.
+    pub(crate) start: Start<L>,
 }
 
 /// The motion of a contact, and its law.
@@ -282,6 +285,7 @@ impl<'a, const L: usize> Average<'a, L> {
             moving: Moving::new(cases, dt, &prepared.method),
             two_limits: StaticFriction::new(cases),
             pressing: None,
+            start: Start::default(),
         };
         state.touch();
         state

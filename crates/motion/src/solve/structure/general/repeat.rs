@@ -1,17 +1,37 @@
 //! A sub-step whose friction limits follow the forces of other parts at its end.
 
-use super::stages::General;
+use super::stages::{General, Stage};
 use crate::lane::Lane;
+use crate::solve::structure::contacts::curved::Curved;
+use crate::solve::structure::contacts::static_friction::StaticFriction;
+use crate::solve::structure::general::held::corrections::Corrections;
+use crate::solve::structure::general::held::impacts::Impacts;
 use crate::solve::structure::inputs::pressing::Pressing;
+
+/// What a sub-step changes, as at its start. The lists are kept from step to step.
+#[derive(Debug, Default)]
+pub(super) struct Start<const L: usize> {
+    stage: Stage<L>,
+    force: Vec<Lane<L>>,
+    curved: Vec<Option<Curved>>,
+    two_limits: Option<StaticFriction>,
+    impacts: Option<Impacts<L>>,
+    corrections: Option<Box<Corrections<L>>>,
+}
 
 impl<const L: usize> General<'_, L> {
     /// Does a sub-step until the limits are those of its end.
     #[cold]
     pub(super) fn repeat(&mut self, part: usize, end: usize) {
-        let (start, force) = (self.stages[part].clone(), self.force.clone());
-        let curved = self.curved.get(part).cloned();
-        let (two_limits, impacts) = (self.two_limits.clone(), self.impacts.clone());
-        let corrections = self.corrections.clone();
+        let mut start = std::mem::take(&mut self.start);
+        start.stage.clone_from(&self.stages[part]);
+        start.force.clone_from(&self.force);
+        if let Some(curved) = self.curved.get(part) {
+            start.curved.clone_from(curved);
+        }
+        start.two_limits.clone_from(&self.two_limits);
+        start.impacts.clone_from(&self.impacts);
+        start.corrections.clone_from(&self.corrections);
         // A force that acts over the whole step is that of the time at which springs have theirs.
         let sub_step = &self.prepared.sub_steps[part].sub_step;
         let acts_at = match sub_step.forces {
@@ -28,16 +48,17 @@ impl<const L: usize> General<'_, L> {
             if pressing.is_none_or(|own| own.follow(inputs, &force_now, &motion)) {
                 break;
             }
-            self.stages[part].clone_from(&start);
-            self.force.clone_from(&force);
-            if let (Some(own), Some(curved)) = (self.curved.get_mut(part), &curved) {
-                own.clone_from(curved);
+            self.stages[part].clone_from(&start.stage);
+            self.force.clone_from(&start.force);
+            if let Some(curved) = self.curved.get_mut(part) {
+                curved.clone_from(&start.curved);
             }
-            self.two_limits.clone_from(&two_limits);
-            self.impacts.clone_from(&impacts);
-            self.corrections.clone_from(&corrections);
+            self.two_limits.clone_from(&start.two_limits);
+            self.impacts.clone_from(&start.impacts);
+            self.corrections.clone_from(&start.corrections);
         }
         self.pressing = None;
+        self.start = start;
     }
 
     /// S of the contacts at the start or the end of a sub-step, and u and u' of the nodes at this part of it.

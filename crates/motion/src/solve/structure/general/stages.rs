@@ -1,6 +1,7 @@
 //! The state of structures in lanes, by any method.
 
 use super::contacts::{LaneContact, LaneLine};
+use super::repeat::Start;
 use crate::lane::Lane;
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
@@ -50,10 +51,12 @@ pub(crate) struct General<'a, const L: usize> {
     pub(super) two_limits: Option<StaticFriction>,
     /// What presses in a sub-step that is repeated.
     pub(super) pressing: Option<Pressing<L>>,
+    /// The start of that sub-step.
+    pub(super) start: Start<L>,
 }
 
 /// The motion at one time.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Stage<const L: usize> {
     /// u, v, a by place; the last one is the ground, which does not move.
     pub(super) nodes: Vec<[Lane<L>; 3]>,

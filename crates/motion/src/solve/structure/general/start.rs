@@ -3,6 +3,7 @@
 use super::contacts::{LaneContact, LaneLine};
 use super::critical::{CriticalFault, critical_fault};
 use super::curved;
+use super::repeat::Start;
 use super::stages::{General, Stage};
 use crate::lane::Lane;
 use crate::solve::Unsolvable;
@@ -112,6 +113,7 @@ impl<'a, const L: usize> General<'a, L> {
             refused,
             two_limits: StaticFriction::new(cases),
             pressing: None,
+            start: Start::default(),
         };
         state.touch(parts.len());
         state

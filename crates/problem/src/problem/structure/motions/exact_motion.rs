@@ -81,10 +81,14 @@ pub(super) fn record(
         }
     };
     let of_terms = terms.iter().flat_map(|own| own.u.iter().chain(&own.v));
+    let pressed = structure.contacts.iter();
+    let pressed = pressed.filter_map(|own| own.law.limit()?.pressed_by.as_ref());
+    let springs = pressed.flat_map(|own| &own.springs);
     let nodes: BTreeSet<usize> = numbers
         .iter()
         .filter_map(Number::node)
         .chain(of_terms.map(|term| term.0))
+        .chain(springs.flat_map(|own| own.spring.along.iter().map(|(node, _)| *node)))
         .collect();
     // Those behind the nodes are supports.
     let nodes = nodes.into_iter().filter(|node| *node < structure.len());
@@ -113,7 +117,8 @@ pub(super) fn exact_value(
             Quantity::Slip => state.slip[contact],
             Quantity::Limit => {
                 let limit = structure.contacts[contact].law.limit();
-                limit.map_or(0.0, |limit| limit.at(t))
+                let motion = |node: usize| [state.u[node], state.v[node]];
+                limit.map_or(0.0, |limit| limit.pressed_in(t, |c| state.force[c], motion))
             }
             Quantity::Distance | Quantity::Speed | Quantity::Size | Quantity::SlipDistance => {
                 let both = number.directions().into_iter().flatten();

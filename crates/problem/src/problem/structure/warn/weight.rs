@@ -10,6 +10,7 @@ use crate::problem::structure::parts::template::{StaticLoad, Template};
 use crate::solve::Warning;
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::structure::{Contact, Direction, Structure};
+use std::collections::BTreeMap;
 
 /// Factor by which N together is far from the weight; t for kN is 9.81, and one bearing of a continuous girder has its own share.
 const FAR: f64 = 4.0;
@@ -38,12 +39,7 @@ pub fn far(template: &Template, case: &Case, structure: &Structure) -> Option<Do
     let part = structure.parts();
     let parts = (0..structure.len()).filter(|node| part[*node] == *node);
     let bodies = parts.flat_map(|own| [Direction::X, Direction::Y, Direction::Z].map(|d| (own, d)));
-    let of = Parts {
-        template,
-        case,
-        structure,
-        part: &part,
-    };
+    let of = Parts::new(template, case, structure, &part);
     bodies.filter_map(|own| of.body(own)).find_map(|body| {
         let weight = body.mass * gravity;
         let fits = (weight / FAR..=weight * FAR).contains(&body.normal);
@@ -70,12 +66,7 @@ pub fn along_friction(template: &Template, case: &Case, structure: &Structure) -
         return None;
     }
     let part = structure.parts();
-    let of = Parts {
-        template,
-        case,
-        structure,
-        part: &part,
-    };
+    let of = Parts::new(template, case, structure, &part);
     let mut parts = (0..structure.len()).filter(|node| part[*node] == *node);
     let contact = parts.find_map(|own| {
         let own = (own, direction);
@@ -102,9 +93,25 @@ struct Parts<'a> {
     structure: &'a Structure,
     /// The part of each node.
     part: &'a [usize],
+    free_masses: BTreeMap<(usize, Direction), f64>,
 }
 
-impl Parts<'_> {
+impl<'a> Parts<'a> {
+    fn new(
+        template: &'a Template,
+        case: &'a Case,
+        structure: &'a Structure,
+        part: &'a [usize],
+    ) -> Self {
+        Parts {
+            template,
+            case,
+            structure,
+            part,
+            free_masses: free_masses(structure, part),
+        }
+    }
+
     /// A part that contacts with N hold in a direction, and nothing else.
     fn body(&self, own: (usize, Direction)) -> Option<Body<'_>> {
         let mass = self.free_mass(own)?;
@@ -159,24 +166,37 @@ impl Parts<'_> {
 
     /// The mass of a part in a direction, > 0, if no spring holds it there.
     fn free_mass(&self, own: (usize, Direction)) -> Option<f64> {
-        let size = self.structure.len();
-        let whole = |node| f64::from(u8::from(self.is_in(node, own)));
-        let moved: Vec<f64> = (0..size).map(whole).collect();
-        let mut force = vec![0.0; size];
-        self.structure.stiffness.add_product(&moved, &mut force);
-        let largest = self.structure.stiffness.largest();
-        if force.iter().any(|force| force.abs() > FREE * largest) {
-            return None;
-        }
-        let mut inertia = vec![0.0; size];
-        self.structure
-            .coupled_mass
-            .add_product(&moved, &mut inertia);
-        let own = self.structure.nodes.iter().zip(&inertia);
-        let mass = moved
-            .iter()
-            .zip(own)
-            .map(|(u, (node, coupled))| u * (node.mass + coupled));
-        Some(mass.sum()).filter(|mass: &f64| *mass > 0.0)
+        self.free_masses.get(&own).copied()
     }
+}
+
+/// The masses, > 0, of parts in directions in which no spring holds them.
+fn free_masses(structure: &Structure, part: &[usize]) -> BTreeMap<(usize, Direction), f64> {
+    let own = |node: usize| (part[node], structure.nodes[node].direction);
+    let mut masses = BTreeMap::new();
+    for (node, given) in structure.nodes.iter().enumerate() {
+        *masses.entry(own(node)).or_insert(0.0) += given.mass;
+    }
+    for ((i, j), m) in structure.coupled_mass.entries() {
+        let both = if i == j { m } else { 2.0 * m };
+        if own(i) == own(j) {
+            masses.entry(own(i)).and_modify(|mass| *mass += both);
+        }
+    }
+    // The force at each node where a part moves as a whole by 1.
+    let mut forces = BTreeMap::new();
+    for ((i, j), k) in structure.stiffness.entries() {
+        *forces.entry((own(j), i)).or_insert(0.0) += k;
+        if i != j {
+            *forces.entry((own(i), j)).or_insert(0.0) += k;
+        }
+    }
+    let largest = structure.stiffness.largest();
+    for ((held, _), force) in forces {
+        if f64::abs(force) > FREE * largest {
+            masses.remove(&held);
+        }
+    }
+    masses.retain(|_, mass| *mass > 0.0);
+    masses
 }

@@ -1,0 +1,129 @@
+//! Friction without compliance in one direction, as a contact in a plane.
+//!
+//! Its second direction is that of a mass of its own on which nothing else acts, so that it never moves: of the disc of the limit,
+//! the diameter along the first direction is left.
+
+use crate::exact::events::State;
+use crate::system::structure::{Contact, Node, Structure, StructureLaw, Symmetric};
+
+/// The contacts of a structure with such friction in planes.
+#[derive(Debug)]
+pub struct Widened {
+    /// How many nodes were given.
+    nodes: usize,
+    /// The place of each contact that was given.
+    places: Vec<usize>,
+    /// r, rdot, S and the slip of the contacts that were given.
+    values: [Vec<f64>; 4],
+}
+
+/// Both directions of friction without compliance in one; `None` of another law.
+fn in_plane(law: &StructureLaw) -> Option<[StructureLaw; 2]> {
+    let is_friction = law.row().is_none() && law.is_rigid() && law.limit().is_some();
+    let in_plane = || law.clone().in_plane();
+    (is_friction && law.static_ratio() <= 1.0).then(in_plane)?
+}
+
+impl Widened {
+    /// With the structure; `None` without such friction.
+    pub fn new(given: &Structure) -> Option<(Structure, Widened)> {
+        let mut contacts = Vec::new();
+        // Of each contact, the one that was given; none of second directions.
+        let mut of = Vec::new();
+        let mut nodes = given.nodes.clone();
+        for (i, own) in given.contacts.iter().enumerate() {
+            of.push(Some(i));
+            let Some([first, second]) = in_plane(&own.law) else {
+                contacts.push(own.clone());
+                continue;
+            };
+            let first_way = Contact {
+                law: first,
+                ..own.clone()
+            };
+            let second_way = Contact {
+                along: vec![(nodes.len(), 1.0)],
+                gap: 0.0,
+                law: second,
+                ..own.clone()
+            };
+            contacts.extend([first_way, second_way]);
+            of.push(None);
+            nodes.push(Node {
+                name: own.name.clone(),
+                mass: 1.0,
+                direction: Default::default(),
+            });
+        }
+        if nodes.len() == given.len() {
+            return None;
+        }
+        let places: Vec<usize> = (0..of.len()).filter(|place| of[*place].is_some()).collect();
+        let pressed = contacts.iter_mut().filter_map(|own| own.law.limit_mut());
+        for pressed in pressed.filter_map(|limit| limit.pressed_by.as_mut()) {
+            pressed.contacts.iter_mut().for_each(|c| *c = places[*c]);
+        }
+        let mut structure = Structure::new(nodes);
+        let size = structure.len();
+        let grown = |matrix: &Symmetric| {
+            let mut all = Symmetric::zeros(size);
+            let entries = matrix.entries();
+            entries.for_each(|((i, j), value)| all.add(i, j, value));
+            all
+        };
+        structure.coupled_mass = grown(&given.coupled_mass);
+        structure.stiffness = grown(&given.stiffness);
+        structure.damping = grown(&given.damping);
+        structure.contacts = contacts;
+        structure.loads.clone_from(&given.loads);
+        structure.displacement[..given.len()].copy_from_slice(&given.displacement);
+        structure.velocity[..given.len()].copy_from_slice(&given.velocity);
+        structure.supports.clone_from(&given.supports);
+        for support in &mut structure.supports {
+            let gap = |own: &Option<usize>| own.map_or(0.0, |own| support.gaps[own]);
+            support.gaps = of.iter().map(gap).collect();
+            support.carried.resize(size, 0.0);
+        }
+        let preload = &given.preload;
+        if !preload.forces.is_empty() {
+            // A second direction is at rest as its first one is.
+            let force = |(place, own): (usize, &Option<usize>)| match own {
+                Some(own) => preload.force(*own),
+                None => of[place - 1]
+                    .and_then(|first| preload.force(first))
+                    .map(|_| 0.0),
+            };
+            structure.preload.forces = of.iter().enumerate().map(force).collect();
+        }
+        let law = |own: &Option<usize>| preload.laws.get((*own)?).copied().flatten();
+        structure.preload.laws = of.iter().map(law).collect();
+        let values = [(); 4].map(|()| vec![0.0; places.len()]);
+        Some((
+            structure,
+            Widened {
+                nodes: given.len(),
+                places,
+                values,
+            },
+        ))
+    }
+
+    /// A state with the nodes and contacts that were given.
+    pub fn given<'a>(&'a mut self, state: &'a State) -> State<'a> {
+        let all = [state.r, state.rate, state.force, state.slip];
+        for (values, all) in self.values.iter_mut().zip(all) {
+            for (value, place) in values.iter_mut().zip(&self.places) {
+                *value = all[*place];
+            }
+        }
+        let [r, rate, force, slip] = &self.values;
+        State {
+            u: &state.u[..self.nodes],
+            v: &state.v[..self.nodes],
+            r,
+            rate,
+            force,
+            slip,
+        }
+    }
+}
