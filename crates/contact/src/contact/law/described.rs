@@ -136,6 +136,12 @@ pub trait Properties {
         None
     }
 
+    /// rdot of a law of velocity alone under a force within its bounds, and how it changes with the force; `None` where it is not known in
+    /// closed form, or steep.
+    fn rate_under(&self, _force: f64) -> Option<[f64; 2]> {
+        None
+    }
+
     /// A number that changes its sign where S has a corner at this rdot, besides rdot = 0 and the bounds of S; 0 for a law without one.
     fn corner(&self, _rdot: f64) -> f64 {
         0.0

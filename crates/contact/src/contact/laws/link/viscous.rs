@@ -87,6 +87,18 @@ impl Properties for Viscous {
     fn over_velocity(&self) -> bool {
         true
     }
+
+    /// With a > 1 it is vertical at S = 0.
+    fn rate_under(&self, force: f64) -> Option<[f64; 2]> {
+        let z = force.abs() / self.viscosity;
+        let rate = power(z, 1.0 / self.exponent);
+        let slope = match z > 0.0 {
+            true => rate / z / (self.exponent * self.viscosity),
+            false if self.exponent < 1.0 => 0.0,
+            false => 1.0 / self.viscosity,
+        };
+        (self.exponent <= 1.0).then_some([rate.copysign(force), slope])
+    }
 }
 
 impl Law for Viscous {

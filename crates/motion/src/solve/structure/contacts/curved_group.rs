@@ -200,9 +200,11 @@ impl Group {
         };
         let parts: Vec<Part> = self.0.iter().map(part).collect();
         let answer = |place: usize, y: f64| link::answer(&self.0[place], y, contacts);
+        let change = |place: usize, force: f64| link::change_under(&self.0[place], force, contacts);
         let series = Series {
             parts: &parts,
             answer: &answer,
+            change: &change,
             own,
             size: self.size(contacts),
         };

@@ -4,8 +4,9 @@
 //! compliance have the rest of it while they hold, and share it alike as far as they can.
 
 use super::curved_contact::Contact;
-use super::curved_step::ROUND_OFF;
+use super::curved_step::{Motion, ROUND_OFF};
 use super::series_root::filled;
+use crate::contact::ClippedLine;
 
 /// Contacts with their signs, as [`crate::system::structure::Member`].
 pub(crate) type Link = Vec<(usize, f64)>;
@@ -45,6 +46,44 @@ pub(crate) fn own(link: &[(usize, f64)], contacts: &[Contact]) -> f64 {
 pub(crate) fn change(link: &[(usize, f64)], contacts: &[Contact]) -> f64 {
     let (i, sign) = leader(link);
     sign * contacts[i].change
+}
+
+/// The change of a link under a force, and how it changes with the force; `None` where a search finds it.
+pub(crate) fn change_under(
+    link: &[(usize, f64)],
+    force: f64,
+    contacts: &[Contact],
+) -> Option<[f64; 2]> {
+    let [(i, sign)] = *link else {
+        return None;
+    };
+    let [change, slope] = change_of(&contacts[i], sign * force)?;
+    Some([sign * change, slope])
+}
+
+/// The change of r under a force within its bounds, and how it changes with the force; `None` where a search finds it.
+fn change_of(contact: &Contact, force: f64) -> Option<[f64; 2]> {
+    let [low, high] = contact.bounds;
+    if !(low < force && force < high) || contact.two_limits {
+        return None;
+    }
+    let Motion { change, rate, .. } = contact.motion;
+    let [under, slope] = match contact.relation.line() {
+        Some(ClippedLine::Elastic { stiffness }) => {
+            return Some([(force - contact.motion.force) / stiffness, 1.0 / stiffness]);
+        }
+        Some(ClippedLine::Spring { stiffness }) => {
+            let change = force / stiffness - contact.motion.displacement;
+            return Some([change, 1.0 / stiffness]);
+        }
+        Some(ClippedLine::Viscous { viscosity }) => [force / viscosity, 1.0 / viscosity],
+        Some(ClippedLine::Stop { .. } | ClippedLine::Coulomb) | None => {
+            contact.now.properties().rate_under(force)?
+        }
+    };
+    let pace = contact.scale.pace;
+    let change = change + (under - rate) / pace;
+    (!contact.scale.is_explicit()).then_some([change, slope / pace])
 }
 
 /// S of a link at the start of the step.

@@ -27,6 +27,8 @@ pub(crate) struct Part {
 pub(crate) struct Series<'a> {
     pub(crate) parts: &'a [Part],
     pub(crate) answer: &'a dyn Fn(usize, f64) -> f64,
+    /// The change c_i(S) and its slope where the law has them in closed form; `None` elsewhere.
+    pub(crate) change: &'a dyn Fn(usize, f64) -> Option<[f64; 2]>,
     /// a.
     pub(crate) own: f64,
     /// The size of the numbers that y is the difference of.
@@ -63,6 +65,7 @@ impl Series<'_> {
             true => self.stay(guess, y),
             false => None,
         };
+        let near = near.or_else(|| self.by_changes(y, guess));
         let near = near.or_else(|| self.newton(y, guess, [low, high]));
         near.unwrap_or_else(|| self.find(y, [low, high]))
     }
@@ -281,6 +284,7 @@ mod tests {
         let series = Series {
             parts: &parts,
             answer: &answer,
+            change: &|_, _| None,
             own: 0.5,
             size: 1.0,
         };
@@ -301,6 +305,58 @@ mod tests {
     }
 
     #[test]
+    fn changes_in_closed_form_have_the_force_of_a_search() {
+        // A damper with S = 3 v^0.35, v = 100 times its change, and a spring of 8000, with a = 1e-5.
+        let (c, exponent, pace, k) = (3.0, 0.35, 100.0, 8e3);
+        let parts = [1e-7, 2e-6].map(|own| Part {
+            own,
+            bounds: [f64::NEG_INFINITY, f64::INFINITY],
+            change: 0.0,
+        });
+        let change = |i: usize, force: f64| -> Option<[f64; 2]> {
+            let rate = libm::pow(force.abs() / c, 1.0 / exponent);
+            let slope = rate / force.abs() / exponent;
+            Some(
+                [
+                    [rate.copysign(force) / pace, slope / pace],
+                    [force / k, 1.0 / k],
+                ][i],
+            )
+        };
+        // J(y) = S where c(S) + a S = y, by bisection.
+        let answer = |i: usize, y: f64| {
+            let [mut low, mut high] = [-1e6, 1e6];
+            for _ in 0..200 {
+                let middle = 0.5 * (low + high);
+                let own = change(i, middle).map_or(0.0, |own| own[0]) + parts[i].own * middle;
+                if own < y { low = middle } else { high = middle }
+            }
+            0.5 * (low + high)
+        };
+        let (closed, searched) = (&change, &|_, _| None);
+        for y in [-0.3, -0.002, 1e-5, 0.04] {
+            let share = |change: &dyn Fn(usize, f64) -> Option<[f64; 2]>| {
+                let series = Series {
+                    parts: &parts,
+                    answer: &answer,
+                    change,
+                    own: 1e-5,
+                    size: 0.3,
+                };
+                series.share(y, 0.7)
+            };
+            let [own, known] = [share(closed), share(searched)];
+            // Round-off of y and of the size over the flexibility.
+            assert!(
+                (own.force - known.force).abs() < 1e-10 * known.force.abs(),
+                "{own:?} {known:?}"
+            );
+            let sum: f64 = own.changes.iter().sum();
+            assert!((sum + 1e-5 * own.force - y).abs() < 1e-16, "{own:?}");
+        }
+    }
+
+    #[test]
     fn changes_add_up_where_one_contact_hardly_gains_force() {
         // A force that tends to a limit, and a spring: at the limit a force with all its digits says nothing of the first change.
         let (limit, length, k) = (2.44, 1e-3, 8.7e3);
@@ -317,6 +373,7 @@ mod tests {
             let series = Series {
                 parts: &order.map(|i| parts[i]),
                 answer: &|i, y| answer(order[i], y),
+                change: &|_, _| None,
                 own: 3e-6,
                 size: 0.03,
             };

@@ -11,6 +11,31 @@ const WIDTH: f64 = 1e-7;
 const LEVEL: f64 = 1e-8;
 
 impl Series<'_> {
+    /// The answer by Newton's method in S, if all laws have their changes in closed form on the way.
+    pub(crate) fn by_changes(&self, y: f64, guess: f64) -> Option<Shares> {
+        let mut changes = vec![[0.0; 2]; self.parts.len()];
+        let mut force = guess;
+        for _ in 0..STEPS {
+            let (mut rest, mut slope) = (self.own * force - y, self.own);
+            for (i, own) in changes.iter_mut().enumerate() {
+                *own = (self.change)(i, force)?;
+                rest += own[0];
+                slope += own[1];
+            }
+            let step = rest / slope;
+            if step.abs() <= NEAR * (force.abs() + self.size / slope) {
+                // The softest one has what the others leave, as below.
+                let softest =
+                    (0..changes.len()).max_by(|i, j| changes[*i][1].total_cmp(&changes[*j][1]))?;
+                let mut changes: Vec<f64> = changes.iter().map(|own| own[0]).collect();
+                changes[softest] -= rest;
+                return Some(Shares { force, changes });
+            }
+            force -= step;
+        }
+        None
+    }
+
     /// The answer by Newton's method from the state of the step before, if it gets there.
     pub(crate) fn newton(&self, y: f64, guess: f64, [low, high]: [f64; 2]) -> Option<Shares> {
         let places = self.parts.iter().map(|part| part.own * guess + part.change);
