@@ -187,6 +187,26 @@ fn bars_have_the_wave_speed_of_a_material() {
     assert_eq!(bench.kinds(&study("")), []);
     let rigid = study(UNITS).replace(r#""n": 2"#, r#""n": 1"#);
     assert_eq!(bench.kinds(&rigid), some(&[("wave-speed", 1, 0)]));
+    // Bars of 3e10 N/m2 and 2500 kg/m3: 3464 m/s. With kN, the density is in t.
+    let bars = |force: &str, e: &str, rho: &str| {
+        format!(
+            r#"{{"problem": "bar-impact", "units": {{"length": "m", "force": "{force}", "time": "s"}}, "parameters": {{"E": {e},
+                "A": 5, "rho": {rho}, "L": 30, "V0": 0.5, "gamma": [0.3, 1], "n": 10, "dt": 0.01, "duration": 2}}}}"#
+        )
+    };
+    assert_eq!(bench.kinds(&bars("N", "3e10", "2500")), []);
+    assert_eq!(bench.kinds(&bars("kN", "3e7", "2.5")), []);
+    let found = some(&[("wave-speed", 2, 0)]);
+    assert_eq!(bench.kinds(&bars("kN", "3e7", "2500")), found);
+    assert_eq!(
+        bench.kinds(&bars("kN", "[3e7, 3e10]", "2.5")),
+        some(&[("wave-speed", 2, 2)])
+    );
+    // A unit of no known size says nothing.
+    assert_eq!(
+        bench.kinds(&bars("kN", "3e7", "2500").replace("\"m\"", "\"el\"")),
+        []
+    );
 }
 
 #[test]

@@ -130,6 +130,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn in_tests(&self, _metric: usize) -> Option<Vec<f64>> {
         None
     }
+    /// The problem for parameters in units of which this gives the sizes in SI units; `None` for one whose units say nothing more.
+    fn in_units(&self, _size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {
+        None
+    }
     /// What determines results and is neither in the parameters nor in the program; empty if there is nothing.
     fn identity(&self) -> &str {
         ""

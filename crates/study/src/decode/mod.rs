@@ -40,6 +40,7 @@ use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
 use columns::columns;
 use ensemble::ensemble;
+use slipgap_problem::problem::structure::metrics::unit_consistency;
 use slipgap_problem::problem::structure::tables::schema::NAME;
 use slipgap_problem::problem::{self, PROBLEMS, Problem};
 use std::sync::Arc;
@@ -179,6 +180,8 @@ pub(crate) fn study(
         .and_then(|node| Units::decode(node, problem.as_deref(), faults));
     // The other names need the tables of the problem.
     let problem = problem?;
+    let size = |of| unit_consistency::size_of(&units.as_ref()?.of(of), of);
+    let problem = problem.in_units(&size).unwrap_or(problem);
     let once = object
         .get("iteration")
         .and_then(|node| name(node, "iteration", "iteration", &ITERATIONS, faults))

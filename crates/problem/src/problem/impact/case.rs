@@ -30,6 +30,8 @@ pub struct ImpactCase {
     pub duration: f64,
     /// Number of steps N.
     pub last: u64,
+    /// Whether a bar is of no known material, if the units say so.
+    pub has_strange_bar: bool,
 }
 
 impl ImpactCase {
@@ -41,6 +43,7 @@ impl ImpactCase {
             dt,
             duration,
             last: steps(duration, dt),
+            has_strange_bar: false,
         })
     }
 
@@ -179,6 +182,7 @@ impl LaneCase<LANES> for ImpactCase {
             )
             .with(Warning::NoContact, metrics(MAX_OVERLAP).is_nan())
             .with(Warning::EndsEarly, self.ends_early().is_some())
+            .with(Warning::WaveSpeed, self.has_strange_bar)
     }
 }
 

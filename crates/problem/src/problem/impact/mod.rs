@@ -34,11 +34,37 @@ use tables::{
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
-pub struct BarImpact;
+pub struct Bars {
+    /// The unit of velocity in m/s; `None` if it is not known.
+    velocity: Option<f64>,
+}
 
-impl Problem for BarImpact {
+/// The bars for parameters whose units are not known.
+#[allow(
+    non_upper_case_globals,
+    reason = "the problem as a value, as `FrictionOscillator` is one"
+)]
+pub const BarImpact: Bars = Bars { velocity: None };
+
+impl Bars {
+    /// The numbers of a case; `None` if a parameter is not given.
+    fn of(&self, case: &Case) -> Option<ImpactCase> {
+        let has_strange_bar = scales::strange_speed(case, self.velocity).is_some();
+        ImpactCase::new(case).map(|own| ImpactCase {
+            has_strange_bar,
+            ..own
+        })
+    }
+}
+
+impl Problem for Bars {
     fn schema(&self) -> &Arc<Schema> {
         &SCHEMA
+    }
+
+    fn in_units(&self, size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {
+        let velocity = Some(size(Dimension::Velocity)?);
+        Some(Arc::new(Bars { velocity }))
     }
 
     fn size(&self, case: &Case, dimension: Dimension) -> Option<f64> {
@@ -82,7 +108,7 @@ impl Problem for BarImpact {
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
+        let own = self.of(case).ok_or(Unsolvable::ParameterMissing)?;
         let system = own.system();
         let motion = solve::run::<Track<1>>(&system)?;
         let mut track = motion.track;
@@ -104,14 +130,14 @@ impl Problem for BarImpact {
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         let own = |case: &Case| {
-            let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing);
+            let own = self.of(case).ok_or(Unsolvable::ParameterMissing);
             own.map(Form::<_, ImpactCase>::Plain)
         };
         sweep_cases::<LANES, _, _>(self, cases, rows, own)
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
+        let own = self.of(case).ok_or(Unsolvable::ParameterMissing)?;
         let single_pass::Once {
             track,
             energy,
@@ -145,7 +171,9 @@ impl Problem for BarImpact {
 
     fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
         let end = ImpactCase::new(case).and_then(|own| own.ends_early());
-        end.map(ends_early).into_iter().collect()
+        let speed = scales::strange_speed(case, self.velocity);
+        let speed = speed.map(|text| (Warning::WaveSpeed, text));
+        end.map(ends_early).into_iter().chain(speed).collect()
     }
 
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {

@@ -2,7 +2,8 @@
 
 use super::tables::{Opposite, rows};
 use crate::problem::Case;
-use crate::problem::numbers::unit::Dimension;
+use crate::problem::numbers::short::short;
+use crate::problem::numbers::unit::{Dimension, WAVE_SPEEDS};
 
 /// T_I, c and F0 of a case.
 pub struct Scales {
@@ -44,4 +45,19 @@ impl Scales {
             Dimension::Energy => self.force * self.size(Dimension::Length),
         }
     }
+}
+
+/// The first bar whose C0 is none of these, with the unit of velocity in m/s.
+pub fn strange_speed(case: &Case, velocity: Option<f64>) -> Option<String> {
+    let unit = velocity?;
+    let right = match Opposite::of(case) {
+        Some(Opposite::Wall) => None,
+        None => Some(("right", [rows::RIGHT_E, rows::RIGHT_RHO])),
+    };
+    let bars = [Some(("left", [rows::E, rows::RHO])), right];
+    bars.into_iter().flatten().find_map(|(name, [e, rho])| {
+        let speed = (case.at(e)? / case.at(rho)?).sqrt() * unit;
+        let fits = (WAVE_SPEEDS[0]..=WAVE_SPEEDS[1]).contains(&speed);
+        (!fits).then(|| format!("the {name} bar has {} m/s", short(speed)))
+    })
 }

@@ -2,6 +2,9 @@
 
 use super::text::Text;
 
+/// Wave speeds of materials of bars in m/s.
+pub const WAVE_SPEEDS: [f64; 2] = [500.0, 8000.0];
+
 /// The dimension of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {

@@ -4,7 +4,7 @@ use super::doubt::Doubt;
 use super::masses::Masses;
 use crate::problem::Case;
 use crate::problem::numbers::short::short;
-use crate::problem::numbers::unit::Dimension;
+use crate::problem::numbers::unit::{Dimension, WAVE_SPEEDS};
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::metrics::unit_consistency::size_of;
 use crate::problem::structure::metrics::units::UnitNames;
@@ -24,9 +24,6 @@ const COEFFICIENT: f64 = 2.0;
 
 /// Radius of a pendulum in m: those of bearings are below 10 m, those of domes below 100 m.
 const RADIUS: f64 = 100.0;
-
-/// Wave speeds of materials of bars in m/s.
-const SPEEDS: [f64; 2] = [500.0, 8000.0];
 
 /// A spring whose mass is not that of its nodes.
 pub fn spring_mass(template: &Template, case: &Case, masses: &Masses) -> Option<Doubt> {
@@ -166,8 +163,8 @@ pub fn wave_speed(template: &Template, case: &Case) -> Option<Doubt> {
         let speed = (stiffness * value(&bar.length)? / mass).sqrt() * unit;
         let text = || format!("bar {} has {} m/s", bar.name, short(speed));
         // A rigid bar is one stiff element.
-        let is_rigid = value(&bar.elements)? == 1.0 && speed > SPEEDS[1];
-        let fits = is_rigid || (SPEEDS[0]..=SPEEDS[1]).contains(&speed);
+        let is_rigid = value(&bar.elements)? == 1.0 && speed > WAVE_SPEEDS[1];
+        let fits = is_rigid || (WAVE_SPEEDS[0]..=WAVE_SPEEDS[1]).contains(&speed);
         (!fits).then(|| (Warning::WaveSpeed, text()))
     })
 }
