@@ -1,5 +1,6 @@
 //! The motion of a structure as a flow.
 
+use super::creep::Creep;
 use super::structure::{Moving, ROUND_OFF_OF_STEP};
 use crate::exact::adaptive::Flow;
 use crate::exact::adaptive::plane::PlaneContact;
@@ -43,11 +44,14 @@ impl Flow for Moving<'_> {
     }
 
     fn begins(&self) -> bool {
-        !self.beginning().is_empty()
+        !self.beginning().is_empty() || !self.creeping().is_empty()
     }
 
     fn begin(&mut self, t: f64, h: f64, y: &[f64], ends: [&mut [f64]; 2]) -> [f64; 2] {
-        self.begin_to_slide(t, h, y, ends)
+        match self.creeping().is_empty() {
+            true => self.begin_to_slide(t, h, y, ends),
+            false => self.creep([t, h], y, ends),
+        }
     }
 
     fn rates(&mut self, t: f64, y: &[f64], to: &mut [f64]) {
@@ -90,9 +94,11 @@ impl Flow for Moving<'_> {
             if self.model.structure.contacts[i].law.row().is_some() {
                 continue;
             }
-            let motion = self.relative(i, t, y);
+            let [r, rdot] = self.relative(i, t, y);
+            // rdot of a damper that creeps is next to nothing, and changes its sign with S.
+            let creeps = self.creeps[i].as_ref().and_then(Creep::force);
             contact.watch(
-                motion,
+                [r, creeps.unwrap_or(rdot)],
                 self.state_of(i, y),
                 self.moving_limit(i, t, y),
                 &mut watched,
@@ -103,6 +109,7 @@ impl Flow for Moving<'_> {
     }
 
     fn commit(&mut self, t: f64, y: &mut [f64]) {
+        self.commit_creeps(t, y);
         self.t = t;
         self.acceleration_terms = self.terms(t, y);
         self.commit_planes(t, y);

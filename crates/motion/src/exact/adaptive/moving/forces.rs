@@ -1,5 +1,6 @@
 //! Forces, accelerations and their terms in the motion of a structure.
 
+use super::creep::Creep;
 use super::structure::{DIFFERENCE, Moving};
 use crate::contact::ClippedLine;
 use crate::exact::events::{State, StateBuffers};
@@ -39,11 +40,12 @@ impl Moving<'_> {
                 self.model.columns[i].add_sizes(forces[i], &mut sums);
                 continue;
             }
-            let size = contact.force_terms(
-                self.motion(i, t, y),
-                self.state_of(i, y),
-                self.limit(i, t, y),
-            );
+            let creeps = self.creeps[i].as_ref().and_then(Creep::force);
+            let follows = || {
+                let motion = self.motion(i, t, y);
+                contact.force_terms(motion, self.state_of(i, y), self.limit(i, t, y))
+            };
+            let size = creeps.map_or_else(follows, f64::abs);
             self.model.columns[i].add_sizes(size, &mut sums);
         }
         let accelerations = sums.iter().zip(&self.model.inverse_masses);
@@ -55,6 +57,9 @@ impl Moving<'_> {
     }
 
     pub(crate) fn force(&self, contact: usize, t: f64, y: &[f64]) -> f64 {
+        if let Some(force) = self.creeps[contact].as_ref().and_then(Creep::force) {
+            return force;
+        }
         let own = &self.contacts[contact];
         let motion = self.relative(contact, t, y);
         own.force(motion, self.state_of(contact, y), self.limit(contact, t, y))

@@ -1,7 +1,8 @@
 //! A structure as a flow: its forces, its rates, and how its planes begin to slide and come to rest.
 
 pub(crate) mod begin;
-pub(crate) mod flow;
+pub(crate) mod creep;
+mod flow;
 pub(crate) mod forces;
 pub(crate) mod rest;
 pub(crate) mod rigid_planes;

@@ -1,5 +1,6 @@
 //! The equations of a structure: M u'' + C u' + K u + B S = p(t), in the coordinates of a model.
 
+use super::creep::Creep;
 use crate::contact::plane::Pair;
 use crate::exact::adaptive::contact::Contact;
 use crate::exact::adaptive::plane::{PlaneContact, PlaneState};
@@ -26,6 +27,8 @@ pub struct Moving<'a> {
     pub(crate) planes: Vec<Option<PlaneContact>>,
     /// Place of z of each contact; `None` without a state.
     pub(crate) places: Vec<Option<usize>>,
+    /// What dampers that are steep at rest do; none beside contacts in a plane without compliance.
+    pub(crate) creeps: Vec<Option<Creep>>,
     pub(crate) groups: Vec<usize>,
     /// Start and end of the present smooth part of all signals.
     pub(crate) part: [f64; 2],
@@ -94,8 +97,15 @@ impl<'a> Moving<'a> {
         let columns: usize = model.columns.iter().map(|row| row.entries()).sum();
         let signals = model.patterns.iter().map(|row| 20 + row.entries());
         let once = entries + 3 * columns + 50 * contacts.len() + signals.sum::<usize>();
+        let has_rigid = planes.iter().flatten().any(|own| own.phase.is_some());
+        let creep = |own: usize| {
+            let law = &structure.contacts[own].law;
+            Creep::of(&law.as_given()).filter(|_| !has_rigid && law.row().is_none())
+        };
+        let creeps = (0..contacts.len()).map(creep).collect();
         let moving = Moving {
             contacts,
+            creeps,
             planes,
             places,
             groups,

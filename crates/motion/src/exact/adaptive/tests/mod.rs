@@ -3,7 +3,7 @@
 use super::*;
 use crate::contact::{
     BoucWen, Dahl, DisplacementControl, Hertz, HuntCrossley, ImpactSpring, Jankowski, KelvinVoigt,
-    Lugre, Pendulum, Tanh, VelocityControl,
+    Lugre, Pendulum, Tanh, VelocityControl, Viscous,
 };
 use crate::exact::events;
 use crate::exact::regularised::Regularised;

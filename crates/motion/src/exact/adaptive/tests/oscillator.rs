@@ -160,3 +160,58 @@ fn a_mass_bounces_on_springs_as_the_closed_forms_of_the_laws_say() {
         );
     }
 }
+
+/// v' = p/m - (c/m) v^a from v0: without p it rests at m v0^(1 - a)/(c (1 - a)); under p = beta t, it creeps with v = (beta t/c)^(1/a) but
+/// for m v', which is far smaller.
+#[test]
+fn a_damper_that_is_steep_at_rest_stops_a_mass_and_lets_it_creep() {
+    for exponent in [0.1, 0.2, 0.35, 0.5, 0.8] {
+        let (c, v0) = (2.0, 1.5);
+        let law = ContactLaw::Viscous(Viscous {
+            viscosity: c,
+            exponent,
+        });
+        let mut mass = one(0.0, StructureLaw::new(law, None), 0.0);
+        mass.velocity = vec![v0];
+        let left = 1.0 - exponent;
+        let stop = libm::pow(v0, left) / (c * left);
+        let times = times(2.0 * stop, 40);
+        for (time, [u, v, s]) in times.iter().zip(at(&mass, &times, TOLERANCE)) {
+            let rest = (libm::pow(v0, left) - left * c * time).max(0.0);
+            let known = libm::pow(rest, 1.0 / left);
+            // From v v'/(c v^a) = -u'.
+            let power = 2.0 - exponent;
+            let way = (libm::pow(v0, power) - libm::pow(known, power)) / (c * power);
+            assert!((v - known).abs() < 1e-11, "{exponent} {time}: {v} {known}");
+            assert!((u - way).abs() < 1e-11, "{exponent} {time}: {u} {way}");
+            // A velocity of 1e-12 has the force of its power.
+            let force = c * libm::pow(known, exponent);
+            let error = c * libm::pow(1e-11, exponent);
+            assert!((s - force).abs() < error, "{exponent} {time}: {s} {force}");
+        }
+        let mut creeping = one(0.0, StructureLaw::new(law, None), 0.0);
+        let (slope, end) = (0.05, 4.0);
+        creeping.loads = vec![Load {
+            pattern: vec![(0, 1.0)],
+            signal: Table::new(vec![0.0, end], vec![0.0, slope * end])
+                .map(|table| std::sync::Arc::new(Signal::Table(table)))
+                .unwrap(),
+        }];
+        for [_, v, s] in at(&creeping, &[end], TOLERANCE) {
+            // m v' = beta (1/a) (beta t/c)^(1/a)/(beta t), once more put into the law.
+            let inverse = 1.0 / exponent;
+            let inertia = inverse * libm::pow(slope * end / c, inverse) / end;
+            let force = slope * end - inertia;
+            let [of_force, of_law] = [force, slope * end].map(|s| libm::pow(s / c, inverse));
+            let next = (of_force - of_law).abs();
+            assert!(
+                (v - of_force).abs() < 2.0 * next,
+                "{exponent}: {v} {of_force}"
+            );
+            assert!(
+                (s - force).abs() < 2.0 * c * inertia.max(1e-11),
+                "{exponent}: {s} {force}"
+            );
+        }
+    }
+}
