@@ -27,6 +27,7 @@ mod widened;
 
 use super::events::{EventsFault, Model, State, StateBuffers};
 use crate::contact::ContactLaw;
+use crate::exact::adaptive::moving::braced::{MASSLESS, compliances, may_be_braced};
 use crate::exact::adaptive::moving::structure::Moving;
 use crate::exact::adaptive::watched::Watched;
 use crate::system::structure::Structure;
@@ -179,7 +180,8 @@ fn run_model(
     mut visit: impl FnMut(usize, &State),
 ) -> Result<(), AdaptiveFault> {
     let mut room = StateBuffers::new(&model);
-    let (mut moving, start) = Moving::new(model);
+    let braces = compliances(&model)?;
+    let (mut moving, start) = Moving::new(model, braces);
     let length = times.last().copied().unwrap_or(0.0);
     moving.measure(length);
     let mut points = moving.points().to_vec();
@@ -213,8 +215,10 @@ fn refuse(structure: &Structure) -> Result<(), AdaptiveFault> {
                 "is rigid at rest"
             }
             law if law.row().is_none() && is_vertical(&law.law(1.0)) => "is rigid at rest",
-            _ if nodes.any(|(node, _)| structure.nodes[*node].mass <= 0.0) => {
-                "is at a node without mass"
+            law if nodes.any(|(node, _)| structure.nodes[*node].mass <= 0.0)
+                && !may_be_braced(law) =>
+            {
+                MASSLESS
             }
             law => match law.as_given().properties().only_in_steps() {
                 Some(what) => what,

@@ -64,7 +64,9 @@ impl Flow for Moving<'_> {
             let Some(place) = *place else {
                 continue;
             };
-            if let Some(plane) = &self.planes[i] {
+            if let Some([_, rate]) = self.braced(i, t, y) {
+                to[place] = rate;
+            } else if let Some(plane) = &self.planes[i] {
                 let state = self.in_plane(i, t, y, [0.0; 2]);
                 let rate = plane.rate(&state, self.moving_limit(i, t, y));
                 to[place..place + 2].copy_from_slice(&rate);
@@ -97,9 +99,12 @@ impl Flow for Moving<'_> {
             let [r, rdot] = self.relative(i, t, y);
             // rdot of a damper that creeps is next to nothing, and changes its sign with S.
             let creeps = self.creeps[i].as_ref().and_then(Creep::force);
+            // So does that of a contact behind springs.
+            let braced = self.braced(i, t, y).map(|own| own[0]);
+            let state = self.state_of(i, y).filter(|_| braced.is_none());
             contact.watch(
-                [r, creeps.unwrap_or(rdot)],
-                self.state_of(i, y),
+                [r, braced.or(creeps).unwrap_or(rdot)],
+                state,
                 self.moving_limit(i, t, y),
                 &mut watched,
             );
@@ -122,6 +127,9 @@ impl Flow for Moving<'_> {
             let mut motion = self.motion(i, t, y);
             // A velocity has the round-off of the accelerations of which it is the integral.
             motion.sizes[1] = motion.sizes[1].max(self.acceleration_terms * t);
+            if self.braces[i].is_some() {
+                continue;
+            }
             let (z, limit) = (self.state_of(i, y), self.moving_limit(i, t, y));
             let z = self.contacts[i].commit(motion, z, limit);
             if let (Some(place), Some(z)) = (self.places[i], z) {

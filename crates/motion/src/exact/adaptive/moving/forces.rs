@@ -41,11 +41,12 @@ impl Moving<'_> {
                 continue;
             }
             let creeps = self.creeps[i].as_ref().and_then(Creep::force);
+            let braced = self.braced(i, t, y).map(|own| own[0]);
             let follows = || {
                 let motion = self.motion(i, t, y);
                 contact.force_terms(motion, self.state_of(i, y), self.limit(i, t, y))
             };
-            let size = creeps.map_or_else(follows, f64::abs);
+            let size = braced.or(creeps).map_or_else(follows, f64::abs);
             self.model.columns[i].add_sizes(size, &mut sums);
         }
         let accelerations = sums.iter().zip(&self.model.inverse_masses);
@@ -57,6 +58,9 @@ impl Moving<'_> {
     }
 
     pub(crate) fn force(&self, contact: usize, t: f64, y: &[f64]) -> f64 {
+        if let Some([force, _]) = self.braced(contact, t, y) {
+            return force;
+        }
         if let Some(force) = self.creeps[contact].as_ref().and_then(Creep::force) {
             return force;
         }
@@ -113,9 +117,15 @@ impl Moving<'_> {
         let n = self.model.len();
         let mut a = vec![0.0; n];
         let [forces, _] = self.sums(t, y, &mut a);
+        let mut force_rates = vec![0.0; forces.len()];
         for (i, own) in self.model.structure.contacts.iter().enumerate() {
             [room.r[i], room.rate[i]] = self.relative(i, t, y);
             room.force[i] = forces[i];
+            if let (Some(own), Some(compliance)) = (self.braced(i, t, y), self.braces[i]) {
+                room.r[i] -= compliance * own[0];
+                room.rate[i] -= compliance * own[1];
+                force_rates[i] = own[1];
+            }
             room.slip[i] = room.r[i];
             if let Some(ClippedLine::Elastic { stiffness }) = own.law.line() {
                 room.slip[i] -= room.force[i] / stiffness;
@@ -127,12 +137,12 @@ impl Moving<'_> {
                 room.v.copy_from_slice(&y[n..2 * n]);
             }
             Some(modes) => {
-                // Without contacts at them, nodes without mass follow the modes and the loads.
+                // Nodes without mass follow the modes, the loads and the contacts behind them.
                 let signals = self.model.structure.loads.iter();
                 let at: Vec<f64> = signals.map(|load| load.signal.at(t)).collect();
                 for node in nodes {
                     room.u[*node] = modes.at(*node, &y[..n], [&at, &room.force, &[]]);
-                    room.v[*node] = modes.at(*node, &y[n..2 * n], [&[], &[], &[]]);
+                    room.v[*node] = modes.at(*node, &y[n..2 * n], [&[], &force_rates, &[]]);
                 }
             }
         }

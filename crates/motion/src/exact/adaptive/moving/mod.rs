@@ -1,6 +1,7 @@
 //! A structure as a flow: its forces, its rates, and how its planes begin to slide and come to rest.
 
 pub(crate) mod begin;
+pub mod braced;
 pub(crate) mod creep;
 mod flow;
 pub(crate) mod forces;

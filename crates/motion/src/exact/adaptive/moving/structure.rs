@@ -23,6 +23,8 @@ const SAMPLES: usize = 64;
 pub struct Moving<'a> {
     pub(crate) model: Model<'a>,
     pub(crate) contacts: Vec<Contact>,
+    /// The compliance of springs behind which a contact is.
+    pub(crate) braces: Vec<Option<f64>>,
     /// The contacts in a plane, by their first rows.
     pub(crate) planes: Vec<Option<PlaneContact>>,
     /// Place of z of each contact; `None` without a state.
@@ -45,8 +47,8 @@ pub struct Moving<'a> {
 }
 
 impl<'a> Moving<'a> {
-    /// The equations, and the state at t = 0.
-    pub fn new(model: Model<'a>) -> (Moving<'a>, Vec<f64>) {
+    /// The equations with the compliances behind contacts, and the state at t = 0.
+    pub fn new(model: Model<'a>, braces: Vec<Option<f64>>) -> (Moving<'a>, Vec<f64>) {
         let structure = model.structure;
         let n = model.len();
         let [u, v] = &model.start;
@@ -86,7 +88,8 @@ impl<'a> Moving<'a> {
                 places.push(None);
                 continue;
             }
-            places.push(contact.state().map(|z| {
+            let braced = braces[i].map(|_| at_rest.unwrap_or(0.0));
+            places.push(braced.or_else(|| contact.state()).map(|z| {
                 y.push(z);
                 groups.push(2 + i);
                 y.len() - 1
@@ -100,12 +103,14 @@ impl<'a> Moving<'a> {
         let has_rigid = planes.iter().flatten().any(|own| own.phase.is_some());
         let creep = |own: usize| {
             let law = &structure.contacts[own].law;
-            Creep::of(&law.as_given()).filter(|_| !has_rigid && law.row().is_none())
+            let is_alone = !has_rigid && law.row().is_none() && braces[own].is_none();
+            Creep::of(&law.as_given()).filter(|_| is_alone)
         };
         let creeps = (0..contacts.len()).map(creep).collect();
         let moving = Moving {
             contacts,
             creeps,
+            braces,
             planes,
             places,
             groups,
