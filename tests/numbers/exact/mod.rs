@@ -1,5 +1,6 @@
 //! Exact motions, and independent programs with many digits.
 
+mod dampers;
 mod independent;
 mod references;
 mod regularised;

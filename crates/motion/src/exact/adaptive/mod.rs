@@ -15,6 +15,7 @@
 pub mod bars;
 mod contact;
 mod drive;
+mod linked;
 mod moving;
 mod plane;
 mod radau;
@@ -32,6 +33,7 @@ use crate::exact::adaptive::moving::structure::Moving;
 use crate::exact::adaptive::watched::Watched;
 use crate::system::structure::Structure;
 use drive::Drive;
+pub use linked::Linked;
 use std::fmt;
 use widened::Widened;
 

@@ -7,6 +7,10 @@ use crate::contact::plane::{self, Pair, PlaneLaw, PlaneStep, dot, length};
 /// Relative size of values that are round-off.
 const ROUND_OFF: f64 = 1e-15;
 
+/// Part of its limit by which the force that would hold a contact exceeds it when it begins to slide: at the limit itself it may stay,
+/// and shares of contacts that hold a body together have errors of 1e-10.
+const BEGINS: f64 = 1e-9;
+
 /// Round-off of a mean velocity in a step over the terms of the displacement and the step.
 const ROUND_OFF_OF_MEAN: f64 = 1e-14;
 
@@ -230,7 +234,7 @@ impl PlaneContact {
         if let Some(phase) = self.phase {
             let own = self.limit(limit);
             to.push(match phase {
-                Phase::Sticks => one_sided(own - length(state.held), ROUND_OFF * own),
+                Phase::Sticks => one_sided(own - length(state.held), BEGINS * own),
                 Phase::Begins { .. } => one_sided(1.0, 0.0),
                 Phase::Slides if own > 0.0 => match self.line(state) {
                     Some(line) => line.least_velocity(state),

@@ -49,9 +49,20 @@ impl Widened {
             };
             contacts.extend([first_way, second_way]);
             of.push(None);
+            let masses = own
+                .along
+                .iter()
+                .map(|(node, by)| (by, given.nodes[*node].mass));
+            let moved = masses.filter(|(_, mass)| *mass > 0.0);
+            let flexibility: f64 = moved.map(|(by, mass)| by * by / mass).sum();
             nodes.push(Node {
                 name: own.name.clone(),
-                mass: 1.0,
+                // As flexible as the first direction, whatever the units.
+                mass: if flexibility > 0.0 {
+                    1.0 / flexibility
+                } else {
+                    1.0
+                },
                 direction: Default::default(),
             });
         }

@@ -10,6 +10,9 @@ use crate::system::structure::Structure;
 /// Part of its limit that a force which begins to slide may miss by round-off: shares of contacts that hold a body together have 1e-10.
 const ROUND_OFF: f64 = 1e-9;
 
+/// Part of its terms from which on the acceleration of a contact at its limit is none of round-off.
+const MOVES: f64 = 1e-11;
+
 impl Moving<'_> {
     /// Both rows of these contacts, by their first ones.
     fn rows(firsts: &[usize]) -> Vec<usize> {
@@ -137,14 +140,22 @@ impl Moving<'_> {
             .collect();
         let firsts = (0..m).map(|i| i % 2 == 0).collect();
         // Forces that are not unique move the bodies alike.
-        let _ = RigidForces::new(matrix, firsts).solve(&d, [&low, &limits], &sizes, &mut forces);
+        let _ = RigidForces::new(matrix.clone(), firsts).solve(
+            &d,
+            [&low, &limits],
+            &sizes,
+            &mut forces,
+        );
+        let moves = |row: usize| {
+            let taken = (0..m).map(|j| matrix[row * m + j] * forces[j]);
+            (d[row] - taken.sum::<f64>()).abs() > MOVES * sizes[row]
+        };
         let mut any = false;
         for (i, first) in rests.iter().enumerate() {
             let size = length([forces[2 * i], forces[2 * i + 1]]);
-            if let (Some(plane), true) = (
-                &mut self.planes[*first],
-                size >= (1.0 - ROUND_OFF) * limits[2 * i],
-            ) {
+            let begins = size >= (1.0 - ROUND_OFF) * limits[2 * i];
+            let begins = begins && (moves(2 * i) || moves(2 * i + 1));
+            if let (Some(plane), true) = (&mut self.planes[*first], begins) {
                 plane.phase = Some(match limits[2 * i] > 0.0 {
                     true => Phase::Begins { since: t },
                     // Without friction it has no direction.

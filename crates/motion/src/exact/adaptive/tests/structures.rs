@@ -152,6 +152,27 @@ fn friction_without_compliance_moves_as_by_events() {
 }
 
 #[test]
+fn friction_at_its_limit_stays_without_an_acceleration() {
+    let law = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(0.3));
+    let mut held = one(1.0, law.clone(), 0.0);
+    held.displacement = vec![0.3];
+    assert_eq!(at(&held, &[5.0], TOLERANCE), [[0.3, 0.0, -0.3]]);
+    // A load that rises to the limit and stays there, in a plane, too.
+    let table = Table::new(vec![0.0, 1.0, 5.0], vec![0.0, 0.3, 0.3]).unwrap();
+    let mut loaded = one(0.0, law.clone(), 0.0);
+    loaded.loads.push(Load {
+        pattern: vec![(0, 1.0)],
+        signal: Arc::new(Signal::Table(table)),
+    });
+    let [u, v, s] = at(&loaded, &[5.0], TOLERANCE)[0];
+    // Round-off of the load is all that moves it.
+    assert!(
+        u.abs() < 1e-13 && v.abs() < 1e-13 && (s - 0.3).abs() < 1e-13,
+        "{u} {v} {s}"
+    );
+}
+
+#[test]
 fn what_the_integration_does_not_know_is_said() {
     let of = |law| run_of(&one(1.0, law, 0.0), &[0], &[1.0], TOLERANCE, |_, _| {});
     let rigid = of(StructureLaw::new(

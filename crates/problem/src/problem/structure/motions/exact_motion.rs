@@ -2,7 +2,7 @@
 
 use super::derived;
 use super::recorded::Recorded;
-use crate::exact::adaptive::{self, AdaptiveFault};
+use crate::exact::adaptive::{self, AdaptiveFault, Linked};
 use crate::exact::events::{self, EventsFault};
 use crate::problem::structure::channels::channel::{Derived, Number, Quantity};
 use crate::problem::structure::model::massless;
@@ -21,17 +21,40 @@ pub fn exact(
     numbers: &[Number],
 ) -> Result<Recorded, Unsolvable> {
     let held = massless::with_springs_in_series(structure);
-    let structure = held.as_ref().unwrap_or(structure);
-    record(structure, times, numbers, |nodes, visit| {
-        let by_events = events::run_of(structure, nodes, times, &mut *visit);
+    let held = held.as_ref().unwrap_or(structure);
+    record(held, times, numbers, |nodes, visit| {
+        let by_events = events::run_of(held, nodes, times, &mut *visit);
         match by_events {
             Err(EventsFault::Law { .. }) => {}
             ended => return ended.map_err(|why| why.to_string()),
         }
-        let ended = adaptive::refuse_large(structure)
-            .and_then(|()| adaptive::run_of(structure, nodes, times, adaptive::TOLERANCE, visit));
-        ended.map_err(|why: AdaptiveFault| why.to_string())
+        let ended = integrate(
+            [structure, held],
+            nodes,
+            (times, adaptive::TOLERANCE),
+            visit,
+        );
+        ended.map_err(|why| why.to_string())
     })
+}
+
+/// The integrated motion of a structure, which has weak springs between contacts in series if these are not dampers behind elastic ones.
+fn integrate(
+    [given, held]: [&Structure; 2],
+    nodes: &[usize],
+    (times, tolerance): (&[f64], f64),
+    visit: &mut dyn FnMut(usize, &events::State),
+) -> Result<(), AdaptiveFault> {
+    adaptive::refuse_large(given)?;
+    let Some(mut linked) = Linked::new(given) else {
+        return adaptive::run_of(held, nodes, times, tolerance, visit);
+    };
+    let structure = linked.structure.clone();
+    let nodes: Vec<usize> = nodes.iter().copied().chain(linked.nodes()).collect();
+    adaptive::run_of(&structure, &nodes, times, tolerance, |i, state| {
+        visit(i, &linked.given(state));
+    })?;
+    linked.end()
 }
 
 /// The integrated motion with a coarser tolerance, whose difference tells its error; `None` where the motion is one by events.
@@ -48,8 +71,7 @@ pub fn coarse(
     }
     let times = adaptive::coarse_times(times);
     let recorded = record(structure, &times, numbers, |nodes, visit| {
-        let ended = adaptive::refuse_large(structure)
-            .and_then(|()| adaptive::run_of(structure, nodes, &times, adaptive::COARSE, visit));
+        let ended = integrate([structure; 2], nodes, (&times, adaptive::COARSE), visit);
         ended.map_err(|why| why.to_string())
     });
     recorded.map(Some)

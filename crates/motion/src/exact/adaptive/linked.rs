@@ -1,0 +1,134 @@
+//! Elastic contacts in series with a damper, as springs behind which it is.
+
+use super::AdaptiveFault;
+use super::moving::braced::may_be_braced;
+use crate::contact::ClippedLine;
+use crate::exact::events::State;
+use crate::system::structure::{Along, Chain, Structure};
+
+/// Part of a start by which r and S/k of an elastic contact may differ.
+const ROUND_OFF: f64 = 1e-12;
+
+/// A structure whose chains are dampers behind springs.
+#[derive(Debug)]
+pub struct Linked {
+    /// The structure: what was elastic is among the springs, and a contact without force.
+    pub structure: Structure,
+    elastic: Vec<Elastic>,
+    values: [Vec<f64>; 4],
+    slides: Option<String>,
+}
+
+/// A contact that has become a spring.
+#[derive(Debug)]
+struct Elastic {
+    contact: usize,
+    along: Along,
+    stiffness: f64,
+    limit: f64,
+    /// The damper, and S over its S.
+    damper: (usize, f64),
+}
+
+impl Linked {
+    /// `None` without chains, or with one that is no damper with elastic contacts that start unbent.
+    pub fn new(given: &Structure) -> Option<Linked> {
+        let mut structure = given.clone();
+        let mut elastic = Vec::new();
+        for chain in given.chains() {
+            elastic.extend(of_chain(given, &chain)?);
+        }
+        for own in &elastic {
+            structure.stiffness.add_along(&own.along, own.stiffness);
+            structure.contacts[own.contact].along.clear();
+            if let Some(force) = structure.preload.forces.get_mut(own.contact) {
+                *force = None;
+            }
+        }
+        let values = [(); 4].map(|()| vec![0.0; given.contacts.len()]);
+        (!elastic.is_empty()).then_some(Linked {
+            structure,
+            elastic,
+            values,
+            slides: None,
+        })
+    }
+
+    /// The nodes of what was elastic, of which a state must have the rates.
+    pub fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        let along = self.elastic.iter().flat_map(|own| &own.along);
+        along.map(|(node, _)| *node)
+    }
+
+    /// A state with the contacts that were given.
+    pub fn given<'a>(&'a mut self, state: &'a State) -> State<'a> {
+        let all = [state.r, state.rate, state.force, state.slip];
+        for (values, all) in self.values.iter_mut().zip(all) {
+            values.copy_from_slice(all);
+        }
+        let [r, rate, force, slip] = &mut self.values;
+        for own in &self.elastic {
+            let (damper, factor) = own.damper;
+            let s = factor * state.force[damper];
+            if s.abs() >= own.limit {
+                let name = &self.structure.contacts[own.contact].name;
+                self.slides.get_or_insert_with(|| name.clone());
+            }
+            let rates = own.along.iter().map(|(node, by)| by * state.v[*node]);
+            (r[own.contact], rate[own.contact]) = (s / own.stiffness, rates.sum());
+            (force[own.contact], slip[own.contact]) = (s, 0.0);
+        }
+        State {
+            u: state.u,
+            v: state.v,
+            r,
+            rate,
+            force,
+            slip,
+        }
+    }
+
+    /// What the motion says in the end.
+    ///
+    /// # Errors
+    /// A contact that was taken as elastic slides.
+    pub fn end(self) -> Result<(), AdaptiveFault> {
+        let what = "slides in series with a damper";
+        let fault = |name| Err(AdaptiveFault::Contact { name, what });
+        self.slides.map_or(Ok(()), fault)
+    }
+}
+
+/// The elastic contacts of a chain with one damper.
+fn of_chain(given: &Structure, chain: &Chain) -> Option<Vec<Elastic>> {
+    if chain.links.iter().any(|link| link.len() != 1) {
+        return None;
+    }
+    let law = |contact: usize| &given.contacts[contact].law;
+    let mut dampers = chain
+        .members()
+        .filter(|own| may_be_braced(law(own.contact)));
+    let (Some(damper), None) = (dampers.next(), dampers.next()) else {
+        return None;
+    };
+    let others = chain.members().filter(|own| own.contact != damper.contact);
+    let elastic = others.map(|own| {
+        let contact = &given.contacts[own.contact];
+        let Some(ClippedLine::Elastic { stiffness }) = contact.law.line() else {
+            return None;
+        };
+        let limit = contact.law.limit()?;
+        let is_constant = limit.varying.is_none() && limit.pressed_by.is_none();
+        let r = given.relative(own.contact, &given.displacement);
+        let s = given.preload.force(own.contact).unwrap_or(0.0);
+        let is_unbent = (stiffness * r - s).abs() <= ROUND_OFF * s.abs();
+        (is_constant && is_unbent && contact.gap == 0.0).then(|| Elastic {
+            contact: own.contact,
+            along: contact.along.clone(),
+            stiffness,
+            limit: limit.at(0.0),
+            damper: (damper.contact, own.sign * damper.sign),
+        })
+    });
+    elastic.collect()
+}
