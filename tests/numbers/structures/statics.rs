@@ -1,6 +1,6 @@
 //! Static equilibria that contacts alone hold, and bodies that rest until an earthquake moves them.
 
-use serde_json::{Value as Json, json};
+use serde_json::{Map, Value as Json, json};
 use slipgap::problem::Solution;
 use slipgap::study::{self, Study};
 
@@ -313,6 +313,137 @@ fn contacts_hold_what_nothing_else_holds_however_soft_they_become() {
                 (found - expected).abs() < tolerance * 20.0,
                 "{name} {found} {expected}"
             );
+        }
+    }
+}
+
+/// Storeys on laws that soften, in equilibrium on their first branches: displacements of storeys by shear over stiffness.
+#[test]
+fn laws_that_soften_stay_on_their_first_branch_under_small_loads() {
+    let bilinear = |k: f64| json!({"law": "bilinear", "k1": k, "Fy": 100, "ratio": -0.1});
+    let hinge = |k: f64| json!({"law": "imk-peak-oriented", "k": k, "Fy": 100, "Up": 0.1, "Upc": 0.5, "Fcap_ratio": 1.1});
+    let equal = || bilinear(1e4);
+    for (laws, loads) in [
+        (vec![bilinear(1e4), bilinear(1e5)], vec![1.0, -1.0]),
+        (
+            vec![equal(), equal(), equal(), equal()],
+            vec![1.0, -1.0, 1.0, -1.0],
+        ),
+        (vec![bilinear(1e4), hinge(1e6)], vec![0.0, 1.0]),
+        (vec![hinge(1e4), bilinear(1e6)], vec![1.0, 1.0]),
+        (
+            vec![hinge(1e6), hinge(1e4), hinge(1e5)],
+            vec![2.0, -3.0, 1.0],
+        ),
+    ] {
+        let (mut masses, mut contacts, mut loaded) = (Map::new(), Map::new(), Map::new());
+        let mut below = "ground".to_owned();
+        let (mut known, mut u) = (Vec::new(), 0.0);
+        for (i, law) in laws.iter().enumerate() {
+            let name = format!("a{i}");
+            masses.insert(name.clone(), json!(1));
+            loaded.insert(name.clone(), json!(loads[i]));
+            let mut own = law.clone();
+            own["between"] = json!([below, name]);
+            contacts.insert(format!("h{i}"), own);
+            let k = law
+                .get("k1")
+                .or(law.get("k"))
+                .and_then(Json::as_f64)
+                .unwrap();
+            u += loads[i..].iter().sum::<f64>() / k;
+            known.push(u);
+            below = name;
+        }
+        let metrics: Vec<String> = masses.keys().map(|name| format!("last({name})")).collect();
+        let study = json!({
+            "problem": "structure", "parameters": {"dt": 1e-4, "duration": 2e-4},
+            "structure": {"masses": masses, "contacts": contacts, "static": loaded},
+            "metrics": metrics
+        });
+        let largest = known.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
+        for (found, known) in solve(&read(&study), 0).metrics.iter().zip(known) {
+            let found = found.unwrap();
+            // Forces within 1e-10, and two steps of what is left.
+            assert!(
+                (found - known).abs() < 1e-9 * largest,
+                "{study}: {found} {known}"
+            );
+        }
+    }
+}
+
+/// Bodies on Hertz contacts, the uppermost on a soft spring, too: far below, the free displacement is 10^7 times that of the contacts.
+#[test]
+fn contacts_below_a_soft_spring_carry_the_weight_that_it_leaves() {
+    for (law, stiffness) in [("hertz", "k_h"), ("impact", "k"), ("hunt-crossley", "k_h")] {
+        let masses = [0.01, 0.2, 5.0, 100.0];
+        let (mut bodies, mut contacts) = (Map::new(), Map::new());
+        let mut below = "ground".to_owned();
+        for (i, mass) in masses.iter().enumerate() {
+            let name = format!("b{i}");
+            bodies.insert(name.clone(), json!({"mass": mass, "direction": "y"}));
+            let mut own = json!({"law": law, "gap": 0, "between": [below, name]});
+            own[stiffness] = json!(1e7);
+            if law == "hunt-crossley" {
+                own["restitution"] = json!(0.6);
+            }
+            contacts.insert(format!("c{i}"), own);
+            below = name;
+        }
+        let study = json!({
+            "problem": "structure", "parameters": {"dt": 1e-4, "duration": 2e-3},
+            "structure": {
+                "masses": bodies, "contacts": contacts, "static": {"gravity": -9.81},
+                "springs": [{"name": "s", "between": ["ground", "b3"], "k": 1, "direction": "y"}]
+            },
+            "metrics": ["min(c0.S)", "max(c0.S)", "last(b3)"]
+        });
+        let found: Vec<f64> = solve(&read(&study), 0)
+            .metrics
+            .into_iter()
+            .flatten()
+            .collect();
+        let [least, most, sunk] = found[..] else {
+            panic!("{found:?}")
+        };
+        let known = -9.81 * masses.iter().sum::<f64>() - sunk;
+        for force in [least, most] {
+            assert!(
+                (force - known).abs() < 1e-9 * known.abs(),
+                "{law}: {force} {known}"
+            );
+        }
+    }
+}
+
+/// Nothing touches b, and no load moves it: it stays where it is, also where a is pushed near it.
+#[test]
+fn a_body_that_nothing_moves_stays() {
+    for law in [
+        json!({"law": "impact", "k": 1e5}),
+        json!({"law": "hertz", "k_h": 1e5}),
+    ] {
+        for (load, gap, r) in [(5.0, 0.5, 0.495), (-5.0, 0.01, 0.015)] {
+            let mut contact = law.clone();
+            (contact["between"], contact["gap"]) = (json!(["a", "b"]), json!(gap));
+            let study = json!({
+                "problem": "structure", "parameters": {"dt": 1e-3, "duration": 0.01},
+                "structure": {
+                    "masses": {"a": 1, "b": 1}, "springs": [{"between": ["ground", "a"], "k": 1e3}],
+                    "contacts": {"c": contact}, "static": {"a": load}
+                },
+                "metrics": ["last(a)", "last(b)", "last(c.r)", "peak(b.v)"]
+            });
+            let found: Vec<f64> = solve(&read(&study), 0)
+                .metrics
+                .into_iter()
+                .flatten()
+                .collect();
+            // Round-off of a solution.
+            for (found, known) in found.iter().zip([load / 1e3, 0.0, r, 0.0]) {
+                assert!((found - known).abs() < 1e-12, "{study}: {found} {known}");
+            }
         }
     }
 }

@@ -7,8 +7,9 @@ use crate::system::structure::Structure;
 /// Part of the terms of a balance, or of a force, that may be left.
 const LEFT: f64 = 1e-10;
 
-/// Part of the displacements that r may be wrong by.
+/// Part of the displacements that r may be wrong by, and of those without contacts, of which they may be differences.
 const PLACE: f64 = 1e-11;
+const ROUND_OFF: f64 = 1e-15;
 
 impl Equilibrium<'_> {
     /// What is not in equilibrium with this load: a node or a contact by its name. `loose` is a part of the largest force that may be
@@ -19,7 +20,7 @@ impl Equilibrium<'_> {
         if let Some(node) = unbalanced(structure, load, &self.u, &self.forces, beside) {
             return Some(structure.nodes[node].name.clone());
         }
-        let place = PLACE.max(loose) * (largest(&self.u) + self.reach);
+        let place = PLACE.max(loose) * largest(&self.u) + ROUND_OFF.max(loose) * self.reach;
         let end = self.curved.memory();
         self.curved.recall(self.start.2.iter().copied());
         let broken = (0..structure.contacts.len()).find(|c| {

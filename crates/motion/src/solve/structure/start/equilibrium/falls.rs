@@ -4,7 +4,7 @@
 //! equilibrium is the right one if the law itself has the same force there.
 
 use super::Equilibrium;
-use super::weights::softens;
+use super::weights::{largest, softens};
 use crate::contact::{ClippedLine, ContactKind};
 use crate::solve::Unsolvable;
 use crate::system::structure::{Contact, Limit, Structure, StructureLaw};
@@ -15,8 +15,9 @@ const SMALLER: usize = 4;
 /// Part of the range of a law that shows its first branch.
 const FIRST: f64 = 1e-6;
 
-/// Part of a force by which it may be beside that branch.
+/// Part of a force by which it may be beside that branch, and of the largest one by which a force that is none may be.
 const STRAIGHT: f64 = 1e-9;
+const ROUND_OFF: f64 = 1e-11;
 
 impl<'a> Equilibrium<'a> {
     /// The equilibrium with the load, which is applied in so many parts.
@@ -28,11 +29,23 @@ impl<'a> Equilibrium<'a> {
         parts: usize,
     ) -> Result<Equilibrium<'a>, Unsolvable> {
         let mut own = Equilibrium::with(structure, 0)?;
-        let falls = softens(&own.curved);
-        if falls {
-            if own.is_elastic(parts) {
-                return Ok(own);
-            }
+        match own.leaves_idle(parts) {
+            true => Ok(own),
+            false => Equilibrium::of_others(structure, parts),
+        }
+    }
+
+    /// The same without a look at bodies that nothing moves.
+    pub(super) fn of_others(
+        structure: &'a Structure,
+        parts: usize,
+    ) -> Result<Equilibrium<'a>, Unsolvable> {
+        let mut own = Equilibrium::with(structure, 0)?;
+        let falls = structure.contacts.iter().any(falls);
+        if falls && own.is_elastic(parts) {
+            return Ok(own);
+        }
+        if softens(&own.curved) {
             own = Equilibrium::with(structure, SMALLER)?;
         }
         match own.apply(parts) {
@@ -71,10 +84,12 @@ impl<'a> Equilibrium<'a> {
         }
         self.curved.recall(memory.into_iter());
         let start = &self.structure.displacement;
+        let sizes = [&found.forces, &self.structure.preload.load].map(|all| largest(all));
+        let round_off = ROUND_OFF * sizes[0].max(sizes[1]);
         let is_on_line = |c: &usize| {
             let of = |u: &[f64]| self.structure.relative(*c, u);
             let force = self.curved.lead(*c, of(&found.u) - of(start));
-            (force - found.forces[*c]).abs() <= STRAIGHT * force.abs()
+            (force - found.forces[*c]).abs() <= STRAIGHT * force.abs() + round_off
         };
         let is_elastic = falling.iter().all(is_on_line);
         if is_elastic {

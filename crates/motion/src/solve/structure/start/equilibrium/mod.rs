@@ -13,6 +13,7 @@
 
 mod check;
 mod falls;
+mod idle;
 mod newton;
 mod step;
 mod weights;

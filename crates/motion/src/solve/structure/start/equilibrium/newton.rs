@@ -126,6 +126,12 @@ impl Equilibrium<'_> {
             matrix[(row, row)] = by_s;
             right[row] = rest;
         }
+        // A body that nothing touches and no load moves stays.
+        for i in 0..n {
+            if right[i] == 0.0 && matrix.row(i).iter().all(|x| *x == 0.0) {
+                matrix[(i, i)] = 1.0;
+            }
+        }
         let change = matrix.lu().solve(&right)?;
         change.iter().all(|x| x.is_finite()).then_some(change)
     }
