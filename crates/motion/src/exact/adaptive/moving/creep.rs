@@ -190,7 +190,8 @@ impl Moving<'_> {
             let slope = law.properties().rate_under(own.force);
             let rates = h * flexibility / slope.map_or(0.0, |[_, slope]| slope);
             // Not a number at rest at the start.
-            own.creeps = !(rates <= if own.creeps { FAST } else { STEEP });
+            let most = if own.creeps { FAST } else { STEEP };
+            own.creeps = rates.is_nan() || rates > most;
         }
     }
 
