@@ -17,6 +17,7 @@ mod contact;
 mod drive;
 mod linked;
 mod moving;
+mod on_line;
 mod plane;
 mod radau;
 mod step;

@@ -1,5 +1,6 @@
 //! A contact in a plane in continuous time.
 
+use super::on_line::OnLine;
 use super::watched::{LimitAt, Watched};
 use crate::contact::ContactLaw;
 use crate::contact::plane::{self, Pair, PlaneLaw, PlaneStep, dot, length};
@@ -10,9 +11,6 @@ const ROUND_OFF: f64 = 1e-15;
 /// Part of its limit by which the force that would hold a contact exceeds it when it begins to slide: at the limit itself it may stay,
 /// and shares of contacts that hold a body together have errors of 1e-10.
 const BEGINS: f64 = 1e-9;
-
-/// Round-off of a mean velocity in a step over the terms of the displacement and the step.
-const ROUND_OFF_OF_MEAN: f64 = 1e-14;
 
 /// Speed over the largest one so far, below which a rigid contact that slides has come to rest: its way from there is 1e-18 of the whole.
 const STOPS: f64 = 1e-9;
@@ -36,40 +34,6 @@ pub struct PlaneContact {
     speed: f64,
     /// The last end of a step, if a rigid contact slides along its first direction there: nothing turns then.
     on_line: Option<OnLine>,
-}
-
-/// The motion on a line at the end of a step.
-#[derive(Debug, Clone, Copy)]
-struct OnLine {
-    t: f64,
-    r: f64,
-    rdot: f64,
-    /// Sum of the sizes of the terms of r.
-    size: f64,
-}
-
-impl OnLine {
-    /// The least velocity from here to a state, in the direction of the one here: of the parabola with both velocities and their mean.
-    fn least_velocity(&self, state: &PlaneState) -> Watched {
-        let (h, way) = (state.t - self.t, self.rdot.signum());
-        let [start, end] = [self.rdot, state.rdot[0]].map(|rdot| way * rdot);
-        let mean = way * (state.r[0] - self.r) / h;
-        let curvature = 3.0 * (start + end) - 6.0 * mean;
-        let slope = end - start - curvature;
-        let lowest = -slope / (2.0 * curvature);
-        let dips = end > 0.0 && curvature > 0.0 && 0.0 < lowest && lowest < 1.0;
-        Watched {
-            value: match dips {
-                true => start + 0.5 * slope * lowest,
-                false => end,
-            },
-            least: match dips {
-                true => ROUND_OFF_OF_MEAN * self.size / h,
-                false => 0.0,
-            },
-            one_sided: true,
-        }
-    }
 }
 
 /// What a contact without compliance does.
@@ -237,7 +201,7 @@ impl PlaneContact {
                 Phase::Sticks => one_sided(own - length(state.held), BEGINS * own),
                 Phase::Begins { .. } => one_sided(1.0, 0.0),
                 Phase::Slides if own > 0.0 => match self.line(state) {
-                    Some(line) => line.least_velocity(state),
+                    Some(line) => line.least_velocity(state.t, [state.r[0], state.rdot[0]]),
                     None => one_sided(length(state.rdot) - STOPS * self.speed, 0.0),
                 },
                 Phase::Slides => one_sided(1.0, 0.0),
@@ -327,12 +291,8 @@ impl PlaneContact {
 
     /// Keeps a state from which a contact that slides goes on along a line; `size` is that of the terms of r.
     pub fn follow_line(&mut self, state: &PlaneState, size: f64) {
-        let is_on = self.phase == Some(Phase::Slides) && state.rdot[1] == 0.0;
-        self.on_line = (is_on && state.rdot[0] != 0.0).then_some(OnLine {
-            t: state.t,
-            r: state.r[0],
-            rdot: state.rdot[0],
-            size,
-        });
+        let slides = self.phase == Some(Phase::Slides);
+        let on_line = OnLine::at(state.t, [state.r, state.rdot], size);
+        self.on_line = on_line.filter(|_| slides);
     }
 }

@@ -6,7 +6,6 @@
 
 use super::structure::Moving;
 use super::substitute::combine;
-use crate::contact::ContactLaw;
 use crate::exact::adaptive::Flow;
 use crate::exact::adaptive::radau::{NODES, POINTS, eliminate, weights};
 use crate::exact::adaptive::watched::Motion;
@@ -23,34 +22,6 @@ const CORRECTIONS: usize = 150;
 
 /// Round-off of a relative velocity over the velocities.
 const ROUND_OFF: f64 = 1e-15;
-
-/// A damper between two ends of steps.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Creep {
-    /// Whether S is an unknown of the steps.
-    creeps: bool,
-    /// S at the end of the last step, and at that of the last one that was tried.
-    force: f64,
-    tried: f64,
-    /// S while it is sought.
-    imposed: Option<f64>,
-    /// Largest |S|, and size of rdot, so far.
-    largest: f64,
-    fastest: f64,
-}
-
-impl Creep {
-    /// `None` for a law that is not steep at rest.
-    pub(crate) fn of(law: &ContactLaw) -> Option<Creep> {
-        let [_, slope] = law.properties().rate_under(0.0)?;
-        (slope == 0.0).then(Creep::default)
-    }
-
-    /// S while it does not follow from rdot.
-    pub(crate) fn force(&self) -> Option<f64> {
-        self.creeps.then(|| self.imposed.unwrap_or(self.tried))
-    }
-}
 
 impl Moving<'_> {
     /// The dampers that creep.

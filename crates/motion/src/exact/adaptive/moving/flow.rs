@@ -1,6 +1,6 @@
 //! The motion of a structure as a flow.
 
-use super::creep::Creep;
+use super::damper::Creep;
 use super::structure::{Moving, ROUND_OFF_OF_STEP};
 use crate::exact::adaptive::Flow;
 use crate::exact::adaptive::plane::PlaneContact;

@@ -1,6 +1,6 @@
 //! Forces, accelerations and their terms in the motion of a structure.
 
-use super::creep::Creep;
+use super::damper::Creep;
 use super::structure::{DIFFERENCE, Moving};
 use crate::contact::ClippedLine;
 use crate::exact::events::{State, StateBuffers};

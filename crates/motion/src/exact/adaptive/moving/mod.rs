@@ -3,6 +3,7 @@
 pub(crate) mod begin;
 pub mod braced;
 pub(crate) mod creep;
+pub(crate) mod damper;
 mod flow;
 pub(crate) mod forces;
 pub(crate) mod rest;

@@ -1,6 +1,6 @@
 //! The equations of a structure: M u'' + C u' + K u + B S = p(t), in the coordinates of a model.
 
-use super::creep::Creep;
+use super::damper::Creep;
 use crate::contact::plane::Pair;
 use crate::exact::adaptive::contact::Contact;
 use crate::exact::adaptive::plane::{PlaneContact, PlaneState};

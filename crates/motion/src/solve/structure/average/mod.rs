@@ -1,5 +1,6 @@
 //! The constant average acceleration method in increments.
 
+mod contact;
 pub(crate) mod moves;
 mod repeat;
 pub(crate) mod state;

@@ -1,20 +1,8 @@
 //! A step whose friction limits follow the forces of other parts at its end.
 
-use super::state::{Average, ContactState};
+use super::state::Average;
 use crate::lane::Lane;
-use crate::solve::structure::contacts::curved::Curved;
-use crate::solve::structure::contacts::static_friction::StaticFriction;
 use crate::solve::structure::inputs::pressing::Pressing;
-
-/// What a step changes, as at its start. The lists are kept from step to step.
-#[derive(Debug, Default)]
-pub(crate) struct Start<const L: usize> {
-    /// P, W, the moved nodes and S.
-    lists: [Vec<Lane<L>>; 4],
-    contacts: Vec<ContactState<L>>,
-    curved: Vec<Option<Curved>>,
-    two_limits: Option<StaticFriction>,
-}
 
 impl<const L: usize> Average<'_, L> {
     /// Does a step until the limits are those of its end.

@@ -1,6 +1,7 @@
 //! The state of structures in lanes, by the constant average acceleration method.
 
-use super::repeat::Start;
+use super::contact::Start;
+pub(crate) use super::contact::{ContactState, LaneLine};
 use crate::lane::Lane;
 use crate::solve::structure::contacts::curved::Curved;
 use crate::solve::structure::contacts::curved_lanes::curved_lanes;
@@ -44,30 +45,6 @@ pub(crate) struct Average<'a, const L: usize> {
     pub(crate) pressing: Option<Pressing<L>>,
     /// The start of that step.
     pub(crate) start: Start<L>,
-}
-
-/// The motion of a contact, and its law.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct ContactState<const L: usize> {
-    /// gap + B^T P.
-    pub(crate) p: Lane<L>,
-    /// B^T W.
-    pub(crate) w: Lane<L>,
-    /// S.
-    pub(crate) force: Lane<L>,
-    pub(crate) gap: Lane<L>,
-    pub(crate) line: LaneLine<L>,
-    /// B^T of the change of W without S(i+1).
-    pub(crate) change: Lane<L>,
-}
-
-/// The laws of a contact.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct LaneLine<const L: usize> {
-    pub(crate) compliance: Lane<L>,
-    pub(crate) by_increment: Lane<L>,
-    pub(crate) by_displacement: Lane<L>,
-    pub(crate) by_force: Lane<L>,
 }
 
 /// The motions of the nodes, numbered as in the structure.

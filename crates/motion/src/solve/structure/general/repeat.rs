@@ -1,23 +1,8 @@
 //! A sub-step whose friction limits follow the forces of other parts at its end.
 
-use super::stages::{General, Stage};
+use super::stages::General;
 use crate::lane::Lane;
-use crate::solve::structure::contacts::curved::Curved;
-use crate::solve::structure::contacts::static_friction::StaticFriction;
-use crate::solve::structure::general::held::corrections::Corrections;
-use crate::solve::structure::general::held::impacts::Impacts;
 use crate::solve::structure::inputs::pressing::Pressing;
-
-/// What a sub-step changes, as at its start. The lists are kept from step to step.
-#[derive(Debug, Default)]
-pub(super) struct Start<const L: usize> {
-    stage: Stage<L>,
-    force: Vec<Lane<L>>,
-    curved: Vec<Option<Curved>>,
-    two_limits: Option<StaticFriction>,
-    impacts: Option<Impacts<L>>,
-    corrections: Option<Box<Corrections<L>>>,
-}
 
 impl<const L: usize> General<'_, L> {
     /// Does a sub-step until the limits are those of its end.

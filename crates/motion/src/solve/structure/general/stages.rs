@@ -1,7 +1,6 @@
 //! The state of structures in lanes, by any method.
 
 use super::contacts::{LaneContact, LaneLine};
-use super::repeat::Start;
 use crate::lane::Lane;
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
@@ -64,6 +63,17 @@ pub(super) struct Stage<const L: usize> {
     pub(super) contacts: Vec<[Lane<L>; 3]>,
     /// What supports moved the gaps, and the rates of it; empty without supports that move.
     pub(super) gaps: Vec<[Lane<L>; 2]>,
+}
+
+/// What a sub-step changes, as at its start. The lists are kept from step to step.
+#[derive(Debug, Default)]
+pub(super) struct Start<const L: usize> {
+    pub(super) stage: Stage<L>,
+    pub(super) force: Vec<Lane<L>>,
+    pub(super) curved: Vec<Option<Curved>>,
+    pub(super) two_limits: Option<StaticFriction>,
+    pub(super) impacts: Option<Impacts<L>>,
+    pub(super) corrections: Option<Box<Corrections<L>>>,
 }
 
 /// u* - u and v* - v of a place.

@@ -3,8 +3,7 @@
 use super::contacts::{LaneContact, LaneLine};
 use super::critical::{CriticalFault, critical_fault};
 use super::curved;
-use super::repeat::Start;
-use super::stages::{General, Stage};
+use super::stages::{General, Stage, Start};
 use crate::lane::Lane;
 use crate::solve::Unsolvable;
 use crate::solve::structure::contacts::forces::Forces;
