@@ -5,9 +5,9 @@
 
 use super::Equilibrium;
 use super::weights::{largest, softens};
-use crate::contact::{ClippedLine, ContactKind};
+use crate::contact::ContactKind;
 use crate::solve::Unsolvable;
-use crate::system::structure::{Contact, Limit, Structure, StructureLaw};
+use crate::system::structure::{Contact, Structure};
 
 /// Most times that W becomes larger until laws that fall have one answer.
 const SMALLER: usize = 4;
@@ -61,15 +61,22 @@ impl<'a> Equilibrium<'a> {
 
     /// Takes over the equilibrium with the first branches of the laws that fall, if none of them leaves it.
     fn is_elastic(&mut self, parts: usize) -> bool {
+        let start = &self.structure.displacement;
         let mut lines = self.structure.clone();
         let mut falling = Vec::new();
-        let contacts = lines.contacts.iter_mut().enumerate();
-        for (c, own) in contacts.filter(|(_, own)| falls(own)) {
+        for (c, own) in self.structure.contacts.iter().enumerate() {
+            if !falls(own) {
+                continue;
+            }
+            if self.structure.relative(c, start) != 0.0 {
+                return false;
+            }
             let small = FIRST * own.law.law(0.0).properties().reach();
             let stiffness = self.curved.follow(c, small) / small;
-            let line = ClippedLine::Elastic { stiffness };
-            own.law = StructureLaw::new(line, Limit::constant(f64::MAX));
-            falling.push(c);
+            lines.stiffness.add_along(&own.along, stiffness);
+            // It has no force beside the spring.
+            lines.contacts[c].along.clear();
+            falling.push((c, stiffness));
         }
         let Ok(mut found) = Equilibrium::with(&lines, 0) else {
             return false;
@@ -77,18 +84,19 @@ impl<'a> Equilibrium<'a> {
         if found.apply(parts).is_err() {
             return false;
         }
+        for (c, stiffness) in &falling {
+            found.forces[*c] = stiffness * self.structure.relative(*c, &found.u);
+        }
         let mut memory = found.curved.memory();
         let own = self.curved.memory();
-        for c in &falling {
+        for (c, _) in &falling {
             memory[*c] = own[*c];
         }
         self.curved.recall(memory.into_iter());
-        let start = &self.structure.displacement;
         let sizes = [&found.forces, &self.structure.preload.load].map(|all| largest(all));
         let round_off = ROUND_OFF * sizes[0].max(sizes[1]);
-        let is_on_line = |c: &usize| {
-            let of = |u: &[f64]| self.structure.relative(*c, u);
-            let force = self.curved.lead(*c, of(&found.u) - of(start));
+        let is_on_line = |(c, _): &(usize, f64)| {
+            let force = self.curved.lead(*c, self.structure.relative(*c, &found.u));
             (force - found.forces[*c]).abs() <= STRAIGHT * force.abs() + round_off
         };
         let is_elastic = falling.iter().all(is_on_line);
