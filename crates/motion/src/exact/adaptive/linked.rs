@@ -9,11 +9,9 @@ use crate::system::structure::{Along, Chain, Structure};
 /// Part of a start by which r and S/k of an elastic contact may differ.
 const ROUND_OFF: f64 = 1e-12;
 
-/// A structure whose chains are dampers behind springs.
+/// The contacts of a structure whose chains are dampers behind springs.
 #[derive(Debug)]
 pub struct Linked {
-    /// The structure: what was elastic is among the springs, and a contact without force.
-    pub structure: Structure,
     elastic: Vec<Elastic>,
     values: [Vec<f64>; 4],
     slides: Option<String>,
@@ -23,6 +21,7 @@ pub struct Linked {
 #[derive(Debug)]
 struct Elastic {
     contact: usize,
+    name: String,
     along: Along,
     stiffness: f64,
     limit: f64,
@@ -31,8 +30,9 @@ struct Elastic {
 }
 
 impl Linked {
-    /// `None` without chains, or with one that is no damper with elastic contacts that start unbent.
-    pub fn new(given: &Structure) -> Option<Linked> {
+    /// With the structure, in which what was elastic is among the springs, and a contact without force; `None` without chains, or with one
+    /// that is no damper with elastic contacts that start unbent.
+    pub fn new(given: &Structure) -> Option<(Structure, Linked)> {
         let mut structure = given.clone();
         let mut elastic = Vec::new();
         for chain in given.chains() {
@@ -46,12 +46,13 @@ impl Linked {
             }
         }
         let values = [(); 4].map(|()| vec![0.0; given.contacts.len()]);
-        (!elastic.is_empty()).then_some(Linked {
-            structure,
+        let is_linked = !elastic.is_empty();
+        let linked = Linked {
             elastic,
             values,
             slides: None,
-        })
+        };
+        is_linked.then_some((structure, linked))
     }
 
     /// The nodes of what was elastic, of which a state must have the rates.
@@ -71,8 +72,7 @@ impl Linked {
             let (damper, factor) = own.damper;
             let s = factor * state.force[damper];
             if s.abs() >= own.limit {
-                let name = &self.structure.contacts[own.contact].name;
-                self.slides.get_or_insert_with(|| name.clone());
+                self.slides.get_or_insert_with(|| own.name.clone());
             }
             let rates = own.along.iter().map(|(node, by)| by * state.v[*node]);
             (r[own.contact], rate[own.contact]) = (s / own.stiffness, rates.sum());
@@ -124,6 +124,7 @@ fn of_chain(given: &Structure, chain: &Chain) -> Option<Vec<Elastic>> {
         let is_unbent = (stiffness * r - s).abs() <= ROUND_OFF * s.abs();
         (is_constant && is_unbent && contact.gap == 0.0).then(|| Elastic {
             contact: own.contact,
+            name: contact.name.clone(),
             along: contact.along.clone(),
             stiffness,
             limit: limit.at(0.0),

@@ -3,6 +3,7 @@
 use super::sparse::factor::negative_pivot;
 use super::{Contact, Structure, Symmetric};
 use crate::contact::{ClippedLine, ContactKind};
+use std::collections::BTreeMap;
 
 /// Stiffness of a contact that touches, over the largest entry of K: below the inverse of what is round-off of a pivot.
 const RIGID: f64 = 1e4;
@@ -75,6 +76,23 @@ impl Structure {
             }
         }
         negative_pivot(&stiffness)
+    }
+
+    /// The largest force of K at a node where all nodes of a group move by 1, of each group that has entries of K.
+    pub fn holding<G: Ord + Copy>(&self, group: impl Fn(usize) -> G) -> BTreeMap<G, f64> {
+        let mut forces = BTreeMap::new();
+        for ((i, j), k) in self.stiffness.entries() {
+            *forces.entry((group(j), i)).or_insert(0.0) += k;
+            if i != j {
+                *forces.entry((group(i), j)).or_insert(0.0) += k;
+            }
+        }
+        let mut holding = BTreeMap::new();
+        for ((own, _), force) in forces {
+            let most = holding.entry(own).or_insert(0.0);
+            *most = f64::max(*most, f64::abs(force));
+        }
+        holding
     }
 
     /// The part of each node, by a node of it: the nodes that K connects.

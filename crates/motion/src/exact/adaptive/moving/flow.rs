@@ -1,6 +1,5 @@
 //! The motion of a structure as a flow.
 
-use super::damper::Creep;
 use super::structure::{Moving, ROUND_OFF_OF_STEP};
 use crate::exact::adaptive::Flow;
 use crate::exact::adaptive::plane::PlaneContact;
@@ -97,13 +96,11 @@ impl Flow for Moving<'_> {
                 continue;
             }
             let [r, rdot] = self.relative(i, t, y);
-            // rdot of a damper that creeps is next to nothing, and changes its sign with S.
-            let creeps = self.creeps[i].as_ref().and_then(Creep::force);
-            // So does that of a contact behind springs.
-            let braced = self.braced(i, t, y).map(|own| own[0]);
-            let state = self.state_of(i, y).filter(|_| braced.is_none());
+            // Where S is an unknown, rdot may be next to nothing, and changes its sign with S.
+            let force = self.own_force(i, t, y);
+            let state = self.state_of(i, y).filter(|_| force.is_none());
             contact.watch(
-                [r, braced.or(creeps).unwrap_or(rdot)],
+                [r, force.unwrap_or(rdot)],
                 state,
                 self.moving_limit(i, t, y),
                 &mut watched,

@@ -40,13 +40,11 @@ impl Moving<'_> {
                 self.model.columns[i].add_sizes(forces[i], &mut sums);
                 continue;
             }
-            let creeps = self.creeps[i].as_ref().and_then(Creep::force);
-            let braced = self.braced(i, t, y).map(|own| own[0]);
             let follows = || {
                 let motion = self.motion(i, t, y);
                 contact.force_terms(motion, self.state_of(i, y), self.limit(i, t, y))
             };
-            let size = braced.or(creeps).map_or_else(follows, f64::abs);
+            let size = self.own_force(i, t, y).map_or_else(follows, f64::abs);
             self.model.columns[i].add_sizes(size, &mut sums);
         }
         let accelerations = sums.iter().zip(&self.model.inverse_masses);
@@ -57,11 +55,14 @@ impl Moving<'_> {
         self.places[contact].map(|place| y[place])
     }
 
+    /// S of a damper that creeps or is behind springs, where S is an unknown of its own.
+    pub(crate) fn own_force(&self, contact: usize, t: f64, y: &[f64]) -> Option<f64> {
+        let braced = self.braced(contact, t, y).map(|[force, _]| force);
+        braced.or_else(|| self.creeps[contact].as_ref().and_then(Creep::force))
+    }
+
     pub(crate) fn force(&self, contact: usize, t: f64, y: &[f64]) -> f64 {
-        if let Some([force, _]) = self.braced(contact, t, y) {
-            return force;
-        }
-        if let Some(force) = self.creeps[contact].as_ref().and_then(Creep::force) {
+        if let Some(force) = self.own_force(contact, t, y) {
             return force;
         }
         let own = &self.contacts[contact];

@@ -46,10 +46,9 @@ fn integrate(
     visit: &mut dyn FnMut(usize, &events::State),
 ) -> Result<(), AdaptiveFault> {
     adaptive::refuse_large(given)?;
-    let Some(mut linked) = Linked::new(given) else {
+    let Some((structure, mut linked)) = Linked::new(given) else {
         return adaptive::run_of(held, nodes, times, tolerance, visit);
     };
-    let structure = linked.structure.clone();
     let nodes: Vec<usize> = nodes.iter().copied().chain(linked.nodes()).collect();
     adaptive::run_of(&structure, &nodes, times, tolerance, |i, state| {
         visit(i, &linked.given(state));

@@ -183,17 +183,9 @@ fn free_masses(structure: &Structure, part: &[usize]) -> BTreeMap<(usize, Direct
             masses.entry(own(i)).and_modify(|mass| *mass += both);
         }
     }
-    // The force at each node where a part moves as a whole by 1.
-    let mut forces = BTreeMap::new();
-    for ((i, j), k) in structure.stiffness.entries() {
-        *forces.entry((own(j), i)).or_insert(0.0) += k;
-        if i != j {
-            *forces.entry((own(i), j)).or_insert(0.0) += k;
-        }
-    }
-    let largest = structure.stiffness.largest();
-    for ((held, _), force) in forces {
-        if f64::abs(force) > FREE * largest {
+    let most = FREE * structure.stiffness.largest();
+    for (held, force) in structure.holding(own) {
+        if force > most {
             masses.remove(&held);
         }
     }

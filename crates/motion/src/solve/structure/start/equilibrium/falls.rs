@@ -31,26 +31,23 @@ impl<'a> Equilibrium<'a> {
         let mut own = Equilibrium::with(structure, 0)?;
         match own.leaves_idle(parts) {
             true => Ok(own),
-            false => Equilibrium::of_others(structure, parts),
+            false => own.settle(parts),
         }
     }
 
     /// The same without a look at bodies that nothing moves.
-    pub(super) fn of_others(
-        structure: &'a Structure,
-        parts: usize,
-    ) -> Result<Equilibrium<'a>, Unsolvable> {
-        let mut own = Equilibrium::with(structure, 0)?;
+    pub(super) fn settle(mut self, parts: usize) -> Result<Equilibrium<'a>, Unsolvable> {
+        let structure = self.structure;
         let falls = structure.contacts.iter().any(falls);
-        if falls && own.is_elastic(parts) {
-            return Ok(own);
+        if falls && self.is_elastic(parts) {
+            return Ok(self);
         }
-        if softens(&own.curved) {
-            own = Equilibrium::with(structure, SMALLER)?;
+        if softens(&self.curved) {
+            self = Equilibrium::with(structure, SMALLER)?;
         }
-        match own.apply(parts) {
+        match self.apply(parts) {
             Err(_) if falls => Err(softened(structure)),
-            other => other.map(|()| own),
+            other => other.map(|()| self),
         }
     }
 
