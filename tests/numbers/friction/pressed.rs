@@ -116,3 +116,58 @@ fn steps_tend_to_the_exact_motion_of_coulomb_friction_by_a_spring() {
         }
     }
 }
+
+/// A pad on a node without mass: friction in one direction presses it more, so that N = p + mu N, in the other N = p - mu N.
+fn pad(mu: f64, speed: f64, method: &str) -> Json {
+    json!({
+        "problem": "structure",
+        "parameters": {"dt": 0.01, "duration": 2, "method": method},
+        "structure": {
+            "masses": {"x": 1e15, "y": 0},
+            "springs": [{"name": "normal", "between": ["ground", "y"], "k": 1}],
+            "contacts": {"pad": {"law": "displacement-control", "along": {"x": 1, "y": 1}, "k": 1e3, "nu": mu,
+                "N": {"contact": "normal"}}},
+            "static": {"y": -0.01},
+            "start": {"x": {"v": speed}}
+        },
+        "metrics": ["last(pad.S)"]
+    })
+}
+
+#[test]
+fn friction_that_raises_its_own_limit_has_the_closed_form() {
+    for method in ["average-acceleration", "hht"] {
+        for (mu, speed) in [(0.5, 1.0), (0.9, 1.0), (0.99, 1.0), (0.9, -1.0), (5.0, -1.0)] {
+            let force = metrics(&pad(mu, speed, method))[0];
+            let right = speed * mu * 0.01 / (1.0 - speed * mu);
+            // A limit stays to 1e-13 of itself from round to round.
+            assert!(
+                (force / right - 1.0).abs() < 1e-10,
+                "{method} {mu} {speed}: {force} {right}"
+            );
+        }
+    }
+}
+
+/// With mu > 1 a pad that is pulled off while it slides may stick, slide or lift off.
+#[test]
+fn limits_that_do_not_settle_are_an_error() {
+    let mut study = pad(1.1, 1.0, "average-acceleration");
+    study["parameters"]["dt"] = json!(0.001);
+    let structure = &mut study["structure"];
+    structure["masses"]["x"] = json!(1);
+    structure["springs"] = json!([
+        {"between": ["ground", "x"], "k": 50},
+        {"name": "normal", "between": ["ground", "y"], "k": 1e4}
+    ]);
+    structure["contacts"]["pad"]["k"] = json!(2e6);
+    structure["static"] = json!({"y": 0});
+    structure["loads"] = json!([{"at": "y", "sine": {"amplitude": 5, "omega": 9}}]);
+    let study = slipgap::study::parse("study.json", &study.to_string()).unwrap();
+    let fault = study.problem.solve(&study.case(0).unwrap(), &[]);
+    let Err(fault) = fault.map(|_| ()) else {
+        panic!("a step without an answer was taken");
+    };
+    let fault = fault.to_string();
+    assert!(fault.contains("raises the force that presses it"), "{fault}");
+}

@@ -41,6 +41,8 @@ pub enum Unsolved {
     TooManyRounds,
     /// A force falls with velocity or displacement so fast that a step may have several answers.
     Falling,
+    /// Friction limits do not settle at the forces that press, which friction raises.
+    Unsettled,
     /// A law of a user's program has no answer that can be taken.
     Own {
         /// The contact, from 0.
@@ -58,6 +60,9 @@ impl fmt::Display for Unsolved {
             }
             Unsolved::Singular => {
                 "the contact forces are not unique: contacts that stick or are shut at the same time depend on each other"
+            }
+            Unsolved::Unsettled => {
+                "friction raises the force that presses it by more than itself, so that a step may have several answers; take a smaller dt"
             }
             Unsolved::TooManyRounds => "no contact forces satisfy all laws",
             Unsolved::Falling => {

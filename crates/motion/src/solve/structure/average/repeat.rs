@@ -1,13 +1,14 @@
 //! A step whose friction limits follow the forces of other parts at its end.
 
 use super::state::Average;
+use crate::contact::Unsolved;
 use crate::lane::Lane;
 use crate::solve::structure::inputs::pressing::Pressing;
 
 impl<const L: usize> Average<'_, L> {
     /// Does a step until the limits are those of its end.
     #[cold]
-    pub(super) fn repeat(&mut self, step: usize) {
+    pub(super) fn repeat(&mut self, step: usize, mut pressing: Pressing<L>) {
         let mut start = std::mem::take(&mut self.start);
         let lists = [&self.p, &self.w, &self.moved, &self.force];
         for (kept, own) in start.lists.iter_mut().zip(lists) {
@@ -16,15 +17,16 @@ impl<const L: usize> Average<'_, L> {
         start.contacts.clone_from(&self.contacts);
         start.curved.clone_from(&self.curved);
         start.two_limits.clone_from(&self.two_limits);
-        let (force_now, motion) = self.pressed_by();
-        self.pressing = Some(Pressing::new(force_now, motion));
-        loop {
+        pressing.begin(|number| self.pressed_limit(number, step));
+        let unsettled = loop {
+            self.pressing = Some(pressing);
             self.once(step);
-            let (force_now, motion) = self.pressed_by();
-            let inputs = (&self.inputs, step);
-            let pressing = self.pressing.as_mut();
-            if pressing.is_none_or(|own| own.follow(inputs, &force_now, &motion)) {
-                break;
+            let Some(own) = self.pressing.take() else {
+                return;
+            };
+            pressing = own;
+            if let Some(unsettled) = pressing.follow(|number| self.pressed_limit(number, step)) {
+                break unsettled;
             }
             let lists = [&mut self.p, &mut self.w, &mut self.moved, &mut self.force];
             for (own, kept) in lists.into_iter().zip(&start.lists) {
@@ -33,16 +35,26 @@ impl<const L: usize> Average<'_, L> {
             self.contacts.clone_from(&start.contacts);
             self.curved.clone_from(&start.curved);
             self.two_limits.clone_from(&start.two_limits);
+        };
+        for l in (0..L).filter(|l| unsettled[*l]) {
+            self.forces.fail(l, step, Unsolved::Unsettled);
         }
-        self.pressing = None;
+        self.pressing = Some(pressing);
         self.start = start;
     }
 
-    /// S of the contacts, and u and u' of the nodes.
-    fn pressed_by(&self) -> (Vec<Lane<L>>, Vec<[Lane<L>; 2]>) {
-        let force = self.contacts.iter().map(|contact| contact.force);
-        let nodes = 0..self.prepared.nodes();
-        let motion = nodes.map(|node| [self.displacement(node), self.velocity(node)]);
-        (force.collect(), motion.collect())
+    /// A limit with S of the contacts, and u and u' of the nodes, as they are now.
+    #[inline(always)]
+    fn pressed_limit(&self, number: usize, step: usize) -> Lane<L> {
+        let force = |contact: usize, l: usize| self.contacts[contact].force.0[l];
+        let dt = self.prepared.dt;
+        // As `displacement` and `velocity` have them, in one lane.
+        let motion = |node: usize, l: usize| {
+            let place = self.prepared.place[node];
+            let w = self.w[place].0[l];
+            let moved = self.moved.get(place).map_or(w, |moved| w + moved.0[l]);
+            [self.p[place].0[l] - w * 0.5, moved / dt]
+        };
+        self.inputs.limit(number, step, force, motion)
     }
 }

@@ -250,6 +250,7 @@ impl<'a, const L: usize> Average<'a, L> {
             contacts,
             forces,
             curved,
+            pressing: inputs.pressing(),
             inputs,
             step: 0,
             work: vec![zero; n + 1],
@@ -261,7 +262,6 @@ impl<'a, const L: usize> Average<'a, L> {
             },
             moving: Moving::new(cases, dt, &prepared.method),
             two_limits: StaticFriction::new(cases),
-            pressing: None,
             start: Start::default(),
         };
         state.touch();

@@ -12,9 +12,9 @@ impl<const L: usize> Average<'_, L> {
     #[inline(always)]
     pub(crate) fn step(&mut self, step: usize) {
         self.step = step;
-        match self.inputs.limits_follow() {
-            true => self.repeat(step),
-            false => self.once(step),
+        match self.pressing.take() {
+            Some(pressing) => self.repeat(step, pressing),
+            None => self.once(step),
         }
     }
 
@@ -45,11 +45,11 @@ impl<const L: usize> Average<'_, L> {
             self.prescribe_massless(step);
         }
         if self.inputs.limits_vary() {
-            let pressing = self.pressing.as_ref();
-            let zero = Lane::splat(0.0);
-            let force = |contact: usize| pressing.map_or(zero, |own| own.force[contact]);
-            let motion = |node: usize| pressing.map_or([zero; 2], |own| own.motion[node]);
-            for (contact, limit, slides) in self.inputs.limits(step, force, motion) {
+            for (number, (contact, slides)) in self.inputs.varying().enumerate() {
+                let limit = match &self.pressing {
+                    Some(pressing) => pressing.limit(number),
+                    None => self.inputs.limit(number, step, |_, _| 0.0, |_, _| [0.0; 2]),
+                };
                 let [mut low, mut high] = self.forces.bounds(contact);
                 for (l, _) in slides.iter().enumerate().filter(|(_, slides)| **slides) {
                     [low.0[l], high.0[l]] = friction(limit.0[l]);

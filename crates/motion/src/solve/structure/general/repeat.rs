@@ -1,13 +1,14 @@
 //! A sub-step whose friction limits follow the forces of other parts at its end.
 
 use super::stages::General;
+use crate::contact::Unsolved;
 use crate::lane::Lane;
 use crate::solve::structure::inputs::pressing::Pressing;
 
 impl<const L: usize> General<'_, L> {
     /// Does a sub-step until the limits are those of its end.
     #[cold]
-    pub(super) fn repeat(&mut self, part: usize, end: usize) {
+    pub(super) fn repeat(&mut self, part: usize, end: usize, mut pressing: Pressing<L>) {
         let mut start = std::mem::take(&mut self.start);
         start.stage.clone_from(&self.stages[part]);
         start.force.clone_from(&self.force);
@@ -23,15 +24,17 @@ impl<const L: usize> General<'_, L> {
             [0.0, _] => sub_step.weights[1],
             [_, _] => 1.0,
         };
-        let (force_now, motion) = self.pressed_by(part, 0.0);
-        self.pressing = Some(Pressing::new(force_now, motion));
-        loop {
+        pressing.begin(|number| self.pressed_limit(number, [part, end], 0.0));
+        let unsettled = loop {
+            self.pressing = Some(pressing);
             self.sub_step(part, end);
-            let (force_now, motion) = self.pressed_by(part, acts_at);
-            let inputs = (&self.inputs, end);
-            let pressing = self.pressing.as_mut();
-            if pressing.is_none_or(|own| own.follow(inputs, &force_now, &motion)) {
-                break;
+            let Some(own) = self.pressing.take() else {
+                return;
+            };
+            pressing = own;
+            let at_end = |number: usize| self.pressed_limit(number, [part, end], acts_at);
+            if let Some(unsettled) = pressing.follow(at_end) {
+                break unsettled;
             }
             self.stages[part].clone_from(&start.stage);
             self.force.clone_from(&start.force);
@@ -41,20 +44,25 @@ impl<const L: usize> General<'_, L> {
             self.two_limits.clone_from(&start.two_limits);
             self.impacts.clone_from(&start.impacts);
             self.corrections.clone_from(&start.corrections);
+        };
+        for l in (0..L).filter(|l| unsettled[*l]) {
+            self.forces[part].fail(l, end, Unsolved::Unsettled);
         }
-        self.pressing = None;
+        self.pressing = Some(pressing);
         self.start = start;
     }
 
-    /// S of the contacts at the start or the end of a sub-step, and u and u' of the nodes at this part of it.
-    fn pressed_by(&self, part: usize, at: f64) -> (Vec<Lane<L>>, Vec<[Lane<L>; 2]>) {
+    /// A limit with S of the contacts at the start or the end of a sub-step, and u and u' of the nodes at this part of it.
+    #[inline(always)]
+    fn pressed_limit(&self, number: usize, [part, end_step]: [usize; 2], at: f64) -> Lane<L> {
         let [start, end] = [&self.stages[part], &self.stages[part + 1]];
         let own = if at > 0.0 { end } else { start };
-        let force = own.contacts.iter().map(|[_, _, force]| *force);
-        let motion = self.prepared.place.iter().map(|place| {
-            let [start, end] = [start.nodes[*place], end.nodes[*place]];
-            [0, 1].map(|i| start[i] + (end[i] - start[i]) * at)
-        });
-        (force.collect(), motion.collect())
+        let motion = |node: usize, l: usize| {
+            let place = self.prepared.place[node];
+            let [start, end] = [start.nodes[place], end.nodes[place]];
+            [0, 1].map(|i| start[i].0[l] + (end[i].0[l] - start[i].0[l]) * at)
+        };
+        let force = |contact: usize, l: usize| own.contacts[contact][2].0[l];
+        self.inputs.limit(number, end_step, force, motion)
     }
 }

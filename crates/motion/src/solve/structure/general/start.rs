@@ -90,12 +90,14 @@ impl<'a, const L: usize> General<'a, L> {
             }
         }
         let weights: Vec<_> = parts.iter().map(|linear| linear.sub_step.weights).collect();
+        let inputs = Inputs::of_sub_steps(cases, prepared, steps, &weights);
         let curved = curved::contacts(cases, parts, &mut forces);
         let mut state = General {
             prepared,
             curved,
             stages: vec![stage; parts.len() + 1],
-            inputs: Inputs::of_sub_steps(cases, prepared, steps, &weights),
+            pressing: inputs.pressing(),
+            inputs,
             impacts: Impacts::new(&contacts, prepared),
             corrections: Corrections::new(cases, &contacts, prepared).map(Box::new),
             knows: contacts.iter().any(|contact| contact.known.contains(&true)),
@@ -111,7 +113,6 @@ impl<'a, const L: usize> General<'a, L> {
             moving,
             refused,
             two_limits: StaticFriction::new(cases),
-            pressing: None,
             start: Start::default(),
         };
         state.touch(parts.len());

@@ -16,9 +16,9 @@ impl<const L: usize> General<'_, L> {
         self.stages.swap(0, parts);
         for part in 0..parts {
             let end = (step - 1) * parts + part + 1;
-            match self.inputs.limits_follow() {
-                true => self.repeat(part, end),
-                false => self.sub_step(part, end),
+            match self.pressing.take() {
+                Some(pressing) => self.repeat(part, end, pressing),
+                None => self.sub_step(part, end),
             }
         }
     }
@@ -89,11 +89,11 @@ impl<const L: usize> General<'_, L> {
         }
         if self.inputs.limits_vary() {
             let forces = &mut self.forces[part];
-            let pressing = self.pressing.as_ref();
-            let zero = Lane::splat(0.0);
-            let force = |contact: usize| pressing.map_or(zero, |own| own.force[contact]);
-            let motion = |node: usize| pressing.map_or([zero; 2], |own| own.motion[node]);
-            for (contact, limit, slides) in self.inputs.limits(end, force, motion) {
+            for (number, (contact, slides)) in self.inputs.varying().enumerate() {
+                let limit = match &self.pressing {
+                    Some(pressing) => pressing.limit(number),
+                    None => self.inputs.limit(number, end, |_, _| 0.0, |_, _| [0.0; 2]),
+                };
                 let [mut low, mut high] = self.contacts[contact].bounds;
                 for (l, _) in slides.iter().enumerate().filter(|(_, slides)| **slides) {
                     [low.0[l], high.0[l]] = friction(limit.0[l]);

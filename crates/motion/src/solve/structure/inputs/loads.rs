@@ -1,5 +1,6 @@
 //! Loads and limits at the steps of a run.
 
+use super::pressing::Pressing;
 use super::samples::{Samples, Series};
 use crate::contact::ContactKind;
 use crate::lane::Lane;
@@ -185,39 +186,44 @@ impl<const L: usize> Inputs<L> {
         !self.limits.is_empty()
     }
 
-    /// Whether other contacts or springs press any contact.
-    pub(crate) fn limits_follow(&self) -> bool {
-        self.limits.iter().any(|own| !own.pressed_by.is_empty())
+    /// The contacts whose limits change, and the lanes that have these limits.
+    pub(crate) fn varying(&self) -> impl Iterator<Item = (usize, [bool; L])> {
+        self.limits.iter().map(|own| (own.contact, own.slides))
     }
 
-    /// The limits that change, at a step: contact, limit, and the lanes that have it. `force` gives the forces of contacts
-    /// that press, `motion` u and u' of nodes.
+    /// One of these limits at a step. `force` gives the forces of contacts that press in a lane, `motion` u and u' of nodes.
     #[inline(always)]
-    pub(crate) fn limits<'a>(
-        &'a self,
+    pub(crate) fn limit(
+        &self,
+        number: usize,
         step: usize,
-        force: impl Fn(usize) -> Lane<L> + 'a,
-        motion: impl Fn(usize) -> [Lane<L>; 2] + 'a,
-    ) -> impl Iterator<Item = (usize, Lane<L>, [bool; L])> + 'a {
-        self.limits.iter().map(move |limit| {
-            let mut sum = limit.constant;
-            if let Some(signal) = &limit.signal {
-                sum = sum + limit.factor * signal.at(&self.values, step);
+        force: impl Fn(usize, usize) -> f64,
+        motion: impl Fn(usize, usize) -> [f64; 2],
+    ) -> Lane<L> {
+        let limit = &self.limits[number];
+        let mut sum = limit.constant;
+        if let Some(signal) = &limit.signal {
+            sum = sum + limit.factor * signal.at(&self.values, step);
+        }
+        for (l, other) in limit.pressed_by.iter().enumerate() {
+            if let Some(other) = other {
+                let spring =
+                    |own: &PressingSpring| own.spring.compression(|node| motion(node, l));
+                sum.0[l] += other.limit(|contact| force(contact, l), spring);
             }
-            for (l, other) in limit.pressed_by.iter().enumerate() {
-                if let Some(other) = other {
-                    let at = |node: usize| motion(node).map(|lanes| lanes.0[l]);
-                    let spring = |own: &PressingSpring| own.spring.compression(at);
-                    sum.0[l] += other.limit(|contact| force(contact).0[l], spring);
-                }
-            }
-            // As in `Limit::at`: f64::max does not compile to one instruction.
-            let mut positive = sum.larger(Lane::splat(0.0));
-            for (x, pressure) in positive.0.iter_mut().zip(&limit.pressure) {
-                *x = pressure.map_or(*x, |pressure| pressure.limit(*x));
-            }
-            (limit.contact, positive, limit.slides)
-        })
+        }
+        // As in `Limit::at`: f64::max does not compile to one instruction.
+        let mut positive = sum.larger(Lane::splat(0.0));
+        for (x, pressure) in positive.0.iter_mut().zip(&limit.pressure) {
+            *x = pressure.map_or(*x, |pressure| pressure.limit(*x));
+        }
+        positive
+    }
+
+    /// What the rounds of a step need where other contacts or springs press any contact.
+    pub(crate) fn pressing(&self) -> Option<Pressing<L>> {
+        let pressed = self.limits.iter().any(|own| !own.pressed_by.is_empty());
+        pressed.then(|| Pressing::new(self.limits.len()))
     }
 }
 

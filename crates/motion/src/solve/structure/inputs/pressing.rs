@@ -1,77 +1,119 @@
 //! Limits by the forces of other parts at the end of a step: it is done again from its start until they stay.
 
-use super::loads::Inputs;
 use crate::lane::Lane;
 
 /// Largest change of a limit, as a part of it, that ends the rounds: round-off of the forces.
 const STAYS: f64 = 1e-13;
 
-/// Rounds after which a guess is the mean of the last two: limits that alternate do not settle by themselves.
+/// Rounds after which a guess that came no nearer is followed by half of its way: limits that alternate settle so.
 const FREE: usize = 8;
 
-/// Most rounds. Limits that move by half of their distance are near their end then.
+/// Most rounds.
 const MOST: usize = 60;
 
-/// What presses in a round, as at the end of the step.
+/// Largest change of a limit, as a part of it, that the last of these rounds may leave.
+const SETTLED: f64 = 1e-9;
+
+/// The limits that change, in the rounds of a step.
 #[derive(Debug)]
 pub(crate) struct Pressing<const L: usize> {
-    /// S of the contacts.
-    pub(crate) force: Vec<Lane<L>>,
-    /// u and u' of the nodes.
-    pub(crate) motion: Vec<[Lane<L>; 2]>,
-    /// Lanes whose limits stay. Their guess stays, too, so that their bits do not depend on other lanes.
+    limits: Vec<Guess<L>>,
+    /// Lanes whose limits stay. They are not changed again, so that their bits do not depend on other lanes.
     settled: [bool; L],
     rounds: usize,
 }
 
+/// A limit.
+#[derive(Debug, Clone, Copy)]
+struct Guess<const L: usize> {
+    /// With which a round is done, and what the end of the round has more.
+    used: Lane<L>,
+    missed: Lane<L>,
+    /// The same of the round before.
+    before: [Lane<L>; 2],
+}
+
 impl<const L: usize> Pressing<L> {
-    /// The first guess: as at the start of the step.
-    pub(crate) fn new(force: Vec<Lane<L>>, motion: Vec<[Lane<L>; 2]>) -> Self {
+    /// For so many limits.
+    pub(crate) fn new(limits: usize) -> Self {
+        let zero = Lane::splat(0.0);
+        let guess = Guess {
+            used: zero,
+            missed: zero,
+            before: [zero; 2],
+        };
         Pressing {
-            force,
-            motion,
+            limits: vec![guess; limits],
             settled: [false; L],
             rounds: 0,
         }
     }
 
-    /// Takes what presses at the end of the round; whether the step is done.
-    pub(crate) fn follow(
-        &mut self,
-        (inputs, step): (&Inputs<L>, usize),
-        force: &[Lane<L>],
-        motion: &[[Lane<L>; 2]],
-    ) -> bool {
-        let limits = |force: &[Lane<L>], motion: &[[Lane<L>; 2]]| -> Vec<Lane<L>> {
-            let all = inputs.limits(step, |c| force[c], |node| motion[node]);
-            all.map(|(_, limit, _)| limit).collect()
-        };
-        let [used, next] = [limits(&self.force, &self.motion), limits(force, motion)];
-        self.rounds += 1;
-        let share = if self.rounds > FREE { 0.5 } else { 1.0 };
-        for l in 0..L {
-            if self.settled[l] {
-                continue;
-            }
-            let stays = |(used, next): (&Lane<L>, &Lane<L>)| {
-                let [used, next] = [used.0[l], next.0[l]];
+    /// The limit with which a round is done.
+    #[inline(always)]
+    pub(crate) fn limit(&self, number: usize) -> Lane<L> {
+        self.limits[number].used
+    }
+
+    /// Begins a step with the limits of its start.
+    pub(crate) fn begin(&mut self, at_start: impl Fn(usize) -> Lane<L>) {
+        for (number, guess) in self.limits.iter_mut().enumerate() {
+            guess.used = at_start(number);
+        }
+        (self.settled, self.rounds) = ([false; L], 0);
+    }
+
+    /// Takes the limits at the end of a round. `None` if another one must follow, or the lanes whose limits did not settle.
+    pub(crate) fn follow(&mut self, at_end: impl Fn(usize) -> Lane<L>) -> Option<[bool; L]> {
+        let mut worst = Lane::splat(0.0);
+        for (number, guess) in self.limits.iter_mut().enumerate() {
+            let next = at_end(number);
+            guess.missed = next - guess.used;
+            for l in 0..L {
+                let [missed, size] = [guess.missed.0[l].abs(), next.larger(guess.used).0[l]];
                 // Not a number: the lane has failed.
-                next.is_nan() || (next - used).abs() <= STAYS * next.max(used)
-            };
-            if used.iter().zip(&next).all(stays) {
-                self.settled[l] = true;
-                continue;
-            }
-            let take = |own: &mut Lane<L>, new: &Lane<L>| own.0[l] += share * (new.0[l] - own.0[l]);
-            for (own, new) in self.force.iter_mut().zip(force) {
-                take(own, new);
-            }
-            for (own, new) in self.motion.iter_mut().zip(motion) {
-                own.iter_mut()
-                    .zip(new)
-                    .for_each(|(own, new)| take(own, new));
+                if missed > STAYS * size && !self.settled[l] {
+                    worst.0[l] = worst.0[l].max(missed / size);
+                }
             }
         }
-        self.settled.iter().all(|settled| *settled) || self.rounds == MOST
+        self.rounds += 1;
+        for l in 0..L {
+            self.settled[l] |= worst.0[l] == 0.0;
+        }
+        if self.settled.iter().all(|settled| *settled) {
+            return Some([false; L]);
+        }
+        if self.rounds == MOST {
+            return Some(worst.0.map(|missed| missed > SETTLED));
+        }
+        for l in (0..L).filter(|l| !self.settled[*l]) {
+            guess_again(&mut self.limits, l, self.rounds);
+        }
+        None
+    }
+}
+
+/// The limits of a lane for the next round: the secant of the last two, in the least squares of all limits (Anderson's mixing with
+/// one round of memory; exact for one limit that depends on itself by a line).
+fn guess_again<const L: usize>(limits: &mut [Guess<L>], l: usize, rounds: usize) {
+    let sum = |term: &dyn Fn([f64; 2]) -> f64| -> f64 {
+        let missed = |own: &Guess<L>| [own.missed.0[l], own.before[1].0[l]];
+        limits.iter().map(|own| term(missed(own))).sum()
+    };
+    let nearer = sum(&|[now, before]| now * now - 0.25 * before * before) < 0.0;
+    let squares = sum(&|[now, before]| (now - before).powi(2));
+    let back = match sum(&|[now, before]| now * (now - before)) / squares {
+        back if rounds > 1 && back.is_finite() => back,
+        _ => 0.0,
+    };
+    for own in limits {
+        let [used, missed] = [own.used.0[l], own.missed.0[l]];
+        let [used_before, missed_before] = own.before.map(|lanes| lanes.0[l]);
+        (own.before[0].0[l], own.before[1].0[l]) = (used, missed);
+        own.used.0[l] = match rounds > FREE && !nearer {
+            true => used + 0.5 * missed,
+            false => (used + missed - back * (used - used_before + missed - missed_before)).max(0.0),
+        };
     }
 }
