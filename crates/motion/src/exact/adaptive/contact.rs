@@ -1,5 +1,6 @@
 //! A contact in continuous time.
 
+use super::moving::braced::Braced;
 use super::watched::{LimitAt, Motion, Watched};
 use crate::contact::{
     AnyRunningLaw, ContactLaw, ContactResponse, Evolution, Flexibility, StepFlexibility, Trial,
@@ -27,6 +28,8 @@ const LEAVES: f64 = 1e-9;
 #[derive(Debug, Clone)]
 pub struct Contact {
     law: ContactLaw,
+    /// F of the springs behind which the contact is, if S is a state by them.
+    brace: Option<f64>,
     /// How much of S the velocity loses at once: 0 where the contact is between masses.
     h_rate: f64,
     running: AnyRunningLaw<1>,
@@ -58,6 +61,7 @@ impl Contact {
         running.change(&law, &on);
         Contact {
             law,
+            brace: None,
             h_rate,
             running,
             last: [r, rdot, at_rest.unwrap_or(0.0)],
@@ -69,23 +73,31 @@ impl Contact {
         }
     }
 
+    /// The same behind springs with this compliance.
+    pub fn behind(self, brace: Option<f64>) -> Contact {
+        Contact { brace, ..self }
+    }
+
     /// z at the start; `None` for a law without a state.
     pub fn state(&self) -> Option<f64> {
-        let law = self.law.evolution()?;
+        let own = self.own(None);
+        let law = own.evolution()?;
         Some(law.at_start(self.at_rest, self.last[0]))
     }
 
     /// The law with this limit; `None` leaves it.
-    fn law(&self, limit: Option<LimitAt>) -> ContactLaw {
-        limit.map_or(self.law, |limit| self.law.at_limit(limit.value))
+    fn own(&self, limit: Option<LimitAt>) -> Own {
+        let law = limit.map_or(self.law, |limit| self.law.at_limit(limit.value));
+        let braced = self.brace.map(|compliance| Braced { law, compliance });
+        Own { law, braced }
     }
 
     /// S at a state. `rdot` is without the part that S takes at once.
     pub fn force(&self, [r, rdot]: [f64; 2], z: Option<f64>, limit: Option<LimitAt>) -> f64 {
-        let law = self.law(limit);
-        match (law.evolution(), z) {
+        let own = self.own(limit);
+        match (own.evolution(), z) {
             (Some(own), Some(z)) => own.force(self.within(z, own.bound()), r, rdot),
-            _ => self.answer(&mut self.running.clone(), law, [r, rdot], limit),
+            _ => self.answer(&mut self.running.clone(), own.law, [r, rdot], limit),
         }
     }
 
@@ -112,8 +124,7 @@ impl Contact {
 
     /// dz/dt.
     pub fn rate(&self, z: f64, rdot: f64, limit: Option<LimitAt>) -> f64 {
-        let law = self.law(limit);
-        match law.evolution() {
+        match self.own(limit).evolution() {
             Some(own) if self.bound.is_none() => own.rate(self.within(z, own.bound()), rdot),
             _ => 0.0,
         }
@@ -130,7 +141,7 @@ impl Contact {
     /// How much faster than its bound z would leave it; not below 0 while it stays there.
     fn pressure(&self, side: f64, rdot: f64, limit: Option<LimitAt>) -> f64 {
         let rate = limit.map_or(0.0, |limit| limit.rate);
-        let law = self.law(limit);
+        let law = self.own(limit);
         law.evolution()
             .map_or(0.0, |own| side * own.rate(side * own.bound(), rdot) - rate)
     }
@@ -165,8 +176,8 @@ impl Contact {
             to.push(two_sided(r, r_scale));
             to.push(two_sided(rdot, rdot_scale));
         }
-        let law = self.law(limit);
-        match (law.evolution(), z) {
+        let own = self.own(limit);
+        match (own.evolution(), z) {
             (Some(own), Some(z)) => {
                 let bound = own.bound();
                 to.push(match self.bound {
@@ -186,10 +197,15 @@ impl Contact {
                         one_sided: true,
                     },
                 });
-                to.push(two_sided(z, ROUND_OFF * bound));
+                let size = match bound.is_finite() {
+                    true => bound,
+                    false => self.least_state(),
+                };
+                to.push(two_sided(z, ROUND_OFF * size));
             }
             _ => {
-                let [low, high] = law.properties().bounds();
+                let properties = own.law.properties();
+                let [low, high] = properties.bounds();
                 let s = self.force([r, rdot], z, limit);
                 let inside = (s - low).min(high - s);
                 // A force that stays at a bound comes off it by round-off.
@@ -199,7 +215,7 @@ impl Contact {
                     _ => -1.0,
                 };
                 to.push(two_sided(side, 0.5));
-                to.push(two_sided(law.properties().corner(rdot), 0.0));
+                to.push(two_sided(properties.corner(rdot), 0.0));
             }
         }
     }
@@ -224,7 +240,7 @@ impl Contact {
             let elastic = own.rate(0.0, 1.0).abs() * self.largest[0];
             elastic.min(own.bound())
         };
-        self.law.evolution().map_or(0.0, least)
+        self.own(None).evolution().map_or(0.0, least)
     }
 
     /// Takes a state as the last one; returns z there.
@@ -239,7 +255,7 @@ impl Contact {
             sizes,
         } = motion;
         self.largest = [0, 1].map(|i| self.largest[i].max(sizes[i]));
-        let law = self.law(limit);
+        let law = self.own(limit);
         if let (Some(own), Some(z)) = (law.evolution(), z) {
             let bound = own.bound();
             let z = self.within(z, bound);
@@ -266,12 +282,28 @@ impl Contact {
             return None;
         }
         let mut running = self.running;
-        let s = self.answer(&mut running, law, [r, rdot], limit);
+        let s = self.answer(&mut running, law.law, [r, rdot], limit);
         self.running = running;
         self.last = [r, rdot, s];
         // From here: behind a long step that yields, a small way back would not leave the bound.
         self.force_size = self.force_terms(motion, z, limit);
         None
+    }
+}
+
+/// The law of a contact at a time.
+struct Own {
+    law: ContactLaw,
+    braced: Option<Braced>,
+}
+
+impl Own {
+    /// What its state does; `None` where S follows from r and rdot.
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        match &self.braced {
+            Some(braced) => Some(braced),
+            None => self.law.evolution(),
+        }
     }
 }
 

@@ -50,11 +50,6 @@ pub enum EventsFault {
         /// Name of the node.
         node: String,
     },
-    /// Viscous friction at a node without mass: its force is not linear in the motion.
-    MasslessViscous {
-        /// Name of the contact.
-        contact: String,
-    },
     /// Nothing holds a node without mass.
     Unheld {
         /// Name of the node.
@@ -109,10 +104,6 @@ impl fmt::Display for EventsFault {
             EventsFault::MasslessDamping { node } => write!(
                 f,
                 "node {node} without mass has a damper or a coupled mass; for the exact motion, give it a mass or remove them, as modal_damping does, or compare runs with dt and dt/2 instead"
-            ),
-            EventsFault::MasslessViscous { contact } => write!(
-                f,
-                "contact {contact} is velocity-control at a node without mass; for the exact motion, give the node a mass or the contact the law displacement-control or coulomb"
             ),
             EventsFault::Unheld { node } => write!(
                 f,

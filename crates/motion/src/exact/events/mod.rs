@@ -25,7 +25,7 @@ pub(super) use crate::exact::events::pieces::state_buffers::StateBuffers;
 pub use fault::EventsFault;
 pub use motion::{MOST_EVENTS, MOST_PIECES};
 
-use crate::contact::ContactKind;
+use crate::contact::{ClippedLine, ContactKind};
 use crate::exact::events::phases::contact_state::ContactState;
 use crate::system::structure::{Contact, Limit, Structure};
 use motion::Motion;
@@ -229,17 +229,19 @@ pub fn knows_laws(structure: &Structure) -> bool {
     refuse_laws(structure).is_ok()
 }
 
-/// Between events every law has to be linear, and every limit the sum of a constant and a signal. Laws of lines are not known at
-/// nodes without mass, nor from a state that static loads leave and r and S do not tell.
+/// Between events every law has to be linear, and every limit the sum of a constant and a signal. Laws of lines and of velocity are
+/// not known at nodes without mass, nor from a state that static loads leave and r and S do not tell.
 fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
-    let has_lines = |(i, contact): (usize, &Contact)| {
+    let has_mass = |contact: &Contact| {
         let mut nodes = contact.along.iter();
-        let has_mass = |node: usize| structure.nodes.get(node).is_none_or(|n| n.mass > 0.0);
+        nodes.all(|(node, _)| structure.nodes.get(*node).is_none_or(|n| n.mass > 0.0))
+    };
+    let has_lines = |(i, contact): (usize, &Contact)| {
         let r = structure.relative(i, &structure.displacement) + contact.gap;
         let knows = |law: crate::exact::events::phases::lines::Lines| {
             law.knows(r, structure.preload.force(i))
         };
-        nodes.all(|(node, _)| has_mass(*node))
+        has_mass(contact)
             && crate::exact::events::phases::lines::of(&contact.law).is_some_and(knows)
     };
     let unknown = |(i, contact): &(usize, &Contact)| {
@@ -247,7 +249,10 @@ fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
         let falls = |limit: &Limit| limit.pressure.is_some() && limit.varying.is_some();
         let pressed = |limit: &Limit| limit.pressed_by.is_some();
         let refused = |limit: &Limit| falls(limit) || pressed(limit);
-        law.is_curved() && !has_lines((*i, contact)) || law.limit().is_some_and(refused)
+        let is_viscous = matches!(law.line(), Some(ClippedLine::Viscous { .. }));
+        is_viscous && !has_mass(contact)
+            || law.is_curved() && !has_lines((*i, contact))
+            || law.limit().is_some_and(refused)
     };
     let contact = structure.contacts.iter().enumerate().find(unknown);
     let contact = contact.map(|(_, contact)| contact);

@@ -91,6 +91,10 @@ impl Properties for VelocityControl {
         }
     }
 
+    fn rate_under(&self, force: f64) -> Option<[f64; 2]> {
+        (self.compliance > 0.0).then_some([self.compliance * force, self.compliance])
+    }
+
     /// In the papers the normal force of a closed contact is negative.
     fn element(&self, _: f64, _: f64) -> Option<Box<dyn Element>> {
         let element = VelocityFriction::new(1.0 / self.compliance, self.limit, -1.0);

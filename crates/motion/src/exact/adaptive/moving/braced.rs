@@ -5,8 +5,10 @@
 //! ```text
 //! S' = (rdot* - g(S))/F
 //! ```
+//!
+//! within the bounds of the law, where it stays as long as rdot* is faster than g there.
 
-use super::structure::Moving;
+use crate::contact::{ContactLaw, Evolution};
 use crate::exact::adaptive::AdaptiveFault;
 use crate::exact::events::Model;
 use crate::system::structure::StructureLaw;
@@ -46,14 +48,22 @@ pub fn compliances(model: &Model) -> Result<Vec<Option<f64>>, AdaptiveFault> {
     Ok(all)
 }
 
-impl Moving<'_> {
-    /// S of a contact behind springs, and its rate; `None` of others.
-    pub(crate) fn braced(&self, contact: usize, t: f64, y: &[f64]) -> Option<[f64; 2]> {
-        let compliance = self.braces[contact]?;
-        let force = y[self.places[contact]?];
-        let law = self.model.structure.contacts[contact].law.as_given();
-        let [own, _] = law.properties().rate_under(force)?;
-        let [_, rdot] = self.relative(contact, t, y);
-        Some([force, (rdot - own) / compliance])
+/// A law of velocity behind springs. z is S, its rdot that of r*.
+pub struct Braced {
+    /// The law.
+    pub law: ContactLaw,
+    /// F.
+    pub compliance: f64,
+}
+
+impl Evolution for Braced {
+    fn rate(&self, z: f64, rdot: f64) -> f64 {
+        let own = self.law.properties().rate_under(z);
+        own.map_or(0.0, |[own, _]| (rdot - own) / self.compliance)
+    }
+
+    fn bound(&self) -> f64 {
+        let [_, high] = self.law.properties().bounds();
+        high
     }
 }

@@ -63,9 +63,7 @@ impl Flow for Moving<'_> {
             let Some(place) = *place else {
                 continue;
             };
-            if let Some([_, rate]) = self.braced(i, t, y) {
-                to[place] = rate;
-            } else if let Some(plane) = &self.planes[i] {
+            if let Some(plane) = &self.planes[i] {
                 let state = self.in_plane(i, t, y, [0.0; 2]);
                 let rate = plane.rate(&state, self.moving_limit(i, t, y));
                 to[place..place + 2].copy_from_slice(&rate);
@@ -97,7 +95,7 @@ impl Flow for Moving<'_> {
             }
             let [r, rdot] = self.relative(i, t, y);
             // Where S is an unknown, rdot may be next to nothing, and changes its sign with S.
-            let force = self.own_force(i, t, y);
+            let force = self.own_force(i);
             let state = self.state_of(i, y).filter(|_| force.is_none());
             contact.watch(
                 [r, force.unwrap_or(rdot)],
@@ -124,9 +122,6 @@ impl Flow for Moving<'_> {
             let mut motion = self.motion(i, t, y);
             // A velocity has the round-off of the accelerations of which it is the integral.
             motion.sizes[1] = motion.sizes[1].max(self.acceleration_terms * t);
-            if self.braces[i].is_some() {
-                continue;
-            }
             let (z, limit) = (self.state_of(i, y), self.moving_limit(i, t, y));
             let z = self.contacts[i].commit(motion, z, limit);
             if let (Some(place), Some(z)) = (self.places[i], z) {

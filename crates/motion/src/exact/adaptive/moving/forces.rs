@@ -44,7 +44,7 @@ impl Moving<'_> {
                 let motion = self.motion(i, t, y);
                 contact.force_terms(motion, self.state_of(i, y), self.limit(i, t, y))
             };
-            let size = self.own_force(i, t, y).map_or_else(follows, f64::abs);
+            let size = self.own_force(i).map_or_else(follows, f64::abs);
             self.model.columns[i].add_sizes(size, &mut sums);
         }
         let accelerations = sums.iter().zip(&self.model.inverse_masses);
@@ -55,14 +55,13 @@ impl Moving<'_> {
         self.places[contact].map(|place| y[place])
     }
 
-    /// S of a damper that creeps or is behind springs, where S is an unknown of its own.
-    pub(crate) fn own_force(&self, contact: usize, t: f64, y: &[f64]) -> Option<f64> {
-        let braced = self.braced(contact, t, y).map(|[force, _]| force);
-        braced.or_else(|| self.creeps[contact].as_ref().and_then(Creep::force))
+    /// S of a damper that creeps, where S is an unknown of its own.
+    pub(crate) fn own_force(&self, contact: usize) -> Option<f64> {
+        self.creeps[contact].as_ref().and_then(Creep::force)
     }
 
     pub(crate) fn force(&self, contact: usize, t: f64, y: &[f64]) -> f64 {
-        if let Some(force) = self.own_force(contact, t, y) {
+        if let Some(force) = self.own_force(contact) {
             return force;
         }
         let own = &self.contacts[contact];
@@ -122,10 +121,11 @@ impl Moving<'_> {
         for (i, own) in self.model.structure.contacts.iter().enumerate() {
             [room.r[i], room.rate[i]] = self.relative(i, t, y);
             room.force[i] = forces[i];
-            if let (Some(own), Some(compliance)) = (self.braced(i, t, y), self.braces[i]) {
-                room.r[i] -= compliance * own[0];
-                room.rate[i] -= compliance * own[1];
-                force_rates[i] = own[1];
+            if let (Some(compliance), Some(force)) = (self.braces[i], self.state_of(i, y)) {
+                let limit = self.moving_limit(i, t, y);
+                force_rates[i] = self.contacts[i].rate(force, room.rate[i], limit);
+                room.r[i] -= compliance * force;
+                room.rate[i] -= compliance * force_rates[i];
             }
             room.slip[i] = room.r[i];
             if let Some(ClippedLine::Elastic { stiffness }) = own.law.line() {

@@ -64,7 +64,7 @@ impl<'a> Moving<'a> {
             let rdot = model.columns[i].dot(v) + of_gap;
             let memory = structure.preload.laws.get(i).copied().flatten();
             let at_rest = structure.preload.force(i);
-            let contact = Contact::new(law, 0.0, [r, rdot], (at_rest, memory));
+            let contact = Contact::new(law, 0.0, [r, rdot], (at_rest, memory)).behind(braces[i]);
             contacts.push(contact.clone());
             if own.law.row() == Some(PlaneRow::First) {
                 let [gap, of_gap] = moved_gap(structure, i + 1, 0.0);
@@ -88,8 +88,7 @@ impl<'a> Moving<'a> {
                 places.push(None);
                 continue;
             }
-            let braced = braces[i].map(|_| at_rest.unwrap_or(0.0));
-            places.push(braced.or_else(|| contact.state()).map(|z| {
+            places.push(contact.state().map(|z| {
                 y.push(z);
                 groups.push(2 + i);
                 y.len() - 1

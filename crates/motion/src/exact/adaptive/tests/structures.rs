@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::contact::ClippedLine;
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// A chain of three masses under a table and a sine, an impact between the first two, friction with a limit that changes in time at
@@ -251,4 +252,64 @@ fn a_damper_behind_a_spring_has_its_force_as_a_state() {
             assert!((a - b).abs() < 1e-10, "{exponent}: {found:?} {known:?}");
         }
     }
+}
+
+/// S of velocity-control friction c with the limit l behind a spring k, whose other end moves as sin w t, at a time after one and a half
+/// turns: exponential functions and sines between the bounds, which it reaches and leaves three times.
+fn behind_a_spring([k, c, l, w]: [f64; 4], end: f64) -> f64 {
+    let q = k / c;
+    // S = a cos w t + b sin w t + free exp(-q (t - from)).
+    let [a, b] = [q, w].map(|x| k * w * x / (q * q + w * w));
+    let steady = |t: f64| a * (w * t).cos() + b * (w * t).sin();
+    let (mut from, mut s, mut side) = (0.0, 0.0, 1.0);
+    loop {
+        let free = |t: f64| steady(t) + (s - steady(from)) * (-q * (t - from)).exp();
+        // The time at which it is at the bound, between its start and the fastest motion that way.
+        let turn = (w * from / PI).round() * PI / w;
+        let fastest = if turn > from || from == 0.0 { turn } else { turn + PI / w };
+        let leaves = fastest + (l / (c * w)).acos() / w;
+        let [mut low, mut high] = [from, leaves];
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            *(if side * free(middle) < l { &mut low } else { &mut high }) = middle;
+        }
+        match end {
+            end if end < low => return free(end),
+            end if end < leaves => return side * l,
+            _ => (from, s, side) = (leaves, side * l, -side),
+        }
+    }
+}
+
+#[test]
+fn friction_of_velocity_behind_a_spring_stays_within_its_limit() {
+    let [k, c, l, w] = [8.0, 2.0, 1.1, 1.3];
+    let law = StructureLaw::new(
+        ClippedLine::Viscous { viscosity: c },
+        Limit::constant(l),
+    );
+    let mut own = one(0.0, law, 0.0);
+    own.nodes.push(own.nodes[0].clone());
+    // So heavy that the friction does not move it.
+    own.nodes[0].mass = 1e14;
+    own.nodes[1].mass = 0.0;
+    [own.stiffness, own.damping, own.coupled_mass] = [(); 3].map(|()| Symmetric::zeros(2));
+    own.stiffness.add(0, 0, 1e14 * w * w);
+    own.stiffness.add(1, 1, k);
+    own.contacts[0].along = vec![(1, -1.0), (0, 1.0)];
+    (own.displacement, own.velocity) = (vec![0.0, 0.0], vec![w, 0.0]);
+    let times = times(8.0, 160);
+    let mut found = Vec::new();
+    run_of(&own, &[1], &times, TOLERANCE, |_, state| {
+        found.push([state.force[0], k * state.u[1]]);
+    })
+    .unwrap();
+    for (time, found) in times.iter().zip(&found) {
+        let known = behind_a_spring([k, c, l, w], *time);
+        for own in found {
+            // Some 1e3 steps, each with the tolerance.
+            assert!((own - known).abs() < 1e-10, "{time}: {found:?} {known}");
+        }
+    }
+    assert!(found.iter().filter(|own| own[0].abs() == l).count() > 20);
 }

@@ -383,7 +383,7 @@ fn loads_and_frames_of_nodes_without_mass_are_condensed() {
     let s = structure(0.0).contact([None, Some(1)], 0.0, viscous);
     assert_eq!(
         refused(&s),
-        EventsFault::MasslessViscous {
+        EventsFault::Law {
             contact: "c2".into()
         }
     );

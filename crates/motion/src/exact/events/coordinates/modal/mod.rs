@@ -133,7 +133,7 @@ pub fn model(structure: &Structure) -> Result<Model<'_>, EventsFault> {
         inverse_masses: vec![1.0; count],
         stiffness: Matrix::Diagonal(squares),
         damping,
-        contacts: Cow::Owned(laws(structure, condensed.flexible.as_ref())?),
+        contacts: Cow::Owned(laws(structure, condensed.flexible.as_ref())),
         columns,
         patterns: condensed
             .patterns
@@ -244,7 +244,7 @@ fn damping(
 }
 
 /// The contacts with the laws that they have in series with nodes without mass: there, no contact is rigid, and none has impacts.
-fn laws(structure: &Structure, flexible: Option<&Flexible>) -> Result<Vec<Contact>, EventsFault> {
+fn laws(structure: &Structure, flexible: Option<&Flexible>) -> Vec<Contact> {
     let mut contacts = structure.contacts.clone();
     for i in flexible.iter().flat_map(|flexible| &flexible.contacts) {
         let contact = &mut contacts[*i];
@@ -252,15 +252,11 @@ fn laws(structure: &Structure, flexible: Option<&Flexible>) -> Result<Vec<Contac
         let line = match contact.law.line() {
             Some(ClippedLine::Stop { .. }) => ClippedLine::Spring { stiffness },
             Some(ClippedLine::Coulomb) => ClippedLine::Elastic { stiffness },
-            Some(ClippedLine::Viscous { .. }) => {
-                let contact = contact.name.clone();
-                return Err(EventsFault::MasslessViscous { contact });
-            }
             _ => continue,
         };
         contact.law = StructureLaw::new(line, contact.law.limit().cloned());
     }
-    Ok(contacts)
+    contacts
 }
 
 /// Whether the coordinates of a structure are its modes. Damping that couples modes costs more than all products between nodes, so
