@@ -137,7 +137,13 @@ fn pad(mu: f64, speed: f64, method: &str) -> Json {
 #[test]
 fn friction_that_raises_its_own_limit_has_the_closed_form() {
     for method in ["average-acceleration", "hht"] {
-        for (mu, speed) in [(0.5, 1.0), (0.9, 1.0), (0.99, 1.0), (0.9, -1.0), (5.0, -1.0)] {
+        for (mu, speed) in [
+            (0.5, 1.0),
+            (0.9, 1.0),
+            (0.99, 1.0),
+            (0.9, -1.0),
+            (5.0, -1.0),
+        ] {
             let force = metrics(&pad(mu, speed, method))[0];
             let right = speed * mu * 0.01 / (1.0 - speed * mu);
             // A limit stays to 1e-13 of itself from round to round.
@@ -169,5 +175,8 @@ fn limits_that_do_not_settle_are_an_error() {
         panic!("a step without an answer was taken");
     };
     let fault = fault.to_string();
-    assert!(fault.contains("raises the force that presses it"), "{fault}");
+    assert!(
+        fault.contains("raises the force that presses it"),
+        "{fault}"
+    );
 }

@@ -266,12 +266,20 @@ fn behind_a_spring([k, c, l, w]: [f64; 4], end: f64) -> f64 {
         let free = |t: f64| steady(t) + (s - steady(from)) * (-q * (t - from)).exp();
         // The time at which it is at the bound, between its start and the fastest motion that way.
         let turn = (w * from / PI).round() * PI / w;
-        let fastest = if turn > from || from == 0.0 { turn } else { turn + PI / w };
+        let fastest = if turn > from || from == 0.0 {
+            turn
+        } else {
+            turn + PI / w
+        };
         let leaves = fastest + (l / (c * w)).acos() / w;
         let [mut low, mut high] = [from, leaves];
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
-            *(if side * free(middle) < l { &mut low } else { &mut high }) = middle;
+            *(if side * free(middle) < l {
+                &mut low
+            } else {
+                &mut high
+            }) = middle;
         }
         match end {
             end if end < low => return free(end),
@@ -284,10 +292,7 @@ fn behind_a_spring([k, c, l, w]: [f64; 4], end: f64) -> f64 {
 #[test]
 fn friction_of_velocity_behind_a_spring_stays_within_its_limit() {
     let [k, c, l, w] = [8.0, 2.0, 1.1, 1.3];
-    let law = StructureLaw::new(
-        ClippedLine::Viscous { viscosity: c },
-        Limit::constant(l),
-    );
+    let law = StructureLaw::new(ClippedLine::Viscous { viscosity: c }, Limit::constant(l));
     let mut own = one(0.0, law, 0.0);
     own.nodes.push(own.nodes[0].clone());
     // So heavy that the friction does not move it.

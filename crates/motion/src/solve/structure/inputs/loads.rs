@@ -207,8 +207,7 @@ impl<const L: usize> Inputs<L> {
         }
         for (l, other) in limit.pressed_by.iter().enumerate() {
             if let Some(other) = other {
-                let spring =
-                    |own: &PressingSpring| own.spring.compression(|node| motion(node, l));
+                let spring = |own: &PressingSpring| own.spring.compression(|node| motion(node, l));
                 sum.0[l] += other.limit(|contact| force(contact, l), spring);
             }
         }

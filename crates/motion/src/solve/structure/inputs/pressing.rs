@@ -113,7 +113,9 @@ fn guess_again<const L: usize>(limits: &mut [Guess<L>], l: usize, rounds: usize)
         (own.before[0].0[l], own.before[1].0[l]) = (used, missed);
         own.used.0[l] = match rounds > FREE && !nearer {
             true => used + 0.5 * missed,
-            false => (used + missed - back * (used - used_before + missed - missed_before)).max(0.0),
+            false => {
+                (used + missed - back * (used - used_before + missed - missed_before)).max(0.0)
+            }
         };
     }
 }

@@ -25,7 +25,7 @@ pub(super) struct Runaway<const L: usize> {
     /// Rows, columns and entries of M and K, those beside the diagonal twice.
     mass: Vec<(usize, usize, f64)>,
     stiffness: Vec<(usize, usize, f64)>,
-    /// Largest u^T M u.
+    /// Largest u^T M u, at least what is round-off.
     largest: Lane<L>,
     /// Whether the last step shows it.
     shows: [bool; L],
@@ -67,12 +67,16 @@ impl<const L: usize> Runaway<L> {
             let force = |of: &Structure| at_rest(of, of.preload.force(c).unwrap_or(0.0));
             [lanes(&|of| of.contacts[c].gap + moved(of)), lanes(&force)]
         });
+        let nodes: Vec<Lane<L>> = nodes.collect();
+        let at_rest = mass.iter().map(|(i, j, m)| nodes[*i] * nodes[*j] * *m);
+        let at_rest = at_rest.fold(Lane::splat(0.0), |sum, term| sum + term);
         Some(Runaway {
-            nodes: nodes.collect(),
+            nodes,
             contacts: contacts.collect(),
             mass,
             stiffness: whole(first.stiffness.entries().collect()),
-            largest: Lane::splat(0.0),
+            // What is smaller than this is the round-off of the equilibrium.
+            largest: at_rest * (ROUND_OFF * ROUND_OFF),
             shows: [false; L],
         })
     }
