@@ -1,10 +1,8 @@
 //! A contact in continuous time.
 
-use super::moving::braced::Braced;
+use super::law_of_contact::{Braced, Own, flexibility};
 use super::watched::{LimitAt, Motion, Watched};
-use crate::contact::{
-    AnyRunningLaw, ContactLaw, ContactResponse, Evolution, Flexibility, StepFlexibility, Trial,
-};
+use crate::contact::{AnyRunningLaw, ContactLaw, ContactResponse, Evolution, Trial};
 use crate::lane::Lane;
 
 /// Relative size of values that are round-off.
@@ -288,39 +286,5 @@ impl Contact {
         // From here: behind a long step that yields, a small way back would not leave the bound.
         self.force_size = self.force_terms(motion, z, limit);
         None
-    }
-}
-
-/// The law of a contact at a time.
-struct Own {
-    law: ContactLaw,
-    braced: Option<Braced>,
-}
-
-impl Own {
-    /// What its state does; `None` where S follows from r and rdot.
-    fn evolution(&self) -> Option<&dyn Evolution> {
-        match &self.braced {
-            Some(braced) => Some(braced),
-            None => self.law.evolution(),
-        }
-    }
-}
-
-/// The flexibility of a contact whose motion is given, but for this part of rdot.
-fn flexibility(h_rate: f64) -> StepFlexibility<1> {
-    let zero = Lane([0.0]);
-    let none = Flexibility {
-        h: zero,
-        h_rate: zero,
-    };
-    StepFlexibility {
-        start: none,
-        end: Flexibility {
-            h: zero,
-            h_rate: Lane([h_rate]),
-        },
-        dt: Lane([1.0]),
-        by_impulse: false,
     }
 }

@@ -15,6 +15,7 @@
 pub mod bars;
 mod contact;
 mod drive;
+mod law_of_contact;
 mod linked;
 mod moving;
 mod on_line;

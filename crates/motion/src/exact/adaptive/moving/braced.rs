@@ -8,7 +8,7 @@
 //!
 //! within the bounds of the law, where it stays as long as rdot* is faster than g there.
 
-use crate::contact::{ContactLaw, Evolution};
+use super::structure::Moving;
 use crate::exact::adaptive::AdaptiveFault;
 use crate::exact::events::Model;
 use crate::system::structure::StructureLaw;
@@ -48,22 +48,9 @@ pub fn compliances(model: &Model) -> Result<Vec<Option<f64>>, AdaptiveFault> {
     Ok(all)
 }
 
-/// A law of velocity behind springs. z is S, its rdot that of r*.
-pub struct Braced {
-    /// The law.
-    pub law: ContactLaw,
-    /// F.
-    pub compliance: f64,
-}
-
-impl Evolution for Braced {
-    fn rate(&self, z: f64, rdot: f64) -> f64 {
-        let own = self.law.properties().rate_under(z);
-        own.map_or(0.0, |[own, _]| (rdot - own) / self.compliance)
-    }
-
-    fn bound(&self) -> f64 {
-        let [_, high] = self.law.properties().bounds();
-        high
+impl Moving<'_> {
+    /// S behind springs that does not matter: as of a motion that does not.
+    pub(crate) fn least_braced(&self, contact: usize) -> f64 {
+        self.braces[contact].map_or(0.0, |compliance| self.least[0] / compliance)
     }
 }

@@ -30,7 +30,8 @@ impl Flow for Moving<'_> {
             if let Some(place) = *place {
                 let least = match &self.planes[i] {
                     Some(plane) => plane.least_state(),
-                    None => contact.least_state(),
+                    // From rest, S behind springs may have the same shape at all times, too.
+                    None => contact.least_state().max(self.least_braced(i)),
                 };
                 let largest = &mut largest[self.groups[place]];
                 *largest = largest.max(least);
