@@ -1,6 +1,6 @@
 //! A contact in continuous time.
 
-use super::law_of_contact::{Braced, Own, flexibility};
+use super::law_of_contact::{LawOfContact, flexibility};
 use super::watched::{LimitAt, Motion, Watched};
 use crate::contact::{AnyRunningLaw, ContactLaw, ContactResponse, Evolution, Trial};
 use crate::lane::Lane;
@@ -78,24 +78,25 @@ impl Contact {
 
     /// z at the start; `None` for a law without a state.
     pub fn state(&self) -> Option<f64> {
-        let own = self.own(None);
-        let law = own.evolution()?;
-        Some(law.at_start(self.at_rest, self.last[0]))
+        let law = self.law(None);
+        let evolution = law.evolution()?;
+        Some(evolution.at_start(self.at_rest, self.last[0]))
     }
 
     /// The law with this limit; `None` leaves it.
-    fn own(&self, limit: Option<LimitAt>) -> Own {
-        let law = limit.map_or(self.law, |limit| self.law.at_limit(limit.value));
-        let braced = self.brace.map(|compliance| Braced { law, compliance });
-        Own { law, braced }
+    fn law(&self, limit: Option<LimitAt>) -> LawOfContact {
+        LawOfContact {
+            law: limit.map_or(self.law, |limit| self.law.at_limit(limit.value)),
+            brace: self.brace,
+        }
     }
 
     /// S at a state. `rdot` is without the part that S takes at once.
     pub fn force(&self, [r, rdot]: [f64; 2], z: Option<f64>, limit: Option<LimitAt>) -> f64 {
-        let own = self.own(limit);
-        match (own.evolution(), z) {
+        let law = self.law(limit);
+        match (law.evolution(), z) {
             (Some(own), Some(z)) => own.force(self.within(z, own.bound()), r, rdot),
-            _ => self.answer(&mut self.running.clone(), own.law, [r, rdot], limit),
+            _ => self.answer(&mut self.running.clone(), law.law, [r, rdot], limit),
         }
     }
 
@@ -122,7 +123,7 @@ impl Contact {
 
     /// dz/dt.
     pub fn rate(&self, z: f64, rdot: f64, limit: Option<LimitAt>) -> f64 {
-        match self.own(limit).evolution() {
+        match self.law(limit).evolution() {
             Some(own) if self.bound.is_none() => own.rate(self.within(z, own.bound()), rdot),
             _ => 0.0,
         }
@@ -139,7 +140,7 @@ impl Contact {
     /// How much faster than its bound z would leave it; not below 0 while it stays there.
     fn pressure(&self, side: f64, rdot: f64, limit: Option<LimitAt>) -> f64 {
         let rate = limit.map_or(0.0, |limit| limit.rate);
-        let law = self.own(limit);
+        let law = self.law(limit);
         law.evolution()
             .map_or(0.0, |own| side * own.rate(side * own.bound(), rdot) - rate)
     }
@@ -174,8 +175,8 @@ impl Contact {
             to.push(two_sided(r, r_scale));
             to.push(two_sided(rdot, rdot_scale));
         }
-        let own = self.own(limit);
-        match (own.evolution(), z) {
+        let law = self.law(limit);
+        match (law.evolution(), z) {
             (Some(own), Some(z)) => {
                 let bound = own.bound();
                 to.push(match self.bound {
@@ -202,7 +203,7 @@ impl Contact {
                 to.push(two_sided(z, ROUND_OFF * size));
             }
             _ => {
-                let properties = own.law.properties();
+                let properties = law.law.properties();
                 let [low, high] = properties.bounds();
                 let s = self.force([r, rdot], z, limit);
                 let inside = (s - low).min(high - s);
@@ -238,7 +239,7 @@ impl Contact {
             let elastic = own.rate(0.0, 1.0).abs() * self.largest[0];
             elastic.min(own.bound())
         };
-        self.own(None).evolution().map_or(0.0, least)
+        self.law(None).evolution().map_or(0.0, least)
     }
 
     /// Takes a state as the last one; returns z there.
@@ -253,7 +254,7 @@ impl Contact {
             sizes,
         } = motion;
         self.largest = [0, 1].map(|i| self.largest[i].max(sizes[i]));
-        let law = self.own(limit);
+        let law = self.law(limit);
         if let (Some(own), Some(z)) = (law.evolution(), z) {
             let bound = own.bound();
             let z = self.within(z, bound);

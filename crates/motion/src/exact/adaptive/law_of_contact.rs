@@ -4,35 +4,31 @@ use crate::contact::{ContactLaw, Evolution, Flexibility, StepFlexibility};
 use crate::lane::Lane;
 
 /// The law of a contact at a time.
-pub struct Own {
+pub struct LawOfContact {
     /// The law.
     pub law: ContactLaw,
-    /// The same behind springs.
-    pub braced: Option<Braced>,
+    /// F of the springs behind which it is, if S is a state by them.
+    pub brace: Option<f64>,
 }
 
-impl Own {
+impl LawOfContact {
     /// What its state does; `None` where S follows from r and rdot.
     pub fn evolution(&self) -> Option<&dyn Evolution> {
-        match &self.braced {
-            Some(braced) => Some(braced),
+        match self.brace {
+            Some(_) => Some(self),
             None => self.law.evolution(),
         }
     }
 }
 
-/// A law of velocity behind springs. z is S, its rdot that of r*.
-pub struct Braced {
-    /// The law.
-    pub law: ContactLaw,
-    /// F.
-    pub compliance: f64,
-}
-
-impl Evolution for Braced {
+/// Of a law of velocity behind springs: z is S, its rdot that of r*.
+impl Evolution for LawOfContact {
     fn rate(&self, z: f64, rdot: f64) -> f64 {
-        let own = self.law.properties().rate_under(z);
-        own.map_or(0.0, |[own, _]| (rdot - own) / self.compliance)
+        let own_rate = self.law.properties().rate_under(z);
+        match (own_rate, self.brace) {
+            (Some([own_rate, _]), Some(compliance)) => (rdot - own_rate) / compliance,
+            _ => 0.0,
+        }
     }
 
     fn bound(&self) -> f64 {

@@ -126,7 +126,7 @@ impl fmt::Display for AdaptiveFault {
             AdaptiveFault::Model(why) => why.fmt(f),
             AdaptiveFault::Work { time } => write!(
                 f,
-                "the exact motion needs too many steps from t = {time} on; a contact is too stiff or too viscous for it, or the motion too long"
+                "the exact motion needs too many steps from t = {time:?} on; a contact is too stiff or too viscous for it, or the motion too long"
             ),
         }
     }

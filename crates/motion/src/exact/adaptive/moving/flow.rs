@@ -96,11 +96,10 @@ impl Flow for Moving<'_> {
             }
             let [r, rdot] = self.relative(i, t, y);
             // Where S is an unknown, rdot may be next to nothing, and changes its sign with S.
-            let force = self.own_force(i);
-            let state = self.state_of(i, y).filter(|_| force.is_none());
+            let rdot = self.own_force(i).unwrap_or(rdot);
             contact.watch(
-                [r, force.unwrap_or(rdot)],
-                state,
+                [r, rdot],
+                self.state_of(i, y),
                 self.moving_limit(i, t, y),
                 &mut watched,
             );

@@ -47,14 +47,8 @@ impl<const L: usize> Average<'_, L> {
     #[inline(always)]
     fn pressed_limit(&self, number: usize, step: usize) -> Lane<L> {
         let force = |contact: usize, l: usize| self.contacts[contact].force.0[l];
-        let dt = self.prepared.dt;
-        // As `displacement` and `velocity` have them, in one lane.
-        let motion = |node: usize, l: usize| {
-            let place = self.prepared.place[node];
-            let w = self.w[place].0[l];
-            let moved = self.moved.get(place).map_or(w, |moved| w + moved.0[l]);
-            [self.p[place].0[l] - w * 0.5, moved / dt]
-        };
+        let nodes = self.nodes();
+        let motion = |node: usize, l: usize| nodes.in_lane(node, l);
         self.inputs.limit(number, step, force, motion)
     }
 }

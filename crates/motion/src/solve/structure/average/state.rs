@@ -73,6 +73,15 @@ impl<const L: usize> Nodes<'_, L> {
         };
         change.map(|w| w / dt)
     }
+
+    /// The same of one lane: u and u'.
+    #[inline(always)]
+    pub(crate) fn in_lane(&self, node: usize, l: usize) -> [f64; 2] {
+        let place = self.prepared.place[node];
+        let w = self.w[place].0[l];
+        let change = self.moved.get(place).map_or(w, |moved| w + moved.0[l]);
+        [self.p[place].0[l] - w * 0.5, change / self.prepared.dt]
+    }
 }
 
 impl<const L: usize> Average<'_, L> {
@@ -90,7 +99,7 @@ impl<const L: usize> Average<'_, L> {
 
     /// The motions of the nodes.
     #[inline(always)]
-    fn nodes(&self) -> Nodes<'_, L> {
+    pub(super) fn nodes(&self) -> Nodes<'_, L> {
         Nodes {
             prepared: self.prepared,
             p: &self.p,
