@@ -198,7 +198,7 @@ impl Contact {
                 });
                 let size = match bound.is_finite() {
                     true => bound,
-                    false => self.least_state(),
+                    false => self.least_state(0.0),
                 };
                 to.push(two_sided(z, ROUND_OFF * size));
             }
@@ -233,13 +233,13 @@ impl Contact {
     }
 
     /// The size of z below which it is round-off of r over the tolerance: the force of an elastic contact for an r as large as its terms,
-    /// up to the bound.
-    pub fn least_state(&self) -> f64 {
-        let least = |own: &dyn Evolution| {
-            let elastic = own.rate(0.0, 1.0).abs() * self.largest[0];
+    /// or as an r that does not matter, up to the bound.
+    pub fn least_state(&self, least: f64) -> f64 {
+        let size = |own: &dyn Evolution| {
+            let elastic = own.rate(0.0, 1.0).abs() * self.largest[0].max(least);
             elastic.min(own.bound())
         };
-        self.law(None).evolution().map_or(0.0, least)
+        self.law(None).evolution().map_or(0.0, size)
     }
 
     /// Takes a state as the last one; returns z there.

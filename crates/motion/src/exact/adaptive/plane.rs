@@ -247,12 +247,13 @@ impl PlaneContact {
     }
 
     /// The size of z below which it is round-off of r over the tolerance.
-    pub fn least_state(&self) -> f64 {
-        let least = |law: PlaneLaw| {
-            let elastic = length(law.rate([0.0; 2], [self.largest[0], 0.0]));
+    pub fn least_state(&self, least: f64) -> f64 {
+        let size = |law: PlaneLaw| {
+            let r = self.largest[0].max(least);
+            let elastic = length(law.rate([0.0; 2], [r, 0.0]));
             elastic.min(law.bound())
         };
-        self.law(None).map_or(0.0, least)
+        self.law(None).map_or(0.0, size)
     }
 
     /// Takes a state as the last one; `sizes` are those of the terms of r and rdot. Returns z there.

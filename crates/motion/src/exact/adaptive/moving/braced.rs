@@ -8,7 +8,6 @@
 //!
 //! within the bounds of the law, where it stays as long as rdot* is faster than g there.
 
-use super::structure::Moving;
 use crate::exact::adaptive::AdaptiveFault;
 use crate::exact::events::Model;
 use crate::system::structure::StructureLaw;
@@ -46,11 +45,4 @@ pub fn compliances(model: &Model) -> Result<Vec<Option<f64>>, AdaptiveFault> {
         all[*i] = Some(f[(*i, *i)]);
     }
     Ok(all)
-}
-
-impl Moving<'_> {
-    /// S behind springs that does not matter: as of a motion that does not.
-    pub(crate) fn least_braced(&self, contact: usize) -> f64 {
-        self.braces[contact].map_or(0.0, |compliance| self.least[0] / compliance)
-    }
 }

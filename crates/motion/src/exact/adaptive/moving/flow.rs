@@ -29,9 +29,9 @@ impl Flow for Moving<'_> {
         for (i, (contact, place)) in self.contacts.iter().zip(&self.places).enumerate() {
             if let Some(place) = *place {
                 let least = match &self.planes[i] {
-                    Some(plane) => plane.least_state(),
-                    // From rest, S behind springs may have the same shape at all times, too.
-                    None => contact.least_state().max(self.least_braced(i)),
+                    // From rest, a state may have the same shape at all times, as u and u'.
+                    Some(plane) => plane.least_state(self.least[0]),
+                    None => contact.least_state(self.least[0]),
                 };
                 let largest = &mut largest[self.groups[place]];
                 *largest = largest.max(least);

@@ -12,6 +12,7 @@ use crate::system::structure::{
 };
 
 mod bars;
+mod braced;
 mod oscillator;
 mod structures;
 
