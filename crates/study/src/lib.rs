@@ -20,9 +20,10 @@ pub mod units;
 pub mod value;
 
 // For the ledger of claims, which has the same syntax.
-pub use cases::{alike, scope};
+pub use cases::scope;
 pub use computed::reference;
 pub use figure::reduced;
+pub use slipgap_cases::alike;
 pub use source::{faults, input, object, place, search, tree};
 
 pub use calibrate::Alternative;
@@ -32,13 +33,6 @@ pub use calibrate::FreeRange;
 pub use calibrate::PointCases;
 pub use calibrate::Recommend;
 pub use calibrate::decode::FIGURES as CALIBRATION_FIGURES;
-pub use cases::axis::design::Design;
-pub use cases::axis::design::Sampling;
-pub use cases::axis::group::Axis;
-pub use cases::axis::group::AxisGroup;
-pub use cases::axis::values::Values;
-pub use cases::block::Block;
-pub use cases::filter::Filter;
 pub use computed::{Computed, Found, Partners, Reference, Rule};
 pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
@@ -46,6 +40,7 @@ pub use describe::{problem_pages, problem_reference, reference, schema, start};
 pub use figure::kinds::{self, FigureKind, Marks, Ridge};
 pub use measure::{Measure, measures};
 pub use reduction::{CaseMetrics, Groups, Operator, Reduced, Reduction, reduced_cases};
+pub use slipgap_cases::{Axis, AxisGroup, Block, Design, Filter, Sampling, Values};
 pub use slipgap_problem::problem::expression::{printable, unprintable};
 pub use source::folder::ReadFile;
 pub use source::input::{Input, STDIN};

@@ -3,12 +3,12 @@
 
 use super::exact::{Even, Ratios};
 use super::powers::Powers;
-use crate::cases::axis::values::Values;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::within;
 use rayon::prelude::*;
+use slipgap_cases::axis::values::Values;
 use slipgap_problem::metrics::SLACK;
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, Value};
 use std::sync::Arc;

@@ -2,12 +2,12 @@
 
 use super::draft::{BlockDraft, ParameterDraft};
 use super::interval::Interval;
-use crate::cases::axis::design::{Design, Sampling};
-use crate::cases::axis::values::Sampled;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::value::{name, number};
+use slipgap_cases::axis::design::{Design, Sampling};
+use slipgap_cases::axis::values::Sampled;
 use slipgap_problem::problem::numbers::parameter::{Parameter, Range, shortest};
 
 /// The keys of a design, each with its meaning.

@@ -1,9 +1,9 @@
 //! The parameters of a block as the study gives them, each with its place.
 
 use super::interval::Interval;
-use crate::cases::axis::design::Design;
-use crate::cases::axis::group::{Axis, AxisGroup};
-use crate::cases::axis::values::{Sampled, Values};
+use slipgap_cases::axis::design::Design;
+use slipgap_cases::axis::group::{Axis, AxisGroup};
+use slipgap_cases::axis::values::{Sampled, Values};
 use slipgap_problem::problem::expression::Formula;
 
 /// A parameter that a block gives, with the place of every value.

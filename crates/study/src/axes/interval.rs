@@ -1,11 +1,12 @@
 //! The range of a parameter that a design samples.
 
 use crate::Scale;
-use crate::cases::axis::values::Distribution;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::value::{value_of, within};
+use crate::value::within;
+use slipgap_cases::axis::values::Distribution;
+use slipgap_problem::problem::numbers::allowed::value_of;
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, shortest};
 
 /// The distributions, each with the meaning of its two numbers.

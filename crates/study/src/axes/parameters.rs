@@ -4,11 +4,11 @@ use super::applicability::check_applicability;
 use super::axis_rule;
 use super::draft::{BlockDraft, ParameterDraft};
 use super::interval::Interval;
-use crate::cases::axis::values::Values;
 use crate::source::faults::{Faults, in_words, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::{value, with_unit};
+use slipgap_cases::axis::values::Values;
 use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter};
 

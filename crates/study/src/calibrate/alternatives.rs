@@ -1,8 +1,8 @@
 //! The alternatives that a calibration compares, and the tests that each is fitted to.
 
 use crate::Study;
-use crate::cases::alike::{Identity, grouped, identity};
-use crate::cases::axis::group::AxisGroup;
+use slipgap_cases::alike::{Identity, grouped, identity};
+use slipgap_cases::axis::group::AxisGroup;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::{Kind, Value};
 

@@ -1,12 +1,12 @@
 //! The cases of an alternative at points of its free parameters.
 
 use super::{Alternative, Free};
-use crate::cases::axis::group::{Axis, AxisGroup};
-use crate::cases::axis::values::Values;
-use crate::cases::block::Block;
-use crate::cases::formulas::derived::{Condition, Derived};
-use crate::cases::formulas::formula_table::FormulaTable;
 use crate::{Calibrate, Recommend, Study};
+use slipgap_cases::axis::group::{Axis, AxisGroup};
+use slipgap_cases::axis::values::Values;
+use slipgap_cases::block::Block;
+use slipgap_cases::formulas::derived::{Condition, Derived};
+use slipgap_cases::formulas::formula_table::FormulaTable;
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_problem::problem::{Case, Violation};
@@ -132,13 +132,8 @@ impl PointCases<'_> {
         let points = AxisGroup {
             axes: self.free.iter().enumerate().map(points).collect(),
         };
-        let mut block = Block {
-            groups: groups
-                .chain([points])
-                .filter(|group| !group.axes.is_empty())
-                .collect(),
-            ..Block::default()
-        };
+        let groups = groups.chain([points]);
+        let mut block = Block::of(groups.filter(|group| !group.axes.is_empty()).collect());
         for derived in &own.derived {
             // A table would have a value for each point, too.
             let formula = FormulaTable::new(derived.formula.formula.clone(), &block);

@@ -3,7 +3,8 @@
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::value::{value_of, within};
+use crate::value::within;
+use slipgap_problem::problem::numbers::allowed::value_of;
 use slipgap_problem::problem::numbers::parameter::{Parameter, Range, shortest};
 
 /// The key of a range whose logarithm is searched.

@@ -1,12 +1,11 @@
 //! Which parameters distinguish the ensembles of a study.
 
-use super::alike::unaffected;
-use super::block::Block;
-use super::filter::Filter;
 use super::scope::Scope;
 use crate::Study;
 use crate::source::faults::Faults;
 use crate::source::tree::{Node, Tree};
+use slipgap_cases::alike::unaffected;
+use slipgap_cases::{Block, Filter};
 use slipgap_problem::problem::Problem;
 
 impl Study {

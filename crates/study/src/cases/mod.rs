@@ -1,70 +1,50 @@
-//! The cases of a study: blocks of axes, derived parameters and conditions; each case is made from its number.
+//! The cases of a study, which `slipgap-cases` makes from its blocks.
 
-pub mod alike;
-pub(super) mod axis;
-pub(super) mod block;
-mod complete;
-mod counts;
 pub(crate) mod ensemble;
-pub(super) mod filter;
-pub(super) mod formulas;
-pub(super) mod representative;
 pub mod scope;
-mod select;
-
-mod tabulate;
-#[cfg(test)]
-mod tests_sobol;
-
-pub(super) use select::{case, distinct, select};
 
 use super::Study;
-use block::Block;
-use filter::Filter;
-use select::place;
-use slipgap_problem::problem::numbers::parameter::{ColumnRule, Parameter};
+use slipgap_cases::{Block, Enumeration, Filter};
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_problem::problem::{Case, Violation};
-use std::ops::Range;
 
 impl Study {
+    /// The cases with their numbers.
+    fn enumeration(&self) -> Enumeration<'_> {
+        Enumeration {
+            problem: &*self.problem,
+            blocks: &self.blocks,
+        }
+    }
+
     /// Number of cases, or a larger number if they are not [counted](Study::is_counted).
     pub fn len(&self) -> u64 {
-        let blocks = self.blocks.iter();
-        blocks.map(|block| block.len(&*self.problem)).sum()
+        self.enumeration().len()
     }
 
     /// Whether there are no cases. No valid study is empty.
     pub fn is_empty(&self) -> bool {
-        self.len() == 0
+        self.enumeration().is_empty()
     }
 
-    /// Whether the cases are counted and numbered without gaps. In a block of more than 10^8 combinations, of which a
-    /// condition must be tested one by one, the number of a case is that of its combination.
+    /// Whether the cases are counted and numbered without gaps, as by [`Enumeration::is_counted`].
     pub fn is_counted(&self) -> bool {
-        !self.blocks.iter().any(Block::is_uncounted)
+        self.enumeration().is_counted()
     }
 
     /// Number of raw combinations, at most the limit of the study.
     pub fn raw_len(&self) -> u64 {
-        self.blocks.iter().map(Block::raw_len).sum()
+        self.enumeration().raw_len()
     }
 
     /// Case `index`, from 0, completed; `None` from `len` on, and for a combination that is no case.
     pub fn case(&self, index: u64) -> Option<Case> {
-        case(&*self.problem, &self.blocks, index)
+        self.enumeration().case(index)
     }
 
     /// The rules that case `index` breaks. Only a large study has such cases.
     pub fn violations(&self, index: u64) -> Vec<Violation> {
-        let found = place(&*self.problem, &self.blocks, index);
-        found.map_or_else(Vec::new, |(block, raw)| {
-            let mut case = block.raw_case(&*self.problem, raw);
-            match block.without_condition(&case) {
-                Some(undecided) => vec![undecided],
-                None => block.complete(&*self.problem, &mut case),
-            }
-        })
+        self.enumeration().violations(index)
     }
 
     /// The cost of a completed case: steps times modes, and the references of the study's metrics.
@@ -92,27 +72,17 @@ impl Study {
 
     /// Rows of the parameters that are columns of tables, in the order of the problem's table.
     pub fn parameter_columns(&self) -> Vec<usize> {
-        let table = self.problem.parameters().iter().enumerate();
-        let has_column = |(row, parameter): &(usize, &Parameter)| match parameter.column {
-            ColumnRule::Always => true,
-            ColumnRule::IfGiven => self.blocks.iter().any(|block| block.gives(*row)),
-        };
-        table.filter(has_column).map(|(row, _)| row).collect()
+        self.enumeration().parameter_columns()
     }
 
     /// Number of the first case of a block.
     pub fn first_of(&self, block: usize) -> u64 {
-        let before = self.blocks.iter().take(block);
-        before.map(|block| block.len(&*self.problem)).sum()
+        self.enumeration().first_of(block)
     }
 
     /// The block that case `index` belongs to.
     pub fn block_of(&self, index: u64) -> Option<&Block> {
-        let mut end = 0;
-        self.blocks.iter().find(|block| {
-            end += block.len(&*self.problem);
-            index < end
-        })
+        self.enumeration().block_of(index)
     }
 
     /// All cases in order, each made when the iterator reaches it.
@@ -122,94 +92,26 @@ impl Study {
 
     /// The cases among raw combinations `from..to` with their numbers.
     pub fn range(&self, from: u64, to: u64) -> impl Iterator<Item = (u64, Case)> + '_ {
-        self.parts(from, to).flat_map(move |(block, raws, number)| {
-            let start = raws.start;
-            let raws = raws.filter(|raw| block.is_case(&*self.problem, *raw));
-            (number..).zip(raws).map(move |(next, raw)| {
-                let uncounted = block.is_uncounted();
-                let number = if uncounted {
-                    number + raw - start
-                } else {
-                    next
-                };
-                (number, block.completed(&*self.problem, raw))
-            })
-        })
+        self.enumeration().range(from, to)
     }
 
     /// Raw combination `raw` as a completed case; `None` if it is no case.
     pub fn combination(&self, raw: u64) -> Option<Case> {
-        let mut rest = raw;
-        for block in &self.blocks {
-            if rest < block.raw_len() {
-                let is_case = block.is_case(&*self.problem, rest);
-                return is_case.then(|| block.completed(&*self.problem, rest));
-            }
-            rest -= block.raw_len();
-        }
-        None
+        self.enumeration().combination(raw)
     }
 
     /// The cases among raw combinations `from..to` as columns, and the number of the first; without any, that of the next case.
     pub fn columns(&self, from: u64, to: u64) -> (u64, Cases) {
-        let mut cases = Cases::new(self.problem.schema());
-        let (mut case, mut first) = (Case::new(self.problem.schema()), None);
-        let mut next_case = None;
-        for (block, raws, number) in self.parts(from, to) {
-            next_case.get_or_insert(number);
-            if block.is_surely_empty(&*self.problem, &raws) {
-                continue;
-            }
-            let (start, uncounted, mut next) = (raws.start, block.is_uncounted(), number);
-            let (like, changing) = block.alike(&*self.problem);
-            let mut alike = cases.alike(&like, &changing);
-            if block.is_complete(&*self.problem) {
-                let offset = number - *first.get_or_insert(number);
-                let count = (raws.end - raws.start) as usize;
-                alike.extend(offset, count, block.runs(raws));
-                continue;
-            }
-            for raw in raws {
-                let met = block.put_and_test(&*self.problem, raw, &mut case);
-                if !met.unwrap_or(uncounted) {
-                    continue;
-                }
-                if uncounted {
-                    next = number + raw - start;
-                }
-                // Of a large block, not every case was tested when the study was read.
-                let violations = match met {
-                    Some(_) => block.complete(&*self.problem, &mut case),
-                    None => block.without_condition(&case).into_iter().collect(),
-                };
-                let offset = next - *first.get_or_insert(next);
-                alike.push(offset, &case, Violation::all(&violations));
-                next += 1;
-            }
-        }
-        (first.or(next_case).unwrap_or(0), cases)
-    }
-
-    /// The part of raw combinations `from..to` in each block, numbered from the start of the block, and the number of the
-    /// first case there.
-    fn parts(&self, from: u64, to: u64) -> impl Iterator<Item = (&Block, Range<u64>, u64)> {
-        let (mut start, mut cases) = (0, 0);
-        self.blocks.iter().filter_map(move |block| {
-            let (first, before) = (start, cases);
-            start += block.raw_len();
-            let raws = from.clamp(first, start) - first..to.clamp(first, start) - first;
-            // The cases of the last block are not needed.
-            if start < to {
-                cases += block.len(&*self.problem);
-            }
-            let number =
-                (!raws.is_empty()).then(|| before + block.rank(&*self.problem, raws.start));
-            number.map(|number| (block, raws, number))
-        })
+        self.enumeration().columns(from, to)
     }
 
     /// The numbers of the cases that a filter selects, in rising order.
     pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
-        select(&*self.problem, &self.blocks, filter)
+        self.enumeration().select(filter)
+    }
+
+    /// Cases that show the range of a quantity, as by [`Enumeration::representative_cases`].
+    pub fn representative_cases(&self) -> impl Iterator<Item = Case> + '_ {
+        self.enumeration().representative_cases()
     }
 }

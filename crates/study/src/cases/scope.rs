@@ -1,12 +1,11 @@
 //! The names that figures, checks and claims may use: the tables of the problem, and the cases of the study.
 
-use super::block::Block;
-use super::filter::Filter;
 use crate::Measure;
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use crate::value::{name, value};
+use slipgap_cases::{Block, Enumeration, Filter, distinct};
 use slipgap_problem::problem::numbers::parameter::{Default, Value};
 use slipgap_problem::problem::{Case, Problem};
 use std::sync::Arc;
@@ -201,14 +200,22 @@ impl Scope {
             .unwrap_or_else(|| "no case has all these values".into())
     }
 
+    fn enumeration(&self) -> Enumeration<'_> {
+        Enumeration {
+            problem: &*self.problem,
+            blocks: &self.blocks,
+        }
+    }
+
     /// The numbers of the cases of a filter.
     pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
-        super::select(&*self.problem, &self.blocks, filter)
+        self.enumeration().select(filter)
     }
 
     /// The cases that a filter selects.
     pub fn cases<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = Case> + 'a {
-        let case = |index| super::case(&*self.problem, &self.blocks, index);
+        let enumeration = self.enumeration();
+        let case = move |index| enumeration.case(index);
         self.select(filter).filter_map(case)
     }
 
@@ -237,7 +244,7 @@ impl Scope {
     pub fn levels(&self, filter: &Filter, parameter: usize) -> Vec<Value> {
         let blocks = self.blocks.iter();
         let levels = blocks.flat_map(|block| block.levels(&*self.problem, filter, parameter));
-        super::distinct(levels)
+        distinct(levels)
     }
 }
 

@@ -1,10 +1,10 @@
 //! The reference case of a ratio: the case that differs in some parameters only.
 
 use super::partners::{Found, Partners};
-use crate::cases::alike;
-use crate::cases::block::Block;
-use crate::cases::filter::Filter;
 use crate::cases::scope::Scope;
+use slipgap_cases::alike;
+use slipgap_cases::block::Block;
+use slipgap_cases::filter::Filter;
 use slipgap_problem::problem::numbers::parameter::Parameter;
 use slipgap_problem::problem::{Case, Problem};
 

@@ -3,11 +3,11 @@
 use super::references::{check_given, report_circle, restates};
 use crate::Block;
 use crate::axes::draft::{BlockDraft, ParameterDraft};
-use crate::cases::formulas::derived::{Condition, Derived, refused};
-use crate::cases::formulas::formula_table::FormulaTable;
 use crate::source::faults::{Faults, quoted};
-use crate::value::value_of;
+use slipgap_cases::formulas::derived::{Condition, Derived, refused};
+use slipgap_cases::formulas::formula_table::FormulaTable;
 use slipgap_problem::problem::expression::{ExpressionFault, Formula};
+use slipgap_problem::problem::numbers::allowed::value_of;
 use slipgap_problem::problem::{Case, NotComputed, Problem, Schema};
 use std::sync::Arc;
 
@@ -18,11 +18,8 @@ pub(crate) fn resolve(
     faults: &mut Faults,
 ) -> Option<Block> {
     let table = problem.parameters();
-    let mut block = Block {
-        groups: draft.axes(),
-        design: draft.design.clone(),
-        ..Block::default()
-    };
+    let mut block = Block::of(draft.axes());
+    block.design = draft.design.clone();
     let before = faults.count();
     let mut unresolved: Vec<&ParameterDraft> = Vec::new();
     let mut all_given = true;

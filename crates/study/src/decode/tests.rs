@@ -4,12 +4,13 @@ use super::resolve::resolve;
 use super::validate::validate;
 use crate::axes::draft::BlockDraft;
 use crate::axes::parameters::parameters;
-use crate::cases::formulas::formula_table::FormulaTable;
-use crate::cases::select;
 use crate::source::faults::Faults;
 use crate::source::place::Texts;
 use crate::source::tree;
 use crate::{Axis, AxisGroup, Block, Filter};
+use slipgap_cases::Enumeration;
+use slipgap_cases::alike::{self, unaffected};
+use slipgap_cases::formulas::formula_table::FormulaTable;
 use slipgap_motion::solve::{MetricTable, Unsolvable};
 use slipgap_problem::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
 use slipgap_problem::problem::table::cases::Cases;
@@ -287,11 +288,16 @@ fn a_filter_selects_the_cases_that_match() {
         vec![number(1, 9.0)],
     ] {
         let filter = Filter(terms);
-        let selected: Vec<u64> = select(&Bars, &blocks, &filter).collect();
+        let enumeration = Enumeration {
+            problem: &Bars,
+            blocks: &blocks,
+        };
+        let selected: Vec<u64> = enumeration.select(&filter).collect();
         let total: u64 = blocks.iter().map(|b| b.len(&Bars)).sum();
         let matching: Vec<u64> = (0..total)
             .filter(|i| {
-                crate::cases::case(&Bars, &blocks, *i).is_some_and(|case| filter.matches(&case))
+                let case = enumeration.case(*i);
+                case.is_some_and(|case| filter.matches(&case))
             })
             .collect();
         assert_eq!(selected, matching, "{filter:?}");
@@ -306,10 +312,7 @@ fn a_thousand_million_cases_cost_no_memory() {
             values: (1..=1000).map(|n| Value::Number(f64::from(n))).collect(),
         }],
     };
-    let block = Block {
-        groups: [1, 2, 3].map(group).into(),
-        ..Block::default()
-    };
+    let block = Block::of([1, 2, 3].map(group).into());
     assert_eq!(block.len(&Bars), 1_000_000_000);
     assert_eq!(
         values(&block.raw_case(&Bars, 123_456_789)),
@@ -378,5 +381,36 @@ fn an_expression_is_computed_once_for_each_set_of_its_parameters() {
     assert_eq!(
         block.when.as_ref().map(|when| entries(&when.formula)),
         Some(3)
+    );
+}
+
+#[test]
+fn what_changes_with_a_parameter_is_affected_and_nothing_else() {
+    let study = crate::parse(
+        "s",
+        r#"{"problem": "bar-impact", "blocks": [
+          {"parameters": {"gamma": [1, 2], "n": [4, 8], "dt": "0.1/n", "gap": [0.1, 0.2], "duration": "1.5 + gap"},
+           "zip": [["gamma", "gap"]]},
+          {"parameters": {"gamma": 3, "n": 16, "dt": 0.01, "gap": 0, "duration": 1.5}}]}"#,
+    )
+    .unwrap_or_else(|e| panic!("{e}"));
+    let table = study.problem.parameters();
+    let affected = |name: &str| -> Vec<&str> {
+        let row = table.iter().position(|p| p.name == name).unwrap();
+        let shared = unaffected(&*study.problem, &study.blocks, &[row]);
+        let of_study = ["gamma", "k_I", "n", "dt", "gap", "duration", "mass"];
+        let is = |name: &&str| !shared.iter().any(|row| table[*row].name == **name);
+        of_study.into_iter().filter(is).collect()
+    };
+    // No block gives k_I: the problem computes it.
+    assert_eq!(affected("n"), ["k_I", "n", "dt"]);
+    assert_eq!(affected("gap"), ["gamma", "k_I", "gap", "duration"]);
+    assert_eq!(affected("dt"), ["k_I", "dt"]);
+    let case = study.case(0).unwrap();
+    let rows = unaffected(&*study.problem, &study.blocks, &[]);
+    assert!(
+        alike::values(&case, &rows).contains("n = 4"),
+        "{}",
+        alike::values(&case, &rows)
     );
 }

@@ -2,8 +2,8 @@
 
 use crate::Block;
 use crate::axes::draft::BlockDraft;
-use crate::cases::representative::{MOST_TESTED, all_positions, ends, restricted};
 use crate::source::faults::Faults;
+use slipgap_cases::representative::{MOST_TESTED, all_positions, ends, restricted};
 use slipgap_problem::problem::{Case, Problem, Violation};
 use std::collections::HashSet;
 

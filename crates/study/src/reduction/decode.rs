@@ -1,12 +1,12 @@
 //! The key `reductions` of a study.
 
 use super::{OPERATORS, Operator, Reduction};
-use crate::cases::alike::unaffected;
 use crate::faults::{Faults, quoted, unknown};
 use crate::object::Object;
 use crate::tree::Node;
 use crate::value::text;
 use crate::{Block, Measure};
+use slipgap_cases::alike::unaffected;
 use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::numbers::parameter::{Default, Range, Value};

@@ -1,7 +1,7 @@
 //! The values of reductions, collected case by case.
 
 use super::{Operator, Reduction};
-use crate::cases::alike::Identity;
+use slipgap_cases::alike::Identity;
 use slipgap_problem::problem::Case;
 use std::collections::HashMap;
 

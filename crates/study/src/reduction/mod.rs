@@ -12,8 +12,8 @@ pub use groups::{Groups, Reduced};
 pub(super) use operator::OPERATORS;
 pub use operator::Operator;
 
-use super::cases::alike::{Identity, identity};
 use super::{Measure, Study};
+use slipgap_cases::alike::{Identity, identity};
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::Default;
 

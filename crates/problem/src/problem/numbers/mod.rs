@@ -1,5 +1,6 @@
 //! Parameters with their units, and formulas of them.
 
+pub mod allowed;
 pub(crate) mod choice;
 pub mod parameter;
 pub(crate) mod short;

@@ -1,10 +1,10 @@
 //! Two metrics of many cases against each other, and the best cases of each value of a parameter.
 
 use crate::Scale;
-use crate::cases::alike;
 use crate::figure::checker::{Checker, NARROW};
 use crate::figure::keys::{COLOUR, MARKERS, Takes, X_RANGE, Y_RANGE, key};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
+use slipgap_cases::alike;
 use slipgap_problem::problem::{Case, Problem};
 use std::collections::HashMap;
 

@@ -1,8 +1,8 @@
 //! A block of cases. Each case is made from its number, so that 10^9 cases need no more memory than ten.
 
-use crate::cases::axis::design::Design;
-use crate::cases::axis::group::{Axis, AxisGroup};
-use crate::cases::formulas::derived::{Condition, Derived};
+use crate::axis::design::Design;
+use crate::axis::group::{Axis, AxisGroup};
+use crate::formulas::derived::{Condition, Derived};
 use slipgap_problem::problem::numbers::parameter::{Default, Parameter, Value};
 use slipgap_problem::problem::{Case, Problem};
 use std::ops::Range;
@@ -50,6 +50,14 @@ pub(crate) struct Shared {
 }
 
 impl Block {
+    /// All combinations of these groups.
+    pub fn of(groups: Vec<AxisGroup>) -> Block {
+        Block {
+            groups,
+            ..Block::default()
+        }
+    }
+
     /// All axes.
     pub fn axes(&self) -> impl Iterator<Item = &Axis> {
         self.groups.iter().flat_map(|group| &group.axes)
@@ -61,7 +69,7 @@ impl Block {
     }
 
     /// The position in each group of combination `raw`.
-    pub(crate) fn positions(&self, raw: u64) -> Vec<u64> {
+    pub fn positions(&self, raw: u64) -> Vec<u64> {
         let mut positions = vec![0; self.groups.len()];
         let mut rest = raw;
         for (position, group) in positions.iter_mut().zip(&self.groups).rev() {
@@ -72,14 +80,14 @@ impl Block {
     }
 
     /// Combination `raw` with the defaults, before `Problem::complete`.
-    pub(crate) fn raw_case(&self, problem: &dyn Problem, raw: u64) -> Case {
+    pub fn raw_case(&self, problem: &dyn Problem, raw: u64) -> Case {
         let mut case = Case::new(problem.schema());
         self.put(problem, raw, &mut case);
         case
     }
 
     /// The same, written over `case`.
-    pub(crate) fn put(&self, problem: &dyn Problem, raw: u64, case: &mut Case) {
+    pub fn put(&self, problem: &dyn Problem, raw: u64, case: &mut Case) {
         let Some(shared) = self.shared.get_or_init(|| self.shared(problem)) else {
             case.values.fill(None);
             self.fill(case, &self.positions(raw), self.derived.len());
@@ -97,7 +105,7 @@ impl Block {
     }
 
     /// The values of the parameters that all completed combinations share, and the rows of the others.
-    pub(super) fn alike(&self, problem: &dyn Problem) -> (Vec<Option<Value>>, Vec<usize>) {
+    pub fn alike(&self, problem: &dyn Problem) -> (Vec<Option<Value>>, Vec<usize>) {
         let table = problem.parameters();
         let Some(shared) = self.shared.get_or_init(|| self.shared(problem)) else {
             return (vec![None; table.len()], (0..table.len()).collect());
@@ -113,20 +121,20 @@ impl Block {
     }
 
     /// Whether the axes are independent of each other. A rule that holds at all their ends then holds everywhere.
-    pub(crate) fn is_independent(&self) -> bool {
+    pub fn is_independent(&self) -> bool {
         let single = |group: &AxisGroup| group.axes.len() == 1;
         self.derived.is_empty() && self.when.is_none() && self.groups.iter().all(single)
     }
 
     /// Whether all combinations are cases that break no rule, and no value follows from others.
-    pub(super) fn is_complete(&self, problem: &dyn Problem) -> bool {
+    pub fn is_complete(&self, problem: &dyn Problem) -> bool {
         let shared = self.shared.get_or_init(|| self.shared(problem));
         shared.as_ref().is_some_and(|shared| shared.complete)
     }
 
     /// The parameters that vary in the block, as rows, with their values in these combinations and how many of these have each value one
     /// after the other.
-    pub(super) fn runs(
+    pub fn runs(
         &self,
         raws: Range<u64>,
     ) -> impl Iterator<Item = (usize, impl Iterator<Item = (Value, usize)>)> {
@@ -180,7 +188,7 @@ impl Block {
     }
 
     /// Sets the values at these positions of the groups, the defaults, and the first `derived` of the derived parameters.
-    pub(super) fn fill(&self, case: &mut Case, positions: &[u64], derived: usize) {
+    pub fn fill(&self, case: &mut Case, positions: &[u64], derived: usize) {
         for (group, position) in self.groups.iter().zip(positions) {
             for axis in &group.axes {
                 case.values[axis.parameter] = Some(axis.values.at(*position as usize));

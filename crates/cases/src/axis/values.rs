@@ -20,16 +20,16 @@ pub enum Values {
 #[derive(Debug, Clone)]
 pub struct Sampled {
     /// The points in the dimension of the parameter.
-    pub(crate) coordinates: Coordinates,
+    pub coordinates: Coordinates,
     /// Number of points.
-    pub(crate) points: u64,
+    pub points: u64,
     /// The distribution of the values.
-    pub(crate) distribution: Distribution,
+    pub distribution: Distribution,
 }
 
 /// A distribution between two ends.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Distribution {
+pub struct Distribution {
     /// The ends.
     pub ends: [f64; 2],
     /// Whether the logarithm is uniform.
@@ -81,7 +81,7 @@ impl Values {
     }
 
     /// The values that are numbers, in order.
-    pub(crate) fn numbers(&self) -> Cow<'_, [f64]> {
+    pub fn numbers(&self) -> Cow<'_, [f64]> {
         match self {
             Values::Numbers(numbers) => Cow::Borrowed(numbers),
             others => others.iter().filter_map(Value::as_f64).collect(),

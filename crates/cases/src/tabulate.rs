@@ -1,7 +1,7 @@
 //! The values of a formula for all combinations of a block that it depends on.
 
 use super::block::Block;
-use crate::cases::formulas::formula_table::FormulaTable;
+use crate::formulas::formula_table::FormulaTable;
 use slipgap_problem::problem::expression::{ExpressionFault, Formula};
 use slipgap_problem::problem::{Case, Schema};
 use std::sync::Arc;

@@ -5,7 +5,7 @@
 //! a case is that of its combination, and each part tests its own.
 
 use super::block::{Block, CaseCounts};
-use crate::cases::formulas::derived::Condition;
+use crate::formulas::derived::Condition;
 use slipgap_problem::problem::{Case, NotComputed, Problem, Violation};
 use std::ops::Range;
 
@@ -17,26 +17,21 @@ const MOST_COUNTED: u64 = 100_000_000;
 
 impl Block {
     /// Whether the number of a case is that of its combination, because there are too many combinations to test.
-    pub(crate) fn is_uncounted(&self) -> bool {
+    pub fn is_uncounted(&self) -> bool {
         let without_table = |when: &Condition| when.formula.table.is_none();
         self.when.as_ref().is_some_and(without_table) && self.raw_len() > MOST_COUNTED
     }
 
     /// Whether combination `raw` is a case. If the condition of an uncounted block has no value, it is a case that cannot be
     /// solved.
-    pub(crate) fn is_case(&self, problem: &dyn Problem, raw: u64) -> bool {
+    pub fn is_case(&self, problem: &dyn Problem, raw: u64) -> bool {
         let met = self.meets_condition(problem, raw);
         met.unwrap_or_else(|| self.is_uncounted())
     }
 
     /// Writes combination `raw` over `case`, before `Problem::complete`, and tests whether it is a case; `None` if the condition
     /// has no value.
-    pub(crate) fn put_and_test(
-        &self,
-        problem: &dyn Problem,
-        raw: u64,
-        case: &mut Case,
-    ) -> Option<bool> {
+    pub fn put_and_test(&self, problem: &dyn Problem, raw: u64, case: &mut Case) -> Option<bool> {
         match &self.when {
             Some(when) if when.formula.table.is_none() => {
                 self.put(problem, raw, case);
@@ -53,7 +48,7 @@ impl Block {
     }
 
     /// That the condition has no value for a case of an uncounted block. In other blocks this is a fault of the study.
-    pub(crate) fn without_condition(&self, case: &Case) -> Option<Violation> {
+    pub fn without_condition(&self, case: &Case) -> Option<Violation> {
         let when = self.when.as_ref().filter(|_| self.is_uncounted())?;
         let fault = when.formula.formula.value(&|row| case.values[row]).err()?;
         Some(Violation {
@@ -99,7 +94,7 @@ impl Block {
     }
 
     /// The first combination for which the condition has no value.
-    pub(crate) fn undecided(&self, problem: &dyn Problem) -> Option<u64> {
+    pub fn undecided(&self, problem: &dyn Problem) -> Option<u64> {
         if self.when.is_none() || self.is_uncounted() {
             return None;
         }
@@ -110,7 +105,7 @@ impl Block {
     }
 
     /// Number of cases; of an uncounted block, of combinations.
-    pub(crate) fn len(&self, problem: &dyn Problem) -> u64 {
+    pub fn len(&self, problem: &dyn Problem) -> u64 {
         if self.when.is_none() || self.is_uncounted() {
             return self.raw_len();
         }
@@ -123,7 +118,7 @@ impl Block {
     }
 
     /// Whether a table shows that no combination in this range is a case.
-    pub(crate) fn is_surely_empty(&self, problem: &dyn Problem, raws: &Range<u64>) -> bool {
+    pub fn is_surely_empty(&self, problem: &dyn Problem, raws: &Range<u64>) -> bool {
         let has_table = |when: &Condition| when.formula.table.is_some();
         let rank = |raw: u64| match raw == self.raw_len() {
             true => self.len(problem),
@@ -133,7 +128,7 @@ impl Block {
     }
 
     /// Number of cases before combination `raw`; in an uncounted block, of combinations.
-    pub(crate) fn rank(&self, problem: &dyn Problem, raw: u64) -> u64 {
+    pub fn rank(&self, problem: &dyn Problem, raw: u64) -> u64 {
         if self.when.is_none() || self.is_uncounted() {
             return raw;
         }
@@ -148,7 +143,7 @@ impl Block {
     }
 
     /// The combination that is case `index` of the block.
-    pub(crate) fn raw_of(&self, problem: &dyn Problem, index: u64) -> Option<u64> {
+    pub fn raw_of(&self, problem: &dyn Problem, index: u64) -> Option<u64> {
         if index >= self.len(problem) {
             return None;
         }

@@ -2,15 +2,15 @@
 
 use super::block::Block;
 use super::filter::Filter;
-use crate::cases::axis::group::AxisGroup;
+use crate::axis::group::AxisGroup;
+use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::numbers::parameter::Value;
-use slipgap_problem::problem::{Case, Problem};
 use std::collections::HashSet;
 
 impl Block {
     /// The cases that `filter` selects, as combination and case number of the block, in rising order. The filter is applied
     /// to the axes before cases are made.
-    pub(crate) fn select<'a>(
+    pub fn select<'a>(
         &'a self,
         problem: &'a dyn Problem,
         filter: &'a Filter,
@@ -19,7 +19,7 @@ impl Block {
     }
 
     /// The same among the first `most` combinations that the filtered axes give.
-    pub(crate) fn select_among<'a>(
+    pub fn select_among<'a>(
         &'a self,
         most: u64,
         problem: &'a dyn Problem,
@@ -64,7 +64,7 @@ impl Block {
     }
 
     /// Number of combinations that `select` tests.
-    pub(crate) fn candidates(&self, filter: &Filter) -> u64 {
+    pub fn candidates(&self, filter: &Filter) -> u64 {
         let groups = self.groups.iter();
         groups
             .map(|group| group.positions(filter).len() as u64)
@@ -73,12 +73,7 @@ impl Block {
 
     /// The different values of a parameter among the cases that `filter` selects; none if the parameter does not apply, or
     /// if the problem computes it from others.
-    pub(crate) fn levels(
-        &self,
-        problem: &dyn Problem,
-        filter: &Filter,
-        parameter: usize,
-    ) -> Vec<Value> {
+    pub fn levels(&self, problem: &dyn Problem, filter: &Filter, parameter: usize) -> Vec<Value> {
         let on_axis = |group: &&AxisGroup| group.len() > 1 && group.has(parameter);
         let group = self.groups.iter().find(on_axis);
         let derived = self.derived.iter().any(|d| d.parameter == parameter);
@@ -130,51 +125,9 @@ impl Block {
 }
 
 /// The values in their order, without repetitions.
-pub(crate) fn distinct(values: impl Iterator<Item = Value>) -> Vec<Value> {
+pub fn distinct(values: impl Iterator<Item = Value>) -> Vec<Value> {
     let mut seen = HashSet::new();
     values
         .filter(|value| seen.insert(value.identity()))
         .collect()
-}
-
-/// The numbers of the cases in all `blocks` that a filter selects, in rising order.
-pub(crate) fn select<'a>(
-    problem: &'a dyn Problem,
-    blocks: &'a [Block],
-    filter: &'a Filter,
-) -> impl Iterator<Item = u64> + 'a {
-    let mut end = 0;
-    blocks.iter().enumerate().flat_map(move |(i, block)| {
-        let start = end;
-        // The cases of the last block are not needed.
-        if i + 1 < blocks.len() {
-            end += block.len(problem);
-        }
-        block
-            .select(problem, filter)
-            .map(move |(_, number)| start + number)
-    })
-}
-
-/// Case `index` of all `blocks`, completed; `None` beyond the last.
-pub(crate) fn case(problem: &dyn Problem, blocks: &[Block], index: u64) -> Option<Case> {
-    let (block, raw) = place(problem, blocks, index)?;
-    Some(block.completed(problem, raw))
-}
-
-/// The block of case `index` of all `blocks`, and the combination of the case in it; `None` beyond the last.
-pub(super) fn place<'a>(
-    problem: &dyn Problem,
-    blocks: &'a [Block],
-    index: u64,
-) -> Option<(&'a Block, u64)> {
-    let mut rest = index;
-    for block in blocks {
-        let len = block.len(problem);
-        if rest < len {
-            return Some((block, block.raw_of(problem, rest)?));
-        }
-        rest -= len;
-    }
-    None
 }

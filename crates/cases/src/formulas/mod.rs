@@ -1,4 +1,4 @@
 //! Parameters given by expressions, and conditions.
 
-pub(crate) mod derived;
-pub(crate) mod formula_table;
+pub mod derived;
+pub mod formula_table;

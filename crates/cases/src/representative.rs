@@ -2,44 +2,44 @@
 
 use super::block::Block;
 use super::select::distinct;
-use crate::Study;
-use crate::cases::axis::group::{Axis, AxisGroup};
-use crate::cases::axis::values::Values;
+use crate::Enumeration;
+use crate::axis::group::{Axis, AxisGroup};
+use crate::axis::values::Values;
 use slipgap_problem::problem::Case;
 
 /// Larger blocks are tested only at the ends of their axes.
-pub(crate) const MOST_TESTED: u64 = 1_000_000;
+pub const MOST_TESTED: u64 = 1_000_000;
 
 /// Of smaller blocks all cases are representative.
 const MOST_LISTED: u64 = 10_000;
 
-impl Study {
+impl<'a> Enumeration<'a> {
     /// Cases that show the range of a quantity: those at the ends of the axes, or every case of a small block with
     /// dependent axes.
-    pub fn representative_cases(&self) -> impl Iterator<Item = Case> + '_ {
-        self.blocks.iter().flat_map(|block| {
+    pub fn representative_cases(self) -> impl Iterator<Item = Case> + 'a {
+        self.blocks.iter().flat_map(move |block| {
             let positions = match block.raw_len() <= MOST_LISTED && !block.is_independent() {
                 true => all_positions(block),
                 false => ends(block),
             };
             let part = restricted(block, &positions);
             let raws = 0..part.raw_len().min(MOST_TESTED);
-            let cases = raws.filter(|raw| part.is_case(&*self.problem, *raw));
-            let completed = cases.map(|raw| part.completed(&*self.problem, raw));
+            let cases = raws.filter(|raw| part.is_case(self.problem, *raw));
+            let completed = cases.map(|raw| part.completed(self.problem, raw));
             completed.collect::<Vec<_>>()
         })
     }
 }
 
 /// All positions of every group.
-pub(crate) fn all_positions(block: &Block) -> Vec<Vec<usize>> {
+pub fn all_positions(block: &Block) -> Vec<Vec<usize>> {
     let all = |group: &AxisGroup| (0..group.len() as usize).collect();
     block.groups.iter().map(all).collect()
 }
 
 /// The positions of the smallest and the largest number of every axis, and of all names. A rule that compares parameters
 /// and that some case breaks is broken there.
-pub(crate) fn ends(block: &Block) -> Vec<Vec<usize>> {
+pub fn ends(block: &Block) -> Vec<Vec<usize>> {
     let of_axis = |axis: &Axis| -> Vec<usize> {
         let numbers = axis.values.numbers();
         if numbers.len() < axis.values.len() {
@@ -69,7 +69,7 @@ fn first_of_each(values: &Values) -> Vec<usize> {
 }
 
 /// The block with only some positions of each group. Tables of formulas are dropped unless all positions remain.
-pub(crate) fn restricted(block: &Block, positions: &[Vec<usize>]) -> Block {
+pub fn restricted(block: &Block, positions: &[Vec<usize>]) -> Block {
     let axis = |axis: &Axis, positions: &[usize]| Axis {
         parameter: axis.parameter,
         values: match positions.len() == axis.values.len() {

@@ -1,10 +1,10 @@
 //! Parameters given by expressions of others, and conditions.
 
 use super::formula_table::FormulaTable;
-use crate::cases::axis::group::AxisGroup;
-use crate::source::faults::quoted;
-use crate::value::value_of;
+use crate::axis::group::AxisGroup;
 use slipgap_problem::problem::expression::Formula;
+use slipgap_problem::problem::expression::quoted;
+use slipgap_problem::problem::numbers::allowed::value_of;
 use slipgap_problem::problem::numbers::parameter::{Parameter, Value, shortest};
 use slipgap_problem::problem::{Case, NotComputed, Violation, values_used};
 
@@ -18,7 +18,8 @@ pub struct Derived {
     /// Whether the expression contains the alternative parameter, from which the problem computes this one anyway, as in
     /// `"k_I": "gamma * n * E * A / L"`. Both values must then agree.
     pub restates: bool,
-    pub(crate) formula: FormulaTable,
+    /// The expression, with its values.
+    pub formula: FormulaTable,
 }
 
 /// A condition that combinations must meet.
@@ -26,23 +27,19 @@ pub struct Derived {
 pub struct Condition {
     /// The condition as it is in the study.
     pub text: String,
-    pub(crate) formula: FormulaTable,
+    /// The expression, with its values.
+    pub formula: FormulaTable,
 }
 
 impl Derived {
     /// The value for a case that has the parameters of the expression.
-    pub(in crate::cases) fn value(
-        &self,
-        groups: &[AxisGroup],
-        case: &Case,
-        positions: &[u64],
-    ) -> Option<Value> {
+    pub fn value(&self, groups: &[AxisGroup], case: &Case, positions: &[u64]) -> Option<Value> {
         let x = self.formula.value(groups, case, positions)?;
         value_of(x, &case.schema.parameters[self.parameter]).ok()
     }
 
     /// The rule that a case breaks if the expression gives no valid value.
-    pub(in crate::cases) fn violation(&self, case: &Case) -> Option<Violation> {
+    pub fn violation(&self, case: &Case) -> Option<Violation> {
         if case.values[self.parameter].is_some() {
             return None;
         }
@@ -58,21 +55,12 @@ impl Derived {
 
 impl Condition {
     /// Whether the condition is met, if the table has its value.
-    pub(in crate::cases) fn looked_up(
-        &self,
-        groups: &[AxisGroup],
-        positions: &[u64],
-    ) -> Option<bool> {
+    pub fn looked_up(&self, groups: &[AxisGroup], positions: &[u64]) -> Option<bool> {
         self.formula.looked_up(groups, positions).map(|x| x != 0.0)
     }
 
     /// Whether a case meets the condition; `None` if the condition has no value.
-    pub(in crate::cases) fn holds(
-        &self,
-        groups: &[AxisGroup],
-        case: &Case,
-        positions: &[u64],
-    ) -> Option<bool> {
+    pub fn holds(&self, groups: &[AxisGroup], case: &Case, positions: &[u64]) -> Option<bool> {
         self.formula
             .value(groups, case, positions)
             .map(|x| x == 1.0)
@@ -80,7 +68,7 @@ impl Condition {
 }
 
 /// Why an expression gives no valid value of a parameter; `None` if it gives one.
-pub(crate) fn refused(
+pub fn refused(
     formula: &Formula,
     text: &str,
     case: &Case,

@@ -1,7 +1,7 @@
 //! The axes of a block, in groups.
 
 use super::values::Values;
-use crate::cases::filter::Filter;
+use crate::filter::Filter;
 
 /// Axes that advance together.
 #[derive(Debug, Clone)]
@@ -31,12 +31,12 @@ impl AxisGroup {
     }
 
     /// Whether one of the axes has this parameter.
-    pub(crate) fn has(&self, parameter: usize) -> bool {
+    pub fn has(&self, parameter: usize) -> bool {
         self.axes.iter().any(|axis| axis.parameter == parameter)
     }
 
     /// The positions whose values a filter accepts.
-    pub(in crate::cases) fn positions(&self, filter: &Filter) -> Vec<u64> {
+    pub fn positions(&self, filter: &Filter) -> Vec<u64> {
         let accepted = |position: u64| {
             self.axes.iter().all(|axis| {
                 let mut terms = filter.0.iter().filter(|(row, _)| *row == axis.parameter);

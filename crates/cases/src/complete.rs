@@ -1,7 +1,7 @@
 //! The values that follow from the parameters of a case, and the rules that a case breaks.
 
 use super::block::Block;
-use crate::cases::formulas::derived::Derived;
+use crate::formulas::derived::Derived;
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::{Case, Problem, Violation};
 
@@ -10,7 +10,7 @@ const AGREES: f64 = 1e-9;
 
 impl Block {
     /// Fills in the values that follow from other parameters, and gives every rule that the case breaks.
-    pub(crate) fn complete(&self, problem: &dyn Problem, case: &mut Case) -> Vec<Violation> {
+    pub fn complete(&self, problem: &dyn Problem, case: &mut Case) -> Vec<Violation> {
         let without_value = self.derived.iter().filter_map(|d| d.violation(case));
         let without_value: Vec<Violation> = without_value.collect();
         if !without_value.is_empty() {
@@ -39,7 +39,7 @@ impl Block {
     }
 
     /// Combination `raw` as a completed case. `Study::columns` reports the rules that it breaks.
-    pub(crate) fn completed(&self, problem: &dyn Problem, raw: u64) -> Case {
+    pub fn completed(&self, problem: &dyn Problem, raw: u64) -> Case {
         let mut case = self.raw_case(problem, raw);
         let _ = self.complete(problem, &mut case);
         case

@@ -1,12 +1,13 @@
 //! A formula with its values for all combinations of the groups that it depends on.
 
-use crate::cases::axis::group::AxisGroup;
+use crate::axis::group::AxisGroup;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::expression::Formula;
 
 /// A formula and its table of values.
 #[derive(Debug, Clone)]
-pub(crate) struct FormulaTable {
+pub struct FormulaTable {
+    /// The formula.
     pub formula: Formula,
     /// The groups that the formula depends on, in rising order.
     pub on: Vec<usize>,

@@ -5,7 +5,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use sobol::Sobol;
 use sobol::params::JoeKuoD6;
 
-use crate::Scale;
+use slipgap_notation::Scale;
 use std::sync::Arc;
 
 /// How points are chosen.
@@ -53,7 +53,7 @@ impl Design {
     }
 
     /// The points in one dimension.
-    pub(crate) fn line(&self, dimension: usize) -> Coordinates {
+    pub fn line(&self, dimension: usize) -> Coordinates {
         match self.sampling {
             Sampling::LatinHypercube => {
                 Coordinates::Listed(latin(self.n, self.random(dimension)).into())
@@ -90,14 +90,16 @@ impl Design {
 
 /// Coordinates of points in one dimension. Those of a Sobol' sequence are computed when they are needed.
 #[derive(Debug, Clone)]
-pub(crate) enum Coordinates {
+pub enum Coordinates {
     /// One by one.
     Listed(Arc<[f64]>),
     /// A Sobol' sequence.
     Sobol(ShiftedSobol),
     /// Base by base the rows A, AB_1 ... AB_k, B of two sequences.
     Saltelli {
+        /// The sequence of A.
         a: ShiftedSobol,
+        /// The sequence of B.
         b: ShiftedSobol,
         /// Number of rows of a base: k + 2.
         rows: u64,
@@ -123,7 +125,7 @@ impl Coordinates {
 
 /// One dimension of the Sobol' sequence with a random digital shift.
 #[derive(Debug, Clone)]
-pub(crate) struct ShiftedSobol {
+pub struct ShiftedSobol {
     directions: Arc<[u64]>,
     shift: u64,
 }

@@ -71,42 +71,10 @@ pub fn values(case: &Case, rows: &[usize]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parse;
 
     #[test]
     fn groups_are_in_the_order_of_their_first_items() {
         let groups = grouped([3, 1, 4, 1, 5, 9, 2, 6], |x| x % 3);
         assert_eq!(groups, [vec![3, 9, 6], vec![1, 4, 1], vec![5, 2]]);
-    }
-
-    #[test]
-    fn what_changes_with_a_parameter_is_affected_and_nothing_else() {
-        let study = parse(
-            "s",
-            r#"{"problem": "bar-impact", "blocks": [
-              {"parameters": {"gamma": [1, 2], "n": [4, 8], "dt": "0.1/n", "gap": [0.1, 0.2], "duration": "1.5 + gap"},
-               "zip": [["gamma", "gap"]]},
-              {"parameters": {"gamma": 3, "n": 16, "dt": 0.01, "gap": 0, "duration": 1.5}}]}"#,
-        )
-        .unwrap_or_else(|e| panic!("{e}"));
-        let table = study.problem.parameters();
-        let affected = |name: &str| -> Vec<&str> {
-            let row = table.iter().position(|p| p.name == name).unwrap();
-            let shared = unaffected(&*study.problem, &study.blocks, &[row]);
-            let of_study = ["gamma", "k_I", "n", "dt", "gap", "duration", "mass"];
-            let is = |name: &&str| !shared.iter().any(|row| table[*row].name == **name);
-            of_study.into_iter().filter(is).collect()
-        };
-        // No block gives k_I: the problem computes it.
-        assert_eq!(affected("n"), ["k_I", "n", "dt"]);
-        assert_eq!(affected("gap"), ["gamma", "k_I", "gap", "duration"]);
-        assert_eq!(affected("dt"), ["k_I", "dt"]);
-        let case = study.case(0).unwrap();
-        let rows = unaffected(&*study.problem, &study.blocks, &[]);
-        assert!(
-            values(&case, &rows).contains("n = 4"),
-            "{}",
-            values(&case, &rows)
-        );
     }
 }

@@ -1,0 +1,5 @@
+//! The axes of a block and their values.
+
+pub mod design;
+pub mod group;
+pub mod values;
