@@ -131,8 +131,12 @@ class Candidate(NamedTuple):
     reached: bool
     """Whether it reaches every target."""
     converged: bool
-    """Whether it also reaches them with 1/2, 1/4, 1/8 .. of its step, until the metrics stop changing; of a study with half its step
-    and the next finer mesh."""
+    """Whether it also reaches them with 1/2, 1/4, 1/8 .. of its step, until the metrics stop changing; of a study in all further
+    tests: half its step, the next finer mesh, neighbours, and fresh seeds."""
+    warnings: tuple[str, ...] = ()
+    """Of a study: what `slipgap run` warns of in its cases."""
+    verdict: str = ""
+    """Of a study: what becomes of it, such as "recommended" or "a contact may make energy"."""
 
 
 class Robustness(NamedTuple):
@@ -237,3 +241,5 @@ class Recommendation(NamedTuple):
     """The cheapest case that reaches every target with its own step only, if it costs less than the best; else None."""
     robustness: Robustness | None
     """For a friction model: the best case over a range of releases; else None."""
+    sentences: tuple[str, ...] = ()
+    """Of a study: the answer in words, as `slipgap recommend` prints it."""

@@ -282,6 +282,7 @@ def test_recommend_of_a_study() -> None:
         assert candidate.errors["rms_error"] == rows[own["dT"], own["alpha"]]
     assert found.best is not None and found.best.errors["rms_error"] <= 0.05
     assert [own.cost for own in found.front] == sorted(own.cost for own in found.front)
+    assert found.best.verdict == "recommended" and found.sentences[-1].startswith("Recommended: ")
     # The softening with alpha = 0.1 has an error of its own above 0.02, whatever the step.
     hard = {**study, "recommend": {"over": ["dT", "alpha"], "within": {"rms_error": 0.02}}}
     assert not slipgap.recommend(hard).reached

@@ -10,5 +10,6 @@ mod impact;
 mod lanes;
 mod plane;
 mod recommend_laws;
+mod recommend_robust;
 mod recommend_study;
 mod structures;

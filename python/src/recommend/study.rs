@@ -3,9 +3,10 @@
 use super::{CANDIDATE, RECOMMENDATION, put};
 use crate::{given, worker};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use slipgap::recommend::Stop;
 use slipgap::recommend::study::{Choice, advise};
+use slipgap::solve::Warning;
 
 /// Compares the candidates of a study.
 pub fn recommend<'py>(
@@ -28,7 +29,7 @@ pub fn recommend<'py>(
         .map(|own| own.0)
         .collect();
     let class = CANDIDATE.import(py, "slipgap._records", "Candidate")?;
-    let candidate = |choice: &Choice| {
+    let candidate = |(at, choice): (usize, &Choice)| {
         let (parameters, errors) = (PyDict::new(py), PyDict::new(py));
         for (row, value) in &choice.values {
             put(&parameters, &table[*row].name, *value)?;
@@ -36,16 +37,19 @@ pub fn recommend<'py>(
         for (row, error) in within.iter().zip(&choice.errors) {
             errors.set_item(advice.study.measures[*row].name.as_str(), error)?;
         }
-        let converged = choice.finer.is_some_and(|finer| finer.holds());
+        let converged = choice.trial.is_some_and(|trial| trial.holds());
+        let warnings = PyTuple::new(py, choice.warnings.iter().map(Warning::name))?;
         class.call1((
             parameters,
             choice.cost,
             errors,
             choice.worst <= 1.0,
             converged,
+            warnings,
+            advice.verdict(at),
         ))
     };
-    let front = advice.choices.iter().map(candidate);
+    let front = advice.choices.iter().enumerate().map(candidate);
     let front = front.collect::<PyResult<Vec<_>>>()?;
     let order = |a: &usize, b: &usize| {
         advice.choices[*a]
@@ -66,5 +70,6 @@ pub fn recommend<'py>(
         advice.solved,
         own_step,
         py.None(),
+        PyTuple::new(py, advice.sentences())?,
     ))
 }

@@ -3,6 +3,7 @@
 mod args;
 mod friction;
 mod impact;
+mod json;
 mod study;
 mod survey;
 mod tables;

@@ -1,5 +1,6 @@
 //! `slipgap recommend STUDY`: the cheapest candidate of a study that keeps metrics within tolerances, with all others.
 
+use super::json;
 use super::task::CommonArgs;
 use super::write_front;
 use crate::batch::output::Folder;
@@ -12,7 +13,7 @@ use crate::figures::Front;
 use crate::problem::numbers::parameter::{Value, real, shortest};
 use crate::recommend::Stop;
 use crate::recommend::format::digits;
-use crate::recommend::study::{Advice, Choice, From, Mesh, State, advise};
+use crate::recommend::study::{Advice, Choice, advise, shown};
 use crate::run::Source;
 use crate::study::MOST_CASES;
 use clap::Args;
@@ -29,6 +30,9 @@ pub struct StudyArgs {
     study: Option<PathBuf>,
     #[command(flatten)]
     settings: SettingsArgs,
+    /// Print the answer as one object of JSON
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     common: CommonArgs,
 }
@@ -54,7 +58,10 @@ impl StudyArgs {
         let mut folder = Folder::open(&self.common.out.join(folder_name(&source.name)))?;
         let mut printed = rows(&advice, &PRINTED);
         printed.push(tolerances(&advice));
-        let mut text = table(&printed) + &sentences(&advice);
+        let mut text = table(&printed);
+        for line in advice.sentences() {
+            text += &format!("{line}\n");
+        }
         let csv = csv(&rows(&advice, &CSV));
         text += &folder
             .write("candidates.csv", csv.as_bytes())?
@@ -65,15 +72,24 @@ impl StudyArgs {
         if !front.points.is_empty() {
             text += &write_front(&mut folder, &front)?;
         }
-        print(&text)?;
+        print(&match self.json {
+            true => format!("{}\n", json::answer(&advice)),
+            false => text,
+        })?;
         if advice.chosen.is_some() {
             return Ok(0);
         }
-        note(
-            &source.line(
-                "no candidate keeps all metrics within their tolerances in all physical cases",
+        let lists = advice.not_converged.iter();
+        let names: Vec<&str> = lists.map(|own| advice.name(own.parameter)).collect();
+        let why = match names[..] {
+            [] => "no candidate keeps all metrics within their tolerances in all physical cases"
+                .to_owned(),
+            _ => format!(
+                "not converged in {}: no candidate is recommended",
+                names.join(", ")
             ),
-        );
+        };
+        note(&source.line(&why));
         Ok(NOT_MET)
     }
 }
@@ -86,56 +102,14 @@ fn folder_name(results: &str) -> String {
     }
 }
 
-/// The names of the parameters of candidates, and their values in one of them.
-fn parameters(advice: &Advice) -> Vec<(usize, String)> {
-    let table = advice.study.problem.parameters();
-    let recommend = advice.study.recommend.iter();
-    let rows = recommend.flat_map(|own| {
-        let free = own.free.iter().map(|free| free.parameter);
-        own.over.iter().copied().chain(free)
-    });
-    rows.map(|row| (row, table[row].name.to_string())).collect()
-}
-
-fn value(choice: &Choice, row: usize) -> Option<Value> {
-    let own = choice.values.iter().find(|(own, _)| *own == row);
-    own.map(|(_, value)| *value)
-}
-
-/// The metrics to keep, each with its tolerance.
-fn within(advice: &Advice) -> Vec<(&str, f64)> {
-    let recommend = advice.study.recommend.iter().flat_map(|own| &own.within);
-    let name = |row: usize| advice.study.measures[row].name.as_str();
-    recommend
-        .map(|(row, tolerance)| (name(*row), *tolerance))
-        .collect()
-}
-
-/// What becomes of a candidate, in words.
-fn verdict(advice: &Advice, at: usize) -> String {
-    let choice = &advice.choices[at];
-    match &choice.state {
-        _ if advice.chosen == Some(at) => "recommended".into(),
-        State::Keeps if choice.finer.is_some() => "only with this step or mesh".into(),
-        State::Keeps => "keeps all, costs more".into(),
-        State::Misses => {
-            let metrics = within(advice).into_iter().zip(&choice.errors);
-            let missed = metrics.filter(|((_, tolerance), error)| *error > tolerance);
-            let missed: Vec<&str> = missed.map(|((name, _), _)| name).collect();
-            format!("misses {}", missed.join(", "))
-        }
-        State::Energy => "gains or loses energy".into(),
-        State::Unsolved(why) => format!("not solved: {why}"),
-        State::Incomplete => "does not have all physical cases".into(),
-    }
-}
-
 /// How a table shows numbers and values.
 struct Style {
     /// An error; none if it is not known.
     number: fn(f64) -> String,
     value: fn(Value) -> String,
     missing: &'static str,
+    /// Whether it has the column of warnings if there are none.
+    always_warnings: bool,
 }
 
 /// The printed table.
@@ -143,6 +117,7 @@ const PRINTED: Style = Style {
     number: digits,
     value: shown,
     missing: "-",
+    always_warnings: false,
 };
 
 /// candidates.csv.
@@ -150,26 +125,32 @@ const CSV: Style = Style {
     number: real,
     value: Value::cell,
     missing: "",
+    always_warnings: true,
 };
 
-/// A number in the printed table.
-fn cell(x: f64) -> String {
-    if x.is_finite() { digits(x) } else { "-".into() }
+fn has_warnings(advice: &Advice) -> bool {
+    advice.choices.iter().any(|own| !own.warnings.is_empty())
 }
 
 /// The table of all candidates, with a line of names.
 fn rows(advice: &Advice, style: &Style) -> Vec<Vec<String>> {
-    let (parameters, within) = (parameters(advice), within(advice));
-    let names = parameters.iter().map(|own| own.1.as_str());
+    let (parameters, within) = (advice.parameters(), advice.within());
+    let names = parameters.iter().map(|own| own.1);
     let names = names.chain(["cost", "energy_gain", "energy_loss"]);
     let names = names.chain(within.iter().map(|own| own.0));
-    let header = names.chain(["worst", "verdict"]).map(str::to_owned);
+    let has_warnings = has_warnings(advice);
+    let warnings = (style.always_warnings || has_warnings).then_some("warnings");
+    let header = names.chain(["worst"]).chain(warnings).chain(["verdict"]);
+    let header = header.map(str::to_owned);
     let number = |x: f64| match x.is_finite() {
         true => (style.number)(x),
         false => style.missing.to_owned(),
     };
     let row = |(at, choice): (usize, &Choice)| -> Vec<String> {
-        let value = |row: usize| value(choice, row).map_or(style.missing.into(), style.value);
+        let value = |row: usize| {
+            let own = choice.value(row);
+            own.map_or(style.missing.into(), style.value)
+        };
         let values = parameters.iter().map(|own| value(own.0));
         let error = |i: usize| choice.errors.get(i).copied().unwrap_or(f64::INFINITY);
         let energies = [choice.energy.gain, choice.energy.loss].into_iter();
@@ -179,7 +160,9 @@ fn rows(advice: &Advice, style: &Style) -> Vec<Vec<String>> {
         let cells = values
             .chain([choice.cost.to_string()])
             .chain(numbers.map(number));
-        cells.chain([verdict(advice, at)]).collect()
+        let warnings = warnings.map(|_| choice.warnings.names());
+        let cells = cells.chain(warnings);
+        cells.chain([advice.verdict(at)]).collect()
     };
     let rows = advice.choices.iter().enumerate().map(row);
     [header.collect()].into_iter().chain(rows).collect()
@@ -189,79 +172,18 @@ fn rows(advice: &Advice, style: &Style) -> Vec<Vec<String>> {
 fn tolerances(advice: &Advice) -> Vec<String> {
     let limits = [advice.energy.gain, advice.energy.loss].into_iter();
     let limits = limits
-        .chain(within(advice).into_iter().map(|own| own.1))
+        .chain(advice.within().into_iter().map(|own| own.1))
         .chain([1.0]);
     let limit = |x: f64| match x.is_finite() {
         true => format!("<= {}", shortest(x)),
         false => String::new(),
     };
-    let mut cells = vec![String::new(); parameters(advice).len()];
+    let mut cells = vec![String::new(); advice.parameters().len()];
     cells.push("tolerance".into());
     cells.extend(limits.map(limit));
+    cells.extend(has_warnings(advice).then(String::new));
     cells.push(String::new());
     cells
-}
-
-/// A value with at most ten digits, which a search may give more of.
-fn shown(value: Value) -> String {
-    match value {
-        Value::Number(x) => shortest(format!("{x:.9e}").parse().unwrap_or(x)),
-        other => other.to_string(),
-    }
-}
-
-fn named(advice: &Advice, values: &[(usize, Value)]) -> String {
-    let table = advice.study.problem.parameters();
-    let one = |(row, value): &(usize, Value)| format!("{} = {}", table[*row].name, shown(*value));
-    values.iter().map(one).collect::<Vec<_>>().join(", ")
-}
-
-/// What the metrics are compared with, and whether the recommended candidate holds with a finer step and mesh.
-fn sentences(advice: &Advice) -> String {
-    let mut text = match advice.conditions {
-        1 => "There is one physical case.\n".to_owned(),
-        count => format!("Each error is the largest one of {count} physical cases.\n"),
-    };
-    if let Some(reference) = &advice.reference {
-        let finest = named(advice, &reference.finest);
-        for ((metric, _), from) in within(advice).into_iter().zip(&reference.from) {
-            text += &match from {
-                From::Zero => format!("{metric} is an error itself.\n"),
-                From::Exact => format!("{metric}: relative to the exact motion of {finest}.\n"),
-                From::Finest => format!(
-                    "{metric}: relative to the finest motion, {finest} with half the step.\n"
-                ),
-            };
-        }
-    }
-    let nearest = advice
-        .choices
-        .iter()
-        .min_by(|a, b| a.worst.total_cmp(&b.worst));
-    let shown = advice.chosen.map(|at| &advice.choices[at]).or(nearest);
-    let Some(choice) = shown.filter(|choice| choice.worst.is_finite()) else {
-        return text;
-    };
-    let name = named(advice, &choice.values);
-    let Some(finer) = choice.finer else {
-        let worst = digits(choice.worst);
-        return text
-            + &format!("Nearest: {name}. Its largest error is {worst} times its tolerance.\n");
-    };
-    let mesh = match finer.mesh {
-        Mesh::NotChosen => String::new(),
-        Mesh::Next(mesh) => format!(", with the next finer mesh {}", cell(mesh)),
-        Mesh::Finest => {
-            ". No candidate has a finer mesh, which would show the error of this one".into()
-        }
-    };
-    if !finer.holds() {
-        text += "Warning: this answer is valid only for its own step and mesh. ";
-    }
-    let step = cell(finer.step);
-    text + &format!(
-        "Recommended: {name}. With half its step the largest error is {step} of its tolerance{mesh}.\n"
-    )
 }
 
 /// A table as CSV.

@@ -195,6 +195,13 @@ impl Warnings {
         }
     }
 
+    /// Those that pass a test.
+    #[must_use]
+    pub fn only(self, passes: fn(Warning) -> bool) -> Warnings {
+        let kinds = self.iter().filter(|kind| passes(*kind));
+        kinds.fold(Warnings::NONE, |set, kind| set.with(kind, true))
+    }
+
     /// Its warnings, in the order of the table.
     pub fn iter(self) -> impl Iterator<Item = Warning> {
         WARNINGS.into_iter().filter(move |kind| self.has(*kind))
@@ -208,6 +215,11 @@ impl Warning {
             self,
             Warning::NoContact | Warning::NeverSlides | Warning::NeverYields | Warning::NeverPulls
         )
+    }
+
+    /// Whether a contact may make energy: what such a case gives is no measure of the motion, and `recommend` does not choose it.
+    pub const fn is_contact_energy(self) -> bool {
+        matches!(self, Warning::ShortContact | Warning::ContactGain)
     }
 
     /// Whether it is a note, which is not denied with the warnings.

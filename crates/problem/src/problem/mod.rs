@@ -33,7 +33,7 @@ use crate::system::structure::Structure;
 use numbers::parameter::Parameter;
 use numbers::unit::Dimension;
 use std::sync::{Arc, LazyLock};
-use structure::{GroundMotion, Scheme, SetSpectra};
+use structure::{GroundMotion, Scheme, SetSpectra, StructureProblem};
 use table::cases::Cases;
 use times::{ends_early, time_rules};
 
@@ -63,6 +63,10 @@ use times::{ends_early, time_rules};
 pub trait Problem: Send + Sync + std::fmt::Debug {
     /// The tables.
     fn schema(&self) -> &Arc<Schema>;
+    /// The structure that a study describes, for what only structures have; `None` for a textbook problem.
+    fn as_structure(&self) -> Option<&StructureProblem> {
+        None
+    }
     /// Fills in the values that follow from others, and reports every rule across parameters that the case breaks.
     fn complete(&self, case: &mut Case) -> Vec<Violation>;
     /// Cost of a completed case: steps times modes. A core computes about 5e8 of them in a second.
@@ -197,10 +201,6 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     /// The acceleration of the ground in a completed case; `None` where there is none.
     fn ground_motion(&self, _case: &Case) -> Option<GroundMotion> {
         None
-    }
-    /// Whether the ground motions are a set.
-    fn has_set(&self) -> bool {
-        false
     }
     /// The spectra of this set in a completed case at these periods, and the units of length and time; `None` without a set.
     fn set_spectra(&self, _case: &Case, _periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {

@@ -2,9 +2,11 @@
 
 use super::judge::{Judge, Judged, all_of};
 use super::usage::used;
+use super::verdict::{State, Trial};
 use crate::calibrate::{Objective, Options, Stopped, search};
 use crate::setting::method_named;
 use crate::{EnergyChange, cost};
+use slipgap_motion::solve::{WARNINGS, Warning, Warnings};
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_problem::problem::{Case, Problem};
@@ -28,12 +30,14 @@ pub struct Choice {
     pub errors: Vec<f64>,
     /// The largest changes of energy.
     pub energy: EnergyChange,
+    /// What `run` warns of in its cases; without notes.
+    pub warnings: Warnings,
     /// The largest quotient of error and tolerance.
     pub worst: f64,
     /// What becomes of it.
     pub state: State,
-    /// What half the step and finer meshes show, if they were looked at.
-    pub finer: Option<Finer>,
+    /// What further tests show, if it was tested.
+    pub trial: Option<Trial>,
     /// Its free parameters.
     free: Vec<Free>,
     /// Its smallest step.
@@ -44,53 +48,6 @@ pub struct Choice {
     conditions: usize,
 }
 
-/// What becomes of a candidate.
-#[derive(Debug, Clone, PartialEq)]
-pub enum State {
-    /// It keeps every metric.
-    Keeps,
-    /// It misses a tolerance.
-    Misses,
-    /// It gains or loses too much energy.
-    Energy,
-    /// A case has no solution, for this reason.
-    Unsolved(String),
-    /// It does not have all physical cases.
-    Incomplete,
-}
-
-/// The largest quotients of error and tolerance with half the step, and with the next finer meshes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Finer {
-    /// With half the step.
-    pub step: f64,
-    /// With the next finer mesh.
-    pub mesh: Mesh,
-}
-
-/// What a finer mesh shows.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Mesh {
-    /// The study does not choose a mesh.
-    NotChosen,
-    /// No candidate has a finer one.
-    Finest,
-    /// The largest quotient with the next finer one among the candidates.
-    Next(f64),
-}
-
-impl Finer {
-    /// Whether the metrics are kept there, too.
-    pub fn holds(&self) -> bool {
-        let mesh = match self.mesh {
-            Mesh::NotChosen => true,
-            Mesh::Finest => false,
-            Mesh::Next(mesh) => mesh <= 1.0,
-        };
-        self.step <= 1.0 && mesh
-    }
-}
-
 /// The candidates of a study, not yet solved. The judge then knows the physical cases.
 pub(super) fn candidates(judge: &mut Judge) -> Vec<Choice> {
     let study = judge.study;
@@ -99,9 +56,9 @@ pub(super) fn candidates(judge: &mut Judge) -> Vec<Choice> {
         let cases = all_of(&study.point_cases(&alternative, &[]).cases(&[Vec::new()]));
         let mut conditions = HashSet::new();
         for case in &cases {
-            let next = judge.conditions.len();
             let condition = judge.condition(case);
-            conditions.insert(*judge.conditions.entry(condition).or_insert(next));
+            judge.conditions.insert(condition.clone());
+            conditions.insert(condition);
         }
         let problem = &*study.problem;
         let free = study.free_of_candidate(&alternative);
@@ -116,9 +73,10 @@ pub(super) fn candidates(judge: &mut Judge) -> Vec<Choice> {
             cost: cases.iter().map(|case| cost(problem, case)).sum(),
             errors: Vec::new(),
             energy: EnergyChange::UNKNOWN,
+            warnings: Warnings::NONE,
             worst: f64::INFINITY,
             state: State::Incomplete,
-            finer: None,
+            trial: None,
             step: step.fold(f64::INFINITY, f64::min),
             size: cases.first().map_or(0, |case| size(problem, case)),
             conditions: conditions.len(),
@@ -142,6 +100,17 @@ impl Choice {
         self.conditions == judge.conditions.len()
     }
 
+    /// The value of a parameter that it has.
+    pub fn value(&self, row: usize) -> Option<Value> {
+        let own = self.values.iter().find(|(own, _)| *own == row);
+        own.map(|(_, value)| *value)
+    }
+
+    /// The same as a number.
+    pub(super) fn number(&self, row: usize) -> Option<f64> {
+        self.value(row).and_then(Value::as_f64)
+    }
+
     /// Its cases, at these values of some free parameters.
     pub(super) fn cases(&self, judge: &Judge, free: &[Free], values: &[f64]) -> Cases {
         let cases = judge.study.point_cases(&self.alternative, free);
@@ -150,10 +119,7 @@ impl Choice {
 
     /// Its free parameters, each with its best value.
     pub(super) fn free(&self) -> (&[Free], Vec<f64>) {
-        let value = |free: &Free| {
-            let own = self.values.iter().find(|(row, _)| *row == free.parameter);
-            own.map_or(f64::NAN, |(_, value)| value.as_f64().unwrap_or(f64::NAN))
-        };
+        let value = |free: &Free| self.number(free.parameter).unwrap_or(f64::NAN);
         (&self.free, self.free.iter().map(value).collect())
     }
 
@@ -198,15 +164,28 @@ pub(super) fn decide(choice: &mut Choice, judge: &mut Judge) -> Result<(), Stopp
     let judged = judge.judged(&choice.cases(judge, free, &values))?;
     let (errors, energy) = largest(&judged);
     let why = judged.iter().find_map(|own| own.why.clone());
-    choice.worst = worst(judge, &judged);
+    choice.worst = judge.worst(&judged);
+    choice.warnings = warnings(&judged);
+    let of_contacts = choice.warnings.only(Warning::is_contact_energy);
     choice.state = match why {
         Some(why) => State::Unsolved(why),
         None if !judge.allows(energy) => State::Energy,
+        None if !of_contacts.is_empty() => State::ContactEnergy(of_contacts),
         None if choice.worst <= 1.0 => State::Keeps,
         None => State::Misses,
     };
     (choice.errors, choice.energy) = (errors, energy);
     Ok(())
+}
+
+/// The warnings of cases, as `run` gives them: of some kinds only if all cases have them.
+fn warnings(judged: &[Judged]) -> Warnings {
+    let applies = |kind: Warning| match kind.is_of_all_cases() {
+        true => judged.iter().all(|own| own.warnings.has(kind)),
+        false => judged.iter().any(|own| own.warnings.has(kind)),
+    };
+    let said = WARNINGS.into_iter().filter(|kind| !kind.is_note());
+    said.fold(Warnings::NONE, |set, kind| set.with(kind, applies(kind)))
 }
 
 /// The largest errors and changes of energy of cases.
@@ -220,17 +199,6 @@ fn largest(judged: &[Judged]) -> (Vec<f64>, EnergyChange) {
         loss: fold(|own| own.loss),
     };
     ((0..count).map(error).collect(), energy)
-}
-
-/// The largest quotient of error and tolerance; infinite if a case gains or loses too much energy.
-pub(super) fn worst(judge: &Judge, judged: &[Judged]) -> f64 {
-    let (errors, energy) = largest(judged);
-    if !judge.allows(energy) {
-        return f64::INFINITY;
-    }
-    let within = judge.recommend.within.iter();
-    let quotients = errors.iter().zip(within).map(|(error, own)| error / own.1);
-    quotients.fold(0.0, f64::max)
 }
 
 /// The largest quotient of a candidate at points of its free parameters.
@@ -249,7 +217,7 @@ impl Objective for Worst<'_, '_> {
         // Those of the first physical case come first.
         let of = |point: usize| {
             let own = judged.iter().skip(point).step_by(points.len());
-            own.map(|own| worst(self.judge, std::slice::from_ref(own)))
+            own.map(|own| self.judge.worst(std::slice::from_ref(own)))
                 .fold(0.0, f64::max)
         };
         Ok((0..points.len()).map(of).collect())

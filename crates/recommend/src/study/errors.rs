@@ -38,7 +38,7 @@ pub(super) fn errors(
 }
 
 /// The relative difference of a value from its reference; 0 if both are undefined.
-fn difference(own: Option<f64>, reference: Option<f64>) -> f64 {
+pub(super) fn difference(own: Option<f64>, reference: Option<f64>) -> f64 {
     match (own, reference) {
         (None, None) => 0.0,
         (Some(own), Some(reference)) if own == reference => 0.0,

@@ -1,31 +1,15 @@
 //! Whether a candidate keeps its metrics with half its step, and with the next finer mesh of the study.
 
-use super::candidate::{Choice, Finer, Mesh, worst};
+use super::candidate::Choice;
 use super::judge::{Judge, all_of};
+use super::verdict::Mesh;
 use crate::calibrate::Stopped;
 use crate::with_finer_step;
 use slipgap_problem::problem::table::cases::Cases;
 use std::collections::BTreeMap;
 
-/// The first candidate that keeps all metrics, also with half its step and with the next finer mesh; else the first that keeps them at
-/// all. The candidates are in the order of their costs.
-pub(super) fn choose(choices: &mut [Choice], judge: &mut Judge) -> Result<Option<usize>, Stopped> {
-    let mut first = None;
-    for at in 0..choices.len() {
-        if choices[at].worst > 1.0 {
-            continue;
-        }
-        let finer = look(&choices[at], choices, judge)?;
-        choices[at].finer = Some(finer);
-        if finer.holds() {
-            return Ok(Some(at));
-        }
-        first = first.or(Some(at));
-    }
-    Ok(first)
-}
-
-fn look(choice: &Choice, choices: &[Choice], judge: &mut Judge) -> Result<Finer, Stopped> {
+/// The largest quotient of error and tolerance of a candidate with half its step.
+pub(super) fn half_step(choice: &Choice, judge: &mut Judge) -> Result<f64, Stopped> {
     let (free, values) = choice.free();
     let problem = &*judge.study.problem;
     let mut halves = Cases::new(problem.schema());
@@ -33,7 +17,16 @@ fn look(choice: &Choice, choices: &[Choice], judge: &mut Judge) -> Result<Finer,
         halves.push(&with_finer_step(problem, &case, 2));
     }
     let judged = judge.judged(&halves)?;
-    let step = worst(judge, &judged);
+    Ok(judge.worst(&judged))
+}
+
+/// The same with the next finer meshes.
+pub(super) fn next_mesh(
+    choice: &Choice,
+    choices: &[Choice],
+    judge: &mut Judge,
+) -> Result<Mesh, Stopped> {
+    let (free, values) = choice.free();
     let meshes = choices
         .iter()
         .filter(|other| other.size != choice.size && other.is_whole(judge));
@@ -52,11 +45,11 @@ fn look(choice: &Choice, choices: &[Choice], judge: &mut Judge) -> Result<Finer,
     }
     for other in next.into_values() {
         let judged = judge.judged(&other.cases(judge, free, &values))?;
-        let own = worst(judge, &judged);
+        let quotient = judge.worst(&judged);
         mesh = match mesh {
-            Mesh::Next(known) => Mesh::Next(known.max(own)),
-            _ => Mesh::Next(own),
+            Mesh::Next(known) => Mesh::Next(known.max(quotient)),
+            Mesh::NotChosen | Mesh::Finest => Mesh::Next(quotient),
         };
     }
-    Ok(Finer { step, mesh })
+    Ok(mesh)
 }

@@ -7,16 +7,39 @@ use crate::friction::{self, energy_gain};
 use crate::impact::{self, energy_change};
 use crate::{EnergyChange, Stop};
 use rayon::prelude::*;
+use slipgap_motion::solve::{Warning, Warnings};
 use slipgap_problem::problem::friction::FrictionOscillator;
 use slipgap_problem::problem::structure::metrics::metric::OF_ALL;
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_problem::problem::{Case, Problem};
 use slipgap_study::alike::{Identity, identity};
 use slipgap_study::{Recommend, Study};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
-/// A solved case: its metrics in the order of the problem's table, and its change of energy; or why it has none.
-pub type Solved = Result<(Vec<Option<f64>>, EnergyChange), String>;
+/// Where the value comes from that a metric is compared with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum From {
+    /// The metric is an error: 0.
+    Zero,
+    /// The exact motion of the finest candidate.
+    Exact,
+    /// The motion of the finest candidate with half its step.
+    Finest,
+}
+
+/// A solved case.
+#[derive(Debug, Clone)]
+pub struct SolvedCase {
+    /// Its metrics in the order of the problem's table.
+    pub metrics: Vec<Option<f64>>,
+    /// The change of its energy.
+    pub energy: EnergyChange,
+    /// What `run` warns of.
+    pub warnings: Warnings,
+}
+
+/// A case, or why it has no solution.
+pub type Solved = Result<SolvedCase, String>;
 
 /// A case as it was judged.
 #[derive(Debug)]
@@ -25,6 +48,8 @@ pub struct Judged {
     pub errors: Vec<f64>,
     /// The change of its energy.
     pub energy: EnergyChange,
+    /// What `run` warns of.
+    pub warnings: Warnings,
     /// Why it was not solved.
     pub why: Option<String>,
 }
@@ -33,16 +58,20 @@ pub struct Judged {
 pub struct Judge<'a> {
     pub study: &'a Study,
     pub recommend: &'a Recommend,
-    /// The numbers of the physical cases, by the values of `kept`.
-    pub conditions: HashMap<Identity, usize>,
+    /// The physical cases of the study, by the values of `kept`.
+    pub conditions: HashSet<Identity>,
     /// Largest changes of energy allowed.
     pub limits: EnergyChange,
     /// Number of cases solved so far.
     pub solved: u64,
-    /// The reference of each metric in each physical case.
-    pub references: Vec<Vec<Option<f64>>>,
+    /// The reference of each metric in each physical case, of the study or fresh.
+    pub references: HashMap<Identity, Vec<Option<f64>>>,
+    /// The cases of the finest candidate, whose motions are the references.
+    pub finest: Vec<Case>,
+    /// By metric: where its references come from.
+    pub from: Vec<From>,
     /// Rows of the parameters that distinguish physical cases.
-    kept: Vec<usize>,
+    pub kept: Vec<usize>,
     stop: &'a Stop,
 }
 
@@ -59,13 +88,15 @@ impl<'a> Judge<'a> {
             kept: study.outside_choice(&chosen),
             study,
             recommend,
-            conditions: HashMap::new(),
+            conditions: HashSet::new(),
             limits: EnergyChange {
                 gain: limits[0],
                 loss: limits[1],
             },
             solved: 0,
-            references: Vec::new(),
+            references: HashMap::new(),
+            finest: Vec::new(),
+            from: Vec::new(),
             stop,
         }
     }
@@ -80,24 +111,56 @@ impl<'a> Judge<'a> {
         energy.gain <= self.limits.gain && energy.loss <= self.limits.loss
     }
 
+    /// The largest quotient of error and tolerance; infinite if a case gains or loses too much energy, or if a contact may make some.
+    pub fn worst(&self, judged: &[Judged]) -> f64 {
+        let makes = |own: &Judged| own.warnings.iter().any(Warning::is_contact_energy);
+        if judged
+            .iter()
+            .any(|own| !self.allows(own.energy) || makes(own))
+        {
+            return f64::INFINITY;
+        }
+        let quotients = judged.iter().flat_map(|own| {
+            let within = self.recommend.within.iter();
+            own.errors
+                .iter()
+                .zip(within)
+                .map(|(error, own)| error / own.1)
+        });
+        quotients.fold(0.0, f64::max)
+    }
+
+    /// Rows of the measures to keep.
+    pub fn rows(&self) -> impl Iterator<Item = usize> {
+        self.recommend.within.iter().map(|own| own.0)
+    }
+
+    /// The metrics to keep, from those of the problem.
+    pub fn measured(&self, case: &Case, metrics: &[Option<f64>]) -> Vec<Option<f64>> {
+        let value = |row: usize| self.study.measure_value(row, case, &|at| metrics[at]);
+        self.rows().map(value).collect()
+    }
+
     /// The errors of cases, and their changes of energy.
     pub fn judged(&mut self, cases: &Cases) -> Result<Vec<Judged>, Stopped> {
         let solved = self.solve(cases)?;
         let mut shown = cases.shown();
         let judged = solved.into_iter().enumerate().map(|(row, solved)| {
             let case = shown.at(row);
-            let at = self.conditions.get(&self.condition(case));
-            let reference = at.and_then(|at| self.references.get(*at));
-            let (Ok((metrics, energy)), Some(reference)) = (&solved, reference) else {
+            let reference = self.references.get(&self.condition(case));
+            let (Ok(solved), Some(reference)) = (&solved, reference) else {
                 return Judged {
                     errors: vec![f64::INFINITY; self.recommend.within.len()],
                     energy: EnergyChange::UNKNOWN,
+                    warnings: Warnings::NONE,
                     why: solved.err(),
                 };
             };
+            let of = (self.study, self.recommend);
             Judged {
-                errors: errors((self.study, self.recommend), case, metrics, reference),
-                energy: *energy,
+                errors: errors(of, case, &solved.metrics, reference),
+                energy: solved.energy,
+                warnings: solved.warnings,
                 why: None,
             }
         });
@@ -117,10 +180,13 @@ impl<'a> Judge<'a> {
             self.solved += rows.len() as u64;
             for (place, row) in rows.into_iter().enumerate() {
                 let metrics: Vec<Option<f64>> = table.row(place).collect();
-                let energy = of_structure(study, &metrics);
                 all[row as usize] = match table.failure(place) {
                     Some(why) => Err(why.to_string()),
-                    None => Ok((metrics, energy)),
+                    None => Ok(SolvedCase {
+                        energy: of_structure(study, &metrics),
+                        warnings: table.warnings(place),
+                        metrics,
+                    }),
                 };
             }
             return Ok(all);
@@ -154,7 +220,11 @@ fn solve_one(study: &Study, case: &Case) -> Solved {
         },
         false => energy_change(case, &solution.computed).unwrap_or(EnergyChange::UNKNOWN),
     };
-    Ok((solution.metrics, energy))
+    Ok(SolvedCase {
+        metrics: solution.metrics,
+        energy,
+        warnings: solution.warnings,
+    })
 }
 
 /// The change of energy of a structure by its metrics. One that the study keeps itself has the tolerance that it gives.

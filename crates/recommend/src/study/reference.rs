@@ -2,24 +2,13 @@
 
 use super::candidate::Choice;
 use super::errors::is_error;
-use super::judge::{Judge, all_of};
+use super::judge::{From, Judge, all_of};
 use crate::calibrate::Stopped;
 use crate::with_finer_step;
 use rayon::prelude::*;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::table::cases::Cases;
-
-/// Where the value comes from that a metric is compared with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum From {
-    /// The metric is an error: 0.
-    Zero,
-    /// The exact motion of the finest candidate.
-    Exact,
-    /// The motion of the finest candidate with half its step.
-    Finest,
-}
 
 /// What the metrics of a study are compared with.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,63 +19,83 @@ pub struct Reference {
     pub from: Vec<From>,
 }
 
-/// Finds the references of all physical cases, from the finest candidate that has all of them: the one with most modes or nodes, then
-/// with the smallest step, then the last one.
-pub(super) fn refer(choices: &[Choice], judge: &mut Judge) -> Result<Option<Reference>, Stopped> {
+/// The finest candidate that has all physical cases: the one with most modes or nodes, then with the smallest step, then the last one.
+pub(super) fn finest<'a>(choices: &'a [Choice], judge: &Judge) -> Option<&'a Choice> {
     let whole = choices.iter().filter(|choice| choice.is_whole(judge));
-    let Some(finest) = whole.max_by(|a, b| a.compare_fineness(b)) else {
+    whole.max_by(|a, b| a.compare_fineness(b))
+}
+
+/// Finds the references of all physical cases, from the finest candidate.
+pub(super) fn refer(choices: &[Choice], judge: &mut Judge) -> Result<Option<Reference>, Stopped> {
+    let Some(finest) = finest(choices, judge) else {
         return Ok(None);
     };
-    let (study, recommend) = (judge.study, judge.recommend);
-    let problem = &*study.problem;
-    let cases = all_of(&finest.cases(judge, &[], &[]));
-    let rows: Vec<usize> = recommend.within.iter().map(|own| own.0).collect();
-    let zero: Vec<bool> = rows
-        .iter()
-        .map(|row| is_error(&study.measures[*row].name))
-        .collect();
-    let metrics: Vec<usize> = (0..problem.metrics().len()).collect();
-    let exact = |case: &Case| match zero.contains(&false) {
-        true => problem.exact_metrics(case, &metrics),
-        false => vec![None; metrics.len()],
-    };
-    let exact: Vec<Vec<Option<f64>>> = cases.par_iter().map(exact).collect();
-    let values = |case: usize, metrics: &[Option<f64>]| -> Vec<Option<f64>> {
-        let value = |row: &usize| study.measure_value(*row, &cases[case], &|at| metrics[at]);
-        rows.iter().map(value).collect()
-    };
-    let mut references: Vec<Vec<Option<f64>>> = (0..cases.len())
-        .map(|case| values(case, &exact[case]))
-        .collect();
-    let unknown = |at: usize| !zero[at] && references.iter().any(|own| own[at].is_none());
-    let from: Vec<From> = (0..rows.len())
-        .map(|at| match (zero[at], unknown(at)) {
-            (true, _) => From::Zero,
-            (false, false) => From::Exact,
-            (false, true) => From::Finest,
-        })
-        .collect();
-    if from.contains(&From::Finest) {
-        let mut halves = Cases::new(problem.schema());
-        for case in &cases {
-            halves.push(&with_finer_step(problem, case, 2));
-        }
-        for (case, solved) in judge.solve(&halves)?.iter().enumerate() {
-            let none = vec![None; metrics.len()];
-            let own = values(case, solved.as_ref().map_or(&none, |own| &own.0));
-            for at in (0..rows.len()).filter(|at| from[*at] == From::Finest) {
-                references[case][at] = own[at];
-            }
-        }
-    }
-    judge.references = vec![Vec::new(); judge.conditions.len()];
-    for (case, own) in cases.iter().zip(references) {
-        if let Some(at) = judge.conditions.get(&judge.condition(case)) {
-            judge.references[*at] = own;
-        }
-    }
+    judge.finest = all_of(&finest.cases(judge, &[], &[]));
+    judge.from = sources(&judge.finest, judge);
+    let cases = judge.finest.clone();
+    add(&cases, judge)?;
     Ok(Some(Reference {
         finest: finest.values.clone(),
-        from,
+        from: judge.from.clone(),
     }))
+}
+
+/// Adds the references of these cases of the finest candidate.
+pub(super) fn add(cases: &[Case], judge: &mut Judge) -> Result<(), Stopped> {
+    let values = values(cases, judge)?;
+    for (case, values) in cases.iter().zip(values) {
+        let condition = judge.condition(case);
+        judge.references.insert(condition, values);
+    }
+    Ok(())
+}
+
+/// Where the values of each metric come from.
+fn sources(cases: &[Case], judge: &Judge) -> Vec<From> {
+    let exact = exact(cases, judge);
+    let within = judge.recommend.within.iter().enumerate();
+    let source =
+        |(at, (row, _)): (usize, &(usize, f64))| match is_error(&judge.study.measures[*row].name) {
+            true => From::Zero,
+            false if exact.iter().all(|values| values[at].is_some()) => From::Exact,
+            false => From::Finest,
+        };
+    within.map(source).collect()
+}
+
+/// The metrics of the exact motions; none that are not known, and none of errors.
+fn exact(cases: &[Case], judge: &Judge) -> Vec<Vec<Option<f64>>> {
+    let problem = &*judge.study.problem;
+    let metrics: Vec<usize> = (0..problem.metrics().len()).collect();
+    let errors = judge
+        .rows()
+        .all(|row| is_error(&judge.study.measures[row].name));
+    let exact = |case: &Case| match errors {
+        true => vec![None; metrics.len()],
+        false => problem.exact_metrics(case, &metrics),
+    };
+    let exact: Vec<Vec<Option<f64>>> = cases.par_iter().map(exact).collect();
+    let own = cases.iter().zip(&exact);
+    own.map(|(case, metrics)| judge.measured(case, metrics))
+        .collect()
+}
+
+/// The values of each metric in these cases, from the sources of the judge.
+pub(super) fn values(cases: &[Case], judge: &mut Judge) -> Result<Vec<Vec<Option<f64>>>, Stopped> {
+    let mut values = exact(cases, judge);
+    if judge.from.contains(&From::Finest) {
+        let problem = &*judge.study.problem;
+        let mut halves = Cases::new(problem.schema());
+        for case in cases {
+            halves.push(&with_finer_step(problem, case, 2));
+        }
+        let none = vec![None; problem.metrics().len()];
+        for (at, solved) in judge.solve(&halves)?.iter().enumerate() {
+            let metrics = solved.as_ref().map_or(&none, |solved| &solved.metrics);
+            let finest = judge.measured(&cases[at], metrics);
+            let places = (0..finest.len()).filter(|place| judge.from[*place] == From::Finest);
+            places.for_each(|place| values[at][place] = finest[place]);
+        }
+    }
+    Ok(values)
 }

@@ -9,10 +9,10 @@ use crate::computed::sources::WITHIN;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::value::number;
-use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::numbers::parameter::{Kind, Range};
 
 /// The keys besides the names of free parameters, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 2] = [
+pub(crate) const KEYS: [(&str, &str); 3] = [
     (
         "over",
         "the parameters to choose, such as [\"law\", \"dt\", \"n\"]; cases that differ only in these, and in what changes with them, are candidates for the same physical case",
@@ -20,6 +20,10 @@ pub(crate) const KEYS: [(&str, &str); 2] = [
     (
         WITHIN,
         "the metrics to keep, each with its tolerance, as in {\"peak(gap.S)\": 0.02}: an error such as rms_error(a) is at most this, any other metric differs by at most this part from that of the exact or finest motion",
+    ),
+    (
+        "neighbours",
+        "numbers among those in over whose next smaller and next larger values must keep the metrics, too",
     ),
 ];
 
@@ -31,6 +35,8 @@ const MOST: u64 = 1_000_000;
 pub struct Recommend {
     /// Rows of `problem.parameters()`.
     pub over: Vec<usize>,
+    /// Those of which the next values must keep the metrics, too.
+    pub neighbours: Vec<usize>,
     /// Parameters that are searched for each candidate, in the order of the file.
     pub free: Vec<Free>,
     /// Rows of the study's measures, each with its tolerance.
@@ -59,6 +65,14 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
         Some(rows)
     });
     let free = free(&object, &own, scope, faults);
+    let neighbours = object.get(KEYS[2].0).map(|node| {
+        let rows = over.iter().flatten();
+        let chosen: Vec<usize> = rows.copied().filter(|row| is_number(scope, *row)).collect();
+        let allowed: Vec<&str> = chosen.iter().map(|row| parameters[*row]).collect();
+        let path = object.path(KEYS[2].0);
+        let places = names(node, &path, "number in over", &allowed, faults);
+        places.map(|places| places.into_iter().map(|place| chosen[place]).collect())
+    });
     let within = object.need(WITHIN, KEYS[1].1, faults);
     let within = within.map(|node| {
         let path = object.path(WITHIN);
@@ -86,9 +100,15 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
     }
     (faults.count() == before).then_some(Recommend {
         over: over?,
+        neighbours: neighbours.map_or(Some(Vec::new()), |own| own)?,
         free,
         within: within?,
     })
+}
+
+/// Whether the values of a parameter are numbers.
+fn is_number(scope: &Scope, row: usize) -> bool {
+    !matches!(scope.problem.parameters()[row].kind, Kind::Choice(_))
 }
 
 impl Study {

@@ -7,6 +7,7 @@ use crate::source::tree::{Member, Node, Tree};
 use crate::value::{name, value};
 use slipgap_cases::{Block, Enumeration, Filter, distinct};
 use slipgap_problem::problem::numbers::parameter::{Default, Value};
+use slipgap_problem::problem::structure::StructureProblem;
 use slipgap_problem::problem::{Case, Problem};
 use std::sync::Arc;
 
@@ -66,6 +67,12 @@ impl Scope {
     /// Whether the study has results in units.
     pub fn has_units(&self) -> bool {
         self.measures.iter().any(|m| m.dimension.is_some())
+    }
+
+    /// Whether the ground motions are a set.
+    pub fn has_set(&self) -> bool {
+        let structure = self.problem.as_structure();
+        structure.is_some_and(StructureProblem::has_set)
     }
 
     /// Decodes a `where`. A filter that selects no case is a fault.

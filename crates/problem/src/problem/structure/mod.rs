@@ -45,6 +45,10 @@ impl Problem for StructureProblem {
         &self.schema
     }
 
+    fn as_structure(&self) -> Option<&StructureProblem> {
+        Some(self)
+    }
+
     fn identity(&self) -> &str {
         &self.identity
     }
@@ -260,10 +264,6 @@ impl Problem for StructureProblem {
     fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
         let duration = case.at(self.schema.duration)?;
         ground::ground_motion(&self.template, case, duration)
-    }
-
-    fn has_set(&self) -> bool {
-        self.template.set().is_some()
     }
 
     fn set_spectra(&self, case: &Case, periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {

@@ -1,6 +1,7 @@
 //! A case, ready to be solved.
 
 use super::channels::channel::{Channel, Number};
+use super::given::loads::Source;
 use super::given::node::Numbering;
 use super::metrics::computed_ground::Steps;
 use super::metrics::metric::StructureMetric;
@@ -17,6 +18,7 @@ use crate::problem::{Case, Problem, Schema, Violation, method};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{balance, settle};
 use crate::system::structure::Structure;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// The structure of a study.
@@ -38,6 +40,18 @@ impl StructureProblem {
             "{:?} {:?} {:?} {}",
             ready.structure, ready.method, ready.dt, ready.last
         ))
+    }
+
+    /// Whether the ground motions are a set.
+    pub fn has_set(&self) -> bool {
+        self.template.set().is_some()
+    }
+
+    /// Rows of the parameters that are seeds of synthetic motions, in rising order.
+    pub fn seeds(&self) -> Vec<usize> {
+        let sources = self.template.sampled();
+        let rows: BTreeSet<usize> = sources.flat_map(Source::seed_rows).copied().collect();
+        rows.into_iter().collect()
     }
 
     /// The problem of a template with these tables. `identity` is different for different structures and records; `notes` say what

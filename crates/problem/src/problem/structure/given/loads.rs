@@ -1,6 +1,6 @@
 //! Functions of time in a study, as signals.
 
-use super::amount::Amount;
+use super::amount::{self, Amount};
 use super::chosen::Chosen;
 use super::signal_cache::SignalCache;
 use crate::problem::numbers::parameter::shortest;
@@ -90,6 +90,21 @@ impl Source {
     /// The kind of function.
     pub fn kind(&self) -> &Kind {
         &self.kind
+    }
+
+    /// Rows of the parameters that its seed contains.
+    pub fn seed_rows(&self) -> &[usize] {
+        match &self.kind {
+            Kind::Synthetic { seed, .. } => match &seed.source {
+                amount::Source::Expression(seed) => seed.formula.uses(),
+                amount::Source::Number(_) => &[],
+            },
+            Kind::Sine { .. }
+            | Kind::Table { .. }
+            | Kind::Record { .. }
+            | Kind::Ricker { .. }
+            | Kind::Cosine { .. } => &[],
+        }
     }
 
     /// The signal in a case. `metre` is the study's unit of length in m.

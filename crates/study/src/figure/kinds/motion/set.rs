@@ -49,7 +49,7 @@ impl Decoded for Set {
     fn check_cases(&self, checker: &mut Checker) {
         if checker.has_more_cases_than(MOST_CASES) {
             checker.fault("where", format!("more than {MOST_CASES} cases; {NARROW}"));
-        } else if !checker.scope.problem.has_set() {
+        } else if !checker.scope.has_set() {
             let message = "a set figure needs a \"set\" under \"scale_to\" of the ground";
             checker.fault("kind", message);
         }
