@@ -68,7 +68,13 @@ pub fn animate(study: &Study, name: &str, shown: &Shown) -> Result<String, Error
         films.push(film(study, case, (solution, true), "exact".into()).map_err(
             |error| match error {
                 Error::Usage(why) => Error::Usage(format!("case {number}: {why}")),
-                other => other,
+                other @ (Error::Faults(_)
+                | Error::Io { .. }
+                | Error::Unsolved(_)
+                | Error::PartsMissing(_)
+                | Error::Busy(_)
+                | Error::Interrupted
+                | Error::Internal(_)) => other,
             },
         )?);
     }

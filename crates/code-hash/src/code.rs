@@ -36,13 +36,12 @@ fn without_docs_and_tests(tokens: TokenStream) -> TokenStream {
             in_test = !is_sign(&token, ';') && !is_body(&token);
             continue;
         }
-        kept.push(match token {
-            TokenTree::Group(group) => {
-                let inside = without_docs_and_tests(group.stream());
-                TokenTree::Group(Group::new(group.delimiter(), inside))
-            }
-            other => other,
-        });
+        if let TokenTree::Group(group) = token {
+            let inside = without_docs_and_tests(group.stream());
+            kept.push(TokenTree::Group(Group::new(group.delimiter(), inside)));
+        } else {
+            kept.push(token);
+        }
     }
     kept.into_iter().collect()
 }

@@ -193,7 +193,7 @@ fn joined<'a>(values: impl Iterator<Item = (&'a Parameter, Value, usize)>) -> St
         let whole = value_label(parameter, value, digits);
         let place = match value {
             Value::Name(name) if parameter.shown(name) != name => whole.rsplit_once(", "),
-            _ => None,
+            Value::Number(_) | Value::Whole(_) | Value::Name(_) => None,
         };
         let place = place.map(|(place, component)| (place.to_owned(), component.to_owned()));
         match place {
@@ -220,7 +220,7 @@ pub fn value(parameter: &Parameter, value: Value, digits: usize) -> String {
 pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String {
     match value {
         Value::Name(_) => self::value(parameter, value, digits),
-        _ => {
+        Value::Number(_) | Value::Whole(_) => {
             let unit = parameter.shown_unit.as_ref();
             let unit = unit.map_or(String::new(), |unit| format!(" {}", markup::unit(unit)));
             let value = self::value(parameter, value, digits);

@@ -33,7 +33,7 @@ use slipgap_drawing::DrawingError;
 use slipgap_drawing::layout::{self, coincide, envelope};
 use slipgap_drawing::style::Look;
 use slipgap_study::error::Error;
-use slipgap_study::kinds::{FigureKind, Fit};
+use slipgap_study::kinds::Fit;
 use slipgap_study::{Figure, Study};
 
 /// What a figure draws.
@@ -127,15 +127,14 @@ pub fn sheet(data: &FigureData) -> Sheet {
 
 /// The remark on a figure with cases that run away; with `collapse` those are counted for what they are.
 fn run_away(data: &FigureData) -> Option<String> {
-    let is_counted =
-        matches!(&data.figure.kind, FigureKind::Fragility(own) if own.collapse.is_some());
+    let fragility = data.figure.kind.fragility();
+    let is_counted = fragility.is_some_and(|own| own.collapse.is_some());
     let away = data.cases.iter().filter(|shown| shown.has_run_away());
     let (away, all) = (away.count(), data.cases.len());
-    let of_fit = match &data.figure.kind {
-        FigureKind::Fragility(own) if own.fit == Fit::Cloud => {
-            ", and the line goes through them: give collapse"
-        }
-        _ => "",
+    let is_cloud = fragility.is_some_and(|own| own.fit == Fit::Cloud);
+    let of_fit = match is_cloud {
+        true => ", and the line goes through them: give collapse",
+        false => "",
     };
     (away > 0 && !is_counted).then(|| {
         format!("{away} of {all} cases run away: their peaks grow with the duration{of_fit}.")

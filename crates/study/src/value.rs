@@ -22,7 +22,7 @@ pub fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
                 None
             }
         },
-        _ => {
+        Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
             faults.must_be(node, path, "a string");
             None
         }

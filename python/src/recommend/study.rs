@@ -38,7 +38,8 @@ pub fn recommend<'py>(
             errors.set_item(advice.study.measures[*row].name.as_str(), error)?;
         }
         let converged = choice.trial.is_some_and(|trial| trial.holds());
-        let warnings = PyTuple::new(py, choice.warnings.iter().map(Warning::name))?;
+        let warnings: Vec<&str> = choice.warnings.iter().map(Warning::name).collect();
+        let warnings = PyTuple::new(py, warnings)?;
         class.call1((
             parameters,
             choice.cost,

@@ -96,27 +96,24 @@ impl Table {
         let column = column.map_err(|_| PyKeyError::new_err(name.to_owned()))?;
         let arrays = self.batches.iter().map(|batch| batch.column(column));
         let field = self.schema.field(column);
-        match field.data_type() {
-            DataType::Utf8 => {
-                let names = arrays.flat_map(|array| array.as_string::<i32>().iter());
-                Ok(PyList::new(py, names.collect::<Vec<_>>())?.into_any())
-            }
-            DataType::Int64 if !arrays.clone().any(|array| array.null_count() > 0) => {
-                let values = arrays.flat_map(|array| array.as_primitive::<Int64Type>().values());
-                let values: Vec<i64> = values.copied().collect();
-                arrays::whole(py, values.into_iter())
-            }
-            DataType::Int64 => {
-                let values = arrays.flat_map(|array| array.as_primitive::<Int64Type>().iter());
-                let values: Vec<f64> = values.map(|n| n.map_or(f64::NAN, |n| n as f64)).collect();
-                arrays::numbers(py, values.into_iter())
-            }
-            _ => {
-                let values = arrays.flat_map(|array| array.as_primitive::<Float64Type>().iter());
-                let values: Vec<f64> = values.map(|x| x.unwrap_or(f64::NAN)).collect();
-                arrays::numbers(py, values.into_iter())
-            }
+        let kind = field.data_type();
+        if *kind == DataType::Utf8 {
+            let names = arrays.flat_map(|array| array.as_string::<i32>().iter());
+            return Ok(PyList::new(py, names.collect::<Vec<_>>())?.into_any());
         }
+        if *kind != DataType::Int64 {
+            let values = arrays.flat_map(|array| array.as_primitive::<Float64Type>().iter());
+            let values: Vec<f64> = values.map(|x| x.unwrap_or(f64::NAN)).collect();
+            return arrays::numbers(py, values.into_iter());
+        }
+        if arrays.clone().any(|array| array.null_count() > 0) {
+            let values = arrays.flat_map(|array| array.as_primitive::<Int64Type>().iter());
+            let values: Vec<f64> = values.map(|n| n.map_or(f64::NAN, |n| n as f64)).collect();
+            return arrays::numbers(py, values.into_iter());
+        }
+        let values = arrays.flat_map(|array| array.as_primitive::<Int64Type>().values());
+        let values: Vec<i64> = values.copied().collect();
+        arrays::whole(py, values.into_iter())
     }
 }
 

@@ -49,7 +49,7 @@ pub fn add(
     for link in &placed.inner {
         let node = |end: End| match end {
             End::Part(_, Place::Dof(dof)) => Some(model.interface[dof].node),
-            _ => None,
+            End::Ground | End::Part(..) => None,
         };
         let nodes = link.between.map(node);
         let direction = in_plane(placed, link.direction);

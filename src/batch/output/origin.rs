@@ -38,10 +38,10 @@ pub fn origin(study: &Study, file: &Path) -> Map<String, Value> {
             |own: &ReadFile| json!({ "name": own.name, "size": own.size, "sha256": own.sha256 });
         entries[INPUTS] = study.read.iter().map(one).collect();
     }
-    match entries {
-        Value::Object(entries) => entries,
-        _ => Map::new(),
-    }
+    let Value::Object(entries) = entries else {
+        return Map::new();
+    };
+    entries
 }
 
 /// What the results in a folder are of that is not the study as it is now: another version of it, of its files, or of the program.
@@ -164,9 +164,11 @@ fn versions() -> Value {
 /// The version of the program that a manifest has, if it is not that of the other one.
 fn version(manifest: &Value, other: &Value) -> Option<String> {
     let same = |key: &str| manifest[key] == other[key];
-    let shown = |key: &str| match &manifest[key] {
-        Value::String(text) => text.clone(),
-        value => value.to_string(),
+    let shown = |key: &str| {
+        let value = &manifest[key];
+        value
+            .as_str()
+            .map_or_else(|| value.to_string(), str::to_owned)
     };
     let differs = !["program_version", "solver_version"].into_iter().all(same);
     let [program, solver] = ["program_version", "solver_version"].map(shown);

@@ -209,9 +209,11 @@ fn metrics(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> R
     // By their places: a parameter may have the same name.
     let own = group.num_columns().checked_sub(OWN_TEXTS);
     let own = own.ok_or_else(|| general("a column is missing"))?;
-    let texts = |place: usize| match group.get_column_reader(place)? {
-        ColumnReader::ByteArrayColumnReader(reader) => filled(reader, count),
-        _ => Err(general("a column is not text")),
+    let texts = |place: usize| {
+        let ColumnReader::ByteArrayColumnReader(reader) = group.get_column_reader(place)? else {
+            return Err(general("a column is not text"));
+        };
+        filled(reader, count)
     };
     let (failures, warned) = (texts(own)?, texts(own + 1)?);
     let mut table = MetricTable::new(count, width);
@@ -253,7 +255,13 @@ pub fn read_text(bytes: Vec<u8>) -> Result<Rows> {
                 let texts = cells(reader, count)?.into_iter();
                 texts.map(|t| Some(t?.as_utf8().ok()?.to_owned())).collect()
             }
-            _ => return Err(general("a column has an unknown type")),
+            ColumnReader::BoolColumnReader(_)
+            | ColumnReader::Int32ColumnReader(_)
+            | ColumnReader::Int96ColumnReader(_)
+            | ColumnReader::FloatColumnReader(_)
+            | ColumnReader::FixedLenByteArrayColumnReader(_) => {
+                return Err(general("a column has an unknown type"));
+            }
         };
         for (row, cell) in text.rows.iter_mut().zip(cells) {
             row.push(cell.unwrap_or_default());

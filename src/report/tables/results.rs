@@ -152,7 +152,7 @@ impl<'a> Results<'a> {
             |index: &usize| *index < first || used.contains(&self.study.columns[*index - first]);
         match detail {
             Detail::Overview if !used.is_empty() => all.filter(is_shown).collect(),
-            _ => all.collect(),
+            Detail::Whole | Detail::Overview => all.collect(),
         }
     }
 

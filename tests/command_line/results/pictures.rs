@@ -39,25 +39,22 @@ fn text(bytes: Vec<u8>) -> (String, (f32, f32)) {
     let mut codes = HashMap::new();
     let mut operations = page.typed_operations();
     while let Some(operation) = operations.next() {
-        match operation {
-            TypedInstruction::TextFont(font) => {
-                let font = page.resources().get_font(font.0).expect("a font");
-                embedded(&font);
-                codes = characters(&font);
-            }
-            TypedInstruction::ShowTexts(shown) => {
-                for item in shown.0.iter::<Object>() {
-                    if let Object::String(string) = item {
-                        let (pairs, rest) = string.as_bytes().as_chunks::<2>();
-                        assert!(rest.is_empty());
-                        for pair in pairs {
-                            out += &codes[&u16::from_be_bytes(*pair)];
-                        }
+        if let TypedInstruction::TextFont(font) = operation {
+            let font = page.resources().get_font(font.0).expect("a font");
+            embedded(&font);
+            codes = characters(&font);
+        } else if let TypedInstruction::ShowTexts(shown) = operation {
+            for item in shown.0.iter::<Object>() {
+                if let Object::String(string) = item {
+                    let (pairs, rest) = string.as_bytes().as_chunks::<2>();
+                    assert!(rest.is_empty());
+                    for pair in pairs {
+                        out += &codes[&u16::from_be_bytes(*pair)];
                     }
                 }
             }
-            TypedInstruction::Fallback(operator) => panic!("{operator:?}"),
-            _ => {}
+        } else if let TypedInstruction::Fallback(operator) = operation {
+            panic!("{operator:?}");
         }
     }
     (out, page.base_dimensions())

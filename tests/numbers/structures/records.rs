@@ -26,7 +26,7 @@ fn record(file: &str) -> Record {
 fn acceleration(record: &Record) -> Table {
     match &*signal(record, None, 1.0).unwrap() {
         Signal::Table(table) => table.clone(),
-        _ => panic!("no table"),
+        Signal::Sine { .. } | Signal::Motion(..) => panic!("no table"),
     }
 }
 

@@ -268,7 +268,7 @@ fn in_units(of: &Json, key: &str, law: &Json) -> Json {
             let [length, force] = dimension(key, law);
             json!(own.as_f64().unwrap() * UNITS[0].powf(length) * UNITS[1].powf(force))
         }
-        other => other.clone(),
+        Json::Null | Json::Bool(_) | Json::String(_) => of.clone(),
     }
 }
 

@@ -134,9 +134,11 @@ impl Reader {
         }
         let is_item = ITEMS.iter().any(|word| is(rest, start, word));
         let is_use = is(rest, start, "use");
-        let ends = |token: &TokenTree| match token {
-            TokenTree::Group(group) => !is_use && group.delimiter() == Delimiter::Brace,
-            token => is_point(token, ';') || !is_item && is_point(token, ','),
+        let ends = |token: &TokenTree| {
+            if let TokenTree::Group(group) = token {
+                return !is_use && group.delimiter() == Delimiter::Brace;
+            }
+            is_point(token, ';') || !is_item && is_point(token, ',')
         };
         start + position(&rest[start..], ends) + 1
     }

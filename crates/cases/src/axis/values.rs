@@ -84,7 +84,9 @@ impl Values {
     pub fn numbers(&self) -> Cow<'_, [f64]> {
         match self {
             Values::Numbers(numbers) => Cow::Borrowed(numbers),
-            others => others.iter().filter_map(Value::as_f64).collect(),
+            others @ (Values::Listed(_) | Values::Sampled(_)) => {
+                others.iter().filter_map(Value::as_f64).collect()
+            }
         }
     }
 

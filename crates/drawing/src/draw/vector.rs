@@ -243,10 +243,8 @@ impl DrawingBackend for Vector {
 
     fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, at: BackendCoord) -> Drawn {
         let (x, y) = at;
-        let turn = match style.transform() {
-            FontTransform::Rotate270 => " rotate(-90)",
-            _ => "",
-        };
+        let turned = matches!(style.transform(), FontTransform::Rotate270);
+        let turn = if turned { " rotate(-90)" } else { "" };
         let glyphs = font::set(text, matches!(style.style(), FontStyle::Italic)).0;
         let Some((first, _)) = glyphs.first() else {
             return Ok(());

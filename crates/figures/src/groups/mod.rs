@@ -37,12 +37,12 @@ impl<'a> GroupResults<'a> {
         cases: &[DrawnCase],
         designs: &'a DesignMetrics,
     ) -> GroupResults<'a> {
-        match &figure.kind {
-            FigureKind::Sobol(kind) => designs.indices(study, figure, cases.len(), &kind.y),
-            FigureKind::Fragility(kind) => {
-                GroupResults::Fragility(fragility::curves(study, kind, cases))
-            }
-            _ => GroupResults::None,
+        if let FigureKind::Sobol(kind) = &figure.kind {
+            return designs.indices(study, figure, cases.len(), &kind.y);
+        }
+        match figure.kind.fragility() {
+            Some(kind) => GroupResults::Fragility(fragility::curves(study, kind, cases)),
+            None => GroupResults::None,
         }
     }
 }

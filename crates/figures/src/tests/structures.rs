@@ -200,7 +200,7 @@ fn contents(sheet: &Sheet) -> (Vec<Rect>, Vec<(String, Rect)>) {
     let shapes = sheet.picture.shapes.iter();
     let boxes = shapes.filter_map(|shape| match shape {
         Shape::Box(rect, _) => Some(*rect),
-        _ => None,
+        Shape::Line(..) | Shape::Arrow(_) | Shape::DoubleArrow(_) => None,
     });
     let words = sheet.picture.words.iter().map(|words| {
         let length = text::width(&words.text, words.size);

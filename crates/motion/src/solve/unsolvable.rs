@@ -72,16 +72,17 @@ pub enum Unsolvable {
 impl Unsolvable {
     /// The same with the name of the contact whose law has no answer.
     pub(crate) fn with_name<'a>(self, name: impl Fn(usize) -> &'a str) -> Unsolvable {
-        match self {
-            Unsolvable::NoForces {
-                step,
-                why: Unsolved::Own { contact, why },
-            } => Unsolvable::OwnLaw {
-                step,
-                contact: name(contact).to_owned(),
-                why,
-            },
-            other => other,
+        let Unsolvable::NoForces {
+            step,
+            why: Unsolved::Own { contact, why },
+        } = self
+        else {
+            return self;
+        };
+        Unsolvable::OwnLaw {
+            step,
+            contact: name(contact).to_owned(),
+            why,
         }
     }
 }

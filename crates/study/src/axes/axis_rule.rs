@@ -69,7 +69,12 @@ pub(crate) fn values(
     let rule = ALL[index];
     let three = match &member.node.tree {
         Tree::List(items) if items.len() == 3 => items,
-        _ => {
+        Tree::Object(_)
+        | Tree::List(_)
+        | Tree::Text(_)
+        | Tree::Number(_)
+        | Tree::Bool(_)
+        | Tree::Null => {
             faults.must_be(&member.node, &path, RULES[index].1);
             return None;
         }

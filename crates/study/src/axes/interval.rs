@@ -55,7 +55,12 @@ impl Interval {
         let path = join(path, &member.key);
         let ends = match &member.node.tree {
             Tree::List(items) if items.len() == 2 => items,
-            _ => {
+            Tree::Object(_)
+            | Tree::List(_)
+            | Tree::Text(_)
+            | Tree::Number(_)
+            | Tree::Bool(_)
+            | Tree::Null => {
                 faults.must_be(&member.node, &path, "[a, b]");
                 return None;
             }

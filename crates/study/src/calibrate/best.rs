@@ -81,7 +81,9 @@ fn add_metric(root: &mut Node, metric: Option<&Node>) {
         Tree::Object(members) => members
             .iter()
             .any(|own| matches!(&metric.tree, Tree::Text(text) if *text == own.key)),
-        tree => *tree == metric.tree,
+        tree @ (Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null) => {
+            *tree == metric.tree
+        }
     };
     if !all.iter().any(is_it) {
         all.push(metric.clone());

@@ -135,7 +135,9 @@ fn varies(
     let names: Vec<&str> = free.iter().map(|own| &*table[own.parameter].name).collect();
     let each = match &node.tree {
         Tree::List(items) => &items[..],
-        _ => std::slice::from_ref(node),
+        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
+            std::slice::from_ref(node)
+        }
     };
     let row = |one: &Node| {
         let place = name(one, &path, "free parameter", &names, faults)?;
@@ -152,7 +154,7 @@ fn file(measured: &Node, names: &[&str]) -> Option<usize> {
     let file = members.iter().find(|member| member.key == "file")?;
     match &file.node.tree {
         Tree::Text(text) => names.iter().position(|name| name == text),
-        _ => None,
+        Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
     }
 }
 

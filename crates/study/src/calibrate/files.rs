@@ -49,7 +49,7 @@ fn texts_of_files(node: &mut Node, visit: &mut dyn FnMut(&mut String)) {
         Tree::List(items) => items
             .iter_mut()
             .for_each(|item| texts_of_files(item, visit)),
-        _ => {}
+        Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {}
     }
 }
 
@@ -58,7 +58,7 @@ fn each_text(node: &mut Node, visit: &mut dyn FnMut(&mut String)) {
     match &mut node.tree {
         Tree::Text(text) => visit(text),
         Tree::List(items) => items.iter_mut().for_each(|item| each_text(item, visit)),
-        _ => {}
+        Tree::Object(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {}
     }
 }
 

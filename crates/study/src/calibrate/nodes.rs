@@ -19,7 +19,7 @@ pub(super) fn items(node: Option<Node>) -> Vec<Node> {
 pub(super) fn members(node: &mut Node) -> Option<&mut Vec<Member>> {
     match &mut node.tree {
         Tree::Object(members) => Some(members),
-        _ => None,
+        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
     }
 }
 

@@ -33,7 +33,7 @@ fn put(node: &Node, depth: usize, out: &mut String) {
             let put = |item: &Node, out: &mut String| put(item, depth + 1, out);
             lines(['[', ']'], items, depth, out, put);
         }
-        _ => out.push_str(&plain),
+        Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => out.push_str(&plain),
     }
 }
 

@@ -65,13 +65,17 @@ impl FreeRange {
                 let path = join(path, LOG.0);
                 match &own.tree {
                     Tree::List(items) => (items, path, true),
-                    _ => {
+                    Tree::Object(_)
+                    | Tree::Text(_)
+                    | Tree::Number(_)
+                    | Tree::Bool(_)
+                    | Tree::Null => {
                         faults.must_be(own, &path, "[a, b]");
                         return None;
                     }
                 }
             }
-            _ => {
+            Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
                 faults.must_be(node, path, FORM);
                 return None;
             }

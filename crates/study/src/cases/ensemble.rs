@@ -74,7 +74,12 @@ pub(crate) fn refuse_constant(
 pub(crate) fn item(node: &Node, path: &str, i: usize) -> (usize, String) {
     match &node.tree {
         Tree::List(items) if i < items.len() => (items[i].at, format!("{path}[{i}]")),
-        _ => (node.at, path.to_owned()),
+        Tree::Object(_)
+        | Tree::List(_)
+        | Tree::Text(_)
+        | Tree::Number(_)
+        | Tree::Bool(_)
+        | Tree::Null => (node.at, path.to_owned()),
     }
 }
 

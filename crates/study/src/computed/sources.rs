@@ -77,7 +77,9 @@ pub fn items<'a>(node: &'a Node, path: &str) -> Vec<(&'a Node, String)> {
                 .map(|(i, item)| (item, format!("{path}[{i}]")))
                 .collect()
         }
-        _ => vec![(node, path.to_owned())],
+        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
+            vec![(node, path.to_owned())]
+        }
     }
 }
 
@@ -85,7 +87,7 @@ pub fn items<'a>(node: &'a Node, path: &str) -> Vec<(&'a Node, String)> {
 pub fn members(node: &Node) -> impl Iterator<Item = &Member> {
     let members = match &node.tree {
         Tree::Object(members) => &members[..],
-        _ => &[],
+        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => &[],
     };
     members.iter().filter(|member| member.key != "//")
 }

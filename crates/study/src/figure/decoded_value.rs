@@ -83,7 +83,37 @@ pub(crate) fn take(
             let what = "parameter or metric";
             let places = match key.takes {
                 Takes::Columns => names(node, path, what, &all, faults)?,
-                _ => vec![name(node, path, what, &all, faults)?],
+                Takes::FileName
+                | Takes::Kind
+                | Takes::Text
+                | Takes::Filter
+                | Takes::Parameter
+                | Takes::Parameters
+                | Takes::NumericParameter
+                | Takes::Quantity
+                | Takes::Quantities
+                | Takes::Column
+                | Takes::Profile
+                | Takes::Profiles
+                | Takes::Metric
+                | Takes::Metrics
+                | Takes::Times
+                | Takes::Budgets
+                | Takes::Width
+                | Takes::Range
+                | Takes::Marks
+                | Takes::Scale
+                | Takes::ScaleOrLog
+                | Takes::Ridge
+                | Takes::Fit
+                | Takes::InUnits
+                | Takes::Switch
+                | Takes::Ordinates
+                | Takes::Ratios
+                | Takes::Periods
+                | Takes::Number
+                | Takes::Probabilities
+                | Takes::Hazard => vec![name(node, path, what, &all, faults)?],
             };
             let column = |place: &usize| match rows.get(*place) {
                 Some(row) => ColumnRef::Parameter(*row),
@@ -167,7 +197,9 @@ fn ratios(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
     };
     let (at, path) = match &node.tree {
         Tree::List(items) => (items[i].at, format!("{path}[{i}]")),
-        _ => (node.at, path.to_owned()),
+        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
+            (node.at, path.to_owned())
+        }
     };
     let ratio = parameter::shortest(ratios[i]);
     faults.add(at, &path, format!("must be less than 1, got {ratio}"));

@@ -73,7 +73,34 @@ fn metrics(keys: &'static [Key], values: &Values) -> Vec<(&'static str, usize, u
                     }
                 }
             }
-            _ => {}
+            Takes::FileName
+            | Takes::Kind
+            | Takes::Text
+            | Takes::Filter
+            | Takes::Parameter
+            | Takes::Parameters
+            | Takes::NumericParameter
+            | Takes::Quantity
+            | Takes::Quantities
+            | Takes::Profile
+            | Takes::Profiles
+            | Takes::Times
+            | Takes::Budgets
+            | Takes::Width
+            | Takes::Range
+            | Takes::Marks
+            | Takes::Scale
+            | Takes::ScaleOrLog
+            | Takes::Ridge
+            | Takes::Fit
+            | Takes::InUnits
+            | Takes::Switch
+            | Takes::Ordinates
+            | Takes::Ratios
+            | Takes::Periods
+            | Takes::Number
+            | Takes::Probabilities
+            | Takes::Hazard => {}
         }
     }
     found

@@ -95,7 +95,11 @@ impl Operator {
                 quantile(&rising, p)
             }
             _ if values.is_empty() => None,
-            _ => {
+            Operator::Least
+            | Operator::Greatest
+            | Operator::Best
+            | Operator::Worst
+            | Operator::Mean => {
                 let count = values.len() as f64;
                 let mean = values.iter().sum::<f64>() / count;
                 // The sum of large values may be beyond the largest number.

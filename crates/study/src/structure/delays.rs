@@ -67,7 +67,9 @@ impl Free {
                     [from, to] => Some((row, [number(from)?, number(to)?])),
                     _ => None,
                 },
-                _ => None,
+                Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
+                    None
+                }
             }
         });
         Free(range.collect())
@@ -78,7 +80,7 @@ fn number(node: &Node) -> Option<f64> {
     match &node.tree {
         Tree::Number(written) => written.parse().ok(),
         Tree::Text(text) => Formula::number(text, &[]).ok()?.value(&|_| None).ok(),
-        _ => None,
+        Tree::Object(_) | Tree::List(_) | Tree::Bool(_) | Tree::Null => None,
     }
 }
 

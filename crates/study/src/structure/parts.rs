@@ -46,7 +46,7 @@ pub(super) fn masses(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Ve
                 };
                 (mass, direction)
             }
-            _ => {
+            Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
                 let mass = reader.amount(node, path, range(MASS, "mass"), faults);
                 (mass, Some(Direction::X))
             }

@@ -311,10 +311,10 @@ fn a_friction_law_has_the_limit_that_it_is_given() {
             states[1999][2]
         };
         // Without the viscosity of a law that has one.
-        let viscous = match made {
-            ContactLaw::Lugre(law) => 5e4 * law.sigma2,
-            _ => 0.0,
-        };
+        let mut viscous = 0.0;
+        if let ContactLaw::Lugre(law) = made {
+            viscous = 5e4 * law.sigma2;
+        }
         let ratio = (last(&other) - viscous) / (last(&made) - viscous);
         // With the exponent 2 Dahl's force is 1/(1 + z) below its limit, z > 3e5.
         assert!((ratio - 0.25).abs() < 1e-5, "{made:?} {ratio}");
@@ -340,10 +340,10 @@ fn curves_show_the_law_within_its_bounds() {
         if made.kind() == ContactKind::Friction && stiffness > 0.0 {
             let small = 1e-7;
             let states = follow(&made, |t: f64| [small * t, small], 1.0, 1);
-            let damping = match made {
-                ContactLaw::Lugre(law) => (law.sigma1 + law.sigma2) * small,
-                _ => 0.0,
-            };
+            let mut damping = 0.0;
+            if let ContactLaw::Lugre(law) = made {
+                damping = (law.sigma1 + law.sigma2) * small;
+            }
             let slope = (states[0][2] - damping) / small;
             assert!((slope / stiffness - 1.0).abs() < 1e-6, "{made:?} {slope}");
         }

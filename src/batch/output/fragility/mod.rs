@@ -11,7 +11,7 @@ use crate::batch::groups::point::FragilityPoint;
 use numbers::Numbers;
 use slipgap_problem::problem::numbers::parameter::{Kind, Value};
 use slipgap_study::error::Error;
-use slipgap_study::kinds::{FigureKind, Fragility};
+use slipgap_study::kinds::Fragility;
 use slipgap_study::{ColumnRef, Figure, Study};
 use std::path::PathBuf;
 
@@ -55,10 +55,7 @@ impl<'a> FragilityTable<'a> {
     /// # Errors
     /// A table that cannot be made.
     pub fn new(study: &'a Study) -> Result<Option<FragilityTable<'a>>, Error> {
-        let kind = |figure: &'a Figure| match &figure.kind {
-            FigureKind::Fragility(fragility) => Some(fragility),
-            _ => None,
-        };
+        let kind = |figure: &'a Figure| figure.kind.fragility();
         let figures: Vec<&Fragility> = study.figures.iter().filter_map(kind).collect();
         if figures.is_empty() {
             return Ok(None);

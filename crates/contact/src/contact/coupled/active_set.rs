@@ -90,7 +90,7 @@ impl ActiveSet {
                 At::Free if low == high => self.put(i, At::Low),
                 At::Low if low == f64::NEG_INFINITY => self.put(i, At::Free),
                 At::High if high == f64::INFINITY => self.put(i, At::Free),
-                _ => (),
+                At::Low | At::Free | At::High => (),
             }
         }
     }

@@ -55,7 +55,7 @@ impl Family {
             // Without a limit there is no S.
             Elastic(compliance, limit) if limit > 0.0 => 1.0 / compliance,
             Link(stiffness) => stiffness,
-            _ => 0.0,
+            Spring(_) | Yielding(_) | Hertz(_) | Elastic(..) | Viscous(..) | Alone => 0.0,
         }
     }
 
@@ -101,7 +101,7 @@ impl Family {
     pub(super) fn in_plane(self) -> Option<InPlane> {
         match self {
             Viscous(..) => Some(InPlane::OfVelocity { viscous: None }),
-            _ => None,
+            Spring(_) | Yielding(_) | Hertz(_) | Elastic(..) | Link(_) | Alone => None,
         }
     }
 }

@@ -31,7 +31,7 @@ impl PlaneLaw {
             Some(force) => {
                 let part = match &self.form {
                     Form::Elastic(elastic) => elastic.own.rising[0],
-                    _ => 1.0,
+                    Form::OfVelocity { .. } | Form::BoucWen(_) | Form::Lugre(_) => 1.0,
                 };
                 map(force, r, |s, r| (s - self.spring * r) / part)
             }

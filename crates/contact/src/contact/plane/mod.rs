@@ -174,7 +174,7 @@ impl PlaneLaw {
     fn unbent(&self, r: Pair) -> Pair {
         match &self.form {
             Form::Elastic(elastic) => elastic.unbent(r),
-            _ => [0.0; 2],
+            Form::OfVelocity { .. } | Form::BoucWen(_) | Form::Lugre(_) => [0.0; 2],
         }
     }
 

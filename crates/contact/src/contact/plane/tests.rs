@@ -155,10 +155,8 @@ fn along_an_axis_a_law_is_its_scalar_form() {
             };
             let Lane([scalar]) = step.force(0, &trial);
             // In a plane Bouc-Wen has implicit stages, in a line a closed form: a step is up to 10 u_y here.
-            let tolerance = match law {
-                ContactLaw::BoucWen(_) => 0.5,
-                _ => 1e-9,
-            };
+            let is_bouc_wen = matches!(law, ContactLaw::BoucWen(_));
+            let tolerance = if is_bouc_wen { 0.5 } else { 1e-9 };
             assert!(
                 (force[0] - scalar).abs() < tolerance,
                 "{law:?} {force:?} {scalar}"

@@ -101,7 +101,14 @@ pub fn is_curve(series: &Series) -> bool {
     let least = match series.stroke {
         Stroke::Grey => style::MEASURED_LINE,
         _ if in_colour && series.label.is_empty() => style::CASE_LINE,
-        _ => f64::MIN_POSITIVE,
+        Stroke::Solid
+        | Stroke::Dashed
+        | Stroke::DashDot
+        | Stroke::Dotted
+        | Stroke::DashDotDot
+        | Stroke::LongDash
+        | Stroke::Graded(_)
+        | Stroke::Colour(_) => f64::MIN_POSITIVE,
     };
     series.width >= least && (!series.label.is_empty() || in_colour)
 }

@@ -175,7 +175,14 @@ fn intervals(panel: &mut Panel, curve: &FragilityCurve, stroke: Stroke, k: usize
             points: points.to_vec(),
             stroke: match stroke {
                 Stroke::Colour(_) => stroke,
-                _ => Stroke::Solid,
+                Stroke::Solid
+                | Stroke::Dashed
+                | Stroke::DashDot
+                | Stroke::Dotted
+                | Stroke::DashDotDot
+                | Stroke::LongDash
+                | Stroke::Grey
+                | Stroke::Graded(_) => Stroke::Solid,
             },
             width: style::EXACT_LINE,
             marker: None,

@@ -55,7 +55,7 @@ pub fn along(kind: LinkKind) -> f64 {
 pub fn height(kind: LinkKind) -> f64 {
     match kind {
         LinkKind::Friction => 9.0,
-        _ => across(kind),
+        LinkKind::Spring { .. } | LinkKind::Impact => across(kind),
     }
 }
 

@@ -86,7 +86,11 @@ impl Motion<'_> {
             Crossing::Line(End::Low) => {
                 self.states[contact].phase == Phase::Open && law.kind() == ContactKind::Impact
             }
-            _ => false,
+            Crossing::Release
+            | Crossing::Limit(_)
+            | Crossing::Stop
+            | Crossing::Normal
+            | Crossing::Line(_) => false,
         };
         if closes {
             self.close(self.series.contacts[contact].r[1] / self.series.length);

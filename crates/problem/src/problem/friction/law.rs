@@ -107,10 +107,12 @@ impl From<PlainLaw> for ContactLaw {
 impl PlainLaw {
     /// The same of any law; `None` for one that is not of `[F]`.
     pub fn of(law: &ContactLaw) -> Option<PlainLaw> {
-        match *law {
-            ContactLaw::DisplacementControl(law) => Some(PlainLaw::Displacement(law)),
-            ContactLaw::VelocityControl(law) => Some(PlainLaw::Velocity(law)),
-            _ => None,
+        if let ContactLaw::DisplacementControl(law) = *law {
+            return Some(PlainLaw::Displacement(law));
         }
+        let ContactLaw::VelocityControl(law) = *law else {
+            return None;
+        };
+        Some(PlainLaw::Velocity(law))
     }
 }

@@ -144,7 +144,12 @@ impl StructureProblem {
             metrics.flat_map(|m| metric_values::needed(m, &ready.numbering, contacts.len()));
         let mut forces = distinct(numbers).into_iter().filter(|number| match number {
             Number::Contact(contact, Quantity::Force) => resists_velocity(&contacts[*contact].law),
-            _ => false,
+            Number::Displacement(_)
+            | Number::Velocity(_)
+            | Number::Acceleration(_)
+            | Number::Contact(..)
+            | Number::Derived(_)
+            | Number::Energy(_) => false,
         });
         forces.any(|force| alternates(computed.of(force)))
     }

@@ -23,7 +23,7 @@ pub(super) fn check_forms(node: &Node, faults: &mut Faults) {
             Tree::Object(_) => members(item).for_each(|member| {
                 check_entry(&member.node, &join(&path, &member.key), faults);
             }),
-            _ => faults.must_be(
+            Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => faults.must_be(
                 item,
                 &path,
                 "the name of a metric, or an object such as {\"drift\": \"max(a3 - a2)/h\"}",
@@ -47,7 +47,7 @@ fn check_entry(node: &Node, path: &str, faults: &mut Faults) {
                 text(&member.node, &object.path(&member.key), faults);
             }
         }
-        _ => faults.must_be(
+        Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => faults.must_be(
             node,
             path,
             "a string, or an object with value, unit and title",

@@ -179,7 +179,9 @@ impl Decoder<'_, '_> {
             let found = members(&member.node).find(|own| own.key == key)?;
             match &found.node.tree {
                 Tree::Text(text) => Some(text.clone()),
-                _ => None,
+                Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
+                    None
+                }
             }
         };
         if let Some(decoded) = &mut decoded {

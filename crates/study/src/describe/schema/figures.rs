@@ -91,7 +91,22 @@ pub(super) fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Marks => marks(),
         Takes::InUnits if problem.schema().units.is_empty() => json!({ "const": false }),
         Takes::InUnits => json!({ "type": "boolean", "default": false }),
-        _ => of_any_problem(key.takes),
+        Takes::FileName
+        | Takes::Kind
+        | Takes::Text
+        | Takes::Times
+        | Takes::Width
+        | Takes::Range
+        | Takes::Scale
+        | Takes::ScaleOrLog
+        | Takes::Ridge
+        | Takes::Fit
+        | Takes::Switch
+        | Takes::Ordinates
+        | Takes::Ratios
+        | Takes::Periods
+        | Takes::Probabilities
+        | Takes::Hazard => of_any_problem(key.takes),
     }
 }
 
@@ -117,7 +132,23 @@ pub(super) fn of_any_problem(takes: Takes) -> Json {
         Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
         Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
-        _ => json!({ "type": "string" }),
+        Takes::Text
+        | Takes::Filter
+        | Takes::Parameter
+        | Takes::Parameters
+        | Takes::NumericParameter
+        | Takes::Quantity
+        | Takes::Quantities
+        | Takes::Column
+        | Takes::Columns
+        | Takes::Profile
+        | Takes::Profiles
+        | Takes::Metric
+        | Takes::Metrics
+        | Takes::Budgets
+        | Takes::Marks
+        | Takes::InUnits
+        | Takes::Number => json!({ "type": "string" }),
     }
 }
 

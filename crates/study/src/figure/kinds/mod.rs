@@ -127,6 +127,14 @@ kinds! {
 }
 
 impl FigureKind {
+    /// The fragility that it shows, if it is one.
+    pub fn fragility(&self) -> Option<&Fragility> {
+        let FigureKind::Fragility(fragility) = self else {
+            return None;
+        };
+        Some(fragility)
+    }
+
     /// Whether the figure draws histories of the cases.
     pub fn draws_histories(&self) -> bool {
         self.decoded().draws_histories()

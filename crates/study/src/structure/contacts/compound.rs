@@ -122,7 +122,12 @@ fn laws(
 ) -> Option<Laws> {
     let items = match &list.node.tree {
         Tree::List(items) if items.len() > 1 => items,
-        _ => {
+        Tree::Object(_)
+        | Tree::List(_)
+        | Tree::Text(_)
+        | Tree::Number(_)
+        | Tree::Bool(_)
+        | Tree::Null => {
             faults.must_be(&list.node, path, "a list of two laws or more");
             return None;
         }

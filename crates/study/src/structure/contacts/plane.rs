@@ -72,7 +72,7 @@ pub(super) fn places(
 fn two<'a>(node: &'a Node, path: &str, what: &str, faults: &mut Faults) -> Option<&'a [Node; 2]> {
     let items = match &node.tree {
         Tree::List(items) => items.as_slice().try_into().ok(),
-        _ => None,
+        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
     };
     if items.is_none() {
         faults.must_be(node, path, what);

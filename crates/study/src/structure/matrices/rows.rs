@@ -32,11 +32,13 @@ pub(in crate::structure) fn listed(rows: &[Node]) -> String {
     let cell = |node: &Node| match &node.tree {
         Tree::Text(text) => text.clone(),
         Tree::Number(number) => number.clone(),
-        _ => String::new(),
+        Tree::Object(_) | Tree::List(_) | Tree::Bool(_) | Tree::Null => String::new(),
     };
     let row = |node: &Node| match &node.tree {
         Tree::List(cells) => cells.iter().map(cell).collect::<Vec<_>>().join(","),
-        _ => String::new(),
+        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
+            String::new()
+        }
     };
     let places = rows
         .first()

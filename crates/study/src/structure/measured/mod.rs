@@ -141,7 +141,7 @@ fn channels<'a>(
 ) -> Option<Vec<(Channel, Column<'a>)>> {
     let members = match &node.tree {
         Tree::Object(members) => members.iter().filter(|member| member.key != "//"),
-        _ => {
+        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
             faults.must_be(node, path, "an object with a column for each channel");
             return None;
         }

@@ -32,7 +32,12 @@ pub(super) fn sample(
     }
     let files = match &node.tree {
         Tree::List(files) if files.len() >= FEWEST_TESTS => files,
-        _ => {
+        Tree::Object(_)
+        | Tree::List(_)
+        | Tree::Text(_)
+        | Tree::Number(_)
+        | Tree::Bool(_)
+        | Tree::Null => {
             let wanted = format!(
                 "a list of at least {FEWEST_TESTS} files, or {{\"files\": ...}} with as many"
             );

@@ -57,7 +57,7 @@ fn decoded<'a>(
         Tree::Object(members) => members
             .iter()
             .any(|member| keys.contains(&member.key.to_lowercase().as_str())),
-        _ => false,
+        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
     };
     if !by_directions {
         return (

@@ -86,7 +86,11 @@ fn choosers(function: &Scaled) -> Vec<usize> {
             amount::Source::Expression(expression) => expression.formula.uses().to_vec(),
             amount::Source::Number(_) => Vec::new(),
         },
-        _ => Vec::new(),
+        loads::Kind::Sine { .. }
+        | loads::Kind::Table { .. }
+        | loads::Kind::Record { .. }
+        | loads::Kind::Ricker { .. }
+        | loads::Kind::Cosine { .. } => Vec::new(),
     }
 }
 
@@ -109,7 +113,7 @@ fn rows(parameters: &Node, zip: &[&str], reader: &Reader) -> Result<Vec<Member>,
         let one = std::slice::from_ref(node);
         let items = match &node.tree {
             Tree::List(items) => items,
-            _ => one,
+            Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => one,
         };
         let values = items.iter().map(|item| value(item, row, reader));
         let values = values.collect::<Option<Vec<Value>>>();

@@ -101,7 +101,12 @@ fn between(
             let items = items.map(|(i, item)| amount(item, &format!("{path}[{i}]"), faults));
             items.flatten().collect()
         }
-        _ => amount(node, &path, faults).into_iter().collect(),
+        Tree::Object(_)
+        | Tree::List(_)
+        | Tree::Text(_)
+        | Tree::Number(_)
+        | Tree::Bool(_)
+        | Tree::Null => amount(node, &path, faults).into_iter().collect(),
     });
     if let (Some(node), None) = (object.get("period"), rule) {
         faults.add(node.at, &path, "needs a rule");

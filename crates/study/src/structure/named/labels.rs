@@ -52,7 +52,7 @@ fn is_text(node: &Node) -> bool {
     match &node.tree {
         Tree::Text(_) => true,
         Tree::List(items) => items.iter().all(|item| matches!(item.tree, Tree::Text(_))),
-        _ => false,
+        Tree::Object(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
     }
 }
 
@@ -134,6 +134,6 @@ pub(in crate::structure) fn report_texts_of_tables(
                 faults.add(node.at, path, message);
             }
         }
-        _ => {}
+        Tree::Object(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {}
     }
 }

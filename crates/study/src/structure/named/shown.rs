@@ -63,7 +63,12 @@ pub(in crate::structure) fn shown(
             };
             let texts = match &own.node.tree {
                 Tree::List(items) if (1..=of.most_texts()).contains(&items.len()) => items,
-                _ => {
+                Tree::Object(_)
+                | Tree::List(_)
+                | Tree::Text(_)
+                | Tree::Number(_)
+                | Tree::Bool(_)
+                | Tree::Null => {
                     faults.must_be(&own.node, &path, of.form());
                     continue;
                 }

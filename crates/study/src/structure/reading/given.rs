@@ -10,7 +10,7 @@ pub(in crate::structure) type Choices = &'static [(&'static str, &'static str)];
 pub(in crate::structure) fn members(node: &Node) -> &[Member] {
     match &node.tree {
         Tree::Object(members) => members,
-        _ => &[],
+        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => &[],
     }
 }
 
@@ -54,7 +54,7 @@ pub(in crate::structure) fn texts(node: &Node) -> Vec<&str> {
     match &node.tree {
         Tree::Text(text) => vec![text],
         Tree::List(items) => items.iter().flat_map(texts).collect(),
-        _ => Vec::new(),
+        Tree::Object(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => Vec::new(),
     }
 }
 
@@ -70,7 +70,7 @@ pub(in crate::structure) fn under<'a>(node: &'a Node, key: &str, found: &mut Vec
             }
         }
         Tree::List(items) => items.iter().for_each(|item| under(item, key, found)),
-        _ => {}
+        Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {}
     }
 }
 
@@ -81,7 +81,7 @@ pub(in crate::structure) fn has_key(node: &Node, keys: &[&str]) -> bool {
             .iter()
             .any(|member| keys.contains(&member.key.as_str()) || has_key(&member.node, keys)),
         Tree::List(items) => items.iter().any(|item| has_key(item, keys)),
-        _ => false,
+        Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
     }
 }
 

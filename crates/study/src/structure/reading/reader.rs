@@ -81,7 +81,9 @@ impl Reader<'_> {
                     return None;
                 }
             },
-            _ => Source::Number(number(node, path, range, faults)?),
+            Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
+                Source::Number(number(node, path, range, faults)?)
+            }
         };
         Some(Amount {
             source,

@@ -113,7 +113,7 @@ fn number_records(block: &mut Node, seed: &str, path: &str, faults: &mut Faults)
     }
     let count = match &record.tree {
         Tree::List(records) => records.len(),
-        _ => 0,
+        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => 0,
     };
     let start = member(parameters, START).map(|start| matches!(start.tree, Tree::List(_)));
     if let Some(seeds) = parameters.member(seed) {

@@ -15,7 +15,11 @@ const ROUND_OFF: f64 = 1e-13;
 fn round_off(choice: Method, w: f64) -> f64 {
     match choice {
         Method::Family(own) if own.alpha_f > 0.0 => ROUND_OFF * (1.0 + w * w),
-        _ => ROUND_OFF,
+        Method::AverageAcceleration(_)
+        | Method::Family(_)
+        | Method::Bathe(_)
+        | Method::MoreauJean(_)
+        | Method::ContactStabilized(_) => ROUND_OFF,
     }
 }
 

@@ -49,7 +49,11 @@ impl Component {
                     let all = spectrum(table, &[period], ratio)?;
                     Some(all.first()?.pseudo_acceleration())
                 }
-                _ => None,
+                Measure::PeakVelocity
+                | Measure::PeakDisplacement
+                | Measure::Arias
+                | Measure::Duration
+                | Measure::MeanPeriod => None,
             };
             Some([one(pair[0])?, one(pair[1])?])
         };
@@ -81,7 +85,11 @@ fn turned(pair: [&Table; 2], measure: Measure) -> Option<Vec<f64>> {
             let rest = pair.map(|table| table.values().last().copied().unwrap_or_default());
             turned_responses(&pieces, rest, [period, ratio])
         }
-        _ => None,
+        Measure::PeakVelocity
+        | Measure::PeakDisplacement
+        | Measure::Arias
+        | Measure::Duration
+        | Measure::MeanPeriod => None,
     }
 }
 

@@ -119,7 +119,9 @@ impl Shape {
         match *self {
             Shape::Line { low, high, .. } => [low, high],
             Shape::Tanh { limit, .. } | Shape::Dahl { limit, .. } => [-limit, limit],
-            _ => [f64::NEG_INFINITY, 0.0],
+            Shape::Power { .. } | Shape::Quarter { .. } | Shape::Viscous { .. } => {
+                [f64::NEG_INFINITY, 0.0]
+            }
         }
     }
 

@@ -104,7 +104,7 @@ impl<'a> Columns<'a> {
                 is_bar(upper) && self.of[lower] == column && !is_bar(lower)
                     || is_bar(lower) && self.of[upper] == column && !is_bar(upper)
             }
-            _ => false,
+            Join::Beside(_) | Join::Above(..) | Join::Over(..) => false,
         };
         (0..self.scheme.links.len()).filter(of_it).collect()
     }
@@ -135,7 +135,7 @@ impl<'a> Columns<'a> {
                     Join::Beside([Some(a), Some(b)]) => {
                         self.of[b] == column && self.of[a] != column && rest.contains(&self.of[a])
                     }
-                    _ => false,
+                    Join::Beside(_) | Join::Above(..) | Join::Over(..) => false,
                 })
             };
             // In a circle, the first one.

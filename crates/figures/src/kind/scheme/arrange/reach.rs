@@ -13,7 +13,7 @@ const ARROW: f64 = 26.0;
 pub fn reach(scheme: &Scheme, relations: &Relations, part: usize, side: usize) -> f64 {
     let at_face = |join: &Join| match *join {
         Join::Beside(parts) => parts[1 - side] == Some(part) && parts[side].is_none(),
-        _ => false,
+        Join::Above(..) | Join::Over(..) => false,
     };
     let links = scheme.links.iter().zip(&relations.joins);
     let wall = interval(

@@ -138,7 +138,7 @@ impl Sizes {
             for side in [0, 1] {
                 let at_face = |join: &Join| match *join {
                     Join::Beside(parts) => parts[1 - side] == Some(part),
-                    _ => false,
+                    Join::Above(..) | Join::Over(..) => false,
                 };
                 let links = scheme.links.iter().zip(&relations.joins);
                 let lanes = links
@@ -163,7 +163,7 @@ impl Sizes {
                     Join::Above(Some(lower), upper) => {
                         lower == bar && scheme.parts[upper].elements.is_none()
                     }
-                    _ => false,
+                    Join::Beside(_) | Join::Above(..) | Join::Over(..) => false,
                 };
                 if !of {
                     continue;
@@ -215,7 +215,7 @@ impl Sizes {
             Join::Above(lower, upper) => {
                 upper == mass && lower.is_none_or(|lower| scheme.parts[lower].elements.is_none())
             }
-            _ => false,
+            Join::Beside(_) | Join::Over(..) => false,
         };
         let own: Vec<usize> = (0..scheme.links.len()).filter(is_own).collect();
         let longest = longest(&scheme.parts[mass]);

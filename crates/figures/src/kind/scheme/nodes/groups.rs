@@ -67,7 +67,7 @@ const MOST_GROUPS: usize = 100;
 fn ends(model: &Model, link: &Link) -> Option<[usize; 2]> {
     let node = |end: End| match end {
         End::Part(_, Place::Dof(dof)) => Some(model.interface[dof].node),
-        _ => None,
+        End::Ground | End::Part(..) => None,
     };
     Some([node(link.between[0])?, node(link.between[1])?])
 }

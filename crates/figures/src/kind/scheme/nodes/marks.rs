@@ -97,7 +97,7 @@ impl Marks<'_> {
     fn node(&self, end: End) -> Option<Point> {
         match end {
             End::Part(_, Place::Dof(dof)) => Some(self.places[self.model.interface[dof].node]),
-            _ => None,
+            End::Ground | End::Part(..) => None,
         }
     }
 

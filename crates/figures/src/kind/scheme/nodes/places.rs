@@ -95,7 +95,7 @@ impl Placed {
         });
         let dof = |end: End| match end {
             End::Part(_, Place::Dof(dof)) => Some(dof),
-            _ => None,
+            End::Ground | End::Part(..) => None,
         };
         Some(Placed {
             outer: Scheme {

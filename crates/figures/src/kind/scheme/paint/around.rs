@@ -41,7 +41,7 @@ impl Painter<'_> {
     fn lower_and_upper(&self, l: usize) -> Option<(Option<usize>, usize)> {
         match self.relations.joins[l] {
             Join::Above(lower, upper) => Some((lower, upper)),
-            _ => None,
+            Join::Beside(_) | Join::Over(..) => None,
         }
     }
 

@@ -80,7 +80,7 @@ impl Painter<'_> {
         let joins = self.relations.joins.iter().enumerate();
         joins.filter_map(move |(l, join)| match *join {
             Join::Beside(parts) => (parts[1 - side] == Some(part)).then_some(l),
-            _ => None,
+            Join::Above(..) | Join::Over(..) => None,
         })
     }
 }

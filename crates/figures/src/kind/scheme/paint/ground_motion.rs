@@ -76,7 +76,7 @@ mod tests {
         let height = draw(&mut picture, [200.0, 100.0], directions, [0, 2]);
         let arrows = picture.shapes.iter().map(|shape| match shape {
             Shape::DoubleArrow(ends) => *ends,
-            other => panic!("{other:?}"),
+            other @ (Shape::Line(..) | Shape::Box(..) | Shape::Arrow(_)) => panic!("{other:?}"),
         });
         let arrows: Vec<_> = arrows.collect();
         for [_, y] in arrows.iter().flatten() {

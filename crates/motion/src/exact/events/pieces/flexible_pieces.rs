@@ -89,7 +89,11 @@ impl Series {
         let mut r: Vec<f64> = self.contacts.iter().map(|contact| contact.r[k]).collect();
         let origin = |i: usize| match states[i].law(&model.contacts[i].law) {
             Force::Spring { origin, .. } => origin,
-            _ => 0.0,
+            Force::None
+            | Force::Line { .. }
+            | Force::Dashpot { .. }
+            | Force::Limit(_)
+            | Force::Constraint => 0.0,
         };
         series.solve(k, of, origin, &mut force, &mut r);
         for ((contact, force), r) in self.contacts.iter_mut().zip(force).zip(r) {

@@ -166,7 +166,7 @@ impl SoftenedPhases<'_> {
         };
         match state.phase {
             Phase::Sliding(direction) if direction * force >= limit - tolerance => {}
-            _ => state.phase = closed,
+            Phase::Open | Phase::Closed | Phase::Sliding(_) => state.phase = closed,
         }
     }
 }

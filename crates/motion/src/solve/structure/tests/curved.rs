@@ -172,10 +172,8 @@ fn two_masses_collide_as_the_closed_forms_of_each_law_say() {
             )
         });
         // A jump of the force, and its steep rise, are met within a step: first order. The other laws have the second.
-        let most = match law {
-            ContactLaw::KelvinVoigt(_) | ContactLaw::Jankowski(_) => 0.05,
-            _ => 1e-3,
-        };
+        let jumps = matches!(law, ContactLaw::KelvinVoigt(_) | ContactLaw::Jankowski(_));
+        let most = if jumps { 0.05 } else { 1e-3 };
         assert!(
             errors[0] < most && errors[2] < 0.15 * errors[0],
             "{law:?} {errors:?}"
@@ -253,22 +251,23 @@ fn various(which: usize, ground: &Arc<Signal>) -> Structure {
 /// S of the laws that r and rdot alone tell.
 fn force(law: &StructureLaw, [r, rdot]: [f64; 2]) -> Option<f64> {
     let d = (-r).max(0.0);
-    match law.as_given() {
-        ContactLaw::Hertz(law) => Some(-law.stiffness * d * d.sqrt()),
-        ContactLaw::Jankowski(law) => {
-            let dashpot = law.damping * d.sqrt().sqrt() * (-rdot).max(0.0);
-            Some(-(law.stiffness * d * d.sqrt() + dashpot))
-        }
-        ContactLaw::KelvinVoigt(law) if d > 0.0 => {
-            Some(-(law.stiffness * d - law.damping * rdot).max(0.0))
-        }
-        ContactLaw::Tanh(own) => {
-            let least = (1.0 - own.ratio) * libm::exp(-own.rate * rdot.abs());
-            let limit = law.limit()?.constant;
-            Some(limit * (1.0 - least) * libm::tanh(rdot / (own.compliance * limit)))
-        }
-        _ => None,
+    let given = law.as_given();
+    if let ContactLaw::Hertz(law) = given {
+        return Some(-law.stiffness * d * d.sqrt());
     }
+    if let ContactLaw::Jankowski(law) = given {
+        let dashpot = law.damping * d.sqrt().sqrt() * (-rdot).max(0.0);
+        return Some(-(law.stiffness * d * d.sqrt() + dashpot));
+    }
+    if let (ContactLaw::KelvinVoigt(law), true) = (given, d > 0.0) {
+        return Some(-(law.stiffness * d - law.damping * rdot).max(0.0));
+    }
+    let ContactLaw::Tanh(own) = given else {
+        return None;
+    };
+    let least = (1.0 - own.ratio) * libm::exp(-own.rate * rdot.abs());
+    let limit = law.limit()?.constant;
+    Some(limit * (1.0 - least) * libm::tanh(rdot / (own.compliance * limit)))
 }
 
 #[test]

@@ -135,7 +135,11 @@ impl Source {
                 let place = records.iter().position(|record| record.0 == name);
                 Ok(vec![place.unwrap_or(records.len()) as u64])
             }
-            _ => Ok(key(&self.numbers(case)?)),
+            Kind::Sine { .. }
+            | Kind::Table { .. }
+            | Kind::Ricker { .. }
+            | Kind::Cosine { .. }
+            | Kind::Synthetic { .. } => Ok(key(&self.numbers(case)?)),
         }
     }
 
@@ -166,7 +170,11 @@ impl Source {
     pub fn sampling_work(&self, points: usize) -> u64 {
         match self.kind {
             Kind::Synthetic { .. } => 1_500_000,
-            _ => 25 * points as u64,
+            Kind::Sine { .. }
+            | Kind::Table { .. }
+            | Kind::Record { .. }
+            | Kind::Ricker { .. }
+            | Kind::Cosine { .. } => 25 * points as u64,
         }
     }
 

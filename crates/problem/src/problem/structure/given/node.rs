@@ -99,7 +99,7 @@ impl RowsInCase {
                     Ok(place) => Ok(RowNumber::Free(place)),
                     Err(_) => Err("the reduction leaves this dof out".to_owned()),
                 },
-                other => Ok(other),
+                other @ (RowNumber::Support(_) | RowNumber::Fixed) => Ok(other),
             },
         }
     }

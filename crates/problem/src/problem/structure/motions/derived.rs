@@ -209,7 +209,7 @@ impl Sums<'_> {
             self.add_carried(&nodes, &scaled(&supports), quantity, terms);
             match quantity {
                 Quantity::Displacement => terms.u.extend(nodes),
-                _ => terms.v.extend(nodes),
+                Quantity::Velocity | Quantity::Acceleration => terms.v.extend(nodes),
             }
         }
     }

@@ -96,7 +96,10 @@ pub(super) fn record(
                 }),
                 // Its series stays empty.
                 Number::Energy(_) => None,
-                number => Some(exact_value(structure, times[i], state, *number)),
+                number @ (Number::Displacement(_)
+                | Number::Velocity(_)
+                | Number::Acceleration(_)
+                | Number::Contact(..)) => Some(exact_value(structure, times[i], state, *number)),
             };
             series.extend(value);
         }

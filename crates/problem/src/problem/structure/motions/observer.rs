@@ -42,7 +42,11 @@ impl<'a, const L: usize> Observer<'a, L> {
         let wanted: Vec<(usize, Derived)> = wanted.collect();
         let energies = places().filter_map(|(place, number)| match number {
             Number::Energy(energy) => Some((place, *energy)),
-            _ => None,
+            Number::Displacement(_)
+            | Number::Velocity(_)
+            | Number::Acceleration(_)
+            | Number::Contact(..)
+            | Number::Derived(_) => None,
         });
         let energies: Vec<(usize, Energy)> = energies.collect();
         if wanted.is_empty() && energies.is_empty() {

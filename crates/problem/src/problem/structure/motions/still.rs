@@ -50,7 +50,10 @@ impl Still {
             }
             Number::Velocity(_) | Number::Contact(_, Velocity | Speed) => velocity,
             Number::Derived(Derived::Acceleration(_)) => self.acceleration,
-            _ => 0.0,
+            Number::Acceleration(_)
+            | Number::Contact(..)
+            | Number::Derived(_)
+            | Number::Energy(_) => 0.0,
         }
     }
 

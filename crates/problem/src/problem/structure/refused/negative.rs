@@ -39,7 +39,7 @@ fn cause(template: &Template, case: &Case) -> Option<Violation> {
         SpringNumbers::Stiffness { k, .. } if k.value(case).is_ok_and(|k| k < 0.0) => {
             Some(k.violation(""))
         }
-        _ => None,
+        SpringNumbers::Stiffness { .. } | SpringNumbers::Period { .. } => None,
     });
     let of_matrices = || {
         let mut matrices = template.matrices.iter();

@@ -108,7 +108,12 @@ pub fn massless(term: Term, template: &Template, case: &Case) -> Option<String> 
     };
     let reduced = |node| match node {
         NodeRef::Dof(matrices, _) => template.matrices[matrices].reduce.is_some(),
-        _ => false,
+        NodeRef::Ground
+        | NodeRef::Mass(_)
+        | NodeRef::Left(_)
+        | NodeRef::Right(_)
+        | NodeRef::Inner(..)
+        | NodeRef::Support(_) => false,
     };
     // Reduced matrices have a mass at every dof that is kept.
     (!reduced(node) && template.is_massless(node, case))

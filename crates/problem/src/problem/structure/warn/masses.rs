@@ -34,7 +34,7 @@ impl<'a> Masses<'a> {
             match term.node.node {
                 NodeRef::Ground | NodeRef::Support(_) => continue,
                 NodeRef::Dof(..) => return None,
-                _ => {}
+                NodeRef::Mass(_) | NodeRef::Left(_) | NodeRef::Right(_) | NodeRef::Inner(..) => {}
             }
             let node = self.numbering.of(&term.node).ok()??;
             let factor = term.factor.value(case).ok()?;

@@ -67,6 +67,27 @@ fn taken(takes: Takes) -> Json {
         | Takes::Parameters => several(json!({ "type": "string" })),
         Takes::Number => any(),
         Takes::InUnits => json!({ "const": false }),
-        _ => of_any_problem(takes),
+        Takes::FileName
+        | Takes::Kind
+        | Takes::Text
+        | Takes::Parameter
+        | Takes::NumericParameter
+        | Takes::Quantity
+        | Takes::Column
+        | Takes::Profile
+        | Takes::Metric
+        | Takes::Times
+        | Takes::Width
+        | Takes::Range
+        | Takes::Scale
+        | Takes::ScaleOrLog
+        | Takes::Ridge
+        | Takes::Fit
+        | Takes::Switch
+        | Takes::Ordinates
+        | Takes::Ratios
+        | Takes::Periods
+        | Takes::Probabilities
+        | Takes::Hazard => of_any_problem(takes),
     }
 }

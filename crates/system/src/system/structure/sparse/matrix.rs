@@ -156,7 +156,7 @@ impl Symmetric {
     pub(crate) fn pack(&self) -> Symmetric {
         match self.entries {
             Entries::Rows(_) => self.packed(|_| true),
-            _ => self.clone(),
+            Entries::None | Entries::Packed(_) => self.clone(),
         }
     }
 

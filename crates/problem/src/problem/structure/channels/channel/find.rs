@@ -24,13 +24,15 @@ pub(super) fn in_plane(word: &str, names: &Names) -> Option<Result<Vec<(f64, Ter
     let of = |first: usize, quantity: &str| of_contact(first, quantity);
     let (rest, last) = word.rsplit_once('.')?;
     if let (Some(first), false) = (names.plane(rest), ["1", "2"].contains(&last)) {
-        return Some(of(first, last).and_then(|term| match term {
-            Term::Contact(contact, quantity) => alone(Term::Contact(contact, quantity.in_plane())),
-            Term::Energy(Energy::Contact(contact)) => {
-                let energy = |contact| (1.0, Term::Energy(Energy::Contact(contact)));
-                Ok(vec![energy(contact), energy(contact + 1)])
+        return Some(of(first, last).and_then(|term| {
+            if let Term::Contact(contact, quantity) = term {
+                return alone(Term::Contact(contact, quantity.in_plane()));
             }
-            other => alone(other),
+            let Term::Energy(Energy::Contact(contact)) = term else {
+                return alone(term);
+            };
+            let energy = |contact| (1.0, Term::Energy(Energy::Contact(contact)));
+            Ok(vec![energy(contact), energy(contact + 1)])
         }));
     }
     let direction = ["1", "2"].iter().position(|own| *own == last)?;

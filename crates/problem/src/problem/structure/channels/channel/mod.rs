@@ -68,7 +68,11 @@ impl Quantity {
             Quantity::Velocity => Quantity::Speed,
             Quantity::Force => Quantity::Size,
             Quantity::Slip => Quantity::SlipDistance,
-            other => other,
+            other @ (Quantity::Limit
+            | Quantity::Distance
+            | Quantity::Speed
+            | Quantity::Size
+            | Quantity::SlipDistance) => other,
         }
     }
 }

@@ -77,7 +77,11 @@ impl Number {
                 let own = quantity.of_direction()?;
                 Some([0, 1].map(|direction| Number::Contact(contact + direction, own)))
             }
-            _ => None,
+            Number::Displacement(_)
+            | Number::Velocity(_)
+            | Number::Acceleration(_)
+            | Number::Derived(_)
+            | Number::Energy(_) => None,
         }
     }
 
@@ -85,7 +89,11 @@ impl Number {
     pub fn derived(&self) -> Option<Derived> {
         match self {
             Number::Derived(derived) => Some(*derived),
-            _ => None,
+            Number::Displacement(_)
+            | Number::Velocity(_)
+            | Number::Acceleration(_)
+            | Number::Contact(..)
+            | Number::Energy(_) => None,
         }
     }
 }

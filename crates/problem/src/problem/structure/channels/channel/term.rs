@@ -79,7 +79,13 @@ impl Term {
             | Term::Velocity(node)
             | Term::Acceleration(node)
             | Term::Absolute(node) => Some(node),
-            _ => None,
+            Term::Contact(..)
+            | Term::Spring(_)
+            | Term::Element(..)
+            | Term::Ground(..)
+            | Term::Base(_)
+            | Term::Reaction(_)
+            | Term::Energy(_) => None,
         }
     }
 

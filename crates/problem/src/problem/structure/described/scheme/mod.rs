@@ -47,7 +47,7 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
         let name = match &load.at {
             Moved::Node(name) => name,
             Moved::Tied(terms) if !terms.is_empty() => &terms[0].1,
-            _ => continue,
+            Moved::Bar(_) | Moved::Rows(..) | Moved::Tied(_) => continue,
         };
         let loaded = draft.end(name.node);
         if !loads.contains(&loaded) {
@@ -156,7 +156,12 @@ impl<'a> Draft<'a> {
         let nodes = sides.map(|point| point.map_or(NodeRef::Ground, |point| point.node));
         let support = |node| match node {
             NodeRef::Support(support) => self.template.supports.get(support),
-            _ => None,
+            NodeRef::Ground
+            | NodeRef::Mass(_)
+            | NodeRef::Left(_)
+            | NodeRef::Right(_)
+            | NodeRef::Inner(..)
+            | NodeRef::Dof(..) => None,
         };
         Some(Link {
             kind,

@@ -144,7 +144,9 @@ impl Draft<'_> {
                 let nodes = nodes.filter_map(|(factor, name)| Some((self.node(name)?, *factor)));
                 nodes.filter(|own| own.0 < nodes_in_case).collect()
             }
-            _ => self.moved(of).into_iter().map(|node| (node, 1.0)).collect(),
+            Moved::Node(_) | Moved::Bar(_) => {
+                self.moved(of).into_iter().map(|node| (node, 1.0)).collect()
+            }
         }
     }
 

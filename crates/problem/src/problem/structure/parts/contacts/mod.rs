@@ -91,16 +91,17 @@ pub fn relation(
     };
     let form = (law.offer.form)(&given).map_err(|fault| {
         let of_parts = matches!(contact.normal, Some(Normal::Parts(_)));
-        match fault {
-            LawFault::NoLimit { instead, .. } if of_parts => violation(
-                contact,
-                format!(
-                    "the force of {} presses it, and how much it does at rest follows from the equilibrium, which needs {instead}; give {instead} instead",
-                    pressing_names(contact)
-                ),
-            ),
-            fault => violation(contact, fault.to_string()),
+        let LawFault::NoLimit { instead, .. } = fault else {
+            return violation(contact, fault.to_string());
+        };
+        if !of_parts {
+            return violation(contact, fault.to_string());
         }
+        let presses = pressing_names(contact);
+        let message = format!(
+            "the force of {presses} presses it, and how much it does at rest follows from the equilibrium, which needs {instead}; give {instead} instead"
+        );
+        violation(contact, message)
     })?;
     Ok(StructureLaw::new(form, limit))
 }

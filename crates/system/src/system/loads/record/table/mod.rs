@@ -71,10 +71,10 @@ pub(super) fn parse(lines: &[&str], reading: &Reading) -> Result<Record, LineFau
         }
         let at = |cause| fault(from + index, cause);
         let (t, a) = row(line, reading).map_err(|cause| {
-            at(match cause {
-                RecordCause::Row(count, even) => layout::fault(&rows, count, even),
-                cause => cause,
-            })
+            let RecordCause::Row(count, even) = cause else {
+                return at(cause);
+            };
+            at(layout::fault(&rows, count, even))
         })?;
         if let (Some(_), Some(_), width) = (reading.dt, reading.column, cells(line).len())
             && width != count
