@@ -7,10 +7,9 @@
 //!
 //! A structure answers the forces of its contacts, a contact is one scalar law, a method is a small recursion, and a step is one small
 //! convex problem for the contact forces. [`run`] steps a [`Structure`] with a [`Method`]; [`exact`] gives the motion that the steps
-//! approach. The names of this page stay; the crates below it (`slipgap-contact`, `slipgap-system`, `slipgap-motion`,
-//! `slipgap-problem`) may change theirs.
+//! approach. The names of this page stay; the crates below it (`slipgap-contact`, `slipgap-system`, `slipgap-motion`) may change theirs.
 //!
-//! Everything that determines a result is in those four crates and in `slipgap-notation`, except the reader of structures: [`VERSION_KEYS`] has a hash of each.
+//! Everything that determines a motion is in those three crates and in `slipgap-notation`: [`VERSION_KEYS`] has a hash of each.
 
 mod contacts;
 pub mod laws;
@@ -25,17 +24,16 @@ pub use motions::*;
 pub use own::*;
 pub use structures::*;
 
-/// Hashes of the code of all crates that determine a result. A change of it makes stored results outdated; a change of comments,
+/// Hashes of the code of all crates that determine a motion. A change of it makes stored results outdated; a change of comments,
 /// documentation or tests does not change it.
 ///
 /// ```
 /// let keys = slipgap_solver::VERSION_KEYS;
 /// assert!(keys.iter().all(|key| !key.is_empty()));
 /// ```
-pub const VERSION_KEYS: [&str; 5] = [
+pub const VERSION_KEYS: [&str; 4] = [
     slipgap_notation::CODE_KEY,
     slipgap_contact::CODE_KEY,
     slipgap_system::CODE_KEY,
     slipgap_motion::CODE_KEY,
-    slipgap_problem::CODE_KEY,
 ];

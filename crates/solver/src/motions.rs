@@ -63,6 +63,7 @@ pub use slipgap_motion::exact::events::Phase;
 /// # Ok::<(), slipgap_solver::Unsolvable>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Solution {
     /// The times t_i.
     pub time: Vec<f64>,

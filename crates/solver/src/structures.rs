@@ -21,6 +21,32 @@
 #[doc(inline)]
 pub use slipgap_system::system::structure::Structure;
 
+/// Masses, springs and contacts by their names: the way from a mass to a case with two contacts.
+///
+/// A mass of 1 on a spring of 4 swings with the frequency 2:
+///
+/// ```
+/// use slipgap_solver::{Structure, exact};
+///
+/// let mass = Structure::builder().mass("mass", 1.0).spring(["ground", "mass"], 4.0);
+/// let motion = exact(&mass.start("mass", [1.0, 0.0]).build()?, &[std::f64::consts::FRAC_PI_2])?;
+/// assert!((motion.displacement[0][0] + 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[doc(inline)]
+pub use slipgap_system::system::structure::StructureBuilder;
+
+/// Why a structure cannot be built.
+///
+/// ```
+/// use slipgap_solver::{BuildFault, Structure};
+///
+/// let fault = Structure::builder().mass("a", 1.0).spring(["a", "b"], 4.0).build().err();
+/// assert_eq!(fault, Some(BuildFault::Unknown("b".into())));
+/// ```
+#[doc(inline)]
+pub use slipgap_system::system::structure::BuildFault;
+
 /// `mass` in force over acceleration, or a moment of inertia for a rotation; 0 for a node that follows its springs and contacts.
 ///
 /// ```

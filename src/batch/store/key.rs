@@ -14,7 +14,10 @@ const ENCODING_VERSION: u32 = 2;
 
 /// Hashes of the code that determines results. A change there makes stores outdated, also without a new version. The numbers of a
 /// structure are not in a key, so that their reader counts.
-const CODE: [&[&str]; 2] = [&slipgap_solver::VERSION_KEYS, &[slipgap_study::READER_KEY]];
+const CODE: [&[&str]; 2] = [
+    &slipgap_solver::VERSION_KEYS,
+    &[slipgap_problem::CODE_KEY, slipgap_study::READER_KEY],
+];
 
 /// Everything that determines the results of a part. It has several fields so that a message can name the difference.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -100,26 +100,19 @@ fn structure(json: &Json) -> Structure {
             .collect(),
         signal: signal(&json["signal"]),
     };
-    Structure {
-        coupled_mass: Symmetric::zeros(masses.len()),
-        nodes: masses
-            .into_iter()
-            .map(|mass| Node {
-                name: String::new(),
-                mass,
-                direction: Default::default(),
-            })
-            .collect(),
-        stiffness,
-        damping,
-        contacts: list(&json["contacts"]).iter().map(contact).collect(),
-        loads: list(&json["loads"]).iter().map(load).collect(),
-        displacement: numbers(&json["displacement"]),
-        velocity: numbers(&json["velocity"]),
-        supports: Vec::new(),
-        preload: Default::default(),
-        observed: None,
-    }
+    let named = |mass: f64| Node {
+        name: String::new(),
+        mass,
+        direction: Default::default(),
+    };
+    let mut structure = Structure::new(masses.into_iter().map(named).collect());
+    structure.stiffness = stiffness;
+    structure.damping = damping;
+    structure.contacts = list(&json["contacts"]).iter().map(contact).collect();
+    structure.loads = list(&json["loads"]).iter().map(load).collect();
+    structure.displacement = numbers(&json["displacement"]);
+    structure.velocity = numbers(&json["velocity"]);
+    structure
 }
 
 const CHANNELS: [&str; 5] = ["u", "v", "r", "rdot", "S"];

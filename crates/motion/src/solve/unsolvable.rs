@@ -5,6 +5,7 @@ use std::fmt;
 
 /// Why a case has no solution.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Unsolvable {
     /// A parameter that the problem needs has no value.
     ParameterMissing,

@@ -8,7 +8,7 @@ use crate::metrics::convergence::{Halved, Referred, difference, reference_errors
 use crate::metrics::structure::peak;
 use crate::solve::{self, ContactTrack};
 use crate::system::System;
-use crate::system::structure::{Contact, Limit, Node, Preload, Structure, StructureLaw, Symmetric};
+use crate::system::structure::{Contact, Limit, Node, Structure, StructureLaw, Symmetric};
 use std::ops::Range;
 
 /// The friction limit of a textbook problem, its unit of force.
@@ -47,31 +47,20 @@ pub fn structure(system: &System) -> Option<Structure> {
         direction: Default::default(),
     };
     let has_mass = linear.contact_compliance() == 0.0;
-    has_mass.then(|| Structure {
-        nodes: modes
-            .iter()
-            .map(|own| own.mode.phi2)
-            .enumerate()
-            .map(node)
-            .collect(),
-        coupled_mass: Symmetric::zeros(count),
-        stiffness,
-        damping: Symmetric::zeros(count),
-        contacts: vec![Contact {
+    has_mass.then(|| {
+        let phi2 = modes.iter().map(|own| own.mode.phi2);
+        let mut structure = Structure::new(phi2.enumerate().map(node).collect());
+        structure.stiffness = stiffness;
+        structure.contacts.push(Contact {
             name: "contact".into(),
             along: (0..count).map(|j| (j, 1.0)).collect(),
             gap: system.gap,
             law: StructureLaw::new(system.law, Limit::constant(LIMIT)),
-        }],
-        loads: Vec::new(),
-        displacement: modes.iter().map(|own| own.displacement).collect(),
-        velocity: modes.iter().map(|own| own.velocity).collect(),
-        supports: Vec::new(),
-        observed: None,
-        preload: Preload {
-            forces: vec![Some(system.force)],
-            ..Preload::default()
-        },
+        });
+        structure.displacement = modes.iter().map(|own| own.displacement).collect();
+        structure.velocity = modes.iter().map(|own| own.velocity).collect();
+        structure.preload.forces = vec![Some(system.force)];
+        structure
     })
 }
 

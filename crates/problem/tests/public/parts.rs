@@ -552,22 +552,15 @@ fn masses(first: &StructureLaw, second: &StructureLaw) -> Structure {
         gap,
         law: law.clone(),
     };
-    Structure {
-        nodes: vec![node("one", 1.0), node("two", 0.7)],
-        coupled_mass: Symmetric::zeros(2),
-        stiffness,
-        damping: Symmetric::zeros(2),
-        contacts: vec![
-            contact("first", &[(0, 1.0)], 0.1, first),
-            contact("second", &[(0, -1.0), (1, 1.0)], 0.2, second),
-        ],
-        loads: Vec::new(),
-        displacement: vec![0.5, 0.0],
-        velocity: vec![6.0, -3.0],
-        supports: Vec::new(),
-        preload: Default::default(),
-        observed: None,
-    }
+    let mut structure = Structure::new(vec![node("one", 1.0), node("two", 0.7)]);
+    structure.stiffness = stiffness;
+    structure.contacts = vec![
+        contact("first", &[(0, 1.0)], 0.1, first),
+        contact("second", &[(0, -1.0), (1, 1.0)], 0.2, second),
+    ];
+    structure.displacement = vec![0.5, 0.0];
+    structure.velocity = vec![6.0, -3.0];
+    structure
 }
 
 /// r and S of both contacts at the steps, and the energy error.

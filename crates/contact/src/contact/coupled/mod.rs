@@ -34,6 +34,7 @@ const PROXIMAL_STEPS: usize = 4;
 
 /// Why a step has no forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Unsolved {
     /// Contacts without a stiffness or damping depend on each other, so that their forces are not unique.
     Singular,

@@ -4,6 +4,7 @@ use std::fmt;
 
 /// Why the numbers of a contact make no law. Displayed as a rule that they break.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum LawFault {
     /// A law or a number, and what it needs besides.
     Needs(&'static str, &'static str),

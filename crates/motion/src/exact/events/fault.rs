@@ -4,6 +4,7 @@ use std::fmt;
 
 /// Why there is no exact motion.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum EventsFault {
     /// The motion has too many events.
     TooManyEvents {

@@ -60,6 +60,7 @@ pub struct Event {
 
 /// What happens at an event.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum EventKind {
     /// The contact changes to this phase.
     Phase(Phase),

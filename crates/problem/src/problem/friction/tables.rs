@@ -216,8 +216,14 @@ static QUANTITIES: [Quantity; 5] = [
 static BUDGETS: [Budget; 1] = [Budget {
     name: Borrowed("X"),
     title: Borrowed("rms error of *X* over |*X*_0_|"),
-    total: 0,
-    parts: Borrowed(&[(Borrowed("regularisation"), 9), (Borrowed("step"), 10)]),
+    total: metric_of(&METRICS, "rms_error"),
+    parts: Borrowed(&[
+        (
+            Borrowed("regularisation"),
+            metric_of(&METRICS, "regularisation_error"),
+        ),
+        (Borrowed("step"), metric_of(&METRICS, "step_error")),
+    ]),
 }];
 
 pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {

@@ -5,9 +5,7 @@ use slipgap_contact::contact::{
     ClippedLine, ContactLaw, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Ye,
 };
 use slipgap_problem::problem::structure::model::contact_duration;
-use slipgap_system::system::structure::{
-    Contact, Node, Structure, StructureLaw, Symmetric, between,
-};
+use slipgap_system::system::structure::{Contact, Node, Structure, StructureLaw, between};
 
 const MASSES: [f64; 2] = [2.0, 3.0];
 
@@ -33,19 +31,7 @@ fn ratio(law: StructureLaw, keys: &str) -> f64 {
         gap: 0.0,
         law,
     };
-    let structure = Structure {
-        nodes: MASSES.map(node).to_vec(),
-        coupled_mass: Symmetric::zeros(2),
-        stiffness: Symmetric::zeros(2),
-        damping: Symmetric::zeros(2),
-        contacts: Vec::new(),
-        loads: Vec::new(),
-        displacement: vec![0.0; 2],
-        velocity: vec![0.0; 2],
-        supports: Vec::new(),
-        preload: Default::default(),
-        observed: None,
-    };
+    let structure = Structure::new(MASSES.map(node).to_vec());
     let time = contact_duration::time(&structure, &contact, metrics[1].map(|r| -r));
     time.unwrap() / metrics[0].unwrap()
 }

@@ -3,6 +3,7 @@
 //! Small motions, masses lumped or consistent. A node is a degree of freedom. B has one column for each contact: the factors of u
 //! in r. Between two nodes they are -1 at node I and +1 at node J, so that S resists the opening of the contact: S <= 0 in an impact.
 
+mod builder;
 mod chains;
 mod direction;
 mod held;
@@ -21,6 +22,7 @@ pub use crate::system::structure::signals::motion::{Motion, Quantity};
 pub use crate::system::structure::signals::motion_pieces::MotionFault;
 pub use crate::system::structure::signals::signal::{Signal, Table};
 pub use crate::system::structure::sparse::matrix::Symmetric;
+pub use builder::{BuildFault, StructureBuilder};
 pub use chains::{Chain, InnerNode, Member};
 pub use direction::Direction;
 pub use inertia::Inertia;
@@ -34,6 +36,7 @@ use std::sync::Arc;
 
 /// A structure with its contacts, loads and state at t = 0.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Structure {
     /// Name and mass of each node.
     pub nodes: Vec<Node>,

@@ -61,6 +61,7 @@ pub struct OwnAnswer {
 
 /// Why the answer of an [`OwnLaw`] is not taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum OwnFault {
     /// S or a number of the state is NaN or infinite.
     NotFinite,

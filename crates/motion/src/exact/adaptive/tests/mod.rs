@@ -8,7 +8,7 @@ use crate::contact::{
 use crate::exact::events;
 use crate::exact::regularised::Regularised;
 use crate::system::structure::{
-    Contact, Limit, Load, Node, Preload, Signal, StructureLaw, Symmetric, Table,
+    Contact, Limit, Load, Node, Signal, StructureLaw, Symmetric, Table,
 };
 
 mod bars;
@@ -18,30 +18,19 @@ mod structures;
 
 /// A mass of 1 on a spring of `k` with a contact to the ground.
 fn one(k: f64, law: StructureLaw, gap: f64) -> Structure {
-    let mut stiffness = Symmetric::zeros(1);
-    stiffness.add(0, 0, k);
-    Structure {
-        nodes: vec![Node {
-            name: "mass".into(),
-            mass: 1.0,
-            direction: Default::default(),
-        }],
-        coupled_mass: Symmetric::zeros(1),
-        stiffness,
-        damping: Symmetric::zeros(1),
-        contacts: vec![Contact {
-            name: "floor".into(),
-            along: vec![(0, 1.0)],
-            gap,
-            law,
-        }],
-        loads: Vec::new(),
-        displacement: vec![0.0],
-        velocity: vec![0.0],
-        supports: Vec::new(),
-        observed: None,
-        preload: Preload::default(),
-    }
+    let mut structure = Structure::new(vec![Node {
+        name: "mass".into(),
+        mass: 1.0,
+        direction: Default::default(),
+    }]);
+    structure.stiffness.add(0, 0, k);
+    structure.contacts.push(Contact {
+        name: "floor".into(),
+        along: vec![(0, 1.0)],
+        gap,
+        law,
+    });
+    structure
 }
 
 /// u, v, S of the first node and contact at these times.

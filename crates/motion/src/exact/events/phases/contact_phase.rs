@@ -2,6 +2,7 @@
 
 /// The phase of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Phase {
     /// An impact contact with r > 0, or a friction contact without a normal force: no force.
     Open,

@@ -27,19 +27,7 @@ pub fn masses(masses: &[f64]) -> Structure {
         mass: *mass,
         direction: Default::default(),
     };
-    Structure {
-        nodes: masses.iter().enumerate().map(node).collect(),
-        coupled_mass: Symmetric::zeros(masses.len()),
-        stiffness: Symmetric::zeros(masses.len()),
-        damping: Symmetric::zeros(masses.len()),
-        contacts: Vec::new(),
-        loads: Vec::new(),
-        displacement: vec![0.0; masses.len()],
-        velocity: vec![0.0; masses.len()],
-        supports: Vec::new(),
-        preload: Default::default(),
-        observed: None,
-    }
+    Structure::new(masses.iter().enumerate().map(node).collect())
 }
 
 /// One mass of 1.

@@ -29,20 +29,7 @@ fn masses(masses: &[f64]) -> Structure {
         mass: *mass,
         direction: Default::default(),
     };
-    let n = masses.len();
-    Structure {
-        nodes: masses.iter().enumerate().map(node).collect(),
-        coupled_mass: Symmetric::zeros(n),
-        stiffness: Symmetric::zeros(n),
-        damping: Symmetric::zeros(n),
-        contacts: Vec::new(),
-        loads: Vec::new(),
-        displacement: vec![0.0; n],
-        velocity: vec![0.0; n],
-        supports: Vec::new(),
-        preload: Default::default(),
-        observed: None,
-    }
+    Structure::new(masses.iter().enumerate().map(node).collect())
 }
 
 fn contact(between: [Option<usize>; 2], gap: f64, law: StructureLaw) -> Contact {

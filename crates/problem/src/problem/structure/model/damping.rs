@@ -153,25 +153,12 @@ mod tests {
     #[test]
     fn every_mode_of_a_chain_has_the_ratio() {
         let masses = [2.0, 1.0, 3.0];
-        let mut structure = Structure {
-            nodes: masses
-                .map(|mass| Node {
-                    name: String::new(),
-                    mass,
-                    direction: Default::default(),
-                })
-                .to_vec(),
-            coupled_mass: Symmetric::zeros(3),
-            stiffness: Symmetric::zeros(3),
-            damping: Symmetric::zeros(3),
-            contacts: Vec::new(),
-            loads: Vec::new(),
-            displacement: vec![0.0; 3],
-            velocity: vec![0.0; 3],
-            supports: Vec::new(),
-            preload: Default::default(),
-            observed: None,
+        let node = |mass: f64| Node {
+            name: String::new(),
+            mass,
+            direction: Default::default(),
         };
+        let mut structure = Structure::new(masses.map(node).to_vec());
         structure.stiffness.add_spring([None, Some(0)], 100.0);
         structure.stiffness.add_spring([Some(0), Some(1)], 70.0);
         structure.stiffness.add_spring([Some(1), Some(2)], 30.0);

@@ -116,6 +116,7 @@ pub(crate) fn x_minus_sine(x: f64) -> f64 {
 
 /// Why a function is no motion of a support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum MotionFault {
     /// The baseline of a function without an end.
     NoEnd,

@@ -137,26 +137,21 @@ fn draft(
         Detail::Numbers => 0,
         Detail::WithoutSamples | Detail::Whole => nodes + template.supports.len(),
     };
+    let mut structure = Structure::new(Vec::with_capacity(size));
+    structure.coupled_mass = Symmetric::zeros(size);
+    structure.stiffness = Symmetric::zeros(size);
+    structure.damping = Symmetric::zeros(size);
+    // Overlaps are checked also where nothing is built.
+    structure.displacement = vec![0.0; nodes];
+    structure.velocity = vec![0.0; nodes];
+    structure.observed = (template.observed && detail != Detail::Numbers).then(Box::default);
     let mut draft = Draft {
         detail,
         template,
         case,
         numbering,
         reduced,
-        structure: Structure {
-            nodes: Vec::with_capacity(size),
-            coupled_mass: Symmetric::zeros(size),
-            stiffness: Symmetric::zeros(size),
-            damping: Symmetric::zeros(size),
-            contacts: Vec::new(),
-            loads: Vec::new(),
-            // Overlaps are checked also where nothing is built.
-            displacement: vec![0.0; nodes],
-            velocity: vec![0.0; nodes],
-            supports: Vec::new(),
-            preload: Default::default(),
-            observed: (template.observed && detail != Detail::Numbers).then(Box::default),
-        },
+        structure,
         violations,
     };
     draft.masses();

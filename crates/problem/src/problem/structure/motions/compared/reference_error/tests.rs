@@ -7,37 +7,26 @@ use crate::methods::AverageAcceleration;
 use crate::problem::structure::channels::names::Names;
 use crate::problem::structure::motions::exact_motion;
 use crate::solve::structure::settle;
-use crate::system::structure::{
-    Contact, Limit, Load, Node, Preload, Signal, StructureLaw, Symmetric, Table,
-};
+use crate::system::structure::{Contact, Limit, Load, Node, Signal, StructureLaw, Table};
 use std::sync::Arc;
 
 /// A mass of 1 on a spring of 100 with a contact to the ground, from this displacement and velocity.
 fn mass(law: StructureLaw, [u, v]: [f64; 2]) -> Structure {
-    let mut stiffness = Symmetric::zeros(1);
-    stiffness.add(0, 0, 100.0);
-    Structure {
-        nodes: vec![Node {
-            name: "m".into(),
-            mass: 1.0,
-            direction: Default::default(),
-        }],
-        coupled_mass: Symmetric::zeros(1),
-        stiffness,
-        damping: Symmetric::zeros(1),
-        contacts: vec![Contact {
-            name: "c".into(),
-            along: vec![(0, 1.0)],
-            gap: 0.0,
-            law,
-        }],
-        loads: Vec::new(),
-        displacement: vec![u],
-        velocity: vec![v],
-        supports: Vec::new(),
-        observed: None,
-        preload: Preload::default(),
-    }
+    let mut structure = Structure::new(vec![Node {
+        name: "m".into(),
+        mass: 1.0,
+        direction: Default::default(),
+    }]);
+    structure.stiffness.add(0, 0, 100.0);
+    structure.contacts.push(Contact {
+        name: "c".into(),
+        along: vec![(0, 1.0)],
+        gap: 0.0,
+        law,
+    });
+    structure.displacement = vec![u];
+    structure.velocity = vec![v];
+    structure
 }
 
 /// Adds a static load.
