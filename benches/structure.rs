@@ -65,28 +65,22 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
         )
     };
     let masses = nodes.iter().map(|node| node.mass).enumerate();
-    Structure {
-        loads: vec![Load {
-            pattern: masses.map(|(i, mass)| (i, -mass * scale)).collect(),
-            signal: ground.clone(),
-        }],
-        nodes,
-        coupled_mass: Symmetric::zeros(size),
-        stiffness: k,
-        damping: c,
-        contacts: vec![
-            impact(0),
-            impact(1),
-            bearing(pier(1), right(0)),
-            bearing(pier(2), right(1)),
-            bearing(None, right(2)),
-        ],
-        displacement: vec![0.0; size],
-        velocity: vec![0.0; size],
-        supports: Vec::new(),
-        preload: Default::default(),
-        observed: None,
-    }
+    let pattern = masses.map(|(i, mass)| (i, -mass * scale)).collect();
+    let mut structure = Structure::new(nodes);
+    structure.loads = vec![Load {
+        pattern,
+        signal: ground.clone(),
+    }];
+    structure.stiffness = k;
+    structure.damping = c;
+    structure.contacts = vec![
+        impact(0),
+        impact(1),
+        bearing(pier(1), right(0)),
+        bearing(pier(2), right(1)),
+        bearing(None, right(2)),
+    ];
+    structure
 }
 
 /// Sines of many frequencies, with values up to some 3 m/s2.

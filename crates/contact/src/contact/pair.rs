@@ -103,3 +103,27 @@ pub(super) fn root(of: impl Fn(Pair) -> Pair, start: Pair, width: f64) -> Pair {
     }
     x
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn principal_directions_are_eigenvectors() {
+        for matrix in [
+            [[3.0, 0.0], [0.0, 1.0]],
+            [[1.0, 0.0], [0.0, 3.0]],
+            [[2.0, 0.5], [0.5, 1.0]],
+            [[1.0, -0.7], [-0.7, 2.0]],
+        ] {
+            let (along, values) = principal(matrix);
+            let across = [-along[1], along[0]];
+            for (direction, value) in [along, across].into_iter().zip(values) {
+                let image = matrix.map(|row| dot(row, direction));
+                let rest = map(image, direction, |image, x| image - value * x);
+                assert!(length(rest) < 1e-14, "{matrix:?} {direction:?} {value}");
+            }
+            assert!(values[0] <= values[1]);
+        }
+    }
+}

@@ -155,6 +155,7 @@ mod tests {
         assert_eq!(why(&[1.0, 2.0], &[0.0], &[]), NoFit::NoLogarithm);
         assert_eq!(why(&[2.0, 2.0], &[], &[]), NoFit::Equal);
         assert_eq!(why(&[2.0, 2.0], &[1.0, 2.0], &[3.0]), NoFit::Equal);
+        assert_eq!(why(&[2.0, 2.0], &[], &[2.0]), NoFit::Equal);
     }
 
     /// Capacities reached, beyond and before; the function and the ends of the intervals.

@@ -287,6 +287,9 @@ mod tests {
         assert_eq!(cloud(&falling), NoFit::NotRisingEnough);
         let level = [[1.0, 3.0], [2.0, 1.0], [3.0, 3.1], [4.0, 1.2]];
         assert_eq!(cloud(&level), NoFit::NotRisingEnough);
+        // It rises, but a slope like this has a probability of 0.45 without any (t of 2 degrees of freedom, in closed form).
+        let scattered = [[1.0, 1.0], [2.0, 3.0], [3.0, 1.2], [4.0, 2.9]];
+        assert_eq!(cloud(&scattered), NoFit::NotRisingEnough);
         let beyond = [[1.0, f64::INFINITY]; 3];
         assert_eq!(cloud(&beyond), NoFit::Few(3));
         let falling = [[1.0, 3.0], [2.0, 0.5], [3.0, 0.2], [1.0, f64::INFINITY]];

@@ -292,4 +292,49 @@ mod tests {
             assert_eq!(component.of([&own, &own], spectral(-1.0)), None);
         }
     }
+
+    fn points(times: &[f64], values: &[f64]) -> Table {
+        table(times.iter().copied().zip(values.iter().copied()))
+    }
+
+    /// An acceleration of 1 at 0.3 degrees: its parts at the angles are cos 0.3, 0.7, 1.3, 1.7 .. 89.7 degrees, of which those of 44.7
+    /// and 45.3 degrees are in the middle.
+    #[test]
+    fn rotd50_is_the_mean_of_the_two_middle_peaks() {
+        let cos = |degrees: f64| libm::cos(degrees * PI / 180.0);
+        let own = |x: f64| points(&[0.0, 1.0], &[x, x]);
+        let pair = [own(cos(0.3)), own(cos(89.7))];
+        let found = both([&pair[0], &pair[1]])(Component::RotD50, Measure::PeakAcceleration);
+        near(found, 0.5 * (cos(44.7) + cos(45.3)), 1e-14);
+    }
+
+    /// A shorter component goes on with its last value: 3 and 4 act at once, at 53.13 degrees from x.
+    #[test]
+    fn a_component_keeps_its_last_value() {
+        let x = points(&[0.0, 1.0], &[3.0, 3.0]);
+        let y = points(&[0.0, 1.0, 2.0], &[0.0, 0.0, 4.0]);
+        for (pair, angle) in [([&x, &y], 53.0), ([&y, &x], 37.0)] {
+            let found = both(pair)(Component::RotD100, Measure::PeakAcceleration);
+            let [a, b] = if angle == 53.0 {
+                [3.0, 4.0]
+            } else {
+                [4.0, 3.0]
+            };
+            let from_angle = libm::atan2(b, a) - angle * PI / 180.0;
+            near(found, 5.0 * libm::cos(from_angle), 1e-14);
+        }
+    }
+
+    /// A sudden acceleration that stays overshoots by exp(-ratio pi/(1 - ratio^2)^(1/2)), half a period after its record ends.
+    #[test]
+    fn an_oscillator_swings_on_under_the_last_value() {
+        let x = points(&[0.0, 0.01], &[2.0, 2.0]);
+        let y = points(&[0.0, 0.01], &[0.0, 0.0]);
+        let overshoot = libm::exp(-RATIO * PI / (1.0 - RATIO * RATIO).sqrt());
+        let wanted = 2.0 * (1.0 + overshoot);
+        for (pair, part) in [([&x, &y], 1.0), ([&x, &x], 2.0_f64.sqrt())] {
+            let found = both(pair)(Component::RotD100, spectral(1.0));
+            near(found, part * wanted, 1e-9);
+        }
+    }
 }

@@ -13,3 +13,6 @@ pub(crate) mod signal_cache;
 pub mod strength;
 pub mod supports;
 pub mod target_spectrum;
+
+#[cfg(test)]
+mod tests_strength;

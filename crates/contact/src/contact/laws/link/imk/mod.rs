@@ -141,6 +141,51 @@ mod tests {
     use crate::contact::{Lugre, RunningLaw};
     use std::mem::size_of;
 
+    /// The force at the end of a path from r = 0 through these turns.
+    fn after(law: &Imk, turns: &[f64]) -> f64 {
+        let (mut at, mut state) = ([0.0; 2], State::new(law));
+        for turn in turns {
+            let from = at[0];
+            for i in 1..=100 {
+                let r = from + (turn - from) * f64::from(i) / 100.0;
+                let (force, next) = Walk::new(law, state, at).to(r, 0.0);
+                (at, state) = ([r, force], next);
+            }
+        }
+        at[1]
+    }
+
+    /// A part that is unloaded on its way to the point of pinching goes on to that point: a small loop within the way changes nothing
+    /// beyond it. With the numbers below S is 0 at r = -3.6, and the point is at r = 1.8 under 0.3 times 1.4 times 5.4/8.6.
+    #[test]
+    fn a_small_loop_before_the_point_of_pinching_changes_nothing_beyond_it() {
+        let side = Backbone {
+            yield_force: 1.0,
+            hardening: 0.1,
+            falling: -0.1,
+            projected: 3.0,
+            residual: 0.1,
+            ultimate: 100.0,
+            damage: 1.0,
+        };
+        let law = Imk::new(Numbers {
+            stiffness: 1.0,
+            sides: [side; 2],
+            energies: [f64::INFINITY; 4],
+            exponents: [1.0; 4],
+            pinching: Some([0.3, 0.5]),
+        });
+        let slope = 0.3 * 1.4 / 8.6;
+        for (r, wanted) in [(0.5, 4.1 * slope), (1.7, 5.3 * slope)] {
+            for way in [&[5.0, -5.0, r][..], &[5.0, -5.0, 0.0, -0.1, r]] {
+                let force = after(&law, way);
+                assert!((force - wanted).abs() < 1e-12, "{way:?} {force} {wanted}");
+            }
+        }
+        let beyond = after(&law, &[5.0, -5.0, 3.0]);
+        assert!((after(&law, &[5.0, -5.0, 0.0, -0.1, 3.0]) - beyond).abs() < 1e-12);
+    }
+
     /// A law of every kind is copied for each case and step.
     #[test]
     fn it_makes_no_other_law_larger() {
