@@ -115,7 +115,7 @@ macro_rules! laws {
                 match self {
                     $(ContactLaw::$law(law) => match $law::CLOSED_FORM {
                         ClosedForm::Collision(collision) => Some(collision(law, mass, speed)),
-                        ClosedForm::Driven(_) => None,
+                        ClosedForm::Driven(_) | ClosedForm::None(_) => None,
                     }),+
                 }
             }
@@ -125,7 +125,7 @@ macro_rules! laws {
                 match self {
                     $(ContactLaw::$law(law) => match $law::CLOSED_FORM {
                         ClosedForm::Driven(driven) => driven(law, velocity, time),
-                        ClosedForm::Collision(_) => None,
+                        ClosedForm::Collision(_) | ClosedForm::None(_) => None,
                     }),+
                 }
             }
@@ -148,8 +148,8 @@ macro_rules! laws {
         }
 
         /// The offers of each law.
-        const OFFERS: &[(WhichLaw, ContactKind, bool, &[offer::Offer])] = &[
-            $((WhichLaw::$law, $law::KIND, $law::OF_VELOCITY, $law::OFFERS)),+
+        const OFFERS: &[offer::OffersOf] = &[
+            $((WhichLaw::$law, $law::KIND, [$law::OF_VELOCITY, $law::IN_PLANE], $law::OFFERS)),+
         ];
 
         impl<const L: usize> AnyRunningLaw<L> {
@@ -214,11 +214,12 @@ laws! {
 pub static LAWS: [Offered; offer::count(OFFERS)] = ALL;
 /// The same, for constants.
 pub const ALL: [Offered; offer::count(OFFERS)] = {
-    let (law, kind, of_velocity, offers) = OFFERS[0];
+    let (law, kind, [of_velocity, in_plane], offers) = OFFERS[0];
     let first = Offered {
         law,
         kind,
         of_velocity,
+        in_plane,
         offer: &offers[0],
     };
     offer::collect(OFFERS, first)

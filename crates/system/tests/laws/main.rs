@@ -6,6 +6,7 @@ mod stiffness;
 use slipgap_contact::contact::number::{Number, Range, Usual};
 use slipgap_contact::contact::numbers::structure;
 use slipgap_contact::contact::offer::{Offered, Place};
+use slipgap_contact::contact::plane::slides_in_plane;
 use slipgap_contact::contact::{
     ClippedLine, ContactKind, ContactLaw, ContactResponse, Flexibility, GivenNumbers, LAWS,
     StepFlexibility, StoredEnergy, Trial,
@@ -222,21 +223,115 @@ fn friction_and_links_answer_as_their_closed_form() {
     }
 }
 
+/// Restitution, largest overlap and duration of a collision of two rigid masses.
+struct Collided {
+    restitution: f64,
+    overlap: f64,
+    duration: f64,
+}
+
+/// The collision in closed form, of a law without one by steps.
+fn collided(law: &ContactLaw, mass: f64, speed: f64) -> Collided {
+    let Some(known) = law.collision(mass, speed) else {
+        return by_steps(law, mass, speed);
+    };
+    Collided {
+        restitution: known.restitution,
+        overlap: known.overlap,
+        duration: known.duration(),
+    }
+}
+
+/// The collision by average acceleration, m r'' + S = 0, with so small steps that they err by less than 1e-6 of it.
+fn by_steps(law: &ContactLaw, mass: f64, speed: f64) -> Collided {
+    // A first guess of the duration: that of the spring of the law for the overlap of its energy.
+    let stored = |overlap: f64| {
+        let force = follow(law, |_| [-overlap, 0.0], 1.0, 1)[0][2];
+        law.stored_energy(-overlap, force)
+    };
+    let energy = 0.5 * mass * speed * speed;
+    let overlap = (-60..60).map(|i| libm::exp2(f64::from(i) * 0.5));
+    let overlap = overlap.into_iter().find(|own| stored(*own) > energy);
+    let dt = overlap.expect("an overlap that stores the energy") / speed / 20_000.0;
+    let half = Flexibility {
+        h: Lane([0.25 * dt * dt / mass]),
+        h_rate: Lane([0.5 * dt / mass]),
+    };
+    let on = StepFlexibility {
+        start: half,
+        end: half,
+        dt: Lane([dt]),
+        by_impulse: false,
+    };
+    let mut running = ContactLaw::running(&[*law], &[on; 2]);
+    let ([mut r, mut v, mut s], mut deepest, mut steps) = ([0.0, -speed, 0.0], 0.0_f64, 0);
+    loop {
+        let trial = Trial {
+            displacement: Lane([r]),
+            velocity: Lane([v]),
+            force: Lane([s]),
+            change: Lane([v * dt]),
+            rate: Lane([v]),
+        };
+        let Lane([next]) = running.force(0, &trial);
+        r += v * dt - 0.25 * dt * dt / mass * (s + next);
+        v -= 0.5 * dt / mass * (s + next);
+        (s, deepest, steps) = (next, deepest.max(-r), steps + 1);
+        if s == 0.0 && v > 0.0 {
+            break;
+        }
+        assert!(steps < 10_000_000, "{law:?} does not part");
+    }
+    Collided {
+        restitution: v / speed,
+        overlap: deepest,
+        duration: f64::from(steps) * dt,
+    }
+}
+
+/// What a law without a closed form is tested by agrees with the closed forms of the others.
+#[test]
+fn collisions_by_steps_are_those_in_closed_form() {
+    for (law, made) in laws() {
+        if law.kind != ContactKind::Impact || is_rigid(&made) {
+            continue;
+        }
+        let (known, found) = (collided(&made, 0.7, 1.3), by_steps(&made, 0.7, 1.3));
+        let errors = [
+            known.restitution - found.restitution,
+            known.overlap / found.overlap - 1.0,
+            known.duration / found.duration - 1.0,
+        ];
+        // A force that jumps at the first touch, as of a dashpot, is met within a step; the end is that of a step.
+        assert!(
+            errors.iter().all(|error| error.abs() < 3e-4),
+            "{made:?} {errors:?}"
+        );
+    }
+}
+
+#[test]
+fn a_law_that_says_so_slides_in_a_plane() {
+    for (law, made) in laws() {
+        assert_eq!(law.in_plane, slides_in_plane(&made), "{}", law.offer.name);
+    }
+}
+
 #[test]
 fn impacts_push_as_their_stored_energy_and_never_pull() {
     for (law, made) in laws()
         .iter()
         .filter(|law| law.0.kind == ContactKind::Impact)
     {
-        let collision = made.collision(0.7, 1.3).expect("a closed form");
+        let collision = collided(made, 0.7, 1.3);
         let restitution = collision.restitution;
-        assert!((0.0..=1.0).contains(&restitution), "{made:?} {collision:?}");
+        assert!((0.0..=1.0).contains(&restitution), "{made:?} {restitution}");
         if is_rigid(made) {
-            assert_eq!([collision.duration(), collision.overlap], [0.0; 2]);
+            assert_eq!([collision.duration, collision.overlap], [0.0; 2]);
             continue;
         }
         assert!(
-            collision.duration() > 0.0 && collision.overlap > 0.0,
+            collision.duration > 0.0 && collision.overlap > 0.0,
             "{}",
             law.offer.name
         );

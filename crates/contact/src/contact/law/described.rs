@@ -18,6 +18,8 @@ pub trait Described: StoredEnergy {
     const OFFERS: &'static [Offer];
     /// A motion whose force is known in closed form.
     const CLOSED_FORM: ClosedForm<Self>;
+    /// Whether it slides in a plane, by [`Properties::in_plane`].
+    const IN_PLANE: bool = false;
 
     /// What its contact can do.
     fn kind(&self) -> ContactKind {
@@ -32,6 +34,8 @@ pub enum ClosedForm<W> {
     Collision(fn(&W, f64, f64) -> RigidImpact),
     /// S after a motion from rest with S = 0 at this rdot > 0 for this time; `None` for numbers without a closed form.
     Driven(fn(&W, f64, f64) -> Option<f64>),
+    /// None is known, for this reason; tests integrate the motion instead.
+    None(&'static str),
 }
 
 /// What the numbers of a contact tell. The default is the answer of the law's family, or what most laws do not have; the table of all

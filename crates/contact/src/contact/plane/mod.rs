@@ -19,7 +19,7 @@ pub use super::pair::{Pair, dot, length};
 
 use super::coupled::curved::Directions;
 use super::pair;
-use super::{AnyRunningLaw, ContactLaw, InPlane, Lugre};
+use super::{AnyRunningLaw, ContactLaw, InPlane, LAWS, Lugre};
 use elastic::Elastic;
 use scalar::{along, running, scalar_slope};
 
@@ -90,18 +90,12 @@ pub struct PlaneMemory {
     pub(super) begun: bool,
 }
 
-/// The names of the laws that slide in a plane.
-pub const NAMES: [&str; 9] = [
-    "coulomb",
-    "displacement-control",
-    "velocity-control",
-    "tanh",
-    "stribeck",
-    "bouc-wen",
-    "lugre",
-    "bilinear",
-    "pendulum",
-];
+/// The names of the laws of structures that slide in a plane.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    let offered = LAWS.iter().filter(|law| law.in_plane);
+    let offered = offered.filter(|law| law.offer.structure.is_some());
+    offered.map(|law| law.offer.name)
+}
 
 /// Whether a law slides in a plane.
 pub fn slides_in_plane(law: &ContactLaw) -> bool {

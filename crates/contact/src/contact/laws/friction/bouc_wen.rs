@@ -56,6 +56,7 @@ impl Described for BoucWen {
             "friction, hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
         ],
     )];
+    const IN_PLANE: bool = true;
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let u = velocity * time / (law.compliance * law.limit);
         match law.exponent {

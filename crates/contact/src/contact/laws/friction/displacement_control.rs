@@ -49,6 +49,7 @@ impl Described for DisplacementControl {
         "friction, elastic up to the displacement r^E, then sliding at the limit [F (9)]",
         of_structures![K, R_E],
     )];
+    const IN_PLANE: bool = true;
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         Some((velocity * time / law.compliance).min(law.limit))
     });

@@ -116,6 +116,7 @@ impl Described for Pendulum {
             "friction, elastic up to r^E, on a concave surface: plus (N/R) r (Zayas, Low and Mahin 1990)",
             &[&structure::K, &structure::R_E, &RADIUS, &structure::NU_MIN, &structure::NU_RATE],
         )];
+    const IN_PLANE: bool = true;
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
         let friction = (r / law.compliance).min(law.limit);

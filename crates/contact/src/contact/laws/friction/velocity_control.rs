@@ -75,6 +75,7 @@ impl Described for VelocityControl {
             &[&structure::STATIC_RATIO],
         ),
     ];
+    const IN_PLANE: bool = true;
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some((velocity / law.compliance).min(law.limit)));
 }

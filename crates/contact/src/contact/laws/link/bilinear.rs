@@ -76,6 +76,7 @@ impl Described for Bilinear {
             "yields at Fy in both directions, with kinematic hardening, or softening if k2 < 0: a column, a lead-rubber bearing (Prager 1956)",
             &[&structure::K1, &structure::FY, &structure::K2, &RATIO],
         )];
+    const IN_PLANE: bool = true;
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
         let beyond = r - law.yield_force / law.stiffness;

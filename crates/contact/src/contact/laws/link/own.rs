@@ -147,7 +147,7 @@ impl Described for Own {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "own";
     const OFFERS: &'static [Offer] = &[];
-    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|_, _, _| None);
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::None("the law is that of a user's program");
 
     fn kind(&self) -> ContactKind {
         self.law.kind()

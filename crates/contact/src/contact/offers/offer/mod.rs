@@ -4,5 +4,5 @@ mod offered;
 mod table;
 
 pub use offered::{Form, In, Offer, Offered, Place};
+pub(in crate::contact) use table::{OffersOf, collect, count};
 pub use table::{Which, most_numbers, names, number_of};
-pub(in crate::contact) use table::{collect, count};

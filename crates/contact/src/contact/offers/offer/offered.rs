@@ -143,6 +143,8 @@ pub struct Offered {
     pub kind: ContactKind,
     /// Whether S follows from rdot alone.
     pub of_velocity: bool,
+    /// Whether it slides in a plane.
+    pub in_plane: bool,
     /// The offer.
     pub offer: &'static Offer,
 }

@@ -19,7 +19,10 @@ pub const fn most_numbers(all: &[Offered], place: Place) -> usize {
 }
 
 /// The offers of laws, one after the other.
-type Laws = [(WhichLaw, ContactKind, bool, &'static [Offer])];
+type Laws = [OffersOf];
+
+/// A law, its kind, whether S follows from rdot alone and whether it slides in a plane, and its offers.
+pub(in crate::contact) type OffersOf = (WhichLaw, ContactKind, [bool; 2], &'static [Offer]);
 
 /// Number of all offers.
 pub(in crate::contact) const fn count(laws: &Laws) -> usize {
@@ -41,13 +44,14 @@ pub(in crate::contact) const fn collect<const N: usize>(
     while kind < 3 {
         let mut i = 0;
         while i < laws.len() {
-            let (law, own, of_velocity, offers) = laws[i];
+            let (law, own, [of_velocity, in_plane], offers) = laws[i];
             let mut j = 0;
             while own as usize == kind && j < offers.len() {
                 all[next] = Offered {
                     law,
                     kind: own,
                     of_velocity,
+                    in_plane,
                     offer: &offers[j],
                 };
                 next += 1;

@@ -42,6 +42,7 @@ impl Described for Lugre {
             "friction, bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
             of_structures![SIGMA0, SIGMA1, SIGMA2, STATIC_RATIO, STRIBECK_VELOCITY_OF_STATIC],
         )];
+    const IN_PLANE: bool = true;
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let [g, _] = law.strength(velocity);
         let faded = libm::exp(-law.sigma0 * velocity * time / g);

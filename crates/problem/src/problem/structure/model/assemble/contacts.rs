@@ -61,7 +61,7 @@ impl Draft<'_> {
             return Err(contacts::violation(contact, message));
         }
         let Some([first, second]) = law.clone().in_plane() else {
-            let names = plane::NAMES.join(", ");
+            let names = plane::names().collect::<Vec<_>>().join(", ");
             let message = format!("{name} does not act in a plane; allowed: {names}");
             return Err(contacts::violation(contact, message));
         };
