@@ -19,7 +19,7 @@ fn what_is_no_contact_in_a_plane_is_named() {
     for (contact, told) in [
         (
             r#""law": "dahl", "between": ["ground", "a"], "directions": ["x", "y"], "limit": 1, "k": 1, "exponent": 1"#,
-            "structure.contacts.f: dahl does not act in a plane; allowed: coulomb, displacement-control",
+            "structure.contacts.f: dahl does not act in a plane; allowed: displacement-control, velocity-control, coulomb",
         ),
         (
             r#""law": "coulomb", "between": ["ground", "a"], "directions": ["x", "x"], "limit": 1"#,

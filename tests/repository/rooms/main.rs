@@ -29,6 +29,37 @@ const FOLDERS: [&str; 7] = [
 /// them without a folder.
 const EXEMPT: [&str; 1] = ["tests/data/own_structure"];
 
+/// The rooms of which a person holds one at a time, and their lines of code: without tests, comments and empty lines. What a feature adds
+/// needs a limit that is raised with its reason; what goes lowers it.
+const ROOMS: [(&str, &[&str], usize); 4] = [
+    (
+        "contact, system, motion",
+        &["crates/contact", "crates/system", "crates/motion"],
+        35_000,
+    ),
+    (
+        "problem, cases, study",
+        &["crates/problem", "crates/cases", "crates/study"],
+        35_500,
+    ),
+    (
+        "drawing, figures",
+        &["crates/drawing", "crates/figures"],
+        13_500,
+    ),
+    (
+        "product",
+        &[
+            "",
+            "crates/recommend",
+            "crates/statistics",
+            "validation",
+            "python",
+        ],
+        24_800,
+    ),
+];
+
 fn root() -> &'static Path {
     Path::new(env!("SLIPGAP_ROOT"))
 }
@@ -63,6 +94,28 @@ fn no_file_has_more_than_300_lines_before_its_tests() {
         }
     }
     assert_none("more than 300 lines", &offences);
+}
+
+#[test]
+fn a_room_has_no_more_lines_than_its_limit() {
+    let crates = Crate::all(root());
+    let mut offences = Vec::new();
+    for (name, folders, limit) in ROOMS {
+        let own = crates
+            .iter()
+            .filter(|own| folders.contains(&own.name.as_str()));
+        let modules = own
+            .flat_map(|own| &own.modules)
+            .filter(|module| !module.is_test);
+        let lines: usize = modules
+            .map(|module| sources::lines_of_code(&module.text))
+            .sum();
+        // Far below it, the limit says nothing.
+        if lines > limit || lines + 500 < limit {
+            offences.push(format!("{name}: {lines} lines, limit {limit}"));
+        }
+    }
+    assert_none("rooms beyond their limit, or far below it", &offences);
 }
 
 #[test]

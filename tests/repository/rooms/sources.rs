@@ -93,3 +93,11 @@ pub fn before_tests(text: &str) -> &str {
     let first = { starts }.find(inline);
     first.map_or(text, |(start, _)| &text[..start])
 }
+
+/// Number of lines before the tests that are neither empty nor comments.
+pub fn lines_of_code(text: &str) -> usize {
+    let lines = before_tests(text).lines().map(str::trim);
+    lines
+        .filter(|line| !line.is_empty() && !line.starts_with("//"))
+        .count()
+}
