@@ -91,7 +91,7 @@ impl Problem for StructureProblem {
                 violations.extend(self.check_channels(&numbering, case));
                 violations.extend(self.check_measures(case));
                 violations.extend(self.check_measured(case));
-                violations.extend(self.check_contacts());
+                violations.extend(self.check_contacts(case));
                 if violations.is_empty() {
                     violations.extend(self.check_memory(&numbering, duration / step));
                 }

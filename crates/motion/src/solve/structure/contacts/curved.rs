@@ -4,20 +4,21 @@
 //! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact. In an explicit method r' does not depend on
 //! the forces: there y and a are those of rdot' = y - a S.
 
+use super::curved_blocks::CurvedBlocks;
 use super::curved_contact::{Contact, Memory, has_curved};
 use super::curved_group::{Group, Groups, LastShares, grouped, groups, of_masses};
 use super::curved_plane::{self};
 use super::curved_step::{Motion, Scale, explicit_line, line};
 use super::static_friction::Bound;
-use crate::contact::coupled::curved::CurvedForces;
 use crate::contact::plane::{PlaneLaw, PlaneMemory};
 use crate::contact::{AnyRunningLaw, ContactLaw, Unsolved};
+use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::{Chain, PlaneRow, Structure};
 
 /// The contacts of one structure.
 #[derive(Debug, Clone)]
 pub(crate) struct Curved {
-    forces: CurvedForces,
+    forces: CurvedBlocks,
     pub(super) contacts: Vec<Contact>,
     /// Contacts in series answer together.
     pub(super) groups: Vec<Group>,
@@ -33,10 +34,10 @@ pub(crate) struct Curved {
 }
 
 impl Curved {
-    /// The contacts of a structure with this H, by rows; `None` if all its laws are clipped lines.
+    /// The contacts of a structure with this H; `None` if all its laws are clipped lines.
     pub(crate) fn new(
         structure: &Structure,
-        flexibility: &[f64],
+        flexibility: &BlockMatrix,
         pace: f64,
         dt: f64,
     ) -> Option<Curved> {
@@ -44,11 +45,11 @@ impl Curved {
         has_curved(structure).then(all)
     }
 
-    /// The contacts of a structure with this H, by rows, also if all its laws are clipped lines. Those in `chains` answer together.
+    /// The contacts of a structure with this H, also if all its laws are clipped lines. Those in `chains` answer together.
     pub(crate) fn of_all(
         structure: &Structure,
         chains: &[Chain],
-        flexibility: &[f64],
+        flexibility: &BlockMatrix,
         pace: f64,
         dt: f64,
     ) -> Curved {
@@ -63,8 +64,7 @@ impl Curved {
         // Both directions are alone in their groups, which follow each other.
         let planes = (0..groups.len()).filter(|g| is_first(&groups[*g]));
         let planes: Vec<usize> = planes.collect();
-        let flexibility = grouped(flexibility, &groups, m);
-        let forces = CurvedForces::with_planes(flexibility, groups.len(), &planes);
+        let forces = CurvedBlocks::new(grouped(flexibility, &groups), &planes);
         let mut own = vec![0.0; m];
         for (g, group) in groups.iter().enumerate() {
             let flexibility = match forces.flexibility(g) {

@@ -6,6 +6,7 @@ use super::curved_step::{ROUND_OFF, SHORT};
 use super::series::{Part, Series, Shares};
 use crate::contact::coupled::curved::{Directions, Laws};
 use crate::contact::plane::{Pair, PlaneMemory};
+use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::{Chain, PlaneRow, Structure};
 use std::cell::RefCell;
 
@@ -30,27 +31,25 @@ pub(crate) fn groups(contacts: usize, chains: &[Chain]) -> Vec<Group> {
     of_contact.into_iter().flatten().map(Group).collect()
 }
 
-/// H of the groups, by rows, from that of the contacts.
-pub(crate) fn grouped(flexibility: &[f64], groups: &[Group], contacts: usize) -> Vec<f64> {
-    if groups.len() == contacts {
-        return flexibility.to_vec();
+/// H of the groups, from that of the contacts.
+pub(crate) fn grouped(flexibility: &BlockMatrix, groups: &[Group]) -> BlockMatrix {
+    if groups.len() == flexibility.places.len() {
+        return flexibility.clone();
     }
-    let entry = |a: &Group, b: &Group| -> f64 {
-        let pairs = a.leaders().flat_map(|a| b.leaders().map(move |b| (a, b)));
-        let terms = pairs.map(|((i, one), (j, other))| one * other * flexibility[i * contacts + j]);
-        terms.sum()
-    };
-    let m = groups.len();
-    let mut all = vec![0.0; m * m];
-    for i in 0..m {
-        for j in 0..=i {
-            let h = entry(&groups[i], &groups[j]);
-            // What the nodes between the contacts leave is round-off.
-            let h = if i == j { h.max(0.0) } else { h };
-            (all[i * m + j], all[j * m + i]) = (h, h);
-        }
+    // The contacts of a group are in one block.
+    let mut blocks = vec![Vec::new(); flexibility.blocks.len()];
+    for (g, group) in groups.iter().enumerate() {
+        blocks[flexibility.places[group.first()][0]].push(g);
     }
-    all
+    BlockMatrix::new(blocks, |a, b| {
+        let others = || groups[b].leaders();
+        let pairs = groups[a].leaders();
+        let pairs = pairs.flat_map(|a| others().map(move |b| (a, b)));
+        let terms = pairs.map(|((i, one), (j, other))| one * other * flexibility.entry(i, j));
+        let h: f64 = terms.sum();
+        // What the nodes between the contacts leave is round-off.
+        if a == b { h.max(0.0) } else { h }
+    })
 }
 
 /// A flexibility for the contacts of a chain whose ends do not move, as at t = 0: that of their masses in a step of the motion.

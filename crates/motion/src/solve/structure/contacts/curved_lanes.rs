@@ -8,6 +8,7 @@ use super::forces::Forces;
 use super::static_friction::Bound;
 use crate::contact::{ContactKind, Unsolved};
 use crate::lane::Lane;
+use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::Structure;
 
 /// A flexibility beside which every law is stiff.
@@ -54,7 +55,7 @@ impl Curved {
 /// have several answers in a step fails.
 pub(crate) fn curved_lanes<const L: usize>(
     cases: &[&Structure; L],
-    flexibility: &[f64],
+    flexibility: &BlockMatrix,
     pace: f64,
     dt: f64,
     forces: &mut Forces<L>,

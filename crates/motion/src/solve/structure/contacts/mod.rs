@@ -1,6 +1,7 @@
 //! The contacts of a structure over a step, and their forces.
 
 pub(crate) mod curved;
+mod curved_blocks;
 pub(crate) mod curved_contact;
 pub(crate) mod curved_group;
 pub(crate) mod curved_lanes;
@@ -8,7 +9,6 @@ pub(crate) mod curved_link;
 pub(crate) mod curved_plane;
 pub(crate) mod curved_step;
 pub(crate) mod forces;
-pub(crate) mod lane_forces;
 pub(crate) mod laws;
 pub(crate) mod series;
 pub(crate) mod series_newton;

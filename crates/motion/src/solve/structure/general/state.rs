@@ -49,14 +49,10 @@ impl<const L: usize> General<'_, L> {
         self.lines[0][contact].compliance
     }
 
-    /// The displacement that a unit force of a contact takes from it in the first sub-step; `diagonal` reads a matrix by rows.
-    pub(in crate::solve::structure) fn displacement_by_force(
-        &self,
-        contact: usize,
-        diagonal: impl Fn(&[f64], usize) -> f64,
-    ) -> f64 {
+    /// The displacement that a unit force of a contact takes from it in the first sub-step.
+    pub(in crate::solve::structure) fn displacement_by_force(&self, contact: usize) -> f64 {
         let linear = &self.prepared.sub_steps[0];
-        let by_force = diagonal(&linear.flexibility, contact);
+        let by_force = linear.flexibility.diagonal(contact);
         match linear.sub_step.is_explicit() {
             // Of the velocity.
             true => by_force * linear.sub_step.length,

@@ -3,6 +3,7 @@
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
 use crate::solve::structure::linear_part::between;
+use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::solve::structure::linear_part::links::{Elimination, Link, links};
 use crate::solve::structure::linear_part::reduced::{
     Reduced, flexibility, place_of, places, reduce,
@@ -21,8 +22,8 @@ pub(crate) struct Linear {
     pub(crate) couplings: Vec<Link>,
     /// L^-1 B by columns.
     pub(crate) reduced: Lists<Reduced>,
-    /// What a force takes from the relations of the contacts, by rows: d2 s1 B^T (..)^-1 B, or d1 s1 B^T (..)^-1 B if d2 = 0.
-    pub(crate) flexibility: Vec<f64>,
+    /// What a force takes from the relations of the contacts: d2 s1 B^T (..)^-1 B, or d1 s1 B^T (..)^-1 B if d2 = 0.
+    pub(crate) flexibility: BlockMatrix,
 }
 
 impl Linear {
@@ -48,7 +49,7 @@ impl Linear {
         let linear = Linear {
             elimination: Elimination::new(factor, links),
             couplings,
-            flexibility: flexibility(&reduced, sub_step.flexibility()),
+            flexibility: flexibility(structure, &reduced, sub_step.flexibility()),
             reduced: Lists::new(&reduced),
             sub_step,
         };

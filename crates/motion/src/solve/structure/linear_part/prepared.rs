@@ -1,6 +1,7 @@
 //! What all cases with equal masses, stiffness, damping, time step, and equal nodes of contacts and loads share.
 
 use super::between::{self, Between};
+use super::block_matrix::BlockMatrix;
 use super::linear::Linear;
 use super::links::{Elimination, Link, links};
 use super::massless::{self, Massless};
@@ -47,8 +48,8 @@ pub struct Prepared {
     pub(crate) along: Lists<(usize, f64)>,
     /// L^-1 B by columns, without zeros.
     pub(crate) reduced: Lists<Reduced>,
-    /// H = B^T Khat^-1 B by rows.
-    pub(crate) flexibility: Vec<f64>,
+    /// H = B^T Khat^-1 B.
+    pub(crate) flexibility: BlockMatrix,
     key: Key,
 }
 
@@ -98,7 +99,7 @@ impl Prepared {
             couplings,
             inertia,
             // L D L^T is Khat/4.
-            flexibility: flexibility(&reduced, 0.25),
+            flexibility: flexibility(structure, &reduced, 0.25),
             along: Lists::new(&places),
             reduced: Lists::new(&reduced),
             place,
@@ -147,7 +148,7 @@ impl Prepared {
             inertia: Vec::new(),
             along: Lists::new(&places(structure, &place)),
             reduced: Lists::new(&[]),
-            flexibility: Vec::new(),
+            flexibility: BlockMatrix::default(),
             place,
             key: Key::new(structure),
         })

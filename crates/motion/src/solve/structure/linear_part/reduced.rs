@@ -1,5 +1,6 @@
 //! L^-1 B of the contacts, and the flexibility of a step.
 
+use super::block_matrix::{BlockMatrix, blocks};
 use crate::system::structure::sparse::factor::Factor;
 use crate::system::structure::{Along, Structure};
 
@@ -48,7 +49,11 @@ pub(crate) fn reduce(factor: &Factor, along: &[(usize, f64)]) -> Vec<Reduced> {
 }
 
 /// A factor times B^T (L D L^T)^-1 B = (L^-1 B)^T D^-1 (L^-1 B).
-pub(crate) fn flexibility(reduced: &[Vec<Reduced>], factor: f64) -> Vec<f64> {
+pub(crate) fn flexibility(
+    structure: &Structure,
+    reduced: &[Vec<Reduced>],
+    factor: f64,
+) -> BlockMatrix {
     let product = |a: &[Reduced], b: &[Reduced]| {
         let (mut sum, mut b) = (0.0, b.iter().peekable());
         for x in a {
@@ -59,13 +64,7 @@ pub(crate) fn flexibility(reduced: &[Vec<Reduced>], factor: f64) -> Vec<f64> {
         }
         factor * sum
     };
-    let m = reduced.len();
-    let mut h = vec![0.0; m * m];
-    for i in 0..m {
-        for j in 0..=i {
-            let value = product(&reduced[i], &reduced[j]);
-            (h[i * m + j], h[j * m + i]) = (value, value);
-        }
-    }
-    h
+    BlockMatrix::new(blocks(structure, reduced), |i, j| {
+        product(&reduced[i], &reduced[j])
+    })
 }

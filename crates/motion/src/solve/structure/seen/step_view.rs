@@ -130,7 +130,6 @@ impl<const L: usize> State<'_, L> {
     #[inline(always)]
     pub(crate) fn least_energy(&self) -> Lane<L> {
         let (m, zero) = (self.contacts(), Lane::splat(0.0));
-        let diagonal = |flexibility: &[f64], c: usize| flexibility[c * m + c];
         // Zero where the law has a compliance.
         let of_rigid = |s: Lane<L>, compliance: Lane<L>| {
             s.zip(compliance, |s, g| if g == 0.0 { s } else { 0.0 })
@@ -140,12 +139,12 @@ impl<const L: usize> State<'_, L> {
             Kind::Average(state) => {
                 let contact = &state.contacts[c];
                 let s = of_rigid(contact.force, contact.line.compliance);
-                s * (s * diagonal(&state.prepared.flexibility, c))
+                s * (s * state.prepared.flexibility.diagonal(c))
             }
             Kind::General(state) if !state.prepared.massless.is_empty() => zero,
             Kind::General(state) => {
                 let s = of_rigid(state.contact(c).force, state.compliance(c));
-                s * (s * state.displacement_by_force(c, diagonal))
+                s * (s * state.displacement_by_force(c))
             }
         };
         (0..m).fold(zero, |sum, c| sum + of(c)) * LEAST

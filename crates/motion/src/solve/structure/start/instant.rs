@@ -10,6 +10,7 @@ use crate::solve::Unsolvable;
 use crate::solve::structure::contacts::curved::Curved;
 use crate::solve::structure::contacts::curved_step::{Motion, SHORT};
 use crate::solve::structure::linear_part::between;
+use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::sparse::factor::Factor;
 use crate::system::structure::{Chain, Structure};
 
@@ -81,6 +82,7 @@ fn meet(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     let among = among_themselves(structure, &own);
     let chains = structure.chains();
     let among_chains = numbered(&chains, &own);
+    let flexibility = BlockMatrix::dense(flexibility, m);
     let start = || Curved::of_all(&among, &among_chains, &flexibility, 1.0 / short, short);
     let mut curved = start();
     let mut forces: Vec<f64> = own

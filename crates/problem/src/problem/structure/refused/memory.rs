@@ -2,15 +2,16 @@
 
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::given::node::Numbering;
-use crate::problem::structure::model::assemble;
+use crate::problem::structure::model::assemble::{self, Model};
 use crate::problem::structure::motions::motion::LANES;
 use crate::problem::structure::motions::sweep::Ready;
 use crate::problem::{Case, Problem, Violation};
+use crate::solve::structure::sizes_of_blocks;
 
 /// Most numbers of a motion, and of the matrices of its contacts: 2 GiB.
 const MOST_NUMBERS: f64 = 268_435_456.0;
 
-/// Numbers of the matrices of m contacts over m^2: the flexibility of a step and its copy, the matrix of their forces and its factor, and
+/// Numbers of the matrices of m contacts that move each other over m^2: the flexibility of a step and its copy, the matrix of their forces and its factor, and
 /// the half of another factor.
 const OF_CONTACTS: f64 = 4.5;
 
@@ -29,14 +30,21 @@ impl StructureProblem {
         too_many(steps, kept, "in the metrics and figures")
     }
 
-    /// Reports the contacts of a case whose matrices do not fit in memory.
-    pub(crate) fn check_contacts(&self) -> Option<Violation> {
+    /// Reports the contacts of a case whose matrices do not fit in memory. Those of parts that nothing connects have matrices of their own.
+    pub(crate) fn check_contacts(&self, case: &Case) -> Option<Violation> {
         let contacts = &self.template.contacts;
-        let m = contacts.len() as f64;
-        let numbers = OF_CONTACTS * m * m;
-        if numbers <= MOST_NUMBERS {
+        let fits = |m: f64| OF_CONTACTS * m * m <= MOST_NUMBERS;
+        if fits(contacts.len() as f64) {
             return None;
         }
+        let (structure, _) = self.structure(case, Model::Study).ok()?;
+        let sizes = sizes_of_blocks(&structure).into_iter();
+        let squares: f64 = sizes.map(|size| (size * size) as f64).sum();
+        let m = squares.sqrt();
+        if fits(m) {
+            return None;
+        }
+        let (m, numbers) = (m.floor(), OF_CONTACTS * squares);
         let (at, path) = contacts.last()?.place.clone();
         let most = (MOST_NUMBERS / OF_CONTACTS).sqrt().floor();
         let gigabytes = 8e-9 * numbers;

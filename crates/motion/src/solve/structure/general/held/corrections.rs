@@ -4,6 +4,7 @@ use crate::lane::Lane;
 use crate::solve::structure::Prepared;
 use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::general::contacts::LaneContact;
+use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::Structure;
 
 /// What the corrections need.
@@ -52,7 +53,7 @@ impl<const L: usize> Corrections<L> {
             (zero, [low, zero])
         });
         Some(Corrections {
-            forces: Forces::new(&flexibility, bounds),
+            forces: Forces::new(&BlockMatrix::dense(flexibility, m), bounds),
             columns,
             trial: vec![zero; m],
             lambda: vec![zero; m],

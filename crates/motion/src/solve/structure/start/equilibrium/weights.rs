@@ -3,6 +3,7 @@
 use crate::contact::ContactKind;
 use crate::solve::Unsolvable;
 use crate::solve::structure::contacts::curved::Curved;
+use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::sparse::factor::Factor;
 use crate::system::structure::{Structure, Symmetric};
 
@@ -159,6 +160,7 @@ pub(super) fn curved(structure: &Structure, columns: &[Vec<f64>]) -> Curved {
             (flexibility[i * m + j], flexibility[j * m + i]) = (h, h);
         }
     }
+    let flexibility = BlockMatrix::dense(flexibility, m);
     Curved::of_all(structure, &[], &flexibility, 1.0 / LONG, LONG)
 }
 

@@ -1,6 +1,7 @@
 //! The other methods.
 
 mod between_steps;
+mod blocks;
 mod critical;
 mod dampers;
 mod energy;

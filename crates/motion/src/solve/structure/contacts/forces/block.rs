@@ -1,4 +1,4 @@
-//! The contact forces of a step, of all lanes together while the patterns stand.
+//! The contact forces of a block, of all lanes together while the patterns stand.
 //!
 //! A contact is at its low bound, free, or at its high bound. While this pattern stands, the forces of a lane are a solution with
 //! a known factor, and the pattern is right if the free forces are within their bounds and q = d - A S presses the others against
@@ -7,30 +7,30 @@
 use super::lane_forces::{Contact, Scratch};
 use crate::contact::{CoupledForces, Unsolved};
 use crate::lane::Lane;
+use crate::solve::structure::linear_part::block_matrix::MatrixBlock;
 
-/// The forces of the contacts of L structures with the same flexibility.
+/// The forces of contacts of L structures with the same flexibility.
 #[derive(Debug, Clone)]
-pub(crate) struct Forces<const L: usize> {
+pub(super) struct Block<const L: usize> {
+    /// The contacts among all.
+    pub(super) of_all: Vec<usize>,
     /// H by rows.
     flexibility: Vec<f64>,
     contacts: Vec<Contact<L>>,
     /// L of A_FF = L D L^T, by rows: row i has i entries.
     factor: Vec<Lane<L>>,
     problems: Vec<CoupledForces>,
-    /// The first step at which a lane has no forces, and why.
-    failures: [Option<(usize, Unsolved)>; L],
-    /// Lanes whose forces are found elsewhere.
-    others: Option<[bool; L]>,
     /// Numbers of one lane.
     scratch: Scratch,
 }
 
-impl<const L: usize> Forces<L> {
-    /// The contacts with H, by rows, and g and the bounds of each.
-    pub(crate) fn new(
-        flexibility: &[f64],
+impl<const L: usize> Block<L> {
+    /// The contacts with H, and g and the bounds of each.
+    pub(super) fn new(
+        block: &MatrixBlock,
         contacts: impl Iterator<Item = (Lane<L>, [Lane<L>; 2])>,
     ) -> Self {
+        let flexibility = &block.entries;
         let zero = Lane::splat(0.0);
         let contact = |(compliance, [low, high]): (Lane<L>, [Lane<L>; 2])| Contact {
             compliance,
@@ -46,41 +46,40 @@ impl<const L: usize> Forces<L> {
         let contacts: Vec<Contact<L>> = contacts.map(contact).collect();
         let m = contacts.len();
         let problem = |l: usize| {
-            let mut matrix = flexibility.to_vec();
+            let mut matrix = flexibility.clone();
             for (i, contact) in contacts.iter().enumerate() {
                 matrix[i * m + i] += contact.compliance.0[l];
             }
             CoupledForces::new(matrix, m)
         };
-        let mut forces = Forces {
+        let mut forces = Block {
+            of_all: block.contacts.clone(),
             problems: (0..L).map(problem).collect(),
-            flexibility: flexibility.to_vec(),
+            flexibility: flexibility.clone(),
             factor: vec![zero; m * m.saturating_sub(1) / 2],
             contacts,
-            failures: [None; L],
-            others: None,
             scratch: Scratch(std::array::from_fn(|_| vec![0.0; m])),
         };
         forces.hold();
         forces
     }
 
-    /// Changes the bounds of a contact; [`Forces::hold`] must follow.
+    /// Changes the bounds of a contact; [`Block::hold`] must follow.
     #[inline(always)]
-    pub(crate) fn bound(&mut self, contact: usize, [low, high]: [Lane<L>; 2]) {
+    pub(super) fn bound(&mut self, contact: usize, [low, high]: [Lane<L>; 2]) {
         let contact = &mut self.contacts[contact];
         (contact.low, contact.high) = (low, high);
     }
 
-    /// Changes the bounds of a contact in a lane; [`Forces::hold`] must follow, or [`Forces::solve_lane`].
-    pub(crate) fn bound_lane(&mut self, [contact, l]: [usize; 2], [low, high]: [f64; 2]) {
+    /// Changes the bounds of a contact in a lane; [`Block::hold`] must follow, or [`Block::solve_lane`].
+    pub(super) fn bound_lane(&mut self, [contact, l]: [usize; 2], [low, high]: [f64; 2]) {
         let contact = &mut self.contacts[contact];
         (contact.low.0[l], contact.high.0[l]) = (low, high);
     }
 
-    /// Changes the bounds of a contact, also from finite to infinite ones; [`Forces::hold`] must follow.
+    /// Changes the bounds of a contact, also from finite to infinite ones; [`Block::hold`] must follow.
     #[inline(always)]
-    pub(crate) fn rebound(&mut self, contact: usize, bounds: [Lane<L>; 2]) {
+    pub(super) fn rebound(&mut self, contact: usize, bounds: [Lane<L>; 2]) {
         self.bound(contact, bounds);
         let contact = &mut self.contacts[contact];
         for l in 0..L {
@@ -92,14 +91,14 @@ impl<const L: usize> Forces<L> {
 
     /// The bounds of a contact.
     #[inline(always)]
-    pub(crate) fn bounds(&self, contact: usize) -> [Lane<L>; 2] {
+    pub(super) fn bounds(&self, contact: usize) -> [Lane<L>; 2] {
         let contact = &self.contacts[contact];
         [contact.low, contact.high]
     }
 
     /// Computes the forces at the bounds and their effect.
     #[inline(always)]
-    pub(crate) fn hold(&mut self) {
+    pub(super) fn hold(&mut self) {
         let m = self.contacts.len();
         for contact in &mut self.contacts {
             for l in 0..L {
@@ -120,58 +119,15 @@ impl<const L: usize> Forces<L> {
         }
     }
 
-    /// The first step at which a lane has no forces, and why.
-    pub(crate) fn failures(&self) -> [Option<(usize, Unsolved)>; L] {
-        self.failures
-    }
-
-    /// Leaves these lanes out.
-    pub(crate) fn leave(&mut self, lanes: [bool; L]) {
-        self.others = lanes.contains(&true).then_some(lanes);
-    }
-
     /// H of a contact with itself.
-    pub(crate) fn own(&self, contact: usize) -> f64 {
+    pub(super) fn own(&self, contact: usize) -> f64 {
         self.flexibility[contact * (self.contacts.len() + 1)]
-    }
-
-    /// Records that a lane has no forces at a step.
-    pub(crate) fn fail(&mut self, lane: usize, step: usize, why: Unsolved) {
-        self.failures[lane].get_or_insert((step, why));
-    }
-
-    /// Writes the forces of a step for d = r* - c; `size` gives the size of the terms of d of a contact in a lane.
-    #[inline(always)]
-    pub(crate) fn solve(
-        &mut self,
-        step: usize,
-        d: &[Lane<L>],
-        size: impl Fn(usize, usize) -> f64,
-        force: &mut [Lane<L>],
-    ) {
-        let mut excess = self.follow(d, force);
-        if let Some(others) = self.others {
-            for (excess, other) in excess.0.iter_mut().zip(others) {
-                *excess = if other { 0.0 } else { *excess };
-            }
-        }
-        let mut stands = true;
-        for excess in excess.0 {
-            stands &= excess <= 0.0;
-        }
-        if !stands {
-            for l in 0..L {
-                if excess.0[l] > 0.0 {
-                    self.solve_lane([l, step], d, &size, force);
-                }
-            }
-        }
     }
 
     /// Writes the forces if the patterns stand. Returns the largest contradiction of each lane, above zero if its pattern is not
     /// right.
     #[inline(always)]
-    fn follow(&mut self, d: &[Lane<L>], force: &mut [Lane<L>]) -> Lane<L> {
+    pub(super) fn follow(&mut self, d: &[Lane<L>], force: &mut [Lane<L>]) -> Lane<L> {
         let m = self.contacts.len();
         let contacts = &mut self.contacts[..];
         // L y = d - A S of the fixed contacts, in the free ones; the factor has zeros in the others.
@@ -219,32 +175,31 @@ impl<const L: usize> Forces<L> {
         worst
     }
 
-    /// Solves the whole problem of lane `l` and keeps its pattern.
+    /// Solves the whole problem of lane `l` and keeps its pattern; without forces they are NaN.
+    ///
+    /// # Errors
+    /// Why there are none. A motion that is not finite is not a fault of the contacts.
     #[cold]
     #[inline(never)]
-    pub(crate) fn solve_lane(
+    pub(super) fn solve_lane(
         &mut self,
-        [l, step]: [usize; 2],
+        l: usize,
         d: &[Lane<L>],
         size: &dyn Fn(usize, usize) -> f64,
         force: &mut [Lane<L>],
-    ) {
+    ) -> Result<(), Unsolved> {
         let Scratch([ds, lows, highs, sizes, forces]) = &mut self.scratch;
         for (i, contact) in self.contacts.iter().enumerate() {
             (ds[i], lows[i]) = (d[i].0[l], contact.low.0[l]);
-            (highs[i], sizes[i]) = (contact.high.0[l], size(i, l));
+            (highs[i], sizes[i]) = (contact.high.0[l], size(self.of_all[i], l));
         }
-        // A motion that is not finite is not a fault of the contacts.
         let finite = ds.iter().all(|d| d.is_finite());
         let solved = self.problems[l].solve(ds, lows, highs, sizes, forces);
         if !finite || solved.is_err() {
-            if let (true, Err(why)) = (finite, solved) {
-                self.fail(l, step, why);
-            }
             for force in force {
                 force.0[l] = f64::NAN;
             }
-            return;
+            return if finite { solved } else { Ok(()) };
         }
         for (i, contact) in self.contacts.iter_mut().enumerate() {
             force[i].0[l] = forces[i];
@@ -257,6 +212,7 @@ impl<const L: usize> Forces<L> {
         }
         self.refactor(l);
         self.hold();
+        Ok(())
     }
 
     /// A_FF = L D L^T of lane `l`.

@@ -1,0 +1,193 @@
+//! The contact forces of a step: of each block of contacts that move each other, of all lanes together while the patterns stand.
+
+mod block;
+mod lane_forces;
+
+use crate::contact::Unsolved;
+use crate::lane::Lane;
+use crate::solve::structure::linear_part::block_matrix::{BlockMatrix, MatrixBlock};
+use block::Block;
+
+/// The forces of the contacts of L structures with the same flexibility.
+#[derive(Debug, Clone)]
+pub(crate) struct Forces<const L: usize> {
+    blocks: Vec<Block<L>>,
+    /// Of each contact: its block, and its place there.
+    places: Vec<[usize; 2]>,
+    /// The first step at which a lane has no forces, and why.
+    failures: [Option<(usize, Unsolved)>; L],
+    /// Lanes whose forces are found elsewhere.
+    others: Option<[bool; L]>,
+    /// d and the forces of one of several blocks.
+    scratch: [Vec<Lane<L>>; 2],
+}
+
+impl<const L: usize> Forces<L> {
+    /// The contacts with H, and g and the bounds of each.
+    pub(crate) fn new(
+        flexibility: &BlockMatrix,
+        contacts: impl Iterator<Item = (Lane<L>, [Lane<L>; 2])>,
+    ) -> Self {
+        let contacts: Vec<_> = contacts.collect();
+        let block = |block: &MatrixBlock| {
+            let own = block.contacts.iter().map(|contact| contacts[*contact]);
+            Block::new(block, own)
+        };
+        let most = flexibility
+            .blocks
+            .iter()
+            .map(|own| own.contacts.len())
+            .max();
+        let zeros = || vec![Lane::splat(0.0); most.unwrap_or(0)];
+        Forces {
+            blocks: flexibility.blocks.iter().map(block).collect(),
+            places: flexibility.places.clone(),
+            failures: [None; L],
+            others: None,
+            scratch: [zeros(), zeros()],
+        }
+    }
+
+    /// Changes the bounds of a contact; [`Forces::hold`] must follow.
+    #[inline(always)]
+    pub(crate) fn bound(&mut self, contact: usize, bounds: [Lane<L>; 2]) {
+        let [block, place] = self.places[contact];
+        self.blocks[block].bound(place, bounds);
+    }
+
+    /// Changes the bounds of a contact in a lane; [`Forces::hold`] must follow, or [`Forces::solve_lane`].
+    pub(crate) fn bound_lane(&mut self, [contact, l]: [usize; 2], bounds: [f64; 2]) {
+        let [block, place] = self.places[contact];
+        self.blocks[block].bound_lane([place, l], bounds);
+    }
+
+    /// Changes the bounds of a contact, also from finite to infinite ones; [`Forces::hold`] must follow.
+    #[inline(always)]
+    pub(crate) fn rebound(&mut self, contact: usize, bounds: [Lane<L>; 2]) {
+        let [block, place] = self.places[contact];
+        self.blocks[block].rebound(place, bounds);
+    }
+
+    /// The bounds of a contact.
+    #[inline(always)]
+    pub(crate) fn bounds(&self, contact: usize) -> [Lane<L>; 2] {
+        let [block, place] = self.places[contact];
+        self.blocks[block].bounds(place)
+    }
+
+    /// Computes the forces at the bounds and their effect.
+    #[inline(always)]
+    pub(crate) fn hold(&mut self) {
+        for block in &mut self.blocks {
+            block.hold();
+        }
+    }
+
+    /// The first step at which a lane has no forces, and why.
+    pub(crate) fn failures(&self) -> [Option<(usize, Unsolved)>; L] {
+        self.failures
+    }
+
+    /// Leaves these lanes out.
+    pub(crate) fn leave(&mut self, lanes: [bool; L]) {
+        self.others = lanes.contains(&true).then_some(lanes);
+    }
+
+    /// H of a contact with itself.
+    pub(crate) fn own(&self, contact: usize) -> f64 {
+        let [block, place] = self.places[contact];
+        self.blocks[block].own(place)
+    }
+
+    /// Records that a lane has no forces at a step.
+    pub(crate) fn fail(&mut self, lane: usize, step: usize, why: Unsolved) {
+        self.failures[lane].get_or_insert((step, why));
+    }
+
+    /// Writes the forces of a step for d = r* - c; `size` gives the size of the terms of d of a contact in a lane.
+    #[inline(always)]
+    pub(crate) fn solve(
+        &mut self,
+        step: usize,
+        d: &[Lane<L>],
+        size: impl Fn(usize, usize) -> f64,
+        force: &mut [Lane<L>],
+    ) {
+        if let [block] = &mut self.blocks[..] {
+            let excess = block.follow(d, force);
+            for l in wrong(excess, self.others) {
+                if let Err(why) = block.solve_lane(l, d, &size, force) {
+                    self.failures[l].get_or_insert((step, why));
+                }
+            }
+            return;
+        }
+        self.solve_blocks(step, d, &size, force);
+    }
+
+    #[inline(never)]
+    fn solve_blocks(
+        &mut self,
+        step: usize,
+        d: &[Lane<L>],
+        size: &dyn Fn(usize, usize) -> f64,
+        force: &mut [Lane<L>],
+    ) {
+        let [ds, own] = &mut self.scratch;
+        for block in &mut self.blocks {
+            let count = block.of_all.len();
+            for (own, contact) in ds.iter_mut().zip(&block.of_all) {
+                *own = d[*contact];
+            }
+            let (ds, own) = (&ds[..count], &mut own[..count]);
+            let excess = block.follow(ds, own);
+            for l in wrong(excess, self.others) {
+                if let Err(why) = block.solve_lane(l, ds, size, own) {
+                    self.failures[l].get_or_insert((step, why));
+                }
+            }
+            for (own, contact) in own.iter().zip(&block.of_all) {
+                force[*contact] = *own;
+            }
+        }
+    }
+
+    /// Solves the whole problem of lane `l` and keeps its pattern.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn solve_lane(
+        &mut self,
+        [l, step]: [usize; 2],
+        d: &[Lane<L>],
+        size: &dyn Fn(usize, usize) -> f64,
+        force: &mut [Lane<L>],
+    ) {
+        for block in &mut self.blocks {
+            let ds: Vec<Lane<L>> = block.of_all.iter().map(|contact| d[*contact]).collect();
+            let mut own: Vec<Lane<L>> = block.of_all.iter().map(|c| force[*c]).collect();
+            if let Err(why) = block.solve_lane(l, &ds, size, &mut own) {
+                self.failures[l].get_or_insert((step, why));
+            }
+            for (own, contact) in own.iter().zip(&block.of_all) {
+                force[*contact] = *own;
+            }
+        }
+    }
+}
+
+/// The lanes, besides others, whose pattern is contradicted.
+#[inline(always)]
+fn wrong<const L: usize>(
+    excess: Lane<L>,
+    others: Option<[bool; L]>,
+) -> impl Iterator<Item = usize> {
+    let mut stands = true;
+    for excess in excess.0 {
+        stands &= excess <= 0.0;
+    }
+    let lanes = if stands { 0..0 } else { 0..L };
+    lanes.filter(move |l| {
+        let is_other = others.is_some_and(|others| others[*l]);
+        excess.0[*l] > 0.0 && !is_other
+    })
+}
