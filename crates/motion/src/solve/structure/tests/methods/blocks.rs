@@ -97,7 +97,7 @@ fn parts_that_nothing_connects_move_as_alone() {
             let parts: Vec<Structure> = (0..PARTS).map(|p| part(p, &laws)).collect();
             let all = together(&parts);
             assert_eq!(sizes_of_blocks(&all), vec![2; PARTS]);
-            for p in [0, 17, PARTS - 1] {
+            for p in [0, 17] {
                 let alone = motion(&parts[p], &method, [[0, 1], [0, 1]]);
                 let places = [[p, PARTS + p], [2 * PARTS - 1 - p, PARTS - 1 - p]];
                 let found = motion(&all, &method, places);
