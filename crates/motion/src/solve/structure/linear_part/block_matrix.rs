@@ -1,6 +1,5 @@
 //! A matrix of the contacts in blocks: contacts that no others move are apart, so that many pairs of bodies need little room.
 
-use super::reduced::Reduced;
 use crate::system::structure::{PlaneRow, Structure};
 
 /// Fewer contacts are one block. With more, a block is searched and factored for itself.
@@ -73,19 +72,23 @@ impl BlockMatrix {
     }
 }
 
-/// The contacts that move each other, by their columns of L^-1 B; those in series and both directions of a plane are together.
-pub(crate) fn blocks(structure: &Structure, reduced: &[Vec<Reduced>]) -> Vec<Vec<usize>> {
-    let m = reduced.len();
+/// The contacts that move each other, by the places in their columns of L^-1 B; those in series and both directions of a plane are
+/// together.
+pub(crate) fn blocks<C: Iterator<Item = usize>>(
+    structure: &Structure,
+    columns: impl Iterator<Item = C>,
+) -> Vec<Vec<usize>> {
+    let m = structure.contacts.len();
     if m < FEWEST {
         return vec![(0..m).collect()];
     }
     let mut together = Together((0..m).collect());
     let mut first: Vec<Option<usize>> = vec![None; structure.len()];
-    for (i, column) in reduced.iter().enumerate() {
-        for entry in column {
-            match first[entry.at] {
+    for (i, column) in columns.enumerate() {
+        for at in column {
+            match first[at] {
                 Some(other) => together.join(i, other),
-                None => first[entry.at] = Some(i),
+                None => first[at] = Some(i),
             }
         }
     }

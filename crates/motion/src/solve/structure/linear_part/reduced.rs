@@ -64,7 +64,8 @@ pub(crate) fn flexibility(
         }
         factor * sum
     };
-    BlockMatrix::new(blocks(structure, reduced), |i, j| {
+    let columns = reduced.iter().map(|own| own.iter().map(|entry| entry.at));
+    BlockMatrix::new(blocks(structure, columns), |i, j| {
         product(&reduced[i], &reduced[j])
     })
 }
