@@ -151,3 +151,51 @@ fn so_many_contacts_that_no_memory_holds_their_matrices() {
         assert!(err.starts_with("s.json:") && err.contains(what), "{err}");
     }
 }
+
+/// Pairs of towers that meet, all alike; each pair moves as it does alone.
+#[test]
+fn many_pairs_of_bodies_take_the_room_of_their_pairs() {
+    let bench = Bench::new();
+    let study = |pairs: usize, more: &str| {
+        let each = |of: fn(usize) -> String| (0..pairs).map(of).collect::<Vec<_>>().join(", ");
+        let masses = each(|i| format!(r#""a{i}": 100, "b{i}": 80"#));
+        let springs = each(|i| {
+            format!(
+                r#"{{"between": ["ground", "a{i}"], "k": 4000}}, {{"between": ["ground", "b{i}"], "k": 9000}}"#
+            )
+        });
+        let contacts = each(|i| {
+            format!(
+                r#""c{i}": {{"law": "impact", "between": ["a{i}", "b{i}"], "gap": 0.02, "k": 1e5}}"#
+            )
+        });
+        let last = pairs - 1;
+        format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.005, "duration": 1.5}},
+  "structure": {{"masses": {{{masses}}}, "springs": [{springs}], "contacts": {{{contacts}}},
+  "ground": {{"sine": {{"amplitude": 3, "omega": 6}}}}{more}}}, "metrics": ["peak(a{last})", "peak(c{last}.S)"]}}"#
+        )
+    };
+    let peaks = |pairs: usize| -> Vec<f64> {
+        bench.file("s.json", study(pairs, ""));
+        bench.expect(0, &["run", "s.json", "--out", &format!("of-{pairs}")]);
+        let rows = bench.text(&format!("of-{pairs}/s/results.csv"));
+        let cells = rows.lines().nth(1).unwrap().rsplit(',').take(2);
+        cells.map(|cell| cell.parse().unwrap()).collect()
+    };
+    let (one, all) = (peaks(1), peaks(7_800));
+    assert!(one.iter().all(|peak| *peak > 0.0));
+    for (one, all) in one.iter().zip(&all) {
+        assert!((one / all - 1.0).abs() < 1e-9, "{one} {all}");
+    }
+    // What is found for all contacts at once has the limit.
+    bench.file(
+        "s.json",
+        study(7_800, r#", "contacts_reference": "softened""#),
+    );
+    let err = bench.expect(2, &["check", "s.json"]).err;
+    assert!(
+        err.contains("7800 contacts, at most 7723 are allowed"),
+        "{err}"
+    );
+}

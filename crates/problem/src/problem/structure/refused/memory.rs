@@ -30,7 +30,8 @@ impl StructureProblem {
         too_many(steps, kept, "in the metrics and figures")
     }
 
-    /// Reports the contacts of a case whose matrices do not fit in memory. Those of parts that nothing connects have matrices of their own.
+    /// Reports the contacts of a case whose matrices do not fit in memory. Those of parts that nothing connects have matrices of their own,
+    /// but not in what is found for all contacts at once: equilibria, starts of rigid contacts and nodes without mass, and exact motions.
     pub(crate) fn check_contacts(&self, case: &Case) -> Option<Violation> {
         let contacts = &self.template.contacts;
         let fits = |m: f64| OF_CONTACTS * m * m <= MOST_NUMBERS;
@@ -38,8 +39,15 @@ impl StructureProblem {
             return None;
         }
         let (structure, _) = self.structure(case, Model::Study).ok()?;
-        let sizes = sizes_of_blocks(&structure).into_iter();
-        let squares: f64 = sizes.map(|size| (size * size) as f64).sum();
+        let corrects = self.method(case).is_some_and(|method| method.corrects());
+        let is_rigid = structure.contacts.iter().any(|own| own.law.is_rigid());
+        let at_once = is_rigid || structure.massless().contains(&true);
+        let known = !self.template.at_rest.is_empty() || self.template.reference.is_some();
+        let sizes = match corrects || at_once || known {
+            true => vec![contacts.len()],
+            false => sizes_of_blocks(&structure),
+        };
+        let squares: f64 = sizes.into_iter().map(|size| (size * size) as f64).sum();
         let m = squares.sqrt();
         if fits(m) {
             return None;
