@@ -15,7 +15,9 @@ pub fn of_parameter(problem: &dyn Problem, parameter: &Parameter) -> Option<Stri
     }
     match (parameter.kind, parameter.unit.strip_prefix(OF_STUDY)) {
         (Kind::Choice(_), _) => None,
-        (_, Some("time")) => problem.unit_name(Dimension::Time),
+        (_, Some("time")) => problem
+            .as_structure()
+            .and_then(|structure| structure.unit_name(Dimension::Time)),
         (_, Some(_)) => None,
         (_, None) => Some(parameter.unit.to_string()),
     }
@@ -23,7 +25,11 @@ pub fn of_parameter(problem: &dyn Problem, parameter: &Parameter) -> Option<Stri
 
 /// The unit of a metric; `None` where the study names none.
 pub fn of_measure(problem: &dyn Problem, measure: &Measure) -> Option<String> {
-    let known = !problem.schema().described || problem.unit_name(Dimension::Time).is_some();
+    let known = !problem.schema().described
+        || problem
+            .as_structure()
+            .and_then(|structure| structure.unit_name(Dimension::Time))
+            .is_some();
     (known || measure.unit != "1").then(|| measure.unit.clone())
 }
 
@@ -33,6 +39,8 @@ pub fn of_dimension(problem: &dyn Problem, dimension: Dimension) -> Option<Strin
     let scale = scales.iter().find(|unit| unit.dimension == dimension);
     match scale {
         Some(scale) => Some(scale.name.to_string()),
-        None => problem.unit_name(dimension),
+        None => problem
+            .as_structure()
+            .and_then(|structure| structure.unit_name(dimension)),
     }
 }

@@ -48,7 +48,11 @@ pub fn animate(study: &Study, name: &str, shown: &Shown) -> Result<String, Error
         if let Some(broken) = Violation::all(&study.violations(number)) {
             return Err(unsolved(broken));
         }
-        if let Some(fault) = study.problem.history_fault(&case) {
+        if let Some(fault) = study
+            .problem
+            .as_structure()
+            .and_then(|structure| structure.history_fault(&case))
+        {
             return Err(unsolved(format!("{} {}", fault.parameter, fault.message)));
         }
         let solution = batch::solution(study, &case).map_err(|why| unsolved(why.to_string()))?;
@@ -82,9 +86,12 @@ pub fn animate(study: &Study, name: &str, shown: &Shown) -> Result<String, Error
         (true, Some((number, ..))) => format!("case {number}: {}", labels[0]),
         _ => String::new(),
     };
-    let ground = solved
-        .first()
-        .and_then(|(_, case, _)| study.problem.ground_motion(case));
+    let ground = solved.first().and_then(|(_, case, _)| {
+        study
+            .problem
+            .as_structure()
+            .and_then(|structure| structure.ground_motion(case))
+    });
     page::page(study, (name, &head), &films, ground.as_ref())
 }
 
@@ -128,7 +135,9 @@ fn film<'a>(
     }
     let problem = &*study.problem;
     let film = match (
-        problem.scheme(case),
+        problem
+            .as_structure()
+            .and_then(|structure| structure.scheme(case)),
         problem.snapshots(case, &[0.0]).is_empty(),
     ) {
         (Some(scheme), _) => structure::film(problem, case, &scheme, history),
@@ -144,7 +153,11 @@ fn unit(study: &Study, dimension: Dimension) -> String {
     let schema = study.problem.schema();
     let known = schema.units.iter().find(|unit| unit.dimension == dimension);
     match schema.described {
-        true => study.problem.unit_name(dimension).unwrap_or_default(),
+        true => study
+            .problem
+            .as_structure()
+            .and_then(|structure| structure.unit_name(dimension))
+            .unwrap_or_default(),
         false => known.map_or_else(String::new, |unit| unit.name.to_string()),
     }
 }

@@ -236,7 +236,7 @@ impl Search<'_> {
         let all = cases.cases(&[middle]);
         let mut shown = all.shown();
         let count = |row: usize| {
-            let measured = self.study.problem.measured(shown.at(row));
+            let measured = self.study.measured(shown.at(row));
             measured
                 .first()
                 .map_or(0.0, |own| own.compared.len() as f64)

@@ -31,7 +31,7 @@ pub fn tests(study: &Study, cases: &PointCases, values: &[f64]) -> Vec<Test> {
         Test {
             solution: solved.ok().filter(|_| solvable),
             why,
-            measured: study.problem.measured(&case),
+            measured: study.measured(&case),
             case,
         }
     };

@@ -54,7 +54,12 @@ impl CalibrateArgs {
         // A folder that cannot be written ends the command before any computing.
         check_folder(&path)?;
         Folder::open(&path)?;
-        for own in source.study.problem.notes() {
+        for own in source
+            .study
+            .problem
+            .as_structure()
+            .map_or(&[][..], |structure| structure.notes())
+        {
             note(&source.line(own));
         }
         let (bar, start) = (progress::counter(&source.name), Instant::now());

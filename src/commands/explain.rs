@@ -77,7 +77,11 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         ]);
     }
     text += &table(&rows);
-    if let Some(description) = study.problem.description(&case) {
+    if let Some(description) = study
+        .problem
+        .as_structure()
+        .and_then(|structure| structure.description(&case))
+    {
         text += &format!("\n{description}");
     }
     for note in study.notes() {
@@ -202,7 +206,7 @@ fn cost(study: &Study, case: &Case) -> Result<String, Error> {
         Some(seconds) => format!("{} on {threads}", duration(seconds)),
         None => "not measured".into(),
     };
-    let shares = !study.problem.samples(case).key.is_empty()
+    let shares = !study.samples(case).key.is_empty()
         || study.problem.reference_work(case, &study.metrics) > 0;
     let alike = if shares { " like this one" } else { "" };
     Ok(format!(

@@ -37,7 +37,13 @@ impl Counts {
         let problem = &study.problem;
         let metrics = &outcome.metrics[..problem.metrics().len()];
         let solved = outcome.failure.is_none();
-        let diverges = solved.then(|| problem.diverges_by(metrics)).flatten();
+        let diverges = solved
+            .then(|| {
+                problem
+                    .as_structure()
+                    .and_then(|structure| structure.diverges_by(metrics))
+            })
+            .flatten();
         self.divergence.add(diverges);
         if let Some(why) = &outcome.failure {
             self.unsolved += 1;

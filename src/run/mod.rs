@@ -100,8 +100,15 @@ impl Written {
 fn check_histories(source: &Source) -> Result<(), Error> {
     let study = &source.study;
     let mut cases = study.range(0, study.raw_len());
-    let fault =
-        cases.find_map(|(number, case)| Some((number, study.problem.history_fault(&case)?)));
+    let fault = cases.find_map(|(number, case)| {
+        Some((
+            number,
+            study
+                .problem
+                .as_structure()
+                .and_then(|structure| structure.history_fault(&case))?,
+        ))
+    });
     fault.map_or(Ok(()), |(number, fault)| {
         let what = format!(
             "case {number}: {} {}; run it without --histories",

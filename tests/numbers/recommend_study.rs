@@ -160,7 +160,7 @@ fn no_other_candidate_is_cheaper_of_all_solved_one_by_one() {
             .find(|case| key(case) == ("kelvin-voigt", 0.002, 3.0) && seed(case) == of);
         let finest = finest.unwrap();
         let impacts = solve(&with_finer_step(problem, finest, 2))[2];
-        let exact = problem.exact_metrics(finest, &rows);
+        let exact = problem.as_structure().unwrap().exact_metrics(finest, &rows);
         [exact[0].unwrap(), exact[1].unwrap(), impacts]
     };
     let references: Vec<(f64, [f64; 3])> = [1.0, 2.0, 3.0].map(|of| (of, reference(of))).to_vec();

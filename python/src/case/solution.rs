@@ -129,7 +129,10 @@ impl Solution {
     fn measured(&self, py: Python<'_>) -> PyResult<&Py<PyDict>> {
         self.dicts.measured.get_or_try_init(py, || {
             let dict = PyDict::new(py);
-            let measured = self.problem.measured(&self.case);
+            let measured = self
+                .problem
+                .as_structure()
+                .map_or(Vec::new(), |structure| structure.measured(&self.case));
             let times = &self.solution.computed.time;
             if !measured.is_empty() {
                 let schema = self.problem.schema();

@@ -36,7 +36,9 @@ pub fn film<'a>(
     };
     let names: Vec<&str> = scheme.links.iter().map(|link| &*link.name).collect();
     let names: Vec<&str> = names.into_iter().filter(|name| !name.is_empty()).collect();
-    let limits = problem.friction_limits(case, history);
+    let limits = problem.as_structure().map_or(Vec::new(), |structure| {
+        structure.friction_limits(case, history)
+    });
     let contacts: Vec<Contact> = scheme
         .links
         .iter()

@@ -72,7 +72,7 @@ pub fn write_history(
         let name = format!("{}_exact", column.name);
         (name, column.dimension, exact.channel(*index))
     }));
-    let measured = study.problem.measured(case);
+    let measured = study.measured(case);
     let measured: Vec<(&MeasuredChannel, Vec<f64>)> = measured
         .iter()
         .map(|own| (own, own.at(&computed.time)))

@@ -63,7 +63,7 @@ pub fn sampling(study: &Study) -> f64 {
     let mut signals = BTreeSet::new();
     let mut cases = 0;
     for case in sampled.filter_map(|raw| study.combination(raw)) {
-        let samples = study.problem.samples(&case);
+        let samples = study.samples(&case);
         match (samples.key.is_empty(), cases) {
             (true, 0) => return 0.0,
             (true, _) => continue,
@@ -192,7 +192,7 @@ fn shortened(study: &Study, cases: Cases, most: f64) -> Cases {
 
 /// Cases that need the sampled signals of `like`, evenly spaced; only `like` if the study has no such signals.
 fn with_signals_of(study: &Study, like: &Case) -> Vec<Case> {
-    let own = study.problem.samples(like);
+    let own = study.samples(like);
     if own.key.is_empty() {
         return vec![like.clone()];
     }
@@ -200,9 +200,7 @@ fn with_signals_of(study: &Study, like: &Case) -> Vec<Case> {
     let stride = raw.div_ceil(MOST_SUMMED);
     let cases = (0..raw).step_by(stride as usize);
     let cases = cases.filter_map(|raw| study.combination(raw));
-    let found: Vec<Case> = cases
-        .filter(|case| study.problem.samples(case) == own)
-        .collect();
+    let found: Vec<Case> = cases.filter(|case| study.samples(case) == own).collect();
     let every = found.len().div_ceil(MOST_ALIKE).max(1);
     match found.is_empty() {
         true => vec![like.clone()],
@@ -213,12 +211,12 @@ fn with_signals_of(study: &Study, like: &Case) -> Vec<Case> {
 /// The cases that need no other sampled signals than those of `like`; in the places of the others those of `instead` with the most of
 /// their values, or nothing.
 fn alike(study: &Study, like: &Case, cases: &Cases, instead: &[Case]) -> Cases {
-    let own = study.problem.samples(like);
+    let own = study.samples(like);
     let rows = solvable_rows(cases);
     let (mut found, mut shown) = (Cases::new(study.problem.schema()), cases.shown());
     for row in rows {
         let case = shown.at(row as usize);
-        if study.problem.samples(case) == own {
+        if study.samples(case) == own {
             found.push(case);
             continue;
         }

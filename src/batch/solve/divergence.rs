@@ -39,20 +39,23 @@ pub fn sampled(study: &Study) -> Option<Divergence> {
 
 /// The same of the cases that need no other sampled signals than this case. It is one of them.
 pub fn sampled_like(study: &Study, number: u64) -> Option<Divergence> {
-    let own = study.problem.samples(&study.case(number)?);
-    sampled_if(study, |case| study.problem.samples(case) == own).map(|found| {
-        match found.looked_at {
-            0 => {
-                let case = study.case(number);
-                let mut one = Divergence::default();
-                one.add(case.and_then(|case| study.problem.diverges(&case)));
-                Divergence {
-                    cases: found.cases,
-                    ..one
-                }
+    let own = study.samples(&study.case(number)?);
+    sampled_if(study, |case| study.samples(case) == own).map(|found| match found.looked_at {
+        0 => {
+            let case = study.case(number);
+            let mut one = Divergence::default();
+            one.add(case.and_then(|case| {
+                study
+                    .problem
+                    .as_structure()
+                    .and_then(|structure| structure.diverges(&case))
+            }));
+            Divergence {
+                cases: found.cases,
+                ..one
             }
-            _ => found,
         }
+        _ => found,
     })
 }
 
@@ -64,7 +67,10 @@ fn sampled_if(study: &Study, wanted: impl Fn(&Case) -> bool + Sync) -> Option<Di
     let numbers = numbers(cases, total(study));
     let diverges = |number: &u64| {
         let case = study.case(*number).filter(|case| wanted(case))?;
-        study.problem.diverges(&case)
+        study
+            .problem
+            .as_structure()
+            .and_then(|structure| structure.diverges(&case))
     };
     let found: Vec<Option<bool>> = numbers.par_iter().map(diverges).collect();
     let mut sum = Divergence::default();
@@ -188,7 +194,10 @@ mod tests {
             assert_eq!(found, expected, "{metrics}");
             let says = |case| {
                 let metrics = study.problem.solve(&case, &[]).unwrap().metrics;
-                study.problem.diverges_by(&metrics)
+                study
+                    .problem
+                    .as_structure()
+                    .and_then(|structure| structure.diverges_by(&metrics))
             };
             let said: Vec<Option<bool>> = study.cases().map(says).collect();
             let expected = match metrics.contains("divergence") {

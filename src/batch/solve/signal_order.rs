@@ -14,7 +14,7 @@ pub(in crate::batch) fn signal_order(
     rows: Vec<u32>,
 ) -> Vec<Vec<u32>> {
     let mut shown = cases.shown();
-    let mut samples = |row: &u32| study.problem.samples(shown.at(*row as usize));
+    let mut samples = |row: &u32| study.samples(shown.at(*row as usize));
     match rows.first() {
         None => return Vec::new(),
         Some(first) if samples(first).key.is_empty() => return vec![rows],

@@ -40,7 +40,11 @@ impl Key {
         bytes.extend(cases.len().to_le_bytes());
         let table = study.problem.parameters();
         for row in study.parameter_columns() {
-            let free_names = !study.problem.identity().is_empty();
+            let free_names = !study
+                .problem
+                .as_structure()
+                .map_or("", |structure| structure.identity())
+                .is_empty();
             if free_names || table[row].column == ColumnRule::IfGiven {
                 bytes.extend(table[row].name.as_bytes());
             }
@@ -78,7 +82,10 @@ impl Key {
             columns: format!(
                 "{}{} {once} {}",
                 study.problem.name(),
-                study.problem.identity(),
+                study
+                    .problem
+                    .as_structure()
+                    .map_or("", |structure| structure.identity()),
                 names.join(" ")
             ),
             cases: format!("{:032x}", hasher.finish_128()),

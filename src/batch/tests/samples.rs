@@ -22,12 +22,17 @@ fn explaining_a_case_makes_its_own_records_only() {
         r#""ground": {"synthetic": {"seed": "seed"}}"#,
         r#""peak(m)""#,
     );
-    let made = || study.problem.sampled_so_far();
+    let made = || study.problem.as_structure().unwrap().sampled_so_far();
     assert_eq!((study.len(), made()), (20000, 0));
     let total = total(&study);
     assert_eq!(made(), 0);
     let case = study.case(7).unwrap();
-    study.problem.description(&case).unwrap();
+    study
+        .problem
+        .as_structure()
+        .unwrap()
+        .description(&case)
+        .unwrap();
     let options = RunOptions::METRICS;
     // 20000 records of 3 ms at 5e8 units in a second.
     assert_eq!(cost::sampling(&study), 20000.0 * 1.5e6);
@@ -45,7 +50,12 @@ fn more_records_than_fit_in_memory_are_made_once() {
         r#""loads": [{"at": "m", "pulse": {"cosine": {"amplitude": "a", "period": 600, "sampled": 0.1}}, "scale": "k"}]"#,
         r#""peak(m)""#,
     );
-    let one = study.problem.samples(&study.case(0).unwrap()).numbers;
+    let one = study
+        .problem
+        .as_structure()
+        .unwrap()
+        .samples(&study.case(0).unwrap())
+        .numbers;
     assert!(1600 * one > MOST_SAMPLED);
     let mut values = Vec::new();
     let run = |values: &mut Vec<Option<f64>>| {
@@ -60,7 +70,7 @@ fn more_records_than_fit_in_memory_are_made_once() {
         )
     };
     run(&mut values).unwrap();
-    assert_eq!(study.problem.sampled_so_far(), 1600);
+    assert_eq!(study.problem.as_structure().unwrap().sampled_so_far(), 1600);
     // In the order of the cases: linear in the amplitude, up to the round-off of two products.
     assert_eq!(values.len(), 4800);
     let first = values[0].unwrap();

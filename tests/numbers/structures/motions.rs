@@ -44,7 +44,13 @@ fn motion(keys: &str) -> Table {
 
 fn of_case(study: &Study, case: u64) -> Table {
     let case = study.case(case).unwrap();
-    study.problem.ground_motion(&case).unwrap().acceleration
+    study
+        .problem
+        .as_structure()
+        .unwrap()
+        .ground_motion(&case)
+        .unwrap()
+        .acceleration
 }
 
 fn peak(table: &Table) -> f64 {

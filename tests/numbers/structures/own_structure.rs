@@ -274,7 +274,7 @@ fn a_scheme_has_the_nodes_of_a_model_and_the_ends_of_its_links() {
         }
     }));
     let case = study.case(0).unwrap();
-    let scheme = study.problem.scheme(&case).unwrap();
+    let scheme = study.problem.as_structure().unwrap().scheme(&case).unwrap();
     let model = |part: usize| scheme.parts[part].model.as_ref().unwrap();
     assert_eq!(scheme.parts[0].model, None);
     // Storeys of 3.2 m and 3 m; the right frame leans.
@@ -316,7 +316,12 @@ fn a_scheme_has_the_nodes_of_a_model_and_the_ends_of_its_links() {
     assert_eq!(directions[1..], [[0.8, -0.6, 0.0], [1.0, 0.1, 0.0]]);
     let nodes: Vec<usize> = frames.interface.iter().map(|own| own.node).collect();
     assert_eq!(nodes, [5, 10, 11]);
-    let text = study.problem.description(&case).unwrap();
+    let text = study
+        .problem
+        .as_structure()
+        .unwrap()
+        .description(&case)
+        .unwrap();
     // examples/models/frame.py lumps 156 t, which move in x and y; the 12 rotations have none.
     let own = "matrices frames: 36 dofs, 12 of them without mass, mass x 156, y 156\n";
     assert!(text.contains(own), "{text}");

@@ -157,7 +157,12 @@ fn histories_and_descriptions_name_what_is_left() {
                 "f.mode1.v"
             ]
         );
-        let text = study.problem.description(&case).unwrap();
+        let text = study
+            .problem
+            .as_structure()
+            .unwrap()
+            .description(&case)
+            .unwrap();
         let expected = format!(
             "reduction of f: of 36 dofs 2 are kept, with {modes} of 22 modes up to the frequency "
         );
@@ -176,7 +181,12 @@ fn the_time_for_which_nodes_touch_is_that_of_their_own_masses() {
             "contacts": {{ "stop": {{ "law": "impact", "between": ["b.61.x", "ground"], "k": 60 }} }} }}, "metrics": ["impulse(stop)"] }}"#
         );
         let study = study::parse(&format!("{MODELS}/s.json"), &text).unwrap();
-        let text = study.problem.description(&study.case(0).unwrap()).unwrap();
+        let text = study
+            .problem
+            .as_structure()
+            .unwrap()
+            .description(&study.case(0).unwrap())
+            .unwrap();
         let behind = text.split("its nodes touch for ").nth(1).unwrap();
         behind.split(' ').next().unwrap().parse::<f64>().unwrap()
     };

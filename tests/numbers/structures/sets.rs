@@ -357,12 +357,12 @@ fn a_note_says_that_x_and_y_get_factors_of_their_own() {
         let one = |name: &str| format!(r#"{{"record": "{name}", "scale_to": {{"pga": 1{more}}}}}"#);
         let ground = format!(r#"{{"x": {}, "y": {}}}"#, one("rx"), one("ry"));
         let study = parse(&text("", "", &ground, FACTORS)).unwrap();
-        study.problem.notes().join("\n")
+        study.problem.as_structure().unwrap().notes().join("\n")
     };
     assert!(apart("").contains("ground: x and y get each a factor of its own"));
     assert_eq!(apart(r#", "component": "each""#), "");
     let set = r#""pga": 1, "component": "srss", "set": {"rule": "ASCE 7-16", "period": 1, "spectrum": {"T": [1], "Sa": [1]}}"#;
     let study = parse(&text("", "", &together(set), SET)).unwrap();
-    let notes = study.problem.notes().join("\n");
+    let notes = study.problem.as_structure().unwrap().notes().join("\n");
     assert_eq!(notes, "ASCE 7-16 needs at least 11 motions, the set has 2");
 }

@@ -52,7 +52,12 @@ fn the_example_of_the_format_is_read() {
         names,
         ["peak(g1.right - p2)", "impacts(gap12)", "energy_error"]
     );
-    let text = study.problem.description(&case).unwrap();
+    let text = study
+        .problem
+        .as_structure()
+        .unwrap()
+        .description(&case)
+        .unwrap();
     // Two masses of 100 and two bars of 500 with 11 nodes each.
     assert!(
         text.contains("24 nodes, total mass 1200, 2 contacts"),
@@ -262,7 +267,7 @@ fn the_bytes_of_a_record_belong_to_the_results_and_remarks_do_not() {
     let identity = |last: f64, text: &str| {
         let folder = folder(last);
         let study = read(folder.path(), text).unwrap();
-        study.problem.identity().to_owned()
+        study.problem.as_structure().unwrap().identity().to_owned()
     };
     let own = identity(0.0, EXAMPLE);
     let remark = EXAMPLE.replace("\"units\":", "\"//\": \"a remark\",\n  \"units\":");
@@ -514,7 +519,12 @@ fn a_parameter_may_have_the_name_of_a_constant() {
         r#"{"problem": "structure", "parameters": {"method": "moreau-jean", "e": [0, 0.5], "dt": 0.1, "duration": 2},
             "structure": {"masses": {"m": 1}, "contacts": {"stop": {"law": "impact", "between": ["m", "ground"], "gap": 1, "e": "e"}}}}"#,
     );
-    let text = study.problem.description(&study.case(1).unwrap()).unwrap();
+    let text = study
+        .problem
+        .as_structure()
+        .unwrap()
+        .description(&study.case(1).unwrap())
+        .unwrap();
     assert!(text.contains("restitution 0.5"), "{text}");
 }
 
@@ -666,6 +676,8 @@ fn the_mean_of_a_knet_record_is_removed_and_said_or_kept() {
     let values = |study: &Study| {
         let motion = study
             .problem
+            .as_structure()
+            .unwrap()
             .ground_motion(&study.case(0).unwrap())
             .unwrap();
         motion.acceleration.values()[..4].to_vec()
@@ -674,20 +686,23 @@ fn the_mean_of_a_knet_record_is_removed_and_said_or_kept() {
     let near = |a: Vec<f64>, b: [f64; 4]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-16);
     let study_of = study("");
     assert!(near(values(&study_of), [0.01, -0.01, 0.0075, -0.0075]));
-    let note = &study_of.problem.notes()[0];
+    let note = &study_of.problem.as_structure().unwrap().notes()[0];
     assert!(
         note.starts_with("the mean of \"a.EW\", 25 cm/s2, is removed"),
         "{note}"
     );
     let removed = study(r#", "mean": "removed""#);
-    assert!(removed.problem.notes().is_empty());
+    assert!(removed.problem.as_structure().unwrap().notes().is_empty());
     assert_eq!(values(&removed), values(&study_of));
     let kept = study(r#", "mean": "kept""#);
-    assert!(kept.problem.notes().is_empty());
+    assert!(kept.problem.as_structure().unwrap().notes().is_empty());
     assert!(
         near(values(&kept), [0.26, 0.24, 0.2575, 0.2425]),
         "{:?}",
         values(&kept)
     );
-    assert_ne!(kept.problem.identity(), removed.problem.identity());
+    assert_ne!(
+        kept.problem.as_structure().unwrap().identity(),
+        removed.problem.as_structure().unwrap().identity()
+    );
 }

@@ -33,7 +33,7 @@ use crate::system::structure::Structure;
 use numbers::parameter::Parameter;
 use numbers::unit::Dimension;
 use std::sync::{Arc, LazyLock};
-use structure::{GroundMotion, Scheme, SetSpectra, StructureProblem};
+use structure::StructureProblem;
 use table::cases::Cases;
 use times::{ends_early, time_rules};
 
@@ -109,14 +109,6 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
         None
     }
-    /// The metrics in these rows of the exact motion of a completed case, at the times of its steps; `None` for those that are not known.
-    fn exact_metrics(&self, _case: &Case, rows: &[usize]) -> Vec<Option<f64>> {
-        vec![None; rows.len()]
-    }
-    /// Why the whole history of a completed case does not fit in memory; `None` if it does. Its metrics and figures may need less.
-    fn history_fault(&self, _case: &Case) -> Option<Violation> {
-        None
-    }
     /// The columns of the history of a completed case, after the time.
     fn history_columns(&self, _case: &Case) -> Vec<HistoryColumn> {
         let channels = self.schema().channels.iter().enumerate();
@@ -126,57 +118,13 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
         };
         channels.map(column).collect()
     }
-    /// What was measured of the motion of a completed case, for each channel that the study gives; none without.
-    fn measured(&self, _case: &Case) -> Vec<MeasuredChannel> {
-        Vec::new()
-    }
-    /// A metric, by its row, in each test that the study compares as a sample; `None` without such tests, and if they do not have it.
-    fn in_tests(&self, _metric: usize) -> Option<Vec<f64>> {
-        None
-    }
     /// The problem for parameters in units of which this gives the sizes in SI units; `None` for one whose units say nothing more.
     fn in_units(&self, _size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {
-        None
-    }
-    /// What determines results and is neither in the parameters nor in the program; empty if there is nothing.
-    fn identity(&self) -> &str {
-        ""
-    }
-    /// What identifies the sampled signals of a completed case.
-    fn samples(&self, _case: &Case) -> Samples {
-        Samples::default()
-    }
-    /// Number of sampled signals that were made so far; cases share them.
-    fn sampled_so_far(&self) -> u64 {
-        0
-    }
-    /// What was done to input files that the study does not ask for, and what may be a mistake, in words.
-    fn notes(&self) -> &[String] {
-        &[]
-    }
-    /// Lines that describe a completed case, for `explain`.
-    fn description(&self, _case: &Case) -> Option<String> {
         None
     }
     /// The warnings of a completed case that need no motion, each with what it is of.
     fn doubts(&self, _case: &Case) -> Vec<(Warning, String)> {
         Vec::new()
-    }
-    /// Whether a change of 1e-10 in start and loads reaches 1 % of the peak of a channel that metrics are of; `None` if not known.
-    fn diverges(&self, _case: &Case) -> Option<bool> {
-        None
-    }
-    /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
-    fn diverges_by(&self, _metrics: &[Option<f64>]) -> Option<bool> {
-        None
-    }
-    /// Whether two completed cases have the same equations, steps and measured points to the bit. False if one cannot be solved.
-    fn has_same_motion(&self, _one: &Case, _other: &Case) -> bool {
-        false
-    }
-    /// Whether two completed cases are stepped side by side in a sweep. False for a case that cannot be solved.
-    fn are_side_by_side(&self, _one: &Case, _other: &Case) -> bool {
-        false
     }
     /// The modes, the one contact and the steps of a completed case of a textbook problem, in its scales; `None` for a structure.
     fn system(&self, _case: &Case) -> Option<System> {
@@ -190,22 +138,6 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
         self.system(case).map(|own| own.law)
     }
-    /// The structure of a completed case for a picture; `None` for a problem without one.
-    fn scheme(&self, _case: &Case) -> Option<Scheme> {
-        None
-    }
-    /// The friction limit of each contact at the times of a motion, >= 0; `None` without friction. Empty for textbook problems.
-    fn friction_limits(&self, _case: &Case, _motion: &History) -> Vec<Option<Vec<f64>>> {
-        Vec::new()
-    }
-    /// The acceleration of the ground in a completed case; `None` where there is none.
-    fn ground_motion(&self, _case: &Case) -> Option<GroundMotion> {
-        None
-    }
-    /// The spectra of this set in a completed case at these periods, and the units of length and time; `None` without a set.
-    fn set_spectra(&self, _case: &Case, _periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {
-        None
-    }
     /// The profiles of a completed case at the steps nearest to `times`; none for a problem without extent.
     fn snapshots(&self, _case: &Case, _times: &[f64]) -> Vec<Snapshot> {
         Vec::new()
@@ -216,10 +148,6 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     }
     /// Size of the unit of a dimension in a completed case, in the units of its parameters; `None` for a problem without.
     fn size(&self, _case: &Case, _dimension: Dimension) -> Option<f64> {
-        None
-    }
-    /// The unit of a dimension as the study of a described structure names it; `None` if it names none, and for other problems.
-    fn unit_name(&self, _dimension: Dimension) -> Option<String> {
         None
     }
     /// Its name in a study's `problem`.

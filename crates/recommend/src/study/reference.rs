@@ -72,7 +72,11 @@ fn exact(cases: &[Case], judge: &Judge) -> Vec<Vec<Option<f64>>> {
         .all(|row| is_error(&judge.study.measures[row].name));
     let exact = |case: &Case| match errors {
         true => vec![None; metrics.len()],
-        false => problem.exact_metrics(case, &metrics),
+        false => problem
+            .as_structure()
+            .map_or(vec![None; metrics.len()], |own| {
+                own.exact_metrics(case, &metrics)
+            }),
     };
     let exact: Vec<Vec<Option<f64>>> = cases.par_iter().map(exact).collect();
     let own = cases.iter().zip(&exact);

@@ -16,7 +16,12 @@ pub fn used(
         let mut measures = measures.iter();
         measures.any(|row| study.measure_contains(*row, free.parameter))
     };
-    let same = |one: &Case, other: &Case| study.problem.has_same_motion(one, other);
+    let same = |one: &Case, other: &Case| {
+        study
+            .problem
+            .as_structure()
+            .is_some_and(|structure| structure.has_same_motion(one, other))
+    };
     let uses: Vec<bool> = (0..all.len())
         .map(|place| in_metric(&all[place]) || changes(study, alternative, all, place, &same))
         .collect();
@@ -28,7 +33,12 @@ pub fn used(
 
 /// Those with which masses, stiffnesses or dashpots change, so that cases are not solved side by side.
 pub fn apart(study: &Study, alternative: &Alternative, free: &[Free]) -> Vec<Free> {
-    let same = |one: &Case, other: &Case| study.problem.are_side_by_side(one, other);
+    let same = |one: &Case, other: &Case| {
+        study
+            .problem
+            .as_structure()
+            .is_some_and(|structure| structure.are_side_by_side(one, other))
+    };
     let places = (0..free.len()).filter(|place| changes(study, alternative, free, *place, &same));
     places.map(|place| free[place]).collect()
 }

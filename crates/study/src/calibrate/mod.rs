@@ -63,7 +63,12 @@ impl Study {
                 names.join(", ")
             )
         });
-        let notes = self.problem.notes().iter().cloned();
+        let notes = self
+            .problem
+            .as_structure()
+            .map_or(&[][..], |structure| structure.notes())
+            .iter()
+            .cloned();
         notes.chain(self.repeated_values()).chain(free).collect()
     }
 

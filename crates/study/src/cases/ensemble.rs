@@ -20,7 +20,10 @@ impl Study {
     pub fn in_tests(&self, measure: usize) -> Option<Vec<f64>> {
         let own = &self.measures[measure];
         let plain = own.dimension.is_none() && own.reduction.is_none();
-        let mut values = self.problem.in_tests(own.metric.filter(|_| plain)?)?;
+        let mut values = self
+            .problem
+            .as_structure()
+            .and_then(|structure| structure.in_tests(own.metric.filter(|_| plain)?))?;
         values.sort_unstable_by(f64::total_cmp);
         Some(values)
     }

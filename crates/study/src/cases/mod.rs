@@ -6,7 +6,7 @@ pub mod scope;
 use super::Study;
 use slipgap_cases::{Block, Enumeration, Filter};
 use slipgap_problem::problem::table::cases::Cases;
-use slipgap_problem::problem::{Case, Violation};
+use slipgap_problem::problem::{Case, MeasuredChannel, Samples, Violation};
 
 impl Study {
     /// The cases with their numbers.
@@ -68,6 +68,18 @@ impl Study {
             (true, None) => self.work(shown.at(row)),
             (false, _) => 0,
         })
+    }
+
+    /// What identifies the sampled signals of a completed case.
+    pub fn samples(&self, case: &Case) -> Samples {
+        let structure = self.problem.as_structure();
+        structure.map_or_else(Samples::default, |structure| structure.samples(case))
+    }
+
+    /// What was measured of the motion of a completed case, for each channel that the study gives; none without.
+    pub fn measured(&self, case: &Case) -> Vec<MeasuredChannel> {
+        let structure = self.problem.as_structure();
+        structure.map_or_else(Vec::new, |structure| structure.measured(case))
     }
 
     /// Rows of the parameters that are columns of tables, in the order of the problem's table.

@@ -47,7 +47,9 @@ fn limit(study: &Study, of: &Quantity, shown: &DrawnCase) -> Option<f64> {
         own.ends_with(".rdot") && !is_length(name)
     });
     let place = rates.position(|name| **name == format!("{contact}.rdot.1"))?;
-    let limits = study.problem.friction_limits(&case, &solution.computed);
+    let limits = study.problem.as_structure().map_or(Vec::new(), |own| {
+        own.friction_limits(&case, &solution.computed)
+    });
     let own = limits.get(place)?.as_ref()?;
     Some(own.iter().copied().fold(0.0, f64::max))
 }

@@ -99,7 +99,10 @@ fn sets<'a>(study: &Study, cases: &[DrawnCase<'a>]) -> (Vec<DrawnCase<'a>>, [Str
     let (mut first, mut units) = (Vec::new(), Default::default());
     for shown in cases {
         // Without periods: what tells sets apart, for little work.
-        if let Some((set, own)) = study.problem.set_spectra(&shown.case(), &[])
+        if let Some((set, own)) = study
+            .problem
+            .as_structure()
+            .and_then(|structure| structure.set_spectra(&shown.case(), &[]))
             && !known.contains(&set)
         {
             known.push(set);
@@ -113,9 +116,17 @@ fn sets<'a>(study: &Study, cases: &[DrawnCase<'a>]) -> (Vec<DrawnCase<'a>>, [Str
 /// The set of a case at the periods of the figure.
 fn drawn(figure: &Set, study: &Study, shown: &DrawnCase) -> Option<(Vec<f64>, SetSpectra)> {
     let case = shown.case();
-    let [from, to] = study.problem.set_spectra(&case, &[])?.0.between;
+    let [from, to] = study
+        .problem
+        .as_structure()
+        .and_then(|structure| structure.set_spectra(&case, &[]))?
+        .0
+        .between;
     let periods = over_periods(figure.periods.unwrap_or([0.5 * from, 2.0 * to]));
-    let (set, _) = study.problem.set_spectra(&case, &periods)?;
+    let (set, _) = study
+        .problem
+        .as_structure()
+        .and_then(|structure| structure.set_spectra(&case, &periods))?;
     Some((periods, set))
 }
 

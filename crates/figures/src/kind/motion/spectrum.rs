@@ -145,7 +145,10 @@ pub(super) fn over_periods([first, last]: [f64; 2]) -> Vec<f64> {
 fn motions<'a>(study: &Study, cases: &[DrawnCase<'a>]) -> (Vec<GroundMotion>, Vec<DrawnCase<'a>>) {
     let (mut motions, mut first) = (Vec::new(), Vec::new());
     for shown in cases {
-        if let Some(motion) = study.problem.ground_motion(&shown.case())
+        if let Some(motion) = study
+            .problem
+            .as_structure()
+            .and_then(|structure| structure.ground_motion(&shown.case()))
             && !motions.contains(&motion)
         {
             motions.push(motion);

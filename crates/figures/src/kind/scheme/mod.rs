@@ -36,7 +36,12 @@ impl Draw for Scheme {
             ..
         } = *data;
         let first = cases.first();
-        let scheme = first.and_then(|shown| study.problem.scheme(&shown.case()));
+        let scheme = first.and_then(|shown| {
+            study
+                .problem
+                .as_structure()
+                .and_then(|structure| structure.scheme(&shown.case()))
+        });
         let Some(scheme) = scheme else {
             return Sheet {
                 width: figure.width.unwrap_or(style::SINGLE),

@@ -1,5 +1,6 @@
 //! Structures of a study: masses, bars, springs, contacts, loads and records, with the exact motion by events.
 
+mod answers;
 pub mod channels;
 pub mod described;
 pub mod given;
@@ -12,11 +13,8 @@ mod refused;
 pub mod tables;
 mod warn;
 
-use super::numbers::unit::Dimension;
 use super::table::cases::Cases;
-use super::{
-    Case, HistoryColumn, MeasuredChannel, Problem, Samples, Schema, Solution, Violation, time_rules,
-};
+use super::{Case, HistoryColumn, Problem, Schema, Solution, Violation, time_rules};
 use crate::history::History;
 pub use crate::problem::structure::described::ground::GroundMotion;
 pub use crate::problem::structure::described::scheme::picture::Scheme;
@@ -24,21 +22,13 @@ pub use crate::problem::structure::given::set::SetSpectra;
 pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 use crate::solve::{MetricTable, Unsolvable, Warning};
 use crate::system::structure::Structure;
-use described::{describe, ground, scheme};
-use given::signal_cache;
-use metrics::units::UnitNames;
 pub use model::assemble::MOST_NODES;
 use model::assemble::{self, Model, assemble};
-use motions::compared::friction_limits;
-use motions::motion;
 use motions::recorded::distinct;
 use motions::sweep::Groups;
-use parts::listed;
-use parts::models::Models;
 pub use prepared::StructureProblem;
 use std::sync::Arc;
 use tables::columns::{self, all_numbers};
-use tables::named_rows;
 
 impl Problem for StructureProblem {
     fn schema(&self) -> &Arc<Schema> {
@@ -47,35 +37,6 @@ impl Problem for StructureProblem {
 
     fn as_structure(&self) -> Option<&StructureProblem> {
         Some(self)
-    }
-
-    fn identity(&self) -> &str {
-        &self.identity
-    }
-
-    fn samples(&self, case: &Case) -> Samples {
-        let mut samples = Samples::default();
-        for source in self.template.sampled() {
-            // A case that breaks a rule makes none.
-            let Ok((key, points)) = source.samples(case) else {
-                return Samples::default();
-            };
-            samples.key.extend(key);
-            samples.work += source.sampling_work(points);
-            samples.numbers = samples.numbers.max(signal_cache::numbers(points));
-        }
-        samples
-    }
-
-    fn sampled_so_far(&self) -> u64 {
-        self.template
-            .sampled()
-            .map(|source| source.made_so_far())
-            .sum()
-    }
-
-    fn notes(&self) -> &[String] {
-        &self.notes
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
@@ -178,17 +139,6 @@ impl Problem for StructureProblem {
         })
     }
 
-    fn exact_metrics(&self, case: &Case, rows: &[usize]) -> Vec<Option<f64>> {
-        let values = self
-            .ready(0, case)
-            .and_then(|own| self.exact_values(&own, rows));
-        values.unwrap_or_else(|_| vec![None; rows.len()])
-    }
-
-    fn history_fault(&self, case: &Case) -> Option<Violation> {
-        self.check_history(case)
-    }
-
     fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
         let exact = self.template.reference.is_some();
         match assemble(&self.template, case, Model::Study) {
@@ -200,75 +150,8 @@ impl Problem for StructureProblem {
         }
     }
 
-    fn measured(&self, case: &Case) -> Vec<MeasuredChannel> {
-        let (Some(measured), Some(dt)) = (&self.template.measured, case.at(self.schema.step))
-        else {
-            return Vec::new();
-        };
-        match measured.in_case(case, dt, self.steps(case)) {
-            Ok(compared) => compared.channels(),
-            Err(_) => Vec::new(),
-        }
-    }
-
-    fn in_tests(&self, metric: usize) -> Option<Vec<f64>> {
-        self.sample_of(metric)
-    }
-
     fn structure(&self, case: &Case) -> Option<Structure> {
         Some(self.structure(case, Model::Study).ok()?.0)
-    }
-
-    fn diverges(&self, case: &Case) -> Option<bool> {
-        self.case_diverges(case)
-    }
-
-    fn are_side_by_side(&self, one: &Case, other: &Case) -> bool {
-        let ready = |case: &Case| self.ready(0, case).ok();
-        let (Some(one), Some(other)) = (ready(one), ready(other)) else {
-            return false;
-        };
-        let prepared = motion::prepare(&one.structure, &one.method, one.dt);
-        one.last == other.last
-            && prepared.is_ok_and(|own| own.fits(&other.method, &other.structure, other.dt))
-    }
-
-    fn has_same_motion(&self, one: &Case, other: &Case) -> bool {
-        let equations = |case| self.equations(case);
-        equations(one).is_some_and(|own| equations(other) == Some(own))
-            && self.measured(one) == self.measured(other)
-    }
-
-    fn diverges_by(&self, metrics: &[Option<f64>]) -> Option<bool> {
-        self.metrics_say(metrics)
-    }
-
-    fn scheme(&self, case: &Case) -> Option<Scheme> {
-        scheme::scheme(&self.template, case)
-    }
-
-    fn unit_name(&self, dimension: Dimension) -> Option<String> {
-        let units = UnitNames::of(&self.template.units)?;
-        Some(units.of_dimension(dimension))
-    }
-
-    fn friction_limits(&self, case: &Case, motion: &History) -> Vec<Option<Vec<f64>>> {
-        match self.structure(case, Model::Study) {
-            Ok((structure, _)) => {
-                friction_limits::of(&structure, &self.template, self.drawn.len(), motion)
-            }
-            Err(_) => Vec::new(),
-        }
-    }
-
-    fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
-        let duration = case.at(self.schema.duration)?;
-        ground::ground_motion(&self.template, case, duration)
-    }
-
-    fn set_spectra(&self, case: &Case, periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {
-        let spectra = ground::set_spectra(&self.template, case, periods)?;
-        Some((spectra, ground::units(&self.template)))
     }
 
     fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
@@ -276,25 +159,5 @@ impl Problem for StructureProblem {
         whole.map_or(Vec::new(), |(structure, numbering)| {
             self.doubts_of(case, &structure, &numbering)
         })
-    }
-
-    fn description(&self, case: &Case) -> Option<String> {
-        let (structure, numbering) = self.structure(case, Model::Study).ok()?;
-        let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
-        let models = Models::of(&self.template, case, &structure, &numbering);
-        let restitutions = warn::restitutions(&self.template, case, &structure);
-        let units = &self.template.units;
-        let mut text = describe::describe(&structure, &models, times, units, &restitutions);
-        text += &listed::listed(&self.template, numbering.elements());
-        text += &ground::described(&self.template, case, self.computed_steps(case)?);
-        text += &named_rows::described(&self.template, case);
-        let dt = case.at(self.schema.step)?;
-        if let Some(measured) = &self.template.measured
-            && let Ok(compared) = measured.in_case(case, dt, self.steps(case))
-        {
-            text += &compared.described(case);
-        }
-        text += &self.sample_described();
-        Some(text)
     }
 }

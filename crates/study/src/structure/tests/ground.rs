@@ -13,6 +13,8 @@ fn motion(ground: &str) -> GroundMotion {
     let study = parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
     study
         .problem
+        .as_structure()
+        .unwrap()
         .ground_motion(&study.case(0).unwrap())
         .unwrap()
 }

@@ -103,10 +103,10 @@ fn a_parameter_chooses_the_file() {
         assert_eq!(solved(&study, case).computed, by_list.computed);
     }
     // Results belong to the content of the file.
-    let before = study.problem.identity().to_owned();
+    let before = study.problem.as_structure().unwrap().identity().to_owned();
     write(&folder, "b.csv", 0.75, 0.0);
     let study = read(&folder, r#", "test": ["a.csv", "b.csv"]"#, &course).unwrap();
-    assert_ne!(study.problem.identity(), before);
+    assert_ne!(study.problem.as_structure().unwrap().identity(), before);
 }
 
 #[test]

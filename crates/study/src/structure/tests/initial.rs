@@ -103,7 +103,12 @@ fn initial_stiffness_damps_one_mass_and_two_masses_as_the_closed_form() {
 fn explain_prints_the_periods_with_elastic_contacts() {
     let text = |structure: &str| {
         let study = study(structure, "\"energy_error\"", 1.0);
-        study.problem.description(&study.case(0).unwrap()).unwrap()
+        study
+            .problem
+            .as_structure()
+            .unwrap()
+            .description(&study.case(0).unwrap())
+            .unwrap()
     };
     let both = text(&two(r#""modal_damping": 0"#));
     // Free: two masses of 1 on 200, omega^2 = 400; six digits of 2 pi/20, and of 2 pi/10 and 2 pi/sqrt 600.

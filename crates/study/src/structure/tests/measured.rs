@@ -94,7 +94,7 @@ fn errors_are_sums_over_the_measured_times_in_the_units_of_the_study() {
     assert_eq!(study.len(), 4);
     for case in study.cases() {
         let solution = solved(&study, &case);
-        let measured = study.problem.measured(&case);
+        let measured = study.problem.as_structure().unwrap().measured(&case);
         let names: Vec<&str> = measured.iter().map(|own| own.name.as_str()).collect();
         assert_eq!(names, ["deck.u", "gap.S", "wall.a"]);
         let lag = case.number("lag").unwrap();
@@ -188,6 +188,8 @@ fn a_file_of_the_motion_itself_has_no_error() {
     let solution = solved(&first, &case);
     let columns: Vec<usize> = first
         .problem
+        .as_structure()
+        .unwrap()
         .measured(&case)
         .iter()
         .map(|own| own.column)
@@ -264,9 +266,11 @@ fn the_points_are_the_same_for_every_delay_of_a_study() {
     let compared = |parameters: &str| {
         let text = pounding(parameters, KEY, "\"rms_error(deck, measured)\"");
         let study = study(&folder, &text);
-        let ranges = study
-            .cases()
-            .map(|case| study.problem.measured(&case)[0].compared.clone());
+        let ranges = study.cases().map(|case| {
+            study.problem.as_structure().unwrap().measured(&case)[0]
+                .compared
+                .clone()
+        });
         let mut ranges: Vec<_> = ranges.collect();
         ranges.dedup();
         assert_eq!(ranges.len(), 1, "{parameters}");
@@ -312,7 +316,8 @@ fn several_files_are_an_axis() {
         metrics,
     );
     let named = study(&folder, &named);
-    let values = |study: &Study, case| study.problem.measured(&case)[0].values[40];
+    let values =
+        |study: &Study, case| study.problem.as_structure().unwrap().measured(&case)[0].values[40];
     assert_eq!(values(&named, named.case(0).unwrap()), 4.0);
     assert_eq!(values(&named, named.case(1).unwrap()), 18.0);
     let none = axis.replace("run-*", "walk-*");
@@ -334,7 +339,7 @@ fn measurements_need_no_exact_motion_and_change_only_their_own_identity() {
             r#"{{"problem": "structure", "parameters": {{"dt": 0.1, "duration": 3}}, "structure": {{"masses": {{"m": 1}}}}{more}}}"#
         );
         let study = study(&folder, &text);
-        study.problem.identity().to_owned()
+        study.problem.as_structure().unwrap().identity().to_owned()
     };
     // SHA-256 of {"masses":{"m":1}} and of nothing, by another program.
     let plain = "58b6fd2908f50ba7561fb16fa6ad80dc1d7a2d39546320fc3bda8a392d10afff.e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";

@@ -58,8 +58,16 @@ fn each_test_gives_the_reductions_of_its_values() {
     let files = r#""file": ["run-a.csv", "run-c.csv"], "compare": "distribution""#;
     let two = read(&folder, files, ENSEMBLE).unwrap();
     assert_eq!(two.in_tests(0), Some(vec![0.01, 0.02]));
-    assert_eq!(two.problem.identity(), study.problem.identity());
-    let lines = two.problem.description(&two.case(0).unwrap()).unwrap();
+    assert_eq!(
+        two.problem.as_structure().unwrap().identity(),
+        study.problem.as_structure().unwrap().identity()
+    );
+    let lines = two
+        .problem
+        .as_structure()
+        .unwrap()
+        .description(&two.case(0).unwrap())
+        .unwrap();
     assert!(
         lines.contains("of 2 tests, compared with each ensemble"),
         "{lines}"

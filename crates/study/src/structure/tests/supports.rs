@@ -521,7 +521,12 @@ fn the_delay_of_a_wave_is_an_axis_and_explain_shows_it() {
                 solution.metrics
             );
         }
-        let text = study.problem.description(&case).unwrap();
+        let text = study
+            .problem
+            .as_structure()
+            .unwrap()
+            .description(&case)
+            .unwrap();
         assert!(
             text.contains(&format!("right.y: moves from t = {delay} on")),
             "{text}"

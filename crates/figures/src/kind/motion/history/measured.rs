@@ -9,7 +9,7 @@ pub struct Measured(Vec<MeasuredChannel>);
 impl Measured {
     /// Those of a completed case; none without.
     pub fn of(study: &Study, case: &Case) -> Measured {
-        Measured(study.problem.measured(case))
+        Measured(study.measured(case))
     }
 
     /// Times and values of a quantity, if it was measured; an error was not.

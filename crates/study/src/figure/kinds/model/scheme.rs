@@ -26,7 +26,13 @@ impl Decoded for Scheme {
 
     fn check_cases(&self, checker: &mut Checker) {
         let first = checker.cases().next();
-        let Some(scheme) = first.and_then(|case| checker.scope.problem.scheme(&case)) else {
+        let Some(scheme) = first.and_then(|case| {
+            checker
+                .scope
+                .problem
+                .as_structure()
+                .and_then(|structure| structure.scheme(&case))
+        }) else {
             return;
         };
         let links = scheme.links.len() + scheme.loads.len();

@@ -108,7 +108,14 @@ impl Decoded for Spectrum {
             return;
         }
         let first = checker.cases().next();
-        if first.is_some_and(|case| checker.scope.problem.ground_motion(&case).is_none()) {
+        if first.is_some_and(|case| {
+            checker
+                .scope
+                .problem
+                .as_structure()
+                .and_then(|structure| structure.ground_motion(&case))
+                .is_none()
+        }) {
             let message =
                 "a spectrum figure needs a ground motion; give the key \"ground\" of the structure";
             checker.fault("kind", message);

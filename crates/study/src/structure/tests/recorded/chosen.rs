@@ -53,7 +53,15 @@ fn chosen(folder: &Path, text: &str) -> Result<Vec<([String; 2], GroundMotion)>,
     let of = |case| {
         let case = study.case(case).unwrap();
         let names = ["rx", "ry"].map(|name| case.choice(name).to_owned());
-        (names, study.problem.ground_motion(&case).unwrap())
+        (
+            names,
+            study
+                .problem
+                .as_structure()
+                .unwrap()
+                .ground_motion(&case)
+                .unwrap(),
+        )
     };
     Ok((0..study.len()).map(of).collect())
 }

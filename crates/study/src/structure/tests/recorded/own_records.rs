@@ -42,6 +42,8 @@ fn records_of_the_command_line_take_the_place_of_seeds() {
         let motion = |study: &Study| {
             study
                 .problem
+                .as_structure()
+                .unwrap()
                 .ground_motion(&study.case(number).unwrap())
                 .unwrap()
         };
@@ -55,6 +57,8 @@ fn records_of_the_command_line_take_the_place_of_seeds() {
     assert_eq!(first.len(), 4);
     let ground = first
         .problem
+        .as_structure()
+        .unwrap()
         .ground_motion(&first.case(0).unwrap())
         .unwrap();
     assert_eq!(ground.acceleration.times()[0], 0.0);

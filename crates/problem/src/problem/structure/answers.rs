@@ -1,0 +1,166 @@
+//! What only structures answer, beside [`Problem`].
+
+use super::described::ground::GroundMotion;
+use super::described::scheme::picture::Scheme;
+use super::described::{describe, ground, scheme};
+use super::given::set::SetSpectra;
+use super::given::signal_cache;
+use super::metrics::units::UnitNames;
+use super::model::assemble::Model;
+use super::motions::compared::friction_limits;
+use super::motions::motion;
+use super::parts::listed;
+use super::parts::models::Models;
+use super::prepared::StructureProblem;
+use super::tables::named_rows;
+use super::warn;
+use crate::history::History;
+use crate::problem::numbers::unit::Dimension;
+use crate::problem::{Case, MeasuredChannel, Problem, Samples, Violation};
+
+impl StructureProblem {
+    /// A metric, by its row, in each test that the study compares as a sample; `None` without such tests, and if they do not have it.
+    pub fn in_tests(&self, metric: usize) -> Option<Vec<f64>> {
+        self.sample_of(metric)
+    }
+
+    /// Lines that describe a completed case, for `explain`.
+    pub fn description(&self, case: &Case) -> Option<String> {
+        let (structure, numbering) = self.structure(case, Model::Study).ok()?;
+        let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
+        let models = Models::of(&self.template, case, &structure, &numbering);
+        let restitutions = warn::restitutions(&self.template, case, &structure);
+        let units = &self.template.units;
+        let mut text = describe::describe(&structure, &models, times, units, &restitutions);
+        text += &listed::listed(&self.template, numbering.elements());
+        text += &ground::described(&self.template, case, self.computed_steps(case)?);
+        text += &named_rows::described(&self.template, case);
+        let dt = case.at(self.schema.step)?;
+        if let Some(measured) = &self.template.measured
+            && let Ok(compared) = measured.in_case(case, dt, self.steps(case))
+        {
+            text += &compared.described(case);
+        }
+        text += &self.sample_described();
+        Some(text)
+    }
+
+    /// Whether a change of 1e-10 in start and loads reaches 1 % of the peak of a channel that metrics are of; `None` if not known.
+    pub fn diverges(&self, case: &Case) -> Option<bool> {
+        self.case_diverges(case)
+    }
+
+    /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
+    pub fn diverges_by(&self, metrics: &[Option<f64>]) -> Option<bool> {
+        self.metrics_say(metrics)
+    }
+
+    /// The acceleration of the ground in a completed case; `None` where there is none.
+    pub fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
+        let duration = case.at(self.schema.duration)?;
+        ground::ground_motion(&self.template, case, duration)
+    }
+
+    /// The spectra of this set in a completed case at these periods, and the units of length and time; `None` without a set.
+    pub fn set_spectra(&self, case: &Case, periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {
+        let spectra = ground::set_spectra(&self.template, case, periods)?;
+        Some((spectra, ground::units(&self.template)))
+    }
+
+    /// The unit of a dimension as the study of a described structure names it; `None` if it names none, and for other problems.
+    pub fn unit_name(&self, dimension: Dimension) -> Option<String> {
+        let units = UnitNames::of(&self.template.units)?;
+        Some(units.of_dimension(dimension))
+    }
+
+    /// The structure of a completed case for a picture; `None` for a problem without one.
+    pub fn scheme(&self, case: &Case) -> Option<Scheme> {
+        scheme::scheme(&self.template, case)
+    }
+
+    /// Why the whole history of a completed case does not fit in memory; `None` if it does. Its metrics and figures may need less.
+    pub fn history_fault(&self, case: &Case) -> Option<Violation> {
+        self.check_history(case)
+    }
+
+    /// The friction limit of each contact at the times of a motion, >= 0; `None` without friction. Empty for textbook problems.
+    pub fn friction_limits(&self, case: &Case, motion: &History) -> Vec<Option<Vec<f64>>> {
+        match self.structure(case, Model::Study) {
+            Ok((structure, _)) => {
+                friction_limits::of(&structure, &self.template, self.drawn.len(), motion)
+            }
+            Err(_) => Vec::new(),
+        }
+    }
+
+    /// What was measured of the motion of a completed case, for each channel that the study gives; none without.
+    pub fn measured(&self, case: &Case) -> Vec<MeasuredChannel> {
+        let (Some(measured), Some(dt)) = (&self.template.measured, case.at(self.schema.step))
+        else {
+            return Vec::new();
+        };
+        match measured.in_case(case, dt, self.steps(case)) {
+            Ok(compared) => compared.channels(),
+            Err(_) => Vec::new(),
+        }
+    }
+
+    /// What identifies the sampled signals of a completed case.
+    pub fn samples(&self, case: &Case) -> Samples {
+        let mut samples = Samples::default();
+        for source in self.template.sampled() {
+            // A case that breaks a rule makes none.
+            let Ok((key, points)) = source.samples(case) else {
+                return Samples::default();
+            };
+            samples.key.extend(key);
+            samples.work += source.sampling_work(points);
+            samples.numbers = samples.numbers.max(signal_cache::numbers(points));
+        }
+        samples
+    }
+
+    /// What was done to input files that the study does not ask for, and what may be a mistake, in words.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// Whether two completed cases have the same equations, steps and measured points to the bit. False if one cannot be solved.
+    pub fn has_same_motion(&self, one: &Case, other: &Case) -> bool {
+        let equations = |case| self.equations(case);
+        equations(one).is_some_and(|own| equations(other) == Some(own))
+            && self.measured(one) == self.measured(other)
+    }
+
+    /// Whether two completed cases are stepped side by side in a sweep. False for a case that cannot be solved.
+    pub fn are_side_by_side(&self, one: &Case, other: &Case) -> bool {
+        let ready = |case: &Case| self.ready(0, case).ok();
+        let (Some(one), Some(other)) = (ready(one), ready(other)) else {
+            return false;
+        };
+        let prepared = motion::prepare(&one.structure, &one.method, one.dt);
+        one.last == other.last
+            && prepared.is_ok_and(|own| own.fits(&other.method, &other.structure, other.dt))
+    }
+
+    /// What determines results and is neither in the parameters nor in the program; empty if there is nothing.
+    pub fn identity(&self) -> &str {
+        &self.identity
+    }
+
+    /// Number of sampled signals that were made so far; cases share them.
+    pub fn sampled_so_far(&self) -> u64 {
+        self.template
+            .sampled()
+            .map(|source| source.made_so_far())
+            .sum()
+    }
+
+    /// The metrics in these rows of the exact motion of a completed case, at the times of its steps; `None` for those that are not known.
+    pub fn exact_metrics(&self, case: &Case, rows: &[usize]) -> Vec<Option<f64>> {
+        let values = self
+            .ready(0, case)
+            .and_then(|own| self.exact_values(&own, rows));
+        values.unwrap_or_else(|_| vec![None; rows.len()])
+    }
+}
