@@ -1,7 +1,7 @@
 //! The cases of a study that its figures show.
 
 use crate::batch::groups::sobol::DesignMetrics;
-use crate::batch::{self, DrawnCase, GroupResults, Needed, PartResult, ShownCases};
+use crate::batch::{DrawnCase, GroupResults, Needed, PartResult, ShownCases};
 use crate::figures::FigureData;
 use slipgap_drawing::style;
 use slipgap_problem::problem::Case;
@@ -90,7 +90,7 @@ pub fn add_histories(study: &Study, shown: &mut ShownCases) {
         }
         let case = drawn.case();
         if show_history(study, &case)
-            && let Ok(solution) = batch::solution(study, &case)
+            && let Ok(solution) = study.solve(&case)
         {
             shown.set_solution(row, solution);
         }
@@ -153,7 +153,13 @@ fn with_snapshots(study: &Study, figure: &Figure, mut shown: ShownCases) -> Show
         let case = shown.at(row).case();
         let times = figure.kind.snapshot_times(&*study.problem, &case);
         if !times.is_empty() && !shown.has_failed(row) {
-            shown.set_snapshots(row, study.problem.snapshots(&case, &times));
+            shown.set_snapshots(
+                row,
+                study
+                    .problem
+                    .as_textbook()
+                    .map_or(Vec::new(), |textbook| textbook.snapshots(&case, &times)),
+            );
         }
     }
     shown
@@ -162,6 +168,7 @@ fn with_snapshots(study: &Study, figure: &Figure, mut shown: ShownCases) -> Show
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::batch;
     use crate::batch::RunOptions;
     use crate::figures;
     use slipgap_study::parse;

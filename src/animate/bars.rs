@@ -30,7 +30,9 @@ pub fn film<'a>(problem: &dyn Problem, case: &Case, history: &'a History, exact:
         .iter()
         .map(|step| history.time[*step as usize])
         .collect();
-    let snapshots = problem.snapshots(case, &times);
+    let snapshots = problem
+        .as_textbook()
+        .map_or(Vec::new(), |textbook| textbook.snapshots(case, &times));
     let chosen = |lines: &'_ Lines| match exact {
         true => lines.exact.clone(),
         false => lines.computed.clone(),

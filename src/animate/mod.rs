@@ -12,7 +12,6 @@ mod structure;
 
 pub use page::MOST_BYTES;
 
-use crate::batch;
 use crate::problem::Case;
 use crate::study::{Study, error::Error};
 use film::Film;
@@ -55,7 +54,9 @@ pub fn animate(study: &Study, name: &str, shown: &Shown) -> Result<String, Error
         {
             return Err(unsolved(format!("{} {}", fault.parameter, fault.message)));
         }
-        let solution = batch::solution(study, &case).map_err(|why| unsolved(why.to_string()))?;
+        let solution = study
+            .solve(&case)
+            .map_err(|why| unsolved(why.to_string()))?;
         solved.push((number, case, solution));
     }
     let cases: Vec<&Case> = solved.iter().map(|(_, case, _)| case).collect();
@@ -138,7 +139,10 @@ fn film<'a>(
         problem
             .as_structure()
             .and_then(|structure| structure.scheme(case)),
-        problem.snapshots(case, &[0.0]).is_empty(),
+        problem
+            .as_textbook()
+            .map_or(Vec::new(), |textbook| textbook.snapshots(case, &[0.0]))
+            .is_empty(),
     ) {
         (Some(scheme), _) => structure::film(problem, case, &scheme, history),
         (None, false) => bars::film(problem, case, history, exact),

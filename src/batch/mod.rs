@@ -11,7 +11,7 @@ mod tests;
 
 pub use parts::shard::{Shard, ShardFault, shard_of};
 pub use slipgap_figures::{DrawnCase, GroupResults, Needed, ShownCases, groups};
-pub use solve::compute::{keep_memory, solution};
+pub use solve::compute::keep_memory;
 pub use solve::computed::with_computed_columns;
 pub use solve::missing::{MissingParts, missing_parts};
 pub use solve::options::{OnSolution, RunOptions};

@@ -6,7 +6,7 @@ use super::arguments::{SettingsArgs, whole};
 use super::list::cases;
 use super::terminal::{duration, print, table};
 use crate::batch::solve::cost::{MEASURING, measure, sampling, total};
-use crate::batch::{RunOptions, parts::chunk, solution, solve::divergence};
+use crate::batch::{RunOptions, parts::chunk, solve::divergence};
 use crate::calibrate::explained;
 use crate::error::Error;
 use crate::problem::numbers::parameter::{Default, Parameter};
@@ -155,7 +155,7 @@ fn warnings(study: &Study, case: &Case) -> String {
         return known
             + "warnings: those of the motion are not looked for, the case takes long; `run` reports them\n";
     }
-    match solution(study, case) {
+    match study.solve(case) {
         Err(why) => format!("warnings: none, the case could not be solved: {why}\n"),
         Ok(solution) => solution.warnings.iter().map(line).collect(),
     }

@@ -220,7 +220,7 @@ fn away(problem: &dyn Problem, gamma: f64, n: u32, t: f64, front: f64) -> (f64, 
         problem,
         &json!({ "gamma": gamma, "n": n, "dt": 0.002, "duration": 1.0 }),
     );
-    let snapshots = problem.snapshots(&case, &[t]);
+    let snapshots = problem.as_textbook().unwrap().snapshots(&case, &[t]);
     let (mut all, mut count, mut contact) = (0.0, 0.0, 0.0);
     for (bar, points) in [1.0, -1.0]
         .into_iter()

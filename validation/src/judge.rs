@@ -185,7 +185,9 @@ fn away_from_fronts(
     away: f64,
 ) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0_u32);
-    for snapshot in problem.snapshots(&outcome.case, times) {
+    for snapshot in problem.as_textbook().map_or(Vec::new(), |textbook| {
+        textbook.snapshots(&outcome.case, times)
+    }) {
         let Snapshot {
             profiles, fronts, ..
         } = snapshot;
@@ -212,7 +214,12 @@ fn later_error(
 ) -> Option<f64> {
     let mut sum = 0.0;
     for flight in flights {
-        let x = (*problem.after(&outcome.case, *flight).get(row)?)?;
+        let x = (*problem
+            .as_textbook()
+            .map_or(Vec::new(), |textbook| {
+                textbook.after(&outcome.case, *flight)
+            })
+            .get(row)?)?;
         sum += (x - 1.0) * (x - 1.0);
     }
     Some((sum / flights.len() as f64).sqrt())

@@ -113,7 +113,9 @@ fn motion(problem: &dyn Problem, case: &Case, times: &[f64], of_law: bool) -> Op
         return Some(History { time, channels });
     }
     match of_law {
-        true => problem.exact_of_law(case, times),
+        true => problem
+            .as_textbook()
+            .and_then(|textbook| textbook.exact_of_law(case, times)),
         false => problem.exact_at(case, times),
     }
 }

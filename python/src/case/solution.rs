@@ -79,7 +79,11 @@ impl Solution {
         let Some(units) = units.and_then(|source| source.study.units.as_ref()) else {
             return Ok(());
         };
-        if let Some(size) = self.problem.size(&self.case, dimension) {
+        if let Some(size) = self
+            .problem
+            .as_textbook()
+            .and_then(|textbook| textbook.size(&self.case, dimension))
+        {
             let values = arrays::numbers(py, values.iter().map(|x| x * size))?;
             dict.set_item(units.column(name, dimension), values)?;
         }
@@ -208,7 +212,12 @@ impl Solution {
             if let Some(unit) = units::of_dimension(&*self.problem, dimension) {
                 dict.set_item(name, unit)?;
             }
-            let own = study.filter(|_| self.problem.size(&self.case, dimension).is_some());
+            let own = study.filter(|_| {
+                self.problem
+                    .as_textbook()
+                    .and_then(|textbook| textbook.size(&self.case, dimension))
+                    .is_some()
+            });
             own.map_or(Ok(()), |own| {
                 dict.set_item(own.column(name, dimension), own.of(dimension))
             })

@@ -84,7 +84,7 @@ pub fn of_source(py: Python<'_>, source: Arc<Source>, number: i64) -> PyResult<S
     let (study, copy) = (source.clone(), case.clone());
     let problem = source.study.problem.clone();
     let solution = solved(py, &problem, &case, number, move || {
-        batch::solution(&study.study, &copy)
+        study.study.solve(&copy)
     })?;
     let metrics = columns(&source.study, &case, &solution);
     Ok(Solution::new(

@@ -88,7 +88,14 @@ pub fn write_history(
         [Some(name.clone()), in_units].into_iter().flatten()
     });
     writer.write_record(header)?;
-    let size = |dimension| units.and_then(|_| study.problem.size(case, dimension));
+    let size = |dimension| {
+        units.and_then(|_| {
+            study
+                .problem
+                .as_textbook()
+                .and_then(|textbook| textbook.size(case, dimension))
+        })
+    };
     let sizes: Vec<Option<f64>> = columns.iter().map(|column| size(column.1)).collect();
     for i in 0..computed.len() {
         let cells = columns

@@ -157,7 +157,7 @@ fn solve_case(
     case: &Case,
     options: &RunOptions,
 ) -> Result<SolvedCase, Error> {
-    let solution = match solution(study, case) {
+    let solution = match study.solve(case) {
         Ok(solution) => solution,
         Err(why) => return Ok((Err(why), Warnings::NONE, None)),
     };
@@ -170,14 +170,6 @@ fn solve_case(
         .is_some_and(|keep| keep(case))
         .then(|| Box::new(solution));
     Ok((Ok(metrics), warnings, kept))
-}
-
-/// The solution of one case, with or without iteration as in the study.
-pub fn solution(study: &Study, case: &Case) -> Result<Solution, Unsolvable> {
-    match study.once {
-        true => study.problem.solve_once(case, &study.metrics),
-        false => study.problem.solve(case, &study.metrics),
-    }
 }
 
 /// Bytes, slightly below the largest size for which the C library raises its threshold.

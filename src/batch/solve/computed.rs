@@ -21,7 +21,10 @@ pub fn with_computed_columns(study: &Study, cases: &Cases, metrics: MetricTable)
             let scaled: Vec<Option<f64>> = extended.column(metric).collect();
             let mut shown = cases.shown();
             let in_units = scaled.iter().enumerate().map(|(row, scaled)| {
-                let size = study.problem.size(shown.at(row), dimension);
+                let size = study
+                    .problem
+                    .as_textbook()
+                    .and_then(|textbook| textbook.size(shown.at(row), dimension));
                 scaled.zip(size).map_or(f64::NAN, |(x, size)| x * size)
             });
             extended.set_column(column, in_units);

@@ -40,9 +40,7 @@ impl Problem for Extended {
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         FrictionOscillator.solve(case, wanted)
     }
-    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        FrictionOscillator.solve_once(case, wanted)
-    }
+
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         FrictionOscillator.sweep(cases, rows)
     }

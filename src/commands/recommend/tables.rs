@@ -303,10 +303,6 @@ mod tests {
             }
         }
 
-        fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
-            FrictionOscillator.solve_once(case, wanted)
-        }
-
         fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
             FrictionOscillator.sweep(cases, rows)
         }

@@ -124,7 +124,10 @@ fn profiles() {
     for record in records {
         let parameters = &record["parameters"];
         let case = case(&*problem, parameters);
-        let snapshots = problem.snapshots(&case, &[case.number("duration").unwrap()]);
+        let snapshots = problem
+            .as_textbook()
+            .unwrap()
+            .snapshots(&case, &[case.number("duration").unwrap()]);
         for (name, lines) in ["velocity", "stress"].iter().zip(&snapshots[0].profiles) {
             let computed = in_order(&lines.computed);
             // In the data the exact profile is at the centres of the elements.

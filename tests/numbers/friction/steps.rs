@@ -184,7 +184,11 @@ fn steps_solved_once_start_from_the_given_slip() {
     for (slip, s0) in [("unloaded", 0.0), ("pulled", -1.0), ("sliding", 1.0)] {
         let given = json!({"law": "displacement-control", "alpha": alpha, "dT": step, "duration": 0.2, "x0": x0,
                            "initial_slip": slip});
-        let solution = problem.solve_once(&case(&*problem, &given), &[]).unwrap();
+        let solution = problem
+            .as_textbook()
+            .unwrap()
+            .solve_once(&case(&*problem, &given), &[])
+            .unwrap();
         let quarter = 0.25 * step * step;
         let u = 2.0 * quarter * (-x0 - s0) / (1.0 + quarter * (1.0 + 1.0 / alpha));
         let c = &solution.computed;

@@ -236,6 +236,8 @@ fn profiles_of_unequal_lengths_are_at_the_bars() {
         let t = 0.12;
         let given = json!({"gamma": 1.0, "n": 4, "dt": 0.01, "duration": t, "right": right});
         let snapshot = problem()
+            .as_textbook()
+            .unwrap()
             .snapshots(&case(&*problem(), &given), &[t])
             .remove(0);
         let places = |line: &[[f64; 2]]| -> Vec<f64> { line.iter().map(|p| p[0]).collect() };

@@ -97,6 +97,8 @@ fn momentum_of_two_bars_is_conserved() {
             masses[0] * mean(&lines[0]) + masses[1] * mean(&lines[1])
         };
         let found: Vec<f64> = problem()
+            .as_textbook()
+            .unwrap()
             .snapshots(&case, &times)
             .iter()
             .map(momentum)

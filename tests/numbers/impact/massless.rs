@@ -303,7 +303,7 @@ fn profiles_are_those_of_all_nodes() {
         let times: Vec<f64> = (0..=8)
             .map(|i| 0.125 * f64::from(i) * own.duration)
             .collect();
-        let snapshots = problem().snapshots(&case, &times);
+        let snapshots = problem().as_textbook().unwrap().snapshots(&case, &times);
         let mut nodes = Nodes::new(&own.scaled, own.dt);
         let mut worst: f64 = 0.0;
         let mut step = 0;
@@ -403,6 +403,9 @@ fn the_step_error_has_the_second_order() {
 #[test]
 fn the_papers_matrices_are_refused() {
     let given = json!({"gamma": 1.0, "n": 4, "dt": 0.1, "duration": 1.0});
-    let refused = problem().solve_once(&massless(&given), &[]);
+    let refused = problem()
+        .as_textbook()
+        .unwrap()
+        .solve_once(&massless(&given), &[]);
     assert_eq!(refused.err(), Some(Unsolvable::SingularMass));
 }

@@ -100,7 +100,11 @@ fn force_of_fine_meshes_converges_to_the_closed_form() {
 fn centres(given: &Json) -> [f64; 2] {
     let case = bars(given);
     let end = case.number("duration").unwrap();
-    let snapshot = problem().snapshots(&case, &[end]).remove(0);
+    let snapshot = problem()
+        .as_textbook()
+        .unwrap()
+        .snapshots(&case, &[end])
+        .remove(0);
     // Nodes at the ends have half of the mass of an element; velocities are in c/2.
     let centre = |line: &Vec<[f64; 2]>| {
         let [first, inner @ .., last] = &line[..] else {
@@ -192,7 +196,11 @@ fn finer_meshes_approach_dalembert_away_from_fronts() {
             gap: 0.0,
         }
         .solve(0.375);
-        let snapshot = problem().snapshots(&case, &[0.375]).remove(0);
+        let snapshot = problem()
+            .as_textbook()
+            .unwrap()
+            .snapshots(&case, &[0.375])
+            .remove(0);
         let mut worst = [0.0_f64; 2];
         for (of, lines) in snapshot.profiles.iter().enumerate() {
             for (bar, points) in lines.computed.iter().enumerate() {

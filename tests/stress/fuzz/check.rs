@@ -120,7 +120,7 @@ fn solved(study: &Study, case: &Case, violations: &[Violation]) -> bool {
     if problem.work(case) > WORK {
         return false;
     }
-    let Ok(solution) = batch::solution(study, case) else {
+    let Ok(solution) = study.solve(case) else {
         return true;
     };
     assert_eq!(solution.computed.time.len() as u64, steps + 1);

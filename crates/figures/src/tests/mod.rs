@@ -45,7 +45,10 @@ fn drawn_by(
         .map(|c| problem.solve(c, &[]).unwrap())
         .collect();
     let times = figure.kind.snapshot_times(&**problem, &cases[0]);
-    let snapshots: Vec<_> = cases.iter().map(|c| problem.snapshots(c, &times)).collect();
+    let snapshots: Vec<_> = cases
+        .iter()
+        .map(|c| problem.as_textbook().unwrap().snapshots(c, &times))
+        .collect();
     let mut shown = ShownCases::new(problem.schema());
     for (i, (case, solution)) in cases.iter().zip(solutions).enumerate() {
         shown.push(case, &solution.metrics.clone(), Some(solution));

@@ -67,32 +67,24 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn as_structure(&self) -> Option<&StructureProblem> {
         None
     }
+    /// The problem of a paper, for what only these have; `None` for structures.
+    fn as_textbook(&self) -> Option<&dyn Textbook> {
+        None
+    }
     /// Fills in the values that follow from others, and reports every rule across parameters that the case breaks.
     fn complete(&self, case: &mut Case) -> Vec<Violation>;
     /// Cost of a completed case: steps times modes. A core computes about 5e8 of them in a second.
     fn work(&self, case: &Case) -> u64 {
         self.steps(case)
     }
-    /// Rows of the parameters that alone decide the cost of a case and of the references of its metrics; `None` if others may.
-    fn cost_rows(&self, _wanted: &[usize]) -> Option<[usize; 2]> {
-        None
-    }
     /// Cost of the references of the metrics in these rows, in the same unit.
     fn reference_work(&self, _case: &Case, _wanted: &[usize]) -> u64 {
         0
-    }
-    /// Cost of a completed case whose steps are each solved once, with the matrices of the papers, in the same unit.
-    fn once_work(&self, case: &Case) -> u64 {
-        // Measured: 1 us a step for one mode, and 30 ns for each element of a full matrix.
-        self.steps(case).saturating_mul(600)
     }
     /// Solves a completed case.
     ///
     /// `wanted` has rows of the table of metrics; of those that are not default, only they are computed.
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable>;
-    /// The same by the papers' element matrices, each step solved once and not iterated: the other reading of the papers, for
-    /// the claims.
-    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable>;
     /// The default metrics of the completed cases in these rows, in their order, solved side by side: to the bit what `solve`
     /// gives for each.
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable;
@@ -104,11 +96,6 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn exact_at(&self, case: &Case, times: &[f64]) -> Option<History> {
         self.exact(case, times)
     }
-    /// The exact motion of a completed case with its own law, where [`Problem::exact`] has another one, at these times, which increase;
-    /// `None` where none is known.
-    fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
-        None
-    }
     /// The columns of the history of a completed case, after the time.
     fn history_columns(&self, _case: &Case) -> Vec<HistoryColumn> {
         let channels = self.schema().channels.iter().enumerate();
@@ -118,37 +105,13 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
         };
         channels.map(column).collect()
     }
-    /// The problem for parameters in units of which this gives the sizes in SI units; `None` for one whose units say nothing more.
-    fn in_units(&self, _size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {
-        None
-    }
     /// The warnings of a completed case that need no motion, each with what it is of.
     fn doubts(&self, _case: &Case) -> Vec<(Warning, String)> {
         Vec::new()
     }
-    /// The modes, the one contact and the steps of a completed case of a textbook problem, in its scales; `None` for a structure.
-    fn system(&self, _case: &Case) -> Option<System> {
-        None
-    }
     /// The structure of a completed case; of a textbook problem its modes are masses. `None` if unsolved or without mass there.
     fn structure(&self, case: &Case) -> Option<Structure> {
-        preset::structure(&self.system(case)?)
-    }
-    /// The law of the contact of a textbook problem.
-    fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
-        self.system(case).map(|own| own.law)
-    }
-    /// The profiles of a completed case at the steps nearest to `times`; none for a problem without extent.
-    fn snapshots(&self, _case: &Case, _times: &[f64]) -> Vec<Snapshot> {
-        Vec::new()
-    }
-    /// The numbers of `Schema::later` for a completed case, the event after `flight` of free motion; `None` where undefined.
-    fn after(&self, _case: &Case, _flight: f64) -> Vec<Option<f64>> {
-        Vec::new()
-    }
-    /// Size of the unit of a dimension in a completed case, in the units of its parameters; `None` for a problem without.
-    fn size(&self, _case: &Case, _dimension: Dimension) -> Option<f64> {
-        None
+        preset::structure(&self.as_textbook()?.system(case)?)
     }
     /// Its name in a study's `problem`.
     fn name(&self) -> &str {
@@ -166,6 +129,51 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn steps(&self, case: &Case) -> u64 {
         let number = |row| case.at(row).unwrap_or(f64::NAN);
         steps(number(self.schema().duration), number(self.schema().step))
+    }
+}
+
+/// What only the problems of the papers have: one contact with a law of the table, modes, and the steps that the papers print.
+pub trait Textbook: Problem {
+    /// Cost of a completed case whose steps are each solved once, with the matrices of the papers, in the same unit.
+    fn once_work(&self, case: &Case) -> u64 {
+        // Measured: 1 us a step for one mode, and 30 ns for each element of a full matrix.
+        self.steps(case).saturating_mul(600)
+    }
+    /// The same by the papers' element matrices, each step solved once and not iterated: the other reading of the papers, for
+    /// the claims.
+    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable>;
+    /// The modes, the one contact and the steps of a completed case of a textbook problem, in its scales; `None` for a structure.
+    fn system(&self, _case: &Case) -> Option<System> {
+        None
+    }
+    /// The law of the contact of a textbook problem.
+    fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
+        self.system(case).map(|own| own.law)
+    }
+    /// The exact motion of a completed case with its own law, where [`Problem::exact`] has another one, at these times, which increase;
+    /// `None` where none is known.
+    fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
+        None
+    }
+    /// The problem for parameters in units of which this gives the sizes in SI units; `None` for one whose units say nothing more.
+    fn in_units(&self, _size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {
+        None
+    }
+    /// The profiles of a completed case at the steps nearest to `times`; none for a problem without extent.
+    fn snapshots(&self, _case: &Case, _times: &[f64]) -> Vec<Snapshot> {
+        Vec::new()
+    }
+    /// The numbers of `Schema::later` for a completed case, the event after `flight` of free motion; `None` where undefined.
+    fn after(&self, _case: &Case, _flight: f64) -> Vec<Option<f64>> {
+        Vec::new()
+    }
+    /// Size of the unit of a dimension in a completed case, in the units of its parameters; `None` for a problem without.
+    fn size(&self, _case: &Case, _dimension: Dimension) -> Option<f64> {
+        None
+    }
+    /// Rows of the parameters that alone decide the cost of a case and of the references of its metrics; `None` if others may.
+    fn cost_rows(&self, _wanted: &[usize]) -> Option<[usize; 2]> {
+        None
     }
 }
 

@@ -98,7 +98,7 @@ fn compare(problem: &str, cases: &[Given], is_odd: bool) -> usize {
             continue;
         }
         count += 1;
-        let mut system = problem.system(&case).unwrap();
+        let mut system = problem.as_textbook().unwrap().system(&case).unwrap();
         let structure = problem.structure(&case).unwrap();
         let solve = |own: &Structure| general(own, &system);
         let own = solve(&structure);
@@ -211,7 +211,11 @@ fn events_of_the_oscillator_are_the_closed_forms() {
     let times: Vec<f64> = (0..700).map(|i| 0.0371 * f64::from(i)).collect();
     for given in &friction()[..5] {
         let (case, rows) = by_events(&*problem, given, &times);
-        let closed = problem.exact_of_law(&case, &times).unwrap();
+        let closed = problem
+            .as_textbook()
+            .unwrap()
+            .exact_of_law(&case, &times)
+            .unwrap();
         let closed: Vec<[f64; 3]> = (0..times.len())
             .map(|i| [0, 1, 2].map(|channel| closed.channel(channel)[i]))
             .collect();
@@ -233,11 +237,16 @@ fn events_of_the_bars_are_the_mesh_in_closed_form() {
         given.extend(numbers(&[("duration", 1.6)]));
         given.push(("mass", Value::Name(mass)));
         let (case, rows) = by_events(&*problem, &given, &times);
-        let system = problem.system(&case).unwrap();
+        let system = problem.as_textbook().unwrap().system(&case).unwrap();
         let Linear::Bars(pair) = system.linear else {
             unreachable!()
         };
-        let Some(ClippedLine::Spring { stiffness }) = problem.contact_law(&case).unwrap().line()
+        let Some(ClippedLine::Spring { stiffness }) = problem
+            .as_textbook()
+            .unwrap()
+            .contact_law(&case)
+            .unwrap()
+            .line()
         else {
             unreachable!()
         };

@@ -8,7 +8,7 @@ use slipgap_motion::history::History;
 use slipgap_motion::solve;
 use slipgap_problem::metrics::impact::step_work;
 use slipgap_problem::problem::impact::BarImpact;
-use slipgap_problem::problem::{Case, Problem};
+use slipgap_problem::problem::{Case, Textbook};
 use slipgap_system::methods::ContactWork;
 use slipgap_system::system::System;
 

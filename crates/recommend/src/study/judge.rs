@@ -208,10 +208,7 @@ impl<'a> Judge<'a> {
 
 fn solve_one(study: &Study, case: &Case) -> Solved {
     let problem = &*study.problem;
-    let solution = match study.once {
-        true => problem.solve_once(case, &study.metrics),
-        false => problem.solve(case, &study.metrics),
-    };
+    let solution = study.solve(case);
     let solution = solution.map_err(|why| why.to_string())?;
     let energy = match problem.name() == FrictionOscillator.name() {
         true => EnergyChange {

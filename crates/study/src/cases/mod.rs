@@ -5,8 +5,9 @@ pub mod scope;
 
 use super::Study;
 use slipgap_cases::{Block, Enumeration, Filter};
+use slipgap_motion::solve::Unsolvable;
 use slipgap_problem::problem::table::cases::Cases;
-use slipgap_problem::problem::{Case, MeasuredChannel, Samples, Violation};
+use slipgap_problem::problem::{Case, MeasuredChannel, Samples, Solution, Violation};
 
 impl Study {
     /// The cases with their numbers.
@@ -47,11 +48,25 @@ impl Study {
         self.enumeration().violations(index)
     }
 
+    /// The solution of a completed case: by steps to convergence, or each solved once.
+    ///
+    /// # Errors
+    /// Why it has none.
+    pub fn solve(&self, case: &Case) -> Result<Solution, Unsolvable> {
+        match self.problem.as_textbook().filter(|_| self.once) {
+            Some(textbook) => textbook.solve_once(case, &self.metrics),
+            None => self.problem.solve(case, &self.metrics),
+        }
+    }
+
     /// The cost of a completed case: steps times modes, and the references of the study's metrics.
     pub fn work(&self, case: &Case) -> u64 {
         let references = self.problem.reference_work(case, &self.metrics);
         let steps = match self.once {
-            true => self.problem.once_work(case),
+            true => self
+                .problem
+                .as_textbook()
+                .map_or(0, |textbook| textbook.once_work(case)),
             false => self.problem.work(case),
         };
         steps.saturating_add(references)
@@ -59,7 +74,10 @@ impl Study {
 
     /// The cost of each of these cases; 0 of a case that breaks a rule, which may have any number of steps.
     pub fn costs<'a>(&'a self, cases: &'a Cases) -> impl Iterator<Item = u64> + 'a {
-        let deciding = self.problem.cost_rows(&self.metrics);
+        let deciding = self
+            .problem
+            .as_textbook()
+            .and_then(|textbook| textbook.cost_rows(&self.metrics));
         let same = deciding.and_then(|rows| cases.common(rows.into_iter()));
         let same = same.map(|case| self.work(&case));
         let mut shown = cases.shown();

@@ -181,7 +181,10 @@ pub(crate) fn study(
     // The other names need the tables of the problem.
     let problem = problem?;
     let size = |of| unit_consistency::size_of(&units.as_ref()?.of(of), of);
-    let problem = problem.in_units(&size).unwrap_or(problem);
+    let problem = problem
+        .as_textbook()
+        .and_then(|textbook| textbook.in_units(&size))
+        .unwrap_or(problem);
     let once = object
         .get("iteration")
         .and_then(|node| name(node, "iteration", "iteration", &ITERATIONS, faults))

@@ -91,9 +91,7 @@ impl Problem for Bars {
     fn schema(&self) -> &Arc<Schema> {
         &SCHEMA
     }
-    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        self.solve(case, wanted)
-    }
+
     fn sweep(&self, _: &Cases, _: &[u32]) -> MetricTable {
         MetricTable::default()
     }

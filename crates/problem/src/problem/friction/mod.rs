@@ -15,6 +15,7 @@ use crate::methods::ContactWork;
 use crate::metrics::budget::Norm;
 use crate::metrics::friction::{work_by_energy, work_by_steps};
 use crate::metrics::{self, cells};
+use crate::problem::Textbook;
 use crate::problem::table::cases::Cases;
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warning};
 use crate::system::System;
@@ -28,6 +29,10 @@ use tables::{BUDGET, LOSSES_AND_COST, REFERENCE_ERRORS, SCHEMA, rows};
 pub struct FrictionOscillator;
 
 impl Problem for FrictionOscillator {
+    fn as_textbook(&self) -> Option<&dyn Textbook> {
+        Some(self)
+    }
+
     fn schema(&self) -> &Arc<Schema> {
         &SCHEMA
     }
@@ -42,10 +47,6 @@ impl Problem for FrictionOscillator {
             return rules;
         }
         OscillatorCase::new(case).map_or(rules, |own| step_rules("dT", &own.system(), 0.0))
-    }
-
-    fn cost_rows(&self, wanted: &[usize]) -> Option<[usize; 2]> {
-        (!needs_reference(wanted)).then_some([rows::DT, rows::DURATION])
     }
 
     fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
@@ -68,10 +69,6 @@ impl Problem for FrictionOscillator {
         self.judge(&own, &motion.track, own.work(&motion, 0), wanted)
     }
 
-    fn system(&self, case: &Case) -> Option<System> {
-        OscillatorCase::new(case).map(|own| own.system())
-    }
-
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         // Names are compared once, if all cases have the same.
         let common = cases.common(PlainCase::deciding());
@@ -84,14 +81,6 @@ impl Problem for FrictionOscillator {
             }
         };
         sweep_cases::<LANES, _, _>(self, cases, rows, own)
-    }
-
-    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        let own = self.lane_case(case)?;
-        let mut track = ContactTrack::default();
-        solve::single_pass::run(&own.system(), |structure| track.0.push(structure.contact()))?;
-        let work = work_by_steps(&track.0, own.x0, &ContactWork::Trapezoids);
-        self.judge(&own, &track, work, wanted)
     }
 
     fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
@@ -114,10 +103,28 @@ impl Problem for FrictionOscillator {
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
         Some(coulomb(case.at(rows::X0)?, times))
     }
+}
+
+impl Textbook for FrictionOscillator {
+    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
+        let own = self.lane_case(case)?;
+        let mut track = ContactTrack::default();
+        solve::single_pass::run(&own.system(), |structure| track.0.push(structure.contact()))?;
+        let work = work_by_steps(&track.0, own.x0, &ContactWork::Trapezoids);
+        self.judge(&own, &track, work, wanted)
+    }
+
+    fn system(&self, case: &Case) -> Option<System> {
+        OscillatorCase::new(case).map(|own| own.system())
+    }
 
     fn exact_of_law(&self, case: &Case, times: &[f64]) -> Option<History> {
         let case = OscillatorCase::new(case)?;
         reference::between(&case, times, false)?.motions.pop()
+    }
+
+    fn cost_rows(&self, wanted: &[usize]) -> Option<[usize; 2]> {
+        (!needs_reference(wanted)).then_some([rows::DT, rows::DURATION])
     }
 }
 

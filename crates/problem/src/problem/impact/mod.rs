@@ -19,6 +19,7 @@ use crate::metrics::budget::Norm;
 use crate::metrics::convergence::FEWEST_HALVED;
 use crate::metrics::impact::{Energy, Track};
 use crate::metrics::{self, cells};
+use crate::problem::Textbook;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::table::cases::Cases;
 use crate::solve::sweep::LaneCase;
@@ -58,17 +59,12 @@ impl Bars {
 }
 
 impl Problem for Bars {
+    fn as_textbook(&self) -> Option<&dyn Textbook> {
+        Some(self)
+    }
+
     fn schema(&self) -> &Arc<Schema> {
         &SCHEMA
-    }
-
-    fn in_units(&self, size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {
-        let velocity = Some(size(Dimension::Velocity)?);
-        Some(Arc::new(Bars { velocity }))
-    }
-
-    fn size(&self, case: &Case, dimension: Dimension) -> Option<f64> {
-        Scales::new(case).map(|scales| scales.size(dimension))
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
@@ -100,13 +96,6 @@ impl Problem for Bars {
         })
     }
 
-    fn once_work(&self, case: &Case) -> u64 {
-        let steps = self.steps(case);
-        let modes = self.work(case) / steps.max(1);
-        let matrix = modes.saturating_mul(modes).saturating_mul(10);
-        steps.saturating_mul(matrix.saturating_add(600))
-    }
-
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let own = self.of(case).ok_or(Unsolvable::ParameterMissing)?;
         let system = own.system();
@@ -124,16 +113,38 @@ impl Problem for Bars {
         judge(&own, &run, wanted)
     }
 
-    fn system(&self, case: &Case) -> Option<System> {
-        ImpactCase::new(case).map(|own| own.system())
-    }
-
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         let own = |case: &Case| {
             let own = self.of(case).ok_or(Unsolvable::ParameterMissing);
             own.map(Form::<_, ImpactCase>::Plain)
         };
         sweep_cases::<LANES, _, _>(self, cases, rows, own)
+    }
+
+    fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
+        let end = ImpactCase::new(case).and_then(|own| own.ends_early());
+        let speed = scales::strange_speed(case, self.velocity);
+        let speed = speed.map(|text| (Warning::WaveSpeed, text));
+        end.map(ends_early).into_iter().chain(speed).collect()
+    }
+
+    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
+        let wave = Scaled::new(case)?.bars.solve(*times.last()?);
+        Some(wave.line(times))
+    }
+
+    fn exact_at(&self, case: &Case, times: &[f64]) -> Option<History> {
+        let wave = Scaled::new(case)?.bars.solve(*times.last()?);
+        Some(wave.history(times))
+    }
+}
+
+impl Textbook for Bars {
+    fn once_work(&self, case: &Case) -> u64 {
+        let steps = self.steps(case);
+        let modes = self.work(case) / steps.max(1);
+        let matrix = modes.saturating_mul(modes).saturating_mul(10);
+        steps.saturating_mul(matrix.saturating_add(600))
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
@@ -150,6 +161,15 @@ impl Problem for Bars {
             by_method: None,
         };
         judge(&own, &run, wanted)
+    }
+
+    fn system(&self, case: &Case) -> Option<System> {
+        ImpactCase::new(case).map(|own| own.system())
+    }
+
+    fn in_units(&self, size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {
+        let velocity = Some(size(Dimension::Velocity)?);
+        Some(Arc::new(Bars { velocity }))
     }
 
     fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
@@ -169,21 +189,8 @@ impl Problem for Bars {
         }
     }
 
-    fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
-        let end = ImpactCase::new(case).and_then(|own| own.ends_early());
-        let speed = scales::strange_speed(case, self.velocity);
-        let speed = speed.map(|text| (Warning::WaveSpeed, text));
-        end.map(ends_early).into_iter().chain(speed).collect()
-    }
-
-    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
-        let wave = Scaled::new(case)?.bars.solve(*times.last()?);
-        Some(wave.line(times))
-    }
-
-    fn exact_at(&self, case: &Case, times: &[f64]) -> Option<History> {
-        let wave = Scaled::new(case)?.bars.solve(*times.last()?);
-        Some(wave.history(times))
+    fn size(&self, case: &Case, dimension: Dimension) -> Option<f64> {
+        Scales::new(case).map(|scales| scales.size(dimension))
     }
 }
 

@@ -216,7 +216,9 @@ mod tests {
             let solution = problem.solve(&case, &[]).unwrap();
             let steps = [0, 1, 37, 120, 200, 310, 480, 750];
             let times = steps.map(|step| solution.computed.time[step]);
-            let snapshots = problem.snapshots(&case, &times);
+            let snapshots = problem
+                .as_textbook()
+                .map_or(Vec::new(), |textbook| textbook.snapshots(&case, &times));
             assert_eq!(snapshots.len(), steps.len());
             for (step, snapshot) in steps.into_iter().zip(&snapshots) {
                 let motions = [

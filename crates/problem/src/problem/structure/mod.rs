@@ -112,10 +112,6 @@ impl Problem for StructureProblem {
         }
     }
 
-    fn solve_once(&self, _case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        Err(Unsolvable::NotPrinted)
-    }
-
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         let mut groups = Groups::new(self, rows.len());
         let mut shown = cases.shown();

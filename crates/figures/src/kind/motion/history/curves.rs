@@ -158,7 +158,11 @@ pub fn members(cases: &[DrawnCase], group: Option<(usize, Option<Value>)>) -> Ve
 /// Sizes of the units of time and of a quantity in a case; 1 if the axes are scaled.
 pub fn sizes(study: &Study, in_units: bool, case: &Case, quantity: &Quantity) -> [f64; 2] {
     let of = |dimension| match in_units {
-        true => study.problem.size(case, dimension).unwrap_or(f64::NAN),
+        true => study
+            .problem
+            .as_textbook()
+            .and_then(|textbook| textbook.size(case, dimension))
+            .unwrap_or(f64::NAN),
         false => 1.0,
     };
     [

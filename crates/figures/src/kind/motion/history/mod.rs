@@ -69,7 +69,10 @@ impl Draw for History {
         let [x_range, y_range] = figure.ranges;
         let end = drawn.iter().filter_map(|c| {
             let size = match in_units {
-                true => study.problem.size(&c.case(), Dimension::Time)?,
+                true => study
+                    .problem
+                    .as_textbook()
+                    .and_then(|textbook| textbook.size(&c.case(), Dimension::Time))?,
                 false => 1.0,
             };
             Some(c.solution()?.computed.time.last()? * size)

@@ -14,7 +14,12 @@ impl Draw for Law {
         let FigureData { study, cases, .. } = *data;
         let laws: Vec<Option<ContactLaw>> = cases
             .iter()
-            .map(|shown| study.problem.contact_law(&shown.case()))
+            .map(|shown| {
+                study
+                    .problem
+                    .as_textbook()
+                    .and_then(|textbook| textbook.contact_law(&shown.case()))
+            })
             .collect();
         let softened = |law: &Option<ContactLaw>| match law {
             Some(law) => matches!(

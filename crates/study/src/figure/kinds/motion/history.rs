@@ -139,7 +139,9 @@ pub(in crate::figure::kinds) fn check_times(
     let problem = &*checker.scope.problem;
     let ends = checker.cases().filter_map(|case| {
         let size = match in_units {
-            true => problem.size(&case, Dimension::Time)?,
+            true => problem
+                .as_textbook()
+                .and_then(|textbook| textbook.size(&case, Dimension::Time))?,
             false => 1.0,
         };
         Some(case.at(problem.schema().duration)? * size)
