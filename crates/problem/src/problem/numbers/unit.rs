@@ -46,7 +46,7 @@ impl Dimension {
     }
 }
 
-/// A unit of scaled results. Its size differs from case to case: [`crate::problem::Problem::size`].
+/// A unit of scaled results. Its size differs from case to case: [`crate::problem::Textbook::size`].
 #[derive(Debug, Clone)]
 pub struct Unit {
     /// Its dimension.
