@@ -57,7 +57,7 @@ static UNITS: [Unit; 4] = [
     unit(Dimension::Force, "F0", "/*F*_0_"),
 ];
 
-/// What `Problem::after` gives, in its order; each is 1 in the exact solution.
+/// What `Textbook::after` gives, in its order; each is 1 in the exact solution.
 static LATER: [Text; 2] = [Borrowed("closing_speed"), Borrowed("rebound_speed")];
 
 static CHANNELS: [Channel; 3] = [
