@@ -91,26 +91,15 @@ pub struct Summary {
 /// ```
 /// use slipgap_contact::contact::ClippedLine;
 /// use slipgap_motion::exact::events::run;
-/// use slipgap_system::system::structure::{Contact, Direction, Limit, Node, StructureLaw, Structure, Symmetric};
+/// use slipgap_system::system::structure::{Limit, Structure, StructureLaw};
 ///
-/// let mass = Structure {
-///     nodes: vec![Node { name: "mass".into(), mass: 1.0, direction: Direction::X }],
-///     coupled_mass: Symmetric::zeros(1),
-///     stiffness: Symmetric::zeros(1),
-///     damping: Symmetric::zeros(1),
-///     contacts: vec![Contact {
-///         name: "floor".into(),
-///         along: vec![(0, 1.0)],
-///         gap: 0.0,
-///         law: StructureLaw::new(ClippedLine::Coulomb, Limit::constant(1.0)),
-///     }],
-///     loads: Vec::new(),
-///     displacement: vec![0.0],
-///     velocity: vec![2.0],
-///     supports: Vec::new(),
-///     preload: Default::default(),
-///     observed: None,
-/// };
+/// let coulomb = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(1.0));
+/// let mass = Structure::builder()
+///     .mass("mass", 1.0)
+///     .contact("floor", ["ground", "mass"], 0.0, coulomb)
+///     .start("mass", [0.0, 2.0])
+///     .build()
+///     .expect("names of its masses");
 /// let mut u = 0.0;
 /// let summary = run(&mass, &[1.0, 5.0], |_, state| u = state.u[0])?;
 /// assert_eq!((u, summary.events[1].time), (2.0, 2.0));

@@ -28,28 +28,15 @@
 //! ```
 //! use slipgap_contact::contact::ClippedLine;
 //! use slipgap_motion::solve::structure::{Prepared, run};
-//! use slipgap_system::system::structure::{Contact, Direction, Limit, Node, StructureLaw, Structure, Symmetric};
+//! use slipgap_system::system::structure::{Limit, Structure, StructureLaw};
 //!
-//! let limit = Limit::constant(1.0);
-//! let floor = Contact {
-//!     name: "floor".to_string(),
-//!     along: vec![(0, 1.0)],
-//!     gap: 0.0,
-//!     law: StructureLaw::new(ClippedLine::Coulomb, limit),
-//! };
-//! let block = Structure {
-//!     nodes: vec![Node { name: "block".to_string(), mass: 1.0, direction: Direction::X }],
-//!     coupled_mass: Symmetric::zeros(1),
-//!     stiffness: Symmetric::zeros(1),
-//!     damping: Symmetric::zeros(1),
-//!     contacts: vec![floor],
-//!     loads: Vec::new(),
-//!     displacement: vec![0.0],
-//!     velocity: vec![2.0],
-//!     supports: Vec::new(),
-//!     preload: Default::default(),
-//!     observed: None,
-//! };
+//! let coulomb = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(1.0));
+//! let block = Structure::builder()
+//!     .mass("block", 1.0)
+//!     .contact("floor", ["ground", "block"], 0.0, coulomb)
+//!     .start("block", [0.0, 2.0])
+//!     .build()
+//!     .expect("names of its masses");
 //! let prepared = Prepared::new(&block, 0.01)?;
 //! let mut last = [0.0; 2];
 //! let [done] = run::<1>(&[&block], &prepared, 300, |_, state| {
