@@ -2,8 +2,8 @@
 //! with still change from the value before the last to the last one.
 
 use super::candidate::Choice;
-use super::errors::difference;
-use super::judge::{From, Judge, all_of};
+use super::errors::{From, difference};
+use super::judge::{Judge, all_of};
 use super::reference::{self, values};
 use crate::calibrate::Stopped;
 use slipgap_problem::problem::numbers::parameter::Value;

@@ -1,8 +1,5 @@
 //! The errors of a case: its metrics compared with those of a reference.
 
-use slipgap_problem::problem::Case;
-use slipgap_study::{Recommend, Study};
-
 /// Metrics that are 0 for the exact motion, besides those with the word error in their names.
 const ZERO: [&str; 4] = [
     "numerical_dissipation",
@@ -19,22 +16,29 @@ pub fn is_error(name: &str) -> bool {
     ends || ZERO.contains(&base) || starts.iter().any(|start| base.starts_with(start))
 }
 
+/// Where the value comes from that a metric is compared with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum From {
+    /// The metric is an error: 0.
+    Zero,
+    /// The exact motion of the finest candidate.
+    Exact,
+    /// The motion of the finest candidate with half its step.
+    Finest,
+}
+
 /// The error of each metric of a case: itself, or its relative difference from the reference.
 pub(super) fn errors(
-    (study, recommend): (&Study, &Recommend),
-    case: &Case,
-    metrics: &[Option<f64>],
+    from: &[From],
+    values: &[Option<f64>],
     references: &[Option<f64>],
 ) -> Vec<f64> {
-    let within = recommend.within.iter().zip(references);
-    let error = |((row, _), reference): (&(usize, f64), &Option<f64>)| {
-        let own = study.measure_value(*row, case, &|at| metrics[at]);
-        match is_error(&study.measures[*row].name) {
-            true => own.map_or(f64::INFINITY, f64::abs),
-            false => difference(own, *reference),
-        }
+    let all = from.iter().zip(values).zip(references);
+    let error = |((from, own), reference): ((&From, &Option<f64>), &Option<f64>)| match from {
+        From::Zero => own.map_or(f64::INFINITY, f64::abs),
+        From::Exact | From::Finest => difference(*own, *reference),
     };
-    within.map(error).collect()
+    all.map(error).collect()
 }
 
 /// The relative difference of a value from its reference; 0 if both are undefined.

@@ -1,6 +1,6 @@
 //! Solves cases and judges them: how far each metric is from its reference, and how much energy the case gains or loses.
 
-use super::errors::errors;
+use super::errors::{From, errors};
 use super::sweep::sweep;
 use crate::calibrate::Stopped;
 use crate::friction::{self, energy_gain};
@@ -15,17 +15,6 @@ use slipgap_problem::problem::{Case, Problem};
 use slipgap_study::alike::{Identity, identity};
 use slipgap_study::{Recommend, Study};
 use std::collections::{HashMap, HashSet};
-
-/// Where the value comes from that a metric is compared with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum From {
-    /// The metric is an error: 0.
-    Zero,
-    /// The exact motion of the finest candidate.
-    Exact,
-    /// The motion of the finest candidate with half its step.
-    Finest,
-}
 
 /// A solved case.
 #[derive(Debug, Clone)]
@@ -156,9 +145,9 @@ impl<'a> Judge<'a> {
                     why: solved.err(),
                 };
             };
-            let of = (self.study, self.recommend);
+            let values = self.measured(case, &solved.metrics);
             Judged {
-                errors: errors(of, case, &solved.metrics, reference),
+                errors: errors(&self.from, &values, reference),
                 energy: solved.energy,
                 warnings: solved.warnings,
                 why: None,

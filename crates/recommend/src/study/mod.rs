@@ -15,8 +15,7 @@ mod words;
 
 pub use candidate::Choice;
 pub use converged::NotConverged;
-pub use errors::is_error;
-pub use judge::From;
+pub use errors::{From, is_error};
 pub use reference::Reference;
 pub use sweep::sweep;
 pub use verdict::{Mesh, State, Trial};

@@ -1,8 +1,8 @@
 //! What metrics are compared with: the exact motion where it is known, else the finest motion of the study.
 
 use super::candidate::Choice;
-use super::errors::is_error;
-use super::judge::{From, Judge, all_of};
+use super::errors::{From, is_error};
+use super::judge::{Judge, all_of};
 use crate::calibrate::Stopped;
 use crate::with_finer_step;
 use rayon::prelude::*;

@@ -1,6 +1,6 @@
 //! The answer in words: what becomes of each candidate, what metrics are compared with, and what the answer is worth.
 
-use super::judge::From;
+use super::errors::From;
 use super::verdict::{Mesh, State, Trial};
 use super::{Advice, NotConverged};
 use crate::format::digits;

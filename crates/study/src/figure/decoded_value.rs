@@ -81,39 +81,9 @@ pub(crate) fn take(
             let named = rows.iter().map(|row| &*parameters[*row].name);
             let all: Vec<&str> = named.chain(scope.metrics()).collect();
             let what = "parameter or metric";
-            let places = match key.takes {
-                Takes::Columns => names(node, path, what, &all, faults)?,
-                Takes::FileName
-                | Takes::Kind
-                | Takes::Text
-                | Takes::Filter
-                | Takes::Parameter
-                | Takes::Parameters
-                | Takes::NumericParameter
-                | Takes::Quantity
-                | Takes::Quantities
-                | Takes::Column
-                | Takes::Profile
-                | Takes::Profiles
-                | Takes::Metric
-                | Takes::Metrics
-                | Takes::Times
-                | Takes::Budgets
-                | Takes::Width
-                | Takes::Range
-                | Takes::Marks
-                | Takes::Scale
-                | Takes::ScaleOrLog
-                | Takes::Ridge
-                | Takes::Fit
-                | Takes::InUnits
-                | Takes::Switch
-                | Takes::Ordinates
-                | Takes::Ratios
-                | Takes::Periods
-                | Takes::Number
-                | Takes::Probabilities
-                | Takes::Hazard => vec![name(node, path, what, &all, faults)?],
+            let places = match key.takes == Takes::Columns {
+                true => names(node, path, what, &all, faults)?,
+                false => vec![name(node, path, what, &all, faults)?],
             };
             let column = |place: &usize| match rows.get(*place) {
                 Some(row) => ColumnRef::Parameter(*row),
