@@ -60,7 +60,7 @@ fn a_candidate_whose_contact_makes_energy_is_not_recommended() {
         );
         if largest > 0.01 {
             makes += 1;
-            assert!(matches!(choice.state, State::ContactEnergy(_)), "{k} {dt}");
+            assert!(matches!(choice.state, State::ContactEnergy), "{k} {dt}");
             assert!(choice.worst.is_infinite());
         }
     }

@@ -228,7 +228,7 @@ fn no_other_candidate_is_cheaper_of_all_solved_one_by_one() {
         let holds = of.2 < 3.0 && keeps(&largest(finer, false));
         let energy = warned(of);
         assert_eq!(
-            matches!(choice.state, State::ContactEnergy(_)),
+            matches!(choice.state, State::ContactEnergy),
             energy && !matches!(choice.state, State::Energy)
         );
         all.push((

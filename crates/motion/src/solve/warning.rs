@@ -195,13 +195,6 @@ impl Warnings {
         }
     }
 
-    /// Those that pass a test.
-    #[must_use]
-    pub fn only(self, passes: fn(Warning) -> bool) -> Warnings {
-        let kinds = self.iter().filter(|kind| passes(*kind));
-        kinds.fold(Warnings::NONE, |set, kind| set.with(kind, true))
-    }
-
     /// Its warnings, in the order of the table.
     pub fn iter(self) -> impl Iterator<Item = Warning> {
         WARNINGS.into_iter().filter(move |kind| self.has(*kind))

@@ -166,11 +166,10 @@ pub(super) fn decide(choice: &mut Choice, judge: &mut Judge) -> Result<(), Stopp
     let why = judged.iter().find_map(|own| own.why.clone());
     choice.worst = judge.worst(&judged);
     choice.warnings = warnings(&judged);
-    let of_contacts = choice.warnings.only(Warning::is_contact_energy);
     choice.state = match why {
         Some(why) => State::Unsolved(why),
         None if !judge.allows(energy) => State::Energy,
-        None if !of_contacts.is_empty() => State::ContactEnergy(of_contacts),
+        None if choice.warnings.iter().any(Warning::is_contact_energy) => State::ContactEnergy,
         None if choice.worst <= 1.0 => State::Keeps,
         None => State::Misses,
     };

@@ -1,7 +1,5 @@
 //! What becomes of a candidate, and what further tests of it show.
 
-use slipgap_motion::solve::Warnings;
-
 /// What becomes of a candidate.
 #[derive(Debug, Clone, PartialEq)]
 pub enum State {
@@ -11,8 +9,8 @@ pub enum State {
     Misses,
     /// It gains or loses too much energy.
     Energy,
-    /// One of its contacts may make energy, as these warnings say.
-    ContactEnergy(Warnings),
+    /// One of its contacts may make energy, as its warnings say.
+    ContactEnergy,
     /// A case has no solution, for this reason.
     Unsolved(String),
     /// It does not have all physical cases.

@@ -45,7 +45,7 @@ impl Advice {
                 format!("misses {}", missed.join(", "))
             }
             State::Energy => "gains or loses energy".into(),
-            State::ContactEnergy(_) => "a contact may make energy".into(),
+            State::ContactEnergy => "a contact may make energy".into(),
             State::Unsolved(why) => format!("not solved: {why}"),
             State::Incomplete => "does not have all physical cases".into(),
         }

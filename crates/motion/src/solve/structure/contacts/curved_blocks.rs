@@ -2,7 +2,7 @@
 
 use crate::contact::Unsolved;
 use crate::contact::coupled::curved::{CurvedForces, Directions, Laws};
-use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
+use crate::solve::structure::linear_part::block_matrix::{BlockMatrix, MatrixBlock};
 
 /// The forces of all contacts, or groups of them.
 #[derive(Debug, Clone)]
@@ -25,10 +25,7 @@ impl CurvedBlocks {
     pub(crate) fn new(flexibility: BlockMatrix, planes: &[usize]) -> CurvedBlocks {
         let places = flexibility.places;
         let blocks = flexibility.blocks.into_iter().enumerate();
-        let block = |(b, block): (
-            usize,
-            crate::solve::structure::linear_part::block_matrix::MatrixBlock,
-        )| {
+        let block = |(b, block): (usize, MatrixBlock)| {
             let m = block.contacts.len();
             let own = planes.iter().map(|plane| places[*plane]);
             let own: Vec<usize> = own
