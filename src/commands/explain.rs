@@ -5,7 +5,7 @@ use super::arguments::sources::{self, Source};
 use super::arguments::{SettingsArgs, whole};
 use super::list::cases;
 use super::terminal::{duration, print, table};
-use crate::batch::solve::cost::{MEASURING, measure, sampling, total};
+use crate::batch::solve::cost::{MEASURING, measure, of_one, sampling, total};
 use crate::batch::{RunOptions, parts::chunk, solve::divergence};
 use crate::calibrate::explained;
 use crate::error::Error;
@@ -16,6 +16,7 @@ use crate::study::Study;
 use crate::study_figures;
 use clap::Args;
 use std::path::PathBuf;
+use std::time::Instant;
 
 /// The arguments of `slipgap explain`.
 #[derive(Args)]
@@ -91,12 +92,13 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     if let Some(why) = &broken {
         text += &format!("\nthis case cannot be solved: {why}\n");
     }
-    text += &format!("\n{}", cost(study, &case)?);
+    let (warnings, seconds) = match broken {
+        Some(_) => (String::new(), None),
+        None => warnings(study, &case),
+    };
+    text += &format!("\n{}{warnings}", cost(study, &case, seconds)?);
     if broken.is_none() {
-        text += &warnings(study, &case);
-    }
-    if let Some(divergence) = divergence::sampled_like(study, number) {
-        text += &format!("divergence: {divergence}\n");
+        text += &diverging(study, number, seconds);
     }
     text += &explained(study);
     let metrics: Vec<&str> = study
@@ -131,8 +133,9 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
 /// Most work of a case that is solved for its warnings: about a second.
 const SOLVED: u64 = 500_000_000;
 
-/// The warnings of the case, as a run reports them.
-fn warnings(study: &Study, case: &Case) -> String {
+/// The warnings of the case, as a run reports them, and the seconds that they took if it was tried to solve it.
+fn warnings(study: &Study, case: &Case) -> (String, Option<f64>) {
+    // These make what is computed once for many cases, such as a synthetic record: it is no part of the time of a case.
     let doubts = study.problem.doubts(case);
     let line = |kind: Warning| {
         // Of one of several cases it is none: the others may have another result.
@@ -152,12 +155,37 @@ fn warnings(study: &Study, case: &Case) -> String {
     };
     if study.work(case) > SOLVED {
         let known: String = doubts.iter().map(|doubt| line(doubt.0)).collect();
-        return known
-            + "warnings: those of the motion are not looked for, the case takes long; `run` reports them\n";
+        let not_looked_for = "warnings: those of the motion are not looked for, the case takes long; `run` reports them\n";
+        return (known + not_looked_for, None);
     }
-    match study.solve(case) {
+    let start = Instant::now();
+    let solved = study.solve(case);
+    let seconds = start.elapsed().as_secs_f64();
+    let text = match solved {
         Err(why) => format!("warnings: none, the case could not be solved: {why}\n"),
         Ok(solution) => solution.warnings.iter().map(line).collect(),
+    };
+    (text, Some(seconds))
+}
+
+/// The number of cases that are solved in a short time if one takes so many seconds.
+fn affordable(seconds: f64) -> u64 {
+    (MEASURING.as_secs_f64() / seconds) as u64
+}
+
+/// In how many cases like this one a small change grows, as far as cases are solved in a short time.
+fn diverging(study: &Study, number: u64, seconds: Option<f64>) -> String {
+    if !study.problem.schema().described {
+        return String::new();
+    }
+    // Each is solved twice.
+    let most = affordable(2.0 * seconds.unwrap_or(f64::INFINITY));
+    match divergence::sampled_like(study, number, most) {
+        Some(divergence) => format!("divergence: {divergence}\n"),
+        None => {
+            "divergence: not looked for, the case takes long; `report` says in how many cases\n"
+                .into()
+        }
     }
 }
 
@@ -189,7 +217,9 @@ fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> Stri
 }
 
 /// Steps and work of the case and of the study, and the estimated time of the study, measured on some of its cases.
-fn cost(study: &Study, case: &Case) -> Result<String, Error> {
+///
+/// A case that took long, in `seconds`, is that measurement.
+fn cost(study: &Study, case: &Case, seconds: Option<f64>) -> Result<String, Error> {
     let (steps, work) = (study.problem.steps(case), study.work(case));
     let total = total(study);
     let keep = |case: &Case| study_figures::show_history(study, case);
@@ -197,7 +227,14 @@ fn cost(study: &Study, case: &Case) -> Result<String, Error> {
         keep_history: study_figures::show_histories(study).then_some(&keep),
         ..RunOptions::METRICS
     };
-    let measured = measure(study, total, &options, (case, MEASURING))?;
+    let long = seconds.filter(|seconds| *seconds >= MEASURING.as_secs_f64());
+    let measured = match long {
+        Some(seconds) => of_one(study, total, &options, (case, seconds)),
+        None => {
+            let at_once = affordable(seconds.unwrap_or(f64::INFINITY));
+            measure(study, total, &options, (case, MEASURING, at_once))?
+        }
+    };
     let threads = match measured.threads {
         1 => "1 thread".into(),
         threads => format!("{threads} threads"),
@@ -209,12 +246,16 @@ fn cost(study: &Study, case: &Case) -> Result<String, Error> {
     let shares = !study.samples(case).key.is_empty()
         || study.problem.reference_work(case, &study.metrics) > 0;
     let alike = if shares { " like this one" } else { "" };
+    let measured_in = duration(measured.seconds);
+    let from = match long {
+        Some(seconds) => format!("this case, which took {}", duration(seconds)),
+        None if measured.cases == 1 => format!("1 case{alike} in {measured_in}"),
+        None => format!("{} cases{alike} in {measured_in}", measured.cases),
+    };
     Ok(format!(
         "steps: {steps}; steps x modes: {work} of {total:.3e} in all cases; {} of the store\n\
-         time to compute all cases: {time}, estimated from {} cases{alike} in {}\n",
+         time to compute all cases: {time}, estimated from {from}\n",
         parts(study, total),
-        measured.cases,
-        duration(measured.seconds)
     ))
 }
 

@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 const MOST_SUMMED: u64 = 100_000;
 
 /// Time for computing some cases, from which the time of all cases is estimated.
-pub const MEASURING: Duration = Duration::from_millis(300);
+pub const MEASURING: Duration = Duration::from_millis(50);
 
 /// Largest work of a case with a reference that is measured with its whole duration: about a second.
 const LONGEST_CASE: f64 = 5e8;
@@ -83,6 +83,28 @@ pub fn sampling(study: &Study) -> f64 {
 /// Most cases with the signals of one case that stand in for others.
 const MOST_ALIKE: usize = 512;
 
+/// The measurement that a case is which one thread solved in so many seconds.
+pub fn of_one(
+    study: &Study,
+    total: f64,
+    options: &RunOptions,
+    (case, seconds): (&Case, f64),
+) -> Measurement {
+    let threads = threads(study, options, total);
+    Measurement {
+        cases: 1,
+        work: study.work(case) as f64,
+        seconds: seconds / threads as f64,
+        threads,
+    }
+}
+
+/// The number of threads that a run can use.
+fn threads(study: &Study, options: &RunOptions, total: f64) -> usize {
+    let tasks = parallel_tasks(study, options, total).max(1);
+    rayon::current_num_threads().min(tasks)
+}
+
 /// Computes groups of cases from the whole study, which has the work `total`, until all are computed or the time is over.
 /// It uses as many threads as a run can use. Cases with a reference are computed one by one with their whole duration, since its cost
 /// is that of the events of a motion, which the first steps of a record do not have.
@@ -96,20 +118,19 @@ pub fn measure(
     study: &Study,
     total: f64,
     options: &RunOptions,
-    (like, limit): (&Case, Duration),
+    (like, limit, most_at_once): (&Case, Duration, u64),
 ) -> Result<Measurement, Error> {
     keep_memory();
-    let tasks = parallel_tasks(study, options, total).max(1);
-    let threads = rayon::current_num_threads().min(tasks);
+    let threads = threads(study, options, total);
     let one_by_one = study.problem.reference_work(like, &study.metrics) > 0;
     let instead = match one_by_one || limit.is_zero() {
         true => Vec::new(),
         false => with_signals_of(study, like),
     };
-    // As many combinations as in one sweep of a run.
+    // As many combinations as in one sweep of a run, if there is time for so many.
     let size = match one_by_one {
         true => 1,
-        false => slice(study.raw_len(), total),
+        false => slice(study.raw_len(), total).min(most_at_once.max(1)),
     };
     let most = if one_by_one { LONGEST_CASE } else { SWEEP_WORK };
     let groups = study.raw_len().div_ceil(size);
@@ -291,7 +312,8 @@ mod tests {
         let work = total(&study);
         assert_eq!(work, 9000.0);
         let like = study.case(0).unwrap();
-        let within = |limit| measure(&study, work, &RunOptions::METRICS, (&like, limit)).unwrap();
+        let within =
+            |limit| measure(&study, work, &RunOptions::METRICS, (&like, limit, u64::MAX)).unwrap();
         let all = within(Duration::MAX);
         assert_eq!((all.cases, all.work), (300, 9000.0));
         // A sweep of one slice uses one thread.

@@ -34,54 +34,60 @@ impl Divergence {
 
 /// Evenly spaced cases of a study of structures, the same ones on every machine; `None` for another problem.
 pub fn sampled(study: &Study) -> Option<Divergence> {
-    sampled_if(study, |_| true)
+    sampled_if(study, MOST, |_| true)
 }
 
-/// The same of the cases that need no other sampled signals than this case. It is one of them.
-pub fn sampled_like(study: &Study, number: u64) -> Option<Divergence> {
-    let own = study.samples(&study.case(number)?);
-    sampled_if(study, |case| study.samples(case) == own).map(|found| match found.looked_at {
-        0 => {
-            let case = study.case(number);
-            let mut one = Divergence::default();
-            one.add(case.and_then(|case| {
-                study
-                    .problem
-                    .as_structure()
-                    .and_then(|structure| structure.diverges(&case))
-            }));
-            Divergence {
-                cases: found.cases,
-                ..one
-            }
-        }
-        _ => found,
+/// The same of at most so many cases that need no other sampled signals than this case, which is one of them; `None` if none may be
+/// looked at.
+pub fn sampled_like(study: &Study, number: u64, most: u64) -> Option<Divergence> {
+    if most == 0 {
+        return None;
+    }
+    let case = study.case(number)?;
+    let signals = study.samples(&case);
+    let found = sampled_if(study, most.min(MOST), |other| {
+        study.samples(other) == signals
+    })?;
+    if found.looked_at > 0 {
+        return Some(found);
+    }
+    let mut only = Divergence::default();
+    only.add(diverges(study, &case));
+    Some(Divergence {
+        cases: found.cases,
+        ..only
     })
 }
 
-fn sampled_if(study: &Study, wanted: impl Fn(&Case) -> bool + Sync) -> Option<Divergence> {
+/// Whether a small change in start and loads of a case grows; `None` where it is unknown.
+fn diverges(study: &Study, case: &Case) -> Option<bool> {
+    study.problem.as_structure()?.diverges(case)
+}
+
+fn sampled_if(
+    study: &Study,
+    most: u64,
+    wanted: impl Fn(&Case) -> bool + Sync,
+) -> Option<Divergence> {
     if !study.problem.schema().described {
         return None;
     }
     let cases = study.len();
-    let numbers = numbers(cases, total(study));
-    let diverges = |number: &u64| {
+    let numbers = numbers(cases, most, total(study));
+    let found = numbers.par_iter().map(|number| {
         let case = study.case(*number).filter(|case| wanted(case))?;
-        study
-            .problem
-            .as_structure()
-            .and_then(|structure| structure.diverges(&case))
-    };
-    let found: Vec<Option<bool>> = numbers.par_iter().map(diverges).collect();
+        diverges(study, &case)
+    });
+    let found: Vec<Option<bool>> = found.collect();
     let mut sum = Divergence::default();
     found.into_iter().for_each(|found| sum.add(found));
     Some(Divergence { cases, ..sum })
 }
 
-/// The numbers of the cases that are looked at, of a study with so much work.
-fn numbers(cases: u64, total: f64) -> Vec<u64> {
+/// The numbers of the cases that are looked at, `most` of them at most, of a study with so much work.
+fn numbers(cases: u64, most: u64, total: f64) -> Vec<u64> {
     let affordable = WORK / total * cases as f64;
-    let count = cases.min(MOST).min((affordable as u64).max(1));
+    let count = cases.min(most).min((affordable as u64).max(1));
     (0..count)
         .map(|i| (u128::from(i) * u128::from(cases) / u128::from(count)) as u64)
         .collect()
@@ -131,14 +137,18 @@ mod tests {
 
     #[test]
     fn the_cases_looked_at_are_evenly_spaced_and_fewer_if_they_are_much_work() {
-        assert_eq!(numbers(3, 1.0), [0, 1, 2]);
-        let all = numbers(6400, 1.0);
+        assert_eq!(numbers(3, MOST, 1.0), [0, 1, 2]);
+        let all = numbers(6400, MOST, 1.0);
         assert!(all.iter().enumerate().all(|(i, n)| *n == 100 * i as u64));
         assert_eq!(all.len(), 64);
         // 10 of 100 cases are 1e8.
-        assert_eq!(numbers(100, 1e9), [0, 10, 20, 30, 40, 50, 60, 70, 80, 90]);
-        assert_eq!(numbers(7, 1e30), [0]);
-        assert_eq!(numbers(0, 0.0), [0; 0]);
+        assert_eq!(
+            numbers(100, MOST, 1e9),
+            [0, 10, 20, 30, 40, 50, 60, 70, 80, 90]
+        );
+        assert_eq!(numbers(7, MOST, 1e30), [0]);
+        assert_eq!(numbers(100, 2, 1.0), [0, 50]);
+        assert_eq!(numbers(0, MOST, 0.0), [0; 0]);
     }
 
     #[test]

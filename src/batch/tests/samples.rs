@@ -36,8 +36,14 @@ fn explaining_a_case_makes_its_own_records_only() {
     let options = RunOptions::METRICS;
     // 20000 records of 3 ms at 5e8 units in a second.
     assert_eq!(cost::sampling(&study), 20000.0 * 1.5e6);
-    measure(&study, total, &options, (&case, Duration::from_millis(200))).unwrap();
-    let found = divergence::sampled_like(&study, 7).unwrap();
+    measure(
+        &study,
+        total,
+        &options,
+        (&case, Duration::from_millis(200), u64::MAX),
+    )
+    .unwrap();
+    let found = divergence::sampled_like(&study, 7, 64).unwrap();
     assert_eq!((found.cases, found.looked_at), (20000, 1));
     assert_eq!(made(), 1);
 }
