@@ -1,6 +1,5 @@
-//! Problems by their public names: laws of parts, the textbook problems as structures, the parts of the error.
+//! Problems by their public names: the textbook problems as structures, the parts of the error.
 
 mod metrics;
-mod parts;
 mod presets;
 mod reference;

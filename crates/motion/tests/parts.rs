@@ -626,7 +626,7 @@ fn energy_is_kept_to_round_off_and_methods_tend_to_one_motion() {
 
 #[test]
 fn collisions_are_those_of_the_independent_program() {
-    let text = include_str!("../../../../tests/data/parts.json");
+    let text = include_str!("../../../tests/data/parts.json");
     let rows: Vec<Value> = serde_json::from_str(text).expect("data");
     assert_eq!(rows.len(), 14);
     for row in rows {
@@ -652,7 +652,7 @@ fn collisions_are_those_of_the_independent_program() {
 
 #[test]
 fn forces_are_those_of_the_materials_of_opensees() {
-    let text = include_str!("../../../../tests/data/parts_opensees.json");
+    let text = include_str!("../../../tests/data/parts_opensees.json");
     let data: Value = serde_json::from_str(text).expect("data");
     let rows = data["materials"].as_array().expect("rows");
     assert_eq!(rows.len(), 10);
@@ -701,7 +701,7 @@ fn forces_are_those_of_the_materials_of_opensees() {
 
 #[test]
 fn forces_that_degrade_are_those_of_opensees() {
-    let text = include_str!("../../../../tests/data/imk_opensees.json");
+    let text = include_str!("../../../tests/data/imk_opensees.json");
     let rows: Vec<Value> = serde_json::from_str(text).expect("data");
     assert_eq!(rows.len(), 8);
     for row in &rows {
