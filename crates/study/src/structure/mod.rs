@@ -12,7 +12,6 @@ pub(super) mod named;
 mod parts;
 mod reading;
 pub(super) mod recorded;
-mod springs;
 #[cfg(test)]
 mod tests;
 
@@ -22,8 +21,9 @@ use super::source::object::Object;
 use super::source::tree::Node;
 use super::value;
 use crate::structure::reading::reader::{Reader, named, open};
-use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE, range};
+use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE};
 use measured::Given;
+use parts::{damping, springs};
 use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::structure::StructureProblem;
 use slipgap_problem::problem::structure::channels::names::Names;
@@ -127,13 +127,8 @@ pub(super) fn problem(
         },
         bars: parts::bars(&bars, &reader, faults),
         matrices: imported,
-        rayleigh: parts::rayleigh(&object, &reader, faults).unwrap_or_default(),
-        modal_damping: reader.optional(
-            &object,
-            "modal_damping",
-            range(STRUCTURE, "modal_damping"),
-            faults,
-        ),
+        rayleigh: damping::rayleigh(&object, &reader, faults).unwrap_or_default(),
+        modal_damping: damping::modal_damping(&object, &reader, faults),
         damping_stiffness: damping_stiffness(&object, faults).unwrap_or_default(),
         contacts: contacts::contacts(&of_contacts, &springs, &reader, faults),
         springs,

@@ -89,12 +89,14 @@ impl StructureProblem {
         let broken =
             |all: Vec<Violation>| Unsolvable::BrokenRules(Violation::all(&all).unwrap_or_default());
         let (mut structure, numbering) = assemble(&self.template, case, model).map_err(broken)?;
-        if let Some(ratio) = &self.template.modal_damping {
-            let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
+        if let Some(modal) = &self.template.modal_damping {
             let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
-            if damping::add_modal(&mut structure, &stiffness, ratio).is_none() {
+            let Some(modes) = damping::modes(&structure, &stiffness) else {
                 return Err(self.no_modes(&structure, case));
-            }
+            };
+            let ratios = modal.ratios(case, &modes.omega2);
+            let ratios = ratios.map_err(|one| broken(vec![one]))?;
+            damping::add_modal(&mut structure, &modes, &ratios);
         }
         match structure.preload.load.is_empty() {
             true => massless::place(&mut structure),

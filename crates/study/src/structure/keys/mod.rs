@@ -23,6 +23,9 @@ pub(crate) use spectra::{
 /// Keys with their meanings.
 pub(crate) type Keys = &'static [(&'static str, &'static str)];
 
+/// The key of damping ratios of modes.
+pub(crate) const MODAL_DAMPING: &str = "modal_damping";
+
 /// Keys of `structure`.
 pub(crate) const STRUCTURE: Keys = &[
     (
@@ -45,8 +48,14 @@ pub(crate) const STRUCTURE: Keys = &[
         "springs",
         "springs with dashpots; \"ground\" is a node, too",
     ),
-    ("rayleigh", "C += mass M + stiffness K"),
-    ("modal_damping", "damping ratio in every mode of M and K"),
+    (
+        "rayleigh",
+        "C += mass M + stiffness K, with the factors or with damping ratios of two modes",
+    ),
+    (
+        MODAL_DAMPING,
+        "damping ratio in every mode of M and K, or a list with one for each mode from the longest period on; further modes have none",
+    ),
     (
         "damping_stiffness",
         "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with elastic contacts",

@@ -88,4 +88,13 @@ const ALONG: (&str, &str) = (
 pub(crate) const RAYLEIGH: Keys = &[
     ("mass", "factor of M, 1 over time"),
     ("stiffness", "factor of K, a time"),
+    (
+        "ratios",
+        "instead: two damping ratios, from which both factors follow",
+    ),
+    (
+        "modes",
+        "the two modes with these ratios: numbers from 1 by rising frequency, without rigid-body modes",
+    ),
+    ("periods", "or their natural periods"),
 ];

@@ -1,20 +1,21 @@
 //! The ranges of the numbers under the keys, for decoding and schema.
 
 use super::{
-    ASCE_7, BAR, CHOOSE, COSINE, EN_1998, FUNCTION, Keys, MASS, RAYLEIGH, REDUCE, RICKER, SCALE_TO,
-    SET, SPRING, STRUCTURE, SUPPORT, SYNTHETIC, WEIGHT,
+    ASCE_7, BAR, CHOOSE, COSINE, EN_1998, FUNCTION, Keys, MASS, MODAL_DAMPING, RAYLEIGH, REDUCE,
+    RICKER, SCALE_TO, SET, SPRING, STRUCTURE, SUPPORT, SYNTHETIC, WEIGHT,
 };
 use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative, Positive, UpToOne};
 
 /// The keys whose numbers are not free, by tables.
-const RANGES: [(Keys, Range, &[&str]); 20] = [
-    (STRUCTURE, NotNegative, &["modal_damping"]),
+const RANGES: [(Keys, Range, &[&str]); 21] = [
+    (STRUCTURE, NotNegative, &[MODAL_DAMPING]),
     (MASS, NotNegative, &["mass"]),
     (BAR, Positive, &["L", "EA", "mass", "n"]),
     (BAR, NotNegative, &["stiffness_damping"]),
     (SPRING, Positive, &["mass", "period"]),
     (SPRING, NotNegative, &["c", "ratio"]),
-    (RAYLEIGH, NotNegative, &["mass", "stiffness"]),
+    (RAYLEIGH, NotNegative, &["mass", "stiffness", "ratios"]),
+    (RAYLEIGH, Positive, &["modes", "periods"]),
     (REDUCE, NotNegative, &["modes"]),
     (REDUCE, Positive, &["up_to"]),
     (WEIGHT, Positive, &["weight"]),

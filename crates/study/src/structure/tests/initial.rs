@@ -1,6 +1,7 @@
 //! Damping with the elastic contacts at their initial stiffness, and the periods that `explain` prints.
 
 use crate::{Study, parse};
+use std::f64::consts::PI;
 
 fn study(structure: &str, metrics: &str, duration: f64) -> Study {
     let text = format!(
@@ -51,7 +52,34 @@ fn initial_stiffness_damps_one_mass_and_two_masses_as_the_closed_form() {
             2.0 * free(w1, r1, t) - free(w2, r2, t),
         ]
     };
+    // Two ratios by three ways, and one alone, from the lowest frequency on.
+    let by = |damping: &str| two(&format!(r#"{damping}, "damping_stiffness": "initial""#));
+    let two_ratios = || {
+        let [a, b] = sum(0.05, 0.03);
+        vec![("a", a), ("b", b)]
+    };
+    let first = sum(0.05, 0.0);
+    let (t1, t2) = (2.0 * PI / w1, 2.0 * PI / w2);
     let cases = [
+        (by(r#""modal_damping": [0.05, 0.03]"#), two_ratios()),
+        (
+            by(r#""rayleigh": {"ratios": [0.05, 0.03], "modes": [1, 2]}"#),
+            two_ratios(),
+        ),
+        (
+            by(r#""rayleigh": {"ratios": [0.03, 0.05], "modes": [2, 1]}"#),
+            two_ratios(),
+        ),
+        (
+            by(&format!(
+                r#""rayleigh": {{"ratios": [0.05, 0.03], "periods": [{t1}, {t2}]}}"#
+            )),
+            two_ratios(),
+        ),
+        (
+            by(r#""modal_damping": [0.05]"#),
+            vec![("a", first[0]), ("b", first[1])],
+        ),
         (one(modal), vec![("m", free(w1, 0.05, t))]),
         (one(rayleigh), vec![("m", free(w1, ratio(w1), t))]),
         // Without the contact there is no stiffness: 0.3 M alone.
@@ -118,7 +146,19 @@ fn explain_prints_the_periods_with_elastic_contacts() {
     ] {
         assert!(both.contains(line), "{both}");
     }
-    assert!(!both.contains("nothing holds"), "{both}");
+    assert!(
+        !both.contains("nothing holds") && !both.contains("ratios"),
+        "{both}"
+    );
+    // Without contacts there is a rigid-body mode, which is none of the modes: the ratio is that of 20.
+    let damped = text(&two(
+        r#""rayleigh": {"ratios": [0.05, 0.05], "periods": [0.2, 0.4]}"#,
+    ));
+    // Ratio of 0.3142 s between 0.2 and 0.4 s: 0.05 (w1 w2/w + w)/(w1 + w2).
+    let [w1, w2] = [10.0 * PI, 5.0 * PI];
+    let ratio = 0.05 * (w1 * w2 / 20.0 + 20.0) / (w1 + w2);
+    let line = format!("damping ratios of these modes without contacts: {ratio:.7}\n");
+    assert!(damped.contains(&line[..line.len() - 2]), "{damped} {line}");
     // An open gap holds nothing.
     let gap = two(r#""modal_damping": 0"#).replace(
         r#""law": "displacement-control", "between": ["ground", "a"], "k": 300, "limit": 1e6"#,
@@ -127,6 +167,65 @@ fn explain_prints_the_periods_with_elastic_contacts() {
     let open = text(&gap);
     assert!(open.contains("nothing holds a to b"), "{open}");
     assert!(!open.contains("initial stiffness"), "{open}");
+}
+
+#[test]
+fn ratios_that_no_damping_has_are_refused() {
+    let fault = |damping: &str| {
+        let structure = two(&format!(r#"{damping}, "damping_stiffness": "initial""#));
+        let text = format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.1, "duration": 1}}, "metrics": ["energy_error"], "structure": {{{structure}}}}}"#
+        );
+        match parse("s", &text) {
+            Err(fault) => fault.to_string(),
+            Ok(study) => {
+                let solved = study.solve(&study.case(0).unwrap());
+                solved.unwrap_err().to_string()
+            }
+        }
+    };
+    for (damping, message) in [
+        (
+            r#""modal_damping": [0.05, 0.05, 0.05]"#,
+            "structure.modal_damping[2]: is the ratio of mode 3, the structure has 2 with a stiffness",
+        ),
+        (
+            r#""rayleigh": {"ratios": [0.05, 0.05], "modes": [1, 3]}"#,
+            "structure.rayleigh.modes[1]: must be a whole number from 1 to 2, got 3",
+        ),
+        (
+            r#""rayleigh": {"ratios": [0.05, 0.05], "modes": [2, 2]}"#,
+            "structure.rayleigh.modes[1]: must not have the frequency of the other mode",
+        ),
+        (
+            r#""rayleigh": {"ratios": [0.05, 0.05]}"#,
+            "structure.rayleigh: needs modes or periods beside ratios, one of them",
+        ),
+        (
+            r#""rayleigh": {"periods": [0.5, 0.2]}"#,
+            "structure.rayleigh.periods: needs \"ratios\"",
+        ),
+        (
+            r#""rayleigh": {"ratios": [0.05, 0.05], "periods": [0.5, 0.2], "mass": 1}"#,
+            "structure.rayleigh: has ratios or the factors mass and stiffness, not both",
+        ),
+        (
+            r#""rayleigh": {"ratios": [0.05, 0.05], "periods": [0.5]}"#,
+            "structure.rayleigh.periods: must be two numbers, got 1",
+        ),
+        // 24.5 over 10.
+        (
+            r#""rayleigh": {"ratios": [0.05, 0.2], "modes": [1, 2]}"#,
+            "structure.rayleigh.ratios[1]: the factor of M would be ",
+        ),
+        (
+            r#""rayleigh": {"ratios": [0.05, 0.01], "modes": [1, 2]}"#,
+            "the second ratio over the first must be from 0.408248 to 2.44949",
+        ),
+    ] {
+        let found = fault(damping);
+        assert!(found.contains(message), "{damping}: {found}");
+    }
 }
 
 #[test]

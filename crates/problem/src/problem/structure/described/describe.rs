@@ -5,6 +5,7 @@ use crate::contact::{ClippedLine, ContactKind, ContactLaw};
 use crate::problem::numbers::short::short;
 use crate::problem::structure::model::contact_duration;
 use crate::problem::structure::model::damping::{Modes, modes};
+use crate::problem::structure::parts::damping::{rigid_below, vibrating};
 use crate::problem::structure::parts::models::Models;
 use crate::problem::structure::warn::Restitution;
 use crate::solve::{FEWEST_STEPS, TOO_FEW_STEPS};
@@ -182,14 +183,16 @@ fn closes(structure: &Structure, contact: &Contact) -> String {
 /// The periods of these squares of natural frequencies, and the number of rigid-body modes.
 fn periods(which: &str, modes: &Modes, structure: &Structure) -> String {
     let omega2 = &modes.omega2;
-    let largest = omega2.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-    // Round-off of the eigensolver.
-    let round_off = 1e-12 * largest;
+    let round_off = rigid_below(omega2);
     let free = omega2.iter().filter(|x| x.abs() <= round_off).count();
-    let mut held: Vec<f64> = omega2.iter().copied().filter(|x| *x > round_off).collect();
-    held.sort_by(f64::total_cmp);
-    let periods = held.iter().map(|x| short(2.0 * PI / x.sqrt())).collect();
-    let mut text = list(&format!("natural periods {which}"), periods);
+    let held = vibrating(omega2);
+    let periods = held.iter();
+    let periods = periods.map(|mode| short(2.0 * PI / omega2[*mode].sqrt()));
+    let mut text = list(&format!("natural periods {which}"), periods.collect());
+    if let Some(ratios) = modes.ratios(structure) {
+        let ratios = held.iter().map(|mode| short(ratios[*mode])).collect();
+        text += &list(&format!("damping ratios of these modes {which}"), ratios);
+    }
     if free > 0 {
         text += &format!("rigid-body modes {which}: {free}\n");
     }

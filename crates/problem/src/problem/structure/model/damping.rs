@@ -1,4 +1,4 @@
-//! Modes of the structure, and one damping ratio in each of them.
+//! Modes of the structure, and a damping ratio in each of them.
 
 use crate::system::structure::{Structure, Symmetric};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -6,17 +6,15 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 /// Most nodes of a structure whose modes are computed: the matrices are full.
 pub const MOST_MODES: usize = 1000;
 
-/// Adds C = M sum 2 ratio omega_k phi_k phi_k^T M of all modes of M and this K; `None` if there are too many nodes, or M is not
-/// positive definite. Nodes without mass get none. It acts on the motion beside what nodes follow supports at rest.
-pub fn add_modal(structure: &mut Structure, stiffness: &Symmetric, ratio: f64) -> Option<()> {
-    let damping = modal(structure, stiffness, ratio)?;
+/// Adds C = M sum 2 ratio_k omega_k phi_k phi_k^T M of all modes. Nodes without mass get none. It acts on the motion beside what nodes
+/// follow supports at rest.
+pub fn add_modal(structure: &mut Structure, modes: &Modes, ratios: &[f64]) {
+    let damping = modal(structure, modes, ratios);
     structure.damp_beside_supports(&damping);
-    Some(())
 }
 
-fn modal(structure: &Structure, stiffness: &Symmetric, ratio: f64) -> Option<Symmetric> {
+fn modal(structure: &Structure, modes: &Modes, ratios: &[f64]) -> Symmetric {
     let mut damping = Symmetric::zeros(structure.len());
-    let modes = modes(structure, stiffness)?;
     let (nodes, omega2) = (&modes.nodes, &modes.omega2);
     let shapes = match &modes.root {
         None => {
@@ -25,7 +23,7 @@ fn modal(structure: &Structure, stiffness: &Symmetric, ratio: f64) -> Option<Sym
             for (i, node) in nodes.iter().enumerate() {
                 for j in 0..=i {
                     let terms = (0..nodes.len()).map(|k| {
-                        2.0 * ratio
+                        2.0 * ratios[k]
                             * omega2[k].max(0.0).sqrt()
                             * modes.shapes[(i, k)]
                             * modes.shapes[(j, k)]
@@ -34,18 +32,19 @@ fn modal(structure: &Structure, stiffness: &Symmetric, ratio: f64) -> Option<Sym
                     damping.add(*node, nodes[j], c);
                 }
             }
-            return Some(damping);
+            return damping;
         }
         Some(root) => root * &modes.shapes,
     };
     for (i, node) in nodes.iter().enumerate() {
         for j in 0..=i {
-            let terms = (0..nodes.len())
-                .map(|k| 2.0 * ratio * omega2[k].max(0.0).sqrt() * shapes[(i, k)] * shapes[(j, k)]);
+            let terms = (0..nodes.len()).map(|k| {
+                2.0 * ratios[k] * omega2[k].max(0.0).sqrt() * shapes[(i, k)] * shapes[(j, k)]
+            });
             damping.add(*node, nodes[j], terms.sum::<f64>());
         }
     }
-    Some(damping)
+    damping
 }
 
 /// The modes of the nodes with mass. The others follow them, K_ss u_s = -K_sr u_r.
@@ -81,6 +80,45 @@ impl Modes {
             }
         };
         scaled.map_or(Vec::new(), |own| self.shapes.tr_mul(&own).data.into())
+    }
+
+    /// phi^T C phi/(2 omega) of each mode; `None` without damping, and where nodes without mass follow others.
+    pub fn ratios(&self, structure: &Structure) -> Option<Vec<f64>> {
+        let damping = &structure.damping;
+        let is_damped = damping.entries().any(|(_, c)| c != 0.0);
+        if !is_damped || self.nodes.len() < structure.len() {
+            return None;
+        }
+        let shapes = match &self.root {
+            Some(root) => root.tr_solve_lower_triangular(&self.shapes)?,
+            None => {
+                let mut shapes = self.shapes.clone();
+                for (mut row, node) in shapes.row_iter_mut().zip(&structure.nodes) {
+                    row /= node.mass.sqrt();
+                }
+                shapes
+            }
+        };
+        let mut powers = vec![0.0; self.omega2.len()];
+        for ((i, j), c) in damping.entries() {
+            let twice = if i == j { c } else { 2.0 * c };
+            for (mode, power) in powers.iter_mut().enumerate() {
+                *power += twice * shapes[(i, mode)] * shapes[(j, mode)];
+            }
+        }
+        let ratios = powers.iter().zip(&self.omega2);
+        let mut ratios: Vec<f64> = ratios
+            .map(|(power, omega2)| 0.5 * power / omega2.sqrt())
+            .collect();
+        let largest = ratios.iter().filter(|ratio| ratio.is_finite());
+        let largest = largest.fold(0.0, |largest: f64, ratio| largest.max(ratio.abs()));
+        for ratio in &mut ratios {
+            // Round-off of the sums over the nodes.
+            if ratio.abs() < 1e-12 * largest {
+                *ratio = 0.0;
+            }
+        }
+        Some(ratios)
     }
 
     /// The node that moves most in a mode, by its share of the mass.
@@ -163,7 +201,8 @@ mod tests {
         structure.stiffness.add_spring([Some(0), Some(1)], 70.0);
         structure.stiffness.add_spring([Some(1), Some(2)], 30.0);
         let k = structure.stiffness.clone();
-        add_modal(&mut structure, &k, 0.05).unwrap();
+        let found = modes(&structure, &k).unwrap();
+        add_modal(&mut structure, &found, &[0.05; 3]);
         // C K^-1-free identity: with all modes at one ratio, (M^-1/2 C M^-1/2)^2 = 4 ratio^2 M^-1/2 K M^-1/2.
         let scaled = |matrix: &Symmetric| {
             let mut full = DMatrix::zeros(3, 3);

@@ -3,6 +3,7 @@
 pub mod along;
 pub mod contact;
 pub mod contacts;
+pub mod damping;
 pub mod listed;
 pub(crate) mod models;
 pub mod reduce;

@@ -2,6 +2,7 @@
 
 use super::along::Term;
 use super::contact::{Contact, Normal};
+use super::damping::{ModalDamping, Rayleigh};
 use super::reduce::Reduce;
 use crate::problem::Case;
 use crate::problem::structure::channels::measured::Measured;
@@ -33,9 +34,9 @@ pub struct Template {
     /// Springs and dashpots.
     pub springs: Vec<Spring>,
     /// C += mass M + stiffness K.
-    pub rayleigh: [Option<Amount>; 2],
-    /// One damping ratio in every mode of the structure.
-    pub modal_damping: Option<Amount>,
+    pub rayleigh: Rayleigh,
+    /// Damping ratios of the modes of the structure.
+    pub modal_damping: Option<ModalDamping>,
     /// The stiffness of Rayleigh and modal damping.
     pub damping_stiffness: DampingStiffness,
     /// The contacts.

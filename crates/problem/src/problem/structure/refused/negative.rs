@@ -20,7 +20,7 @@ impl StructureProblem {
             );
             return Some(Violation { message, ..cause });
         }
-        let of_stiffness = template.rayleigh[1].as_ref()?;
+        let of_stiffness = template.rayleigh.of_stiffness()?;
         if of_stiffness.value(case).ok()? == 0.0 {
             return None;
         }

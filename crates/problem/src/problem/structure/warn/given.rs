@@ -9,6 +9,7 @@ use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::metrics::unit_consistency::size_of;
 use crate::problem::structure::metrics::units::UnitNames;
 use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::damping::{ModalDamping, Rayleigh};
 use crate::problem::structure::parts::template::{SpringNumbers, StaticLoad, Template};
 use crate::solve::Warning;
 use crate::system::structure::{Baseline, Signal};
@@ -57,7 +58,12 @@ pub fn damping_ratio(template: &Template, case: &Case) -> Option<Doubt> {
             SpringNumbers::Period { ratio, .. } => ratio.as_ref(),
             SpringNumbers::Stiffness { .. } => None,
         });
-    let mut ratios = ratios.chain(&template.modal_damping);
+    let modal = template.modal_damping.iter();
+    let ratios = ratios.chain(modal.flat_map(ModalDamping::amounts));
+    let mut ratios = ratios.chain(match &template.rayleigh {
+        Rayleigh::Factors(_) => &[][..],
+        Rayleigh::Ratios { ratios, .. } => ratios,
+    });
     ratios.find_map(|ratio| {
         let own = ratio.value(case).ok().filter(|own| *own > 1.0)?;
         let text = format!("{} is {}", ratio.path, short(own));

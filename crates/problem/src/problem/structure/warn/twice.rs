@@ -5,6 +5,7 @@ use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::loads::Kind;
+use crate::problem::structure::parts::damping::ModalDamping;
 use crate::problem::structure::parts::template::{SpringNumbers, Template};
 use crate::solve::Warning;
 use crate::system::structure::Structure;
@@ -25,8 +26,12 @@ pub fn damped(template: &Template, case: &Case) -> Option<Doubt> {
     });
     let parts = ratio.map(|ratio| ratio.path.clone());
     let parts = parts.or_else(|| matrices.map(|own| format!("{}.C", own.place.1)));
-    let modal = template.modal_damping.as_ref().filter(|own| acts(own));
-    let rayleigh = template.rayleigh.iter().flatten().find(|own| acts(own));
+    let modal = template.modal_damping.iter();
+    let modal = modal
+        .flat_map(ModalDamping::amounts)
+        .find(|ratio| acts(ratio));
+    let rayleigh = template.rayleigh.amounts();
+    let rayleigh = rayleigh.into_iter().find(|amount| acts(amount));
     let given = [
         modal.map(|own| own.path.clone()),
         rayleigh.map(|own| own.path.clone()),

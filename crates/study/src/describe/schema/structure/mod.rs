@@ -116,7 +116,12 @@ fn structure(function: &Json, contact: &Json) -> Json {
             parts_by_name(described(keys::MATRICES, value, &["M", "K", "dofs"]))
         }
         "springs" => json!({ "type": "array", "items": spring() }),
-        "rayleigh" => all_numbers(keys::RAYLEIGH, &[]),
+        "rayleigh" => rayleigh(),
+        keys::MODAL_DAMPING => {
+            let ratio = number(keys::range(keys::STRUCTURE, key));
+            let list = json!({ "type": "array", "items": ratio });
+            json!({ "anyOf": [ratio, list] })
+        }
         "contacts" => parts_by_name(contact.clone()),
         "loads" => json!({ "type": "array", "items": load() }),
         "ground" => ground(function),
@@ -136,6 +141,23 @@ fn structure(function: &Json, contact: &Json) -> Json {
         _ => number(keys::range(keys::STRUCTURE, key)),
     };
     described(keys::STRUCTURE, value, &[])
+}
+
+/// The factors of M and K, or two ratios.
+fn rayleigh() -> Json {
+    let value = |key: &str| {
+        let one = number(keys::range(keys::RAYLEIGH, key));
+        match key {
+            "mass" | "stiffness" => one,
+            _ => json!({ "type": "array", "minItems": 2, "maxItems": 2, "items": one }),
+        }
+    };
+    let mut schema = described(keys::RAYLEIGH, value, &[]);
+    let by_ratios = json!({ "required": ["ratios"], "oneOf": each_required(&["modes", "periods"]),
+        "not": { "anyOf": each_required(&["mass", "stiffness"]) } });
+    let by_factors = json!({ "not": { "anyOf": each_required(&["ratios", "modes", "periods"]) } });
+    schema["anyOf"] = json!([by_factors, by_ratios]);
+    schema
 }
 
 /// A column of a file.

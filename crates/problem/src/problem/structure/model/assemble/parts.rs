@@ -1,7 +1,9 @@
 //! Masses, bars, springs and damping of a structure under construction.
 
 use super::Draft;
-use crate::problem::structure::model::damping::MOST_MODES;
+use crate::problem::numbers::short::short;
+use crate::problem::structure::model::damping::{MOST_MODES, modes};
+use crate::problem::structure::parts::damping::{ModalDamping, Pair, Rayleigh, factors};
 use crate::problem::structure::parts::template::{DampingStiffness, SpringNumbers, Template};
 use crate::system::structure::{Elements, Node, Structure, Symmetric};
 use std::borrow::Cow;
@@ -13,6 +15,12 @@ pub fn damping_stiffness<'a>(template: &Template, structure: &'a Structure) -> C
         DampingStiffness::WithoutContacts => Cow::Borrowed(&structure.stiffness),
         DampingStiffness::Initial => Cow::Owned(structure.initial_stiffness()),
     }
+}
+
+/// The smallest and the largest second ratio over the first one for which both factors are not negative.
+fn bounds([w1, w2]: [f64; 2]) -> [f64; 2] {
+    let over = w2 / w1;
+    [over.min(1.0 / over), over.max(1.0 / over)]
 }
 
 impl Draft<'_> {
@@ -93,8 +101,7 @@ impl Draft<'_> {
 
     /// C += mass M + stiffness K.
     pub(super) fn rayleigh(&mut self) {
-        let [mass, stiffness] = &self.template.rayleigh;
-        let (mass, stiffness) = (self.optional(mass), self.optional(stiffness));
+        let [mass, stiffness] = self.rayleigh_factors();
         if stiffness != 0.0 && self.is_built() {
             let k = damping_stiffness(self.template, &self.structure).into_owned();
             self.structure.damping.add_matrix(&k, stiffness);
@@ -113,11 +120,67 @@ impl Draft<'_> {
         }
     }
 
+    /// The factors of M and K in C.
+    fn rayleigh_factors(&mut self) -> [f64; 2] {
+        let (ratios, of) = match &self.template.rayleigh {
+            Rayleigh::Factors(factors) => {
+                return [0, 1].map(|i| self.optional(&factors[i]));
+            }
+            Rayleigh::Ratios { ratios, of } => (ratios, of),
+        };
+        let values = [0, 1].map(|i| self.value(&ratios[i]));
+        let omega2 = match of {
+            Pair::Periods(_) => Vec::new(),
+            Pair::Modes(numbers) => {
+                for number in numbers {
+                    self.value(number);
+                }
+                if !self.is_built() {
+                    return [0.0; 2];
+                }
+                let nodes: Vec<usize> = (0..self.structure.len()).collect();
+                let k = damping_stiffness(self.template, &self.structure).block(&nodes);
+                let Some(found) = modes(&self.structure, &k) else {
+                    let message = format!(
+                        "modes need at most {MOST_MODES} nodes, a positive definite M, and a K that holds the nodes without mass; \
+                         give \"periods\" instead"
+                    );
+                    self.violations.push(numbers[0].violation(message));
+                    return [0.0; 2];
+                };
+                found.omega2
+            }
+        };
+        let frequencies = of.frequencies(self.case, &omega2);
+        let Some(frequencies) = self.checked(frequencies) else {
+            return [0.0; 2];
+        };
+        let found = factors(values, frequencies);
+        for (i, matrix) in ["M", "K"].into_iter().enumerate() {
+            // Round-off of two equal products.
+            if found[i] < -1e-12 * found[i].abs().max(values[0] + values[1]) {
+                let [low, high] = bounds(frequencies);
+                let message = format!(
+                    "the factor of {matrix} would be {}; the second ratio over the first must be from {} to {}",
+                    short(found[i]),
+                    short(low),
+                    short(high)
+                );
+                self.violations.push(ratios[1].violation(message));
+            }
+        }
+        found
+    }
+
     pub(super) fn modal_damping(&mut self) {
-        let Some(ratio) = &self.template.modal_damping else {
+        let ratios = self.template.modal_damping.as_ref();
+        let ratios = ratios.map_or(&[][..], ModalDamping::amounts);
+        for ratio in ratios {
+            self.value(ratio);
+        }
+        let Some(ratio) = ratios.first() else {
             return;
         };
-        self.value(ratio);
         let nodes = self.numbering.nodes();
         if nodes > MOST_MODES {
             let message =

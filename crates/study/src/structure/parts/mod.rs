@@ -1,20 +1,25 @@
 //! Masses, bars, springs, damping and start of a structure.
 
-use super::contacts::plane;
-use super::keys::{BAR, GRAVITY, GROUND, MASS, RAYLEIGH, START, range};
+pub(super) mod damping;
+pub(super) mod springs;
+
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::structure::contacts::plane;
+use crate::structure::keys::{BAR, GRAVITY, GROUND, MASS, START, range};
 use crate::structure::reading::given::member;
 use crate::structure::reading::reader::{Part, Reader, open, take_name};
 use slipgap_problem::problem::numbers::parameter::Range;
-use slipgap_problem::problem::structure::given::amount::Amount;
 use slipgap_problem::problem::structure::parts::template::{Bar, Mass, Moved, Start, StaticLoad};
 use slipgap_system::system::structure::Direction;
 use std::collections::HashSet;
 
 /// The masses, with one part for each direction of a mass that moves in several: NAME.x, NAME.y.
-pub(super) fn in_directions<'a>(parts: Vec<Part<'a>>, faults: &mut Faults) -> Vec<Part<'a>> {
+pub(in crate::structure) fn in_directions<'a>(
+    parts: Vec<Part<'a>>,
+    faults: &mut Faults,
+) -> Vec<Part<'a>> {
     let mut all = Vec::new();
     for (name, node, path) in parts {
         let listed = member(node, "direction").filter(|own| matches!(own.tree, Tree::List(_)));
@@ -34,7 +39,11 @@ pub(super) fn in_directions<'a>(parts: Vec<Part<'a>>, faults: &mut Faults) -> Ve
 }
 
 /// The lumped masses.
-pub(super) fn masses(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Mass> {
+pub(in crate::structure) fn masses(
+    parts: &[Part],
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Vec<Mass> {
     let mass = |(name, node, path): &Part| {
         let (mass, direction) = match &node.tree {
             Tree::Object(_) => {
@@ -61,7 +70,7 @@ pub(super) fn masses(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Ve
 }
 
 /// The bars.
-pub(super) fn bars(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Bar> {
+pub(in crate::structure) fn bars(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Bar> {
     let mut bar = |(name, node, path): &Part| {
         let object = open(node, path, BAR, faults)?;
         let mut need = |key| reader.needed(&object, BAR, key, faults);
@@ -84,7 +93,7 @@ pub(super) fn bars(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<
 }
 
 /// Reports names of springs that are no names, or those of other parts.
-pub(super) fn check_spring_names(
+pub(in crate::structure) fn check_spring_names(
     object: &Object,
     taken: &mut HashSet<String>,
     faults: &mut Faults,
@@ -102,22 +111,8 @@ pub(super) fn check_spring_names(
     }
 }
 
-/// The factors of M and K in C.
-pub(super) fn rayleigh(
-    object: &Object,
-    reader: &Reader,
-    faults: &mut Faults,
-) -> Option<[Option<Amount>; 2]> {
-    let node = object.get("rayleigh")?;
-    let object = open(node, &object.path("rayleigh"), RAYLEIGH, faults)?;
-    Some(
-        ["mass", "stiffness"]
-            .map(|key| reader.optional(&object, key, range(RAYLEIGH, key), faults)),
-    )
-}
-
 /// The static loads, by the names of what they act on, and gravity.
-pub(super) fn static_loads(
+pub(in crate::structure) fn static_loads(
     object: &Object,
     reader: &Reader,
     faults: &mut Faults,
@@ -172,7 +167,11 @@ fn gravity(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Vec
 }
 
 /// The displacements and velocities at t = 0, by the names of nodes and bars.
-pub(super) fn start(object: &Object, reader: &Reader, faults: &mut Faults) -> Vec<Start> {
+pub(in crate::structure) fn start(
+    object: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Vec<Start> {
     let Some(node) = object.get("start") else {
         return Vec::new();
     };

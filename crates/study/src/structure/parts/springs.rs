@@ -1,10 +1,10 @@
 //! Springs and dashpots.
 
-use super::contacts::plane;
-use super::keys::{SPRING, range};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::structure::contacts::plane;
+use crate::structure::keys::{SPRING, range};
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
@@ -14,7 +14,7 @@ use slipgap_problem::problem::structure::parts::template::{Spring, SpringNumbers
 const NUMBERS: [&str; 5] = ["k", "c", "mass", "period", "ratio"];
 
 /// A spring, or one in each of two directions.
-pub(super) fn springs(
+pub(in crate::structure) fn springs(
     node: &Node,
     path: &str,
     reader: &Reader,
