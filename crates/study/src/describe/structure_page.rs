@@ -10,6 +10,7 @@ use slipgap_problem::problem::structure::metrics::against_measured::of_measured;
 use slipgap_problem::problem::structure::metrics::reduction::REDUCTIONS;
 use slipgap_problem::problem::structure::parts::contacts::NAMES;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
+use slipgap_system::system::loads::pulse::PULSES;
 
 /// Name of the page.
 pub(super) const PAGE: &str = NAME;
@@ -42,6 +43,29 @@ pub(super) fn reference() -> String {
         let items: Vec<String> = all.iter().map(|(name, keys)| object(name, keys)).collect();
         format!("{title}\n\n{}", items.join("\n"))
     };
+    let pulses = PULSES.map(|pulse| (pulse.name, pulse.meaning));
+    let forms = PULSES.map(|pulse| format!("`{}`", pulse.name));
+    let mut in_functions: Vec<(&str, &[(&str, &str)])> = vec![
+        ("`sine`", keys::SINE),
+        ("`table`", keys::TABLE),
+        ("`synthetic`", keys::SYNTHETIC),
+        ("`pulse`, one of", &pulses),
+    ];
+    in_functions.extend(
+        forms
+            .iter()
+            .zip(&PULSES)
+            .map(|(name, pulse)| (&**name, pulse.numbers)),
+    );
+    in_functions.extend([
+        ("`scale_to`, one of the first four, and", keys::SCALE_TO),
+        ("its `spectrum`, one of", keys::SPECTRUM),
+        ("`EN 1998-1`", keys::EN_1998),
+        ("`ASCE 7`", keys::ASCE_7),
+        ("or a `spectrum` as a table", keys::TARGET_TABLE),
+        ("`ground` has, besides `x`, `y` and `z`", &[keys::OF_GROUND]),
+        ("its `set`", keys::SET),
+    ]);
     let sections = [
         format!(
             "# Study files: {NAME}\n\nKeys, channels and metrics of a study with `\"problem\": \"{NAME}\"`: {MEANING}. \
@@ -85,24 +109,7 @@ pub(super) fn reference() -> String {
             "A function of time has one of the first five keys. A load also has `at`, the node.",
             keys::FUNCTION,
         ),
-        objects(
-            "The objects in it:",
-            &[
-                ("`sine`", keys::SINE),
-                ("`table`", keys::TABLE),
-                ("`synthetic`", keys::SYNTHETIC),
-                ("`pulse`, one of", keys::PULSE),
-                ("`ricker`", keys::RICKER),
-                ("`cosine`", keys::COSINE),
-                ("`scale_to`, one of the first four, and", keys::SCALE_TO),
-                ("its `spectrum`, one of", keys::SPECTRUM),
-                ("`EN 1998-1`", keys::EN_1998),
-                ("`ASCE 7`", keys::ASCE_7),
-                ("or a `spectrum` as a table", keys::TARGET_TABLE),
-                ("`ground` has, besides `x`, `y` and `z`", &[keys::OF_GROUND]),
-                ("its `set`", keys::SET),
-            ],
-        ),
+        objects("The objects in it:", &in_functions),
         keys(
             "The rules of a `set`, as the codes are generally quoted:",
             &keys::RULES.map(|rule| (rule.name, rule.meaning)),

@@ -10,11 +10,11 @@ mod spectra;
 pub(crate) use contacts::{CONTACT, LAW_TABLE, LISTS, NORMAL_TABLE, PART, PRESSING, WEIGHT};
 pub(crate) use measured::{COLUMN, COMPARE, KEY, MEASURED};
 pub(crate) use motions::{
-    COSINE, DISPLACEMENT, FILES, FUNCTION, FUNCTIONS, GROUND, IMPOSED, IMPOSED_BY_FILE, LOAD_AT,
-    PULSE, RICKER, SINE, SUPPORT, SYNTHETIC, TABLE,
+    DISPLACEMENT, FILES, FUNCTION, FUNCTIONS, GROUND, IMPOSED, IMPOSED_BY_FILE, LOAD_AT, SINE,
+    SUPPORT, SYNTHETIC, TABLE,
 };
 pub(crate) use parts::{BAR, MASS, MATRICES, RAYLEIGH, REDUCE, SPRING};
-pub(crate) use ranges::range;
+pub(crate) use ranges::{of_pulse, range};
 pub(crate) use spectra::{
     AS_GROUND, ASCE_7, CHOOSE, EN_1998, GOALS, OF_GROUND, RULES, Rule, SCALE_TO, SET, SPECTRUM,
     STATISTICS, TARGET_TABLE,

@@ -125,33 +125,6 @@ pub(crate) const TABLE: Keys = &[
     ("f", "values at these times"),
 ];
 
-/// Keys of `pulse`.
-pub(crate) const PULSE: Keys = &[
-    (
-        "ricker",
-        "a (1 - 2 x) exp(-x), x = (pi f (t - at))^2, from 0 to 2 at",
-    ),
-    ("cosine", "one sine cycle"),
-];
-
-/// Meaning of `sampled`. The last sample is at the end also where the end is no multiple.
-const SAMPLED: &str = "time between samples, straight between, the last one at the end; then 0";
-
-/// Keys of `ricker`.
-pub(crate) const RICKER: Keys = &[
-    ("amplitude", "a"),
-    ("frequency", "f"),
-    ("at", "time of the peak"),
-    ("sampled", SAMPLED),
-];
-
-/// Keys of `cosine`.
-pub(crate) const COSINE: Keys = &[
-    ("amplitude", "amplitude"),
-    ("period", "length of the cycle"),
-    ("sampled", SAMPLED),
-];
-
 /// Keys of `synthetic`.
 pub(crate) const SYNTHETIC: Keys = &[
     ("seed", "a whole number from 0 to 4294967295"),

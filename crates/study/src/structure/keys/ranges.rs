@@ -1,13 +1,13 @@
 //! The ranges of the numbers under the keys, for decoding and schema.
 
 use super::{
-    ASCE_7, BAR, CHOOSE, COSINE, EN_1998, FUNCTION, Keys, MASS, MODAL_DAMPING, RAYLEIGH, REDUCE,
-    RICKER, SCALE_TO, SET, SPRING, STRUCTURE, SUPPORT, SYNTHETIC, WEIGHT,
+    ASCE_7, BAR, CHOOSE, EN_1998, FUNCTION, Keys, MASS, MODAL_DAMPING, RAYLEIGH, REDUCE, SCALE_TO,
+    SET, SPRING, STRUCTURE, SUPPORT, SYNTHETIC, WEIGHT,
 };
 use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative, Positive, UpToOne};
 
 /// The keys whose numbers are not free, by tables.
-const RANGES: [(Keys, Range, &[&str]); 21] = [
+const RANGES: [(Keys, Range, &[&str]); 19] = [
     (STRUCTURE, NotNegative, &[MODAL_DAMPING]),
     (MASS, NotNegative, &["mass"]),
     (BAR, Positive, &["L", "EA", "mass", "n"]),
@@ -22,8 +22,6 @@ const RANGES: [(Keys, Range, &[&str]); 21] = [
     (FUNCTION, Positive, &["dt"]),
     (FUNCTION, NotNegative, &["start", "end", "delay"]),
     (SUPPORT, NotNegative, &["delay"]),
-    (RICKER, Positive, &["frequency", "at", "sampled"]),
-    (COSINE, Positive, &["period", "sampled"]),
     (SYNTHETIC, NotNegative, &["seed"]),
     (SYNTHETIC, Positive, &["omega"]),
     (SCALE_TO, UpToOne, &["ratio"]),
@@ -39,5 +37,13 @@ pub(crate) fn range(keys: Keys, key: &str) -> Range {
         Some(row) => row.1,
         None if all_above_zero => Positive,
         None => Range::Any,
+    }
+}
+
+/// The range of a number of a pulse: only its amplitude may have any sign.
+pub(crate) fn of_pulse(key: &str) -> Range {
+    match key {
+        "amplitude" => Range::Any,
+        _ => Positive,
     }
 }

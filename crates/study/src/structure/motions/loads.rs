@@ -7,7 +7,7 @@ use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::{
-    COSINE, FUNCTION, FUNCTIONS, LOAD_AT, PULSE, RICKER, SINE, SYNTHETIC, TABLE, names, range,
+    FUNCTION, FUNCTIONS, LOAD_AT, SINE, SYNTHETIC, TABLE, names, of_pulse, range,
 };
 use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
@@ -15,6 +15,7 @@ use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
 use slipgap_problem::problem::structure::given::loads::{Kind, LARGEST_SEED, Source};
 use slipgap_problem::problem::structure::{given::shape::Scaled, parts::template::Load};
+use slipgap_system::system::loads::pulse::PULSES;
 
 /// A force on a node.
 pub(in crate::structure) fn load(
@@ -139,33 +140,26 @@ fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
 }
 
 fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
-    let object = open(node, path, PULSE, faults)?;
+    let forms = PULSES.map(|pulse| pulse.name);
+    let object = Object::open(node, path, &forms, faults)?;
     let [member] = object.members[..] else {
-        object.fault("must have exactly one of ricker, cosine", faults);
+        object.fault(
+            format!("must have exactly one of {}", forms.join(", ")),
+            faults,
+        );
         return None;
     };
-    let path = object.path(&member.key);
-    if member.key == "ricker" {
-        let object = open(&member.node, &path, RICKER, faults)?;
-        let mut need = |key| reader.needed(&object, RICKER, key, faults);
-        let (amplitude, frequency) = (need("amplitude"), need("frequency"));
-        let (at, sampled) = (need("at"), need("sampled"));
-        return Some(Kind::Ricker {
-            amplitude: amplitude?,
-            frequency: frequency?,
-            at: at?,
-            sampled: sampled?,
-        });
-    }
-    let object = open(&member.node, &path, COSINE, faults)?;
-    let mut need = |key| reader.needed(&object, COSINE, key, faults);
-    let amplitude = need("amplitude");
-    let (period, sampled) = (need("period"), need("sampled"));
-    Some(Kind::Cosine {
-        amplitude: amplitude?,
-        period: period?,
-        sampled: sampled?,
-    })
+    let pulse = PULSES.iter().find(|pulse| pulse.name == member.key)?;
+    let keys = pulse.numbers;
+    let object = open(&member.node, &object.path(&member.key), keys, faults)?;
+    let numbers = keys.iter().map(|(key, meaning)| {
+        let node = object.need(key, meaning, faults)?;
+        reader.amount(node, &object.path(key), of_pulse(key), faults)
+    });
+    // Each number with a fault is reported.
+    let numbers: Vec<Option<Amount>> = numbers.collect();
+    let numbers: Option<Vec<Amount>> = numbers.into_iter().collect();
+    Some(Kind::Pulse(pulse, numbers?))
 }
 
 /// A seed, plain or in an object with the frequency of the ground filter.

@@ -89,8 +89,7 @@ fn choosers(function: &Scaled) -> Vec<usize> {
         loads::Kind::Sine { .. }
         | loads::Kind::Table { .. }
         | loads::Kind::Record { .. }
-        | loads::Kind::Ricker { .. }
-        | loads::Kind::Cosine { .. } => Vec::new(),
+        | loads::Kind::Pulse(..) => Vec::new(),
     }
 }
 

@@ -37,80 +37,151 @@ impl fmt::Display for PulseFault {
 
 impl std::error::Error for PulseFault {}
 
-/// A Ricker wavelet a (1 - 2x) exp(-x) with x = (pi f (t - at))^2 `[Ricker 1953]` for amplitude a and frequency f, from 0 to 2 at.
+/// A form of pulse: a function of time with numbers, from t = 0 to its end.
 ///
-/// Its peak a is at t = `at`. It is straight between samples at distances `sampled`, and 0 after 2 at.
-pub fn ricker(amplitude: f64, frequency: f64, at: f64, sampled: f64) -> Result<Table, PulseFault> {
-    ricker_points(amplitude, frequency, at, sampled)?;
-    table(2.0 * at, sampled, |t| {
-        let root = PI * frequency * (t - at);
-        let x = root * root;
-        // Above 746 exp(-x) is 0, but an infinite x makes 1 - 2x infinite.
-        if x > 746.0 {
-            0.0
-        } else {
-            amplitude * (1.0 - 2.0 * x) * exp(-x)
+/// The first number is the amplitude, the last one the time between samples; all others are > 0. It is straight between samples, the
+/// last of which is at its end, and 0 after it.
+#[derive(Debug, Clone, Copy)]
+pub struct Pulse {
+    /// Its name in a study.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub meaning: &'static str,
+    /// Its numbers in this order, with their meanings.
+    pub numbers: &'static [(&'static str, &'static str)],
+    end: fn(&[f64]) -> f64,
+    value: fn(&[f64], f64) -> f64,
+}
+
+/// Meaning of `sampled`. The last sample is at the end also where the end is no multiple.
+const SAMPLED: (&str, &str) = (
+    "sampled",
+    "time between samples, straight between, the last one at the end; then 0",
+);
+
+/// All forms.
+pub const PULSES: [Pulse; 5] = [
+    // [Ricker 1953]; its peak is at t = `at`.
+    Pulse {
+        name: "ricker",
+        meaning: "a (1 - 2 x) exp(-x), x = (pi f (t - at))^2, from 0 to 2 at",
+        numbers: &[
+            ("amplitude", "a"),
+            ("frequency", "f"),
+            ("at", "time of the peak"),
+            SAMPLED,
+        ],
+        end: |numbers| 2.0 * numbers[2],
+        value: |numbers, t| {
+            let root = PI * numbers[1] * (t - numbers[2]);
+            let x = root * root;
+            // Above 746 exp(-x) is 0, but an infinite x makes 1 - 2x infinite.
+            if x > 746.0 {
+                0.0
+            } else {
+                numbers[0] * (1.0 - 2.0 * x) * exp(-x)
+            }
+        },
+    },
+    // The velocity is 1 - cos.
+    Pulse {
+        name: "cosine",
+        meaning: "one sine cycle",
+        numbers: &[
+            ("amplitude", "amplitude"),
+            ("period", "length of the cycle"),
+            SAMPLED,
+        ],
+        end: |numbers| numbers[1],
+        value: |numbers, t| match t < numbers[1] {
+            true => numbers[0] * sin(2.0 * PI * (t / numbers[1])),
+            // Without the round-off of the sine.
+            false => 0.0,
+        },
+    },
+    Pulse {
+        name: "half_sine",
+        meaning: "a sin(pi t/duration)",
+        numbers: &[("amplitude", "a"), DURATION, SAMPLED],
+        end: |numbers| numbers[1],
+        value: |numbers, t| match t < numbers[1] {
+            true => numbers[0] * sin(PI * (t / numbers[1])),
+            false => 0.0,
+        },
+    },
+    Pulse {
+        name: "haversine",
+        meaning: "a sin(pi t/duration)^2",
+        numbers: &[("amplitude", "a"), DURATION, SAMPLED],
+        end: |numbers| numbers[1],
+        value: |numbers, t| {
+            let root = sin(PI * (t / numbers[1]));
+            match t < numbers[1] {
+                true => numbers[0] * (root * root),
+                false => 0.0,
+            }
+        },
+    },
+    Pulse {
+        name: "sweep",
+        meaning: "a sine whose frequency goes in proportion to time from one value to another: a sin(2 pi (from t + (to - from) t^2/(2 duration)))",
+        numbers: &[
+            ("amplitude", "a"),
+            ("from", "frequency at t = 0"),
+            ("to", "frequency at the end"),
+            DURATION,
+            SAMPLED,
+        ],
+        end: |numbers| numbers[3],
+        value: |numbers, t| {
+            let [amplitude, from, to, duration] = numbers[..4] else {
+                return 0.0;
+            };
+            let cycles = t * (from + 0.5 * (to - from) * (t / duration));
+            amplitude * sin(2.0 * PI * cycles)
+        },
+    },
+];
+
+/// The duration of a pulse.
+const DURATION: (&str, &str) = ("duration", "its end");
+
+impl Pulse {
+    /// Most points of the pulse with these numbers: the intervals, their ends, and a jump.
+    ///
+    /// # Errors
+    /// [`Pulse::table`] makes no pulse of them.
+    pub fn points(&self, numbers: &[f64]) -> Result<usize, PulseFault> {
+        let [amplitude, inner @ .., sampled] = numbers else {
+            return Err(PulseFault::NotFinite);
+        };
+        for ((name, _), number) in self.numbers[1..].iter().zip(inner) {
+            positive(name, *number)?;
         }
-    })
-}
-
-/// One sine cycle of acceleration, amplitude sin(2 pi t/period) from 0 to `period`, so that the velocity is 1 - cos.
-///
-/// It is straight between samples at distances `sampled`, and 0 after the period.
-pub fn cosine(amplitude: f64, period: f64, sampled: f64) -> Result<Table, PulseFault> {
-    cosine_points(amplitude, period, sampled)?;
-    table(period, sampled, |t| {
-        if t < period {
-            amplitude * sin(2.0 * PI * (t / period))
-        } else {
-            0.0
+        let intervals = intervals((self.end)(numbers), *sampled)?;
+        match amplitude.abs() <= LARGEST {
+            true => Ok(intervals + 2),
+            false => Err(PulseFault::NotFinite),
         }
-    })
-}
+    }
 
-/// Most points of [`ricker`] with these numbers.
-///
-/// # Errors
-/// It does not make a pulse of them.
-pub fn ricker_points(
-    amplitude: f64,
-    frequency: f64,
-    at: f64,
-    sampled: f64,
-) -> Result<usize, PulseFault> {
-    positive("frequency", frequency)?;
-    positive("at", at)?;
-    points(amplitude, 2.0 * at, sampled)
-}
-
-/// Most points of [`cosine`] with these numbers.
-///
-/// # Errors
-/// It does not make a pulse of them.
-pub fn cosine_points(amplitude: f64, period: f64, sampled: f64) -> Result<usize, PulseFault> {
-    positive("period", period)?;
-    points(amplitude, period, sampled)
-}
-
-/// The intervals, their ends, and a jump.
-fn points(amplitude: f64, end: f64, sampled: f64) -> Result<usize, PulseFault> {
-    let intervals = intervals(end, sampled)?;
-    match amplitude.abs() <= LARGEST {
-        true => Ok(intervals + 2),
-        false => Err(PulseFault::NotFinite),
+    /// The pulse with these numbers.
+    ///
+    /// # Errors
+    /// A number is not > 0 or not finite, or it has too many points.
+    pub fn table(&self, numbers: &[f64]) -> Result<Table, PulseFault> {
+        self.points(numbers)?;
+        let end = (self.end)(numbers);
+        let sampled = numbers.last().copied().unwrap_or(end);
+        let inner = (0..intervals(end, sampled)?).map(|i| i as f64 * sampled);
+        let times: Vec<f64> = inner.chain([end]).collect();
+        let values = times.iter().map(|t| (self.value)(numbers, *t)).collect();
+        zero_beyond(times, values).ok_or(PulseFault::NotFinite)
     }
 }
 
 /// Largest amplitude of a pulse: the factor 1 - 2x of a wavelet does not overflow.
 const LARGEST: f64 = 1e300;
-
-/// Samples of a function from 0 to `end`, which is the last one also where it is no multiple of `sampled`.
-fn table(end: f64, sampled: f64, value: impl Fn(f64) -> f64) -> Result<Table, PulseFault> {
-    let inner = (0..intervals(end, sampled)?).map(|i| i as f64 * sampled);
-    let times: Vec<f64> = inner.chain([end]).collect();
-    let values = times.iter().map(|t| value(*t)).collect();
-    zero_beyond(times, values).ok_or(PulseFault::NotFinite)
-}
 
 /// Number of intervals from 0 to `end`.
 fn intervals(end: f64, sampled: f64) -> Result<usize, PulseFault> {
@@ -134,6 +205,20 @@ fn positive(name: &'static str, value: f64) -> Result<(), PulseFault> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn named(name: &str, numbers: &[f64]) -> Result<Table, PulseFault> {
+        let pulse = PULSES.iter().find(|pulse| pulse.name == name).unwrap();
+        assert_eq!(pulse.numbers.len(), numbers.len());
+        pulse.table(numbers)
+    }
+
+    fn ricker(amplitude: f64, frequency: f64, at: f64, sampled: f64) -> Result<Table, PulseFault> {
+        named("ricker", &[amplitude, frequency, at, sampled])
+    }
+
+    fn cosine(amplitude: f64, period: f64, sampled: f64) -> Result<Table, PulseFault> {
+        named("cosine", &[amplitude, period, sampled])
+    }
 
     /// The integral of a table.
     fn integral(table: &Table) -> f64 {
@@ -191,6 +276,44 @@ mod tests {
         // Round-off of the sine.
         let near = |(a, b): (&f64, f64)| (a - b).abs() < 1e-15;
         assert!(pulse.values().iter().zip(expected).all(near), "{pulse:?}");
+    }
+
+    #[test]
+    fn half_sine_and_haversine_have_their_areas_and_end_at_zero() {
+        // 2 a T/pi and a T/2. The trapezium rule of n intervals loses pi^2/12/n^2 of the first, nothing of the second, whose slopes
+        // are 0 at both ends.
+        let (a, duration) = (3.0, 0.5);
+        let half = named("half_sine", &[a, duration, 1e-3]).unwrap();
+        let exact = 2.0 * a * duration / PI;
+        let lost = PI * PI / 12.0 / 500.0f64.powi(2);
+        assert!((integral(&half) / exact - 1.0 + lost).abs() < 1e-9);
+        let haversine = named("haversine", &[a, duration, 1e-3]).unwrap();
+        assert!((integral(&haversine) / (0.5 * a * duration) - 1.0).abs() < 1e-13);
+        for pulse in [half, haversine] {
+            assert_eq!(pulse.values().last(), Some(&0.0));
+            // The peak in the middle, which is a point.
+            assert!((pulse.at(0.25) - a).abs() < 1e-15 * a);
+        }
+    }
+
+    #[test]
+    fn a_sweep_has_the_cycles_of_its_mean_frequency() {
+        // From 1 to 3 per time in 10: 20 cycles, of which the k-th ends where t + t^2/10 = k, t = 5 (sqrt(1 + 0.4 k) - 1).
+        let sweep = named("sweep", &[2.0, 1.0, 3.0, 10.0, 1e-3]).unwrap();
+        for k in 0..=20 {
+            let t = 5.0 * ((1.0 + 0.4 * f64::from(k)).sqrt() - 1.0);
+            // A chord of 1e-3 is below the curve by up to (2 pi 3 1e-3)^2/8 of 2, and 0 is at the zero but for the slope of its chord.
+            assert!(sweep.at(t).abs() < 1e-4, "{k}: {}", sweep.at(t));
+        }
+        let signs = sweep.values().windows(2);
+        let changes = signs.filter(|pair| pair[0] * pair[1] < 0.0).count();
+        // Zeros at points are no changes of sign: those at t = 0 and the end.
+        assert!((37..=39).contains(&changes), "{changes}");
+        // Down as well as up.
+        let down = named("sweep", &[2.0, 3.0, 1.0, 10.0, 1e-3]).unwrap();
+        for t in [0.3, 4.0, 7.7] {
+            assert!((down.at(10.0 - t) + sweep.at(t)).abs() < 1e-3, "{t}");
+        }
     }
 
     #[test]

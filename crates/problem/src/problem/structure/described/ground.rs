@@ -34,11 +34,9 @@ pub fn described(template: &Template, case: &Case, steps: Steps) -> String {
         let file = match ground.source.kind() {
             Kind::Record { name, .. } => format!(" {},", name.name(case)),
             _ if ground.shape.is_plain() => return None,
-            Kind::Sine { .. }
-            | Kind::Table { .. }
-            | Kind::Ricker { .. }
-            | Kind::Cosine { .. }
-            | Kind::Synthetic { .. } => String::new(),
+            Kind::Sine { .. } | Kind::Table { .. } | Kind::Pulse(..) | Kind::Synthetic { .. } => {
+                String::new()
+            }
         };
         let (_, factor) = ground.in_case(case, template.metre).ok()?;
         let measure = |measure| measured(ground, measure, case, template.metre, steps);

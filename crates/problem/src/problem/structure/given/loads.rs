@@ -5,7 +5,7 @@ use super::chosen::Chosen;
 use super::signal_cache::SignalCache;
 use crate::problem::numbers::parameter::shortest;
 use crate::problem::{Case, Violation};
-use crate::system::loads::pulse::{self, PulseFault};
+use crate::system::loads::pulse::{Pulse, PulseFault};
 use crate::system::loads::synthetic;
 use crate::system::structure::{Signal, Table};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -45,26 +45,8 @@ pub enum Kind {
         /// All files that a case may choose.
         records: Vec<(&'static str, Arc<Signal>)>,
     },
-    /// Ricker's pulse.
-    Ricker {
-        /// Amplitude.
-        amplitude: Amount,
-        /// Frequency.
-        frequency: Amount,
-        /// Time of the peak.
-        at: Amount,
-        /// Time between samples.
-        sampled: Amount,
-    },
-    /// One sine cycle.
-    Cosine {
-        /// Amplitude.
-        amplitude: Amount,
-        /// Period.
-        period: Amount,
-        /// Time between samples.
-        sampled: Amount,
-    },
+    /// A pulse of a form, with its numbers.
+    Pulse(&'static Pulse, Vec<Amount>),
     /// A synthetic acceleration.
     Synthetic {
         /// Seed.
@@ -99,11 +81,7 @@ impl Source {
                 amount::Source::Expression(seed) => seed.formula.uses(),
                 amount::Source::Number(_) => &[],
             },
-            Kind::Sine { .. }
-            | Kind::Table { .. }
-            | Kind::Record { .. }
-            | Kind::Ricker { .. }
-            | Kind::Cosine { .. } => &[],
+            Kind::Sine { .. } | Kind::Table { .. } | Kind::Record { .. } | Kind::Pulse(..) => &[],
         }
     }
 
@@ -135,11 +113,9 @@ impl Source {
                 let place = records.iter().position(|record| record.0 == name);
                 Ok(vec![place.unwrap_or(records.len()) as u64])
             }
-            Kind::Sine { .. }
-            | Kind::Table { .. }
-            | Kind::Ricker { .. }
-            | Kind::Cosine { .. }
-            | Kind::Synthetic { .. } => Ok(key(&self.numbers(case)?)),
+            Kind::Sine { .. } | Kind::Table { .. } | Kind::Pulse(..) | Kind::Synthetic { .. } => {
+                Ok(key(&self.numbers(case)?))
+            }
         }
     }
 
@@ -153,10 +129,7 @@ impl Source {
 
     /// Whether its signal is computed sample by sample.
     pub fn is_sampled(&self) -> bool {
-        matches!(
-            self.kind,
-            Kind::Ricker { .. } | Kind::Cosine { .. } | Kind::Synthetic { .. }
-        )
+        matches!(self.kind, Kind::Pulse(..) | Kind::Synthetic { .. })
     }
 
     /// What identifies the signal of a sampled function in a case, and its number of points.
@@ -170,11 +143,9 @@ impl Source {
     pub fn sampling_work(&self, points: usize) -> u64 {
         match self.kind {
             Kind::Synthetic { .. } => 1_500_000,
-            Kind::Sine { .. }
-            | Kind::Table { .. }
-            | Kind::Record { .. }
-            | Kind::Ricker { .. }
-            | Kind::Cosine { .. } => 25 * points as u64,
+            Kind::Sine { .. } | Kind::Table { .. } | Kind::Record { .. } | Kind::Pulse(..) => {
+                25 * points as u64
+            }
         }
     }
 
@@ -192,12 +163,7 @@ impl Source {
         let text = |fault: PulseFault| fault.to_string();
         let points = match (&self.kind, numbers) {
             (Kind::Table { t, .. }, _) => Ok(t.len()),
-            (Kind::Ricker { .. }, &[amplitude, frequency, at, sampled]) => {
-                pulse::ricker_points(amplitude, frequency, at, sampled).map_err(text)
-            }
-            (Kind::Cosine { .. }, &[amplitude, period, sampled]) => {
-                pulse::cosine_points(amplitude, period, sampled).map_err(text)
-            }
+            (Kind::Pulse(pulse, _), numbers) => pulse.points(numbers).map_err(text),
             (Kind::Synthetic { .. }, &[_, omega]) => {
                 match omega == synthetic::FIRM_GROUND || synthetic::passes(omega) {
                     true => Ok(synthetic::POINTS),
@@ -225,17 +191,7 @@ impl Source {
             }
             Kind::Table { t, f } => of(&t.iter().chain(f).collect::<Vec<_>>()),
             Kind::Record { .. } => Ok(Vec::new()),
-            Kind::Ricker {
-                amplitude,
-                frequency,
-                at,
-                sampled,
-            } => of(&[amplitude, frequency, at, sampled]),
-            Kind::Cosine {
-                amplitude,
-                period,
-                sampled,
-            } => of(&[amplitude, period, sampled]),
+            Kind::Pulse(_, numbers) => of(&numbers.iter().collect::<Vec<_>>()),
             Kind::Synthetic { seed, omega } => {
                 let seed = seed.whole(case, 0, LARGEST_SEED)?;
                 let omega = omega.as_ref().map(|omega| omega.value(case));
@@ -262,12 +218,7 @@ impl Source {
                 let rise = "times must rise; two equal times make a jump";
                 return table.map(Signal::Table).ok_or_else(|| self.violation(rise));
             }
-            (Kind::Ricker { .. }, &[amplitude, frequency, at, sampled]) => {
-                pulse::ricker(amplitude, frequency, at, sampled).map_err(text)
-            }
-            (Kind::Cosine { .. }, &[amplitude, period, sampled]) => {
-                pulse::cosine(amplitude, period, sampled).map_err(text)
-            }
+            (Kind::Pulse(pulse, _), numbers) => pulse.table(numbers).map_err(text),
             (Kind::Synthetic { .. }, &[seed, omega]) => {
                 let record = synthetic::synthetic(seed as u64, omega);
                 let record = record.ok_or_else(|| no_motion(omega));

@@ -106,7 +106,7 @@ fn of_source(
 ) -> Option<String> {
     let looked_at = match source.kind() {
         Kind::Record { .. } => records,
-        Kind::Sine { .. } | Kind::Table { .. } | Kind::Ricker { .. } | Kind::Cosine { .. } => true,
+        Kind::Sine { .. } | Kind::Table { .. } | Kind::Pulse(..) => true,
         Kind::Synthetic { .. } => false,
     };
     if !looked_at {

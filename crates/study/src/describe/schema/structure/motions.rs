@@ -7,6 +7,7 @@ use crate::structure::keys::{self, FUNCTION, FUNCTIONS};
 use serde_json::{Value as Json, json};
 use slipgap_system::system::loads::Unit;
 use slipgap_system::system::loads::pair::Component;
+use slipgap_system::system::loads::pulse::PULSES;
 use slipgap_system::system::loads::record::Mean;
 use slipgap_system::system::loads::target::Fit;
 use slipgap_system::system::structure::Baseline;
@@ -85,12 +86,14 @@ fn function_value(key: &str) -> Json {
 
 /// A pulse of one form.
 fn pulse() -> Json {
-    let form = |key: &str| match key {
-        "ricker" => all_numbers(keys::RICKER, &keys::names(keys::RICKER)),
-        _ => all_numbers(keys::COSINE, &keys::names(keys::COSINE)),
+    let numbers = |name: &str| {
+        let pulse = PULSES.iter().find(|pulse| pulse.name == name);
+        let keys = pulse.map_or(&[][..], |pulse| pulse.numbers);
+        described(keys, |key| number(keys::of_pulse(key)), &keys::names(keys))
     };
-    let mut schema = described(keys::PULSE, form, &[]);
-    schema["oneOf"] = each_required(&keys::names(keys::PULSE));
+    let forms = PULSES.map(|pulse| (pulse.name, pulse.meaning));
+    let mut schema = described(&forms, numbers, &[]);
+    schema["oneOf"] = each_required(&PULSES.map(|pulse| pulse.name));
     schema
 }
 

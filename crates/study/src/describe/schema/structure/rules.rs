@@ -7,7 +7,11 @@ use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_system::system::structure::Direction;
 
 /// An object with these keys; `value` gives the schema of each.
-pub(super) fn described(keys: Keys, value: impl Fn(&str) -> Json, required: &[&str]) -> Json {
+pub(super) fn described(
+    keys: &[(&str, &str)],
+    value: impl Fn(&str) -> Json,
+    required: &[&str],
+) -> Json {
     let mut properties = Map::new();
     for (key, meaning) in keys {
         let mut schema = value(key);
