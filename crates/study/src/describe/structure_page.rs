@@ -130,7 +130,11 @@ pub(super) fn reference() -> String {
         ),
         objects(
             "Its `displacement` is one of:",
-            &[("points", keys::IMPOSED), ("a file", keys::IMPOSED_BY_FILE)],
+            &[
+                ("points", keys::IMPOSED),
+                ("a file", keys::IMPOSED_BY_FILE),
+                ("a sine", keys::IMPOSED_SINE),
+            ],
         ),
         "## Measurements".into(),
         keys(

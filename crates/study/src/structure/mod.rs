@@ -138,6 +138,7 @@ pub(super) fn problem(
         ground,
         supports: crate::structure::motions::supports::supports(&of_supports, &reader, faults),
         at_rest: parts::static_loads(&object, &reader, faults),
+        gravity: parts::falling(&object, &reader, faults),
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
         measured: None,

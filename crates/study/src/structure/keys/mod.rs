@@ -10,8 +10,8 @@ mod spectra;
 pub(crate) use contacts::{CONTACT, LAW_TABLE, LISTS, NORMAL_TABLE, PART, PRESSING, WEIGHT};
 pub(crate) use measured::{COLUMN, COMPARE, KEY, MEASURED};
 pub(crate) use motions::{
-    DISPLACEMENT, FILES, FUNCTION, FUNCTIONS, GROUND, IMPOSED, IMPOSED_BY_FILE, LOAD_AT, SINE,
-    SUPPORT, SYNTHETIC, TABLE,
+    BETWEEN, DISPLACEMENT, FILES, FUNCTION, FUNCTIONS, GROUND, IMPOSED, IMPOSED_BY_FILE,
+    IMPOSED_SINE, LOAD_AT, SINE, SUPPORT, SYNTHETIC, TABLE, VELOCITY,
 };
 pub(crate) use parts::{BAR, MASS, MATRICES, RAYLEIGH, REDUCE, SPRING};
 pub(crate) use ranges::{of_pulse, range};
@@ -76,6 +76,10 @@ pub(crate) const STRUCTURE: Keys = &[
     (
         "static",
         "loads that act before t = 0 and stay; the structure starts in equilibrium with them",
+    ),
+    (
+        GRAVITY.0,
+        "acceleration of all masses from t = 0 on, as under `static`, but without an equilibrium at the start: bodies fall",
     ),
     (
         "start",

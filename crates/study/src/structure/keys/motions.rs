@@ -13,7 +13,20 @@ pub(crate) const GROUND: Keys = &[
 pub(crate) const IMPOSED: Keys = &[
     ("t", "times, rising"),
     ("u", "displacements, the first one 0"),
+    BETWEEN,
 ];
+
+/// The key of the line between two points.
+pub(crate) const BETWEEN: (&str, &str) = (
+    "between",
+    "\"cubic\" (if left out), which turns only at points, or \"straight\", whose velocity jumps at points",
+);
+
+/// Keys of an imposed displacement that is a sine.
+pub(crate) const IMPOSED_SINE: Keys = &[(
+    "sine",
+    "amplitude (sin(omega t + phase) - sin(phase)), without drift",
+)];
 
 /// Keys of imposed displacements of a file.
 pub(crate) const IMPOSED_BY_FILE: Keys = &[
@@ -29,17 +42,25 @@ pub(crate) const IMPOSED_BY_FILE: Keys = &[
         "column",
         "name of the column of displacements, or an object with its unit; u is the column less its first number",
     ),
+    BETWEEN,
 ];
 
 /// The key of imposed displacements.
 pub(crate) const DISPLACEMENT: (&str, &str) = (
     "displacement",
-    "instead of an acceleration, here or under a direction: points t, u with a cubic between them that turns only there",
+    "instead of an acceleration, here or under a direction: points t, u, of a file or here, or a sine",
+);
+
+/// The key of the velocity at the start.
+pub(crate) const VELOCITY: (&str, &str) = (
+    "velocity",
+    "velocity at t = 0, here or under a direction, in addition to an acceleration; without one it is constant",
 );
 
 /// Keys of a support besides those of a function, or of the directions.
 pub(crate) const SUPPORT: Keys = &[
     DISPLACEMENT,
+    VELOCITY,
     ("delay", "time by which all is later; at rest before"),
     (
         "baseline",

@@ -7,16 +7,19 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::{
-    DISPLACEMENT, FUNCTION, GROUND, IMPOSED, IMPOSED_BY_FILE, SUPPORT, names, range,
+    BETWEEN, DISPLACEMENT, FUNCTION, FUNCTIONS, GROUND, IMPOSED, IMPOSED_BY_FILE, IMPOSED_SINE,
+    SINE, SUPPORT, VELOCITY, names, range,
 };
 use crate::structure::measured::{column, test};
 use crate::structure::reading::given::member;
 use crate::structure::reading::reader::Part;
 use crate::structure::reading::reader::{Reader, open};
+use crate::value::name;
+use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::channels::measured::Test;
 use slipgap_problem::problem::structure::given::amount::Amount;
-use slipgap_problem::problem::structure::given::supports::{Course, Points, Support};
+use slipgap_problem::problem::structure::given::supports::{Course, Line, Points, Support};
 use slipgap_system::system::structure::{Baseline, Direction};
 use std::sync::Arc;
 
@@ -78,7 +81,8 @@ fn support(
     let plain = members
         .clone()
         .filter(|member| {
-            member.key == DISPLACEMENT.0 || !SUPPORT.iter().any(|key| key.0 == member.key)
+            [DISPLACEMENT.0, VELOCITY.0].contains(&&*member.key)
+                || !SUPPORT.iter().any(|key| key.0 == member.key)
         })
         .find(|member| is_course(&member.key));
     let by_directions = members
@@ -86,7 +90,7 @@ fn support(
         .any(|member| GROUND.iter().any(|key| key.0 == member.key));
     // The delay and the baseline of a function are those of the support, whose displacement follows from them. Its strength is that
     // without the baseline; to remove it once more changes nothing.
-    let support = |direction, mut course: Course, delay: Option<Amount>| {
+    let support = |direction, (mut course, velocity): (Course, Option<Amount>), delay| {
         let (delay, baseline) = match &mut course {
             Course::Acceleration(acceleration) => {
                 let shape = &mut acceleration.shape;
@@ -96,20 +100,21 @@ fn support(
                 }
                 (shape.delay.take(), baseline)
             }
-            Course::Displacement(..) => (delay, Baseline::None),
+            Course::Displacement(..) | Course::Uniform => (delay, Baseline::None),
         };
         Support {
             name: own_name.clone(),
             direction,
             course,
             delay,
+            velocity,
             baseline,
         }
     };
     if !by_directions {
         let course = course(&object, node.at, path, reader, faults)?;
-        let delay = match &course {
-            Course::Displacement(..) => {
+        let delay = match &course.0 {
+            Course::Displacement(..) | Course::Uniform => {
                 reader.optional(&object, "delay", range(SUPPORT, "delay"), faults)
             }
             Course::Acceleration(_) => None,
@@ -128,10 +133,13 @@ fn support(
         let path = object.path(direction.name());
         refuse_twice(&object, node, &path, faults);
         let mut keys = names(FUNCTION);
-        keys.push(DISPLACEMENT.0);
+        keys.extend([DISPLACEMENT.0, VELOCITY.0]);
         let object = Object::open(node, &path, &keys, faults)?;
         let mut course = course(&object, node.at, &path, reader, faults)?;
-        if let Course::Acceleration(acceleration) = &mut course {
+        if let (Some(_), Some(delay)) = (&course.1, &delay) {
+            faults.add(delay.at, &delay.path, MOVING);
+        }
+        if let Course::Acceleration(acceleration) = &mut course.0 {
             let shape = &mut acceleration.shape;
             shape.delay = shape.delay.take().or_else(|| delay.clone());
             if shape.baseline == Baseline::None {
@@ -148,21 +156,36 @@ fn support(
 
 /// Whether a key says how a support moves.
 fn is_course(key: &str) -> bool {
-    key == DISPLACEMENT.0 || FUNCTION.iter().any(|own| own.0 == key)
+    [DISPLACEMENT.0, VELOCITY.0].contains(&key) || FUNCTION.iter().any(|own| own.0 == key)
 }
 
-/// The acceleration or the displacements of an object.
+/// Why a support with a velocity at t = 0 has no delay.
+const MOVING: &str = "a support that has a velocity at t = 0 has no delay";
+
+/// The acceleration or the displacements of an object, and its velocity at t = 0.
 fn course(
     object: &Object,
     at: usize,
     path: &str,
     reader: &Reader,
     faults: &mut Faults,
-) -> Option<Course> {
+) -> Option<(Course, Option<Amount>)> {
+    let velocity = reader.optional(object, VELOCITY.0, Range::Any, faults);
+    if let (Some(_), Some(delay)) = (&velocity, object.get("delay")) {
+        faults.add(delay.at, &object.path("delay"), MOVING);
+    }
     let Some(node) = object.get(DISPLACEMENT.0) else {
+        let mut kinds = FUNCTION[..FUNCTIONS].iter();
+        if velocity.is_some() && kinds.all(|kind| object.get(kind.0).is_none()) {
+            return Some((Course::Uniform, velocity));
+        }
         let acceleration = function(object, at, path, reader, faults)?;
-        return Some(Course::Acceleration(Box::new(acceleration)));
+        return Some((Course::Acceleration(Box::new(acceleration)), velocity));
     };
+    if let Some(velocity) = &velocity {
+        let message = "a support with displacements has the velocity of these";
+        faults.add(velocity.at, &velocity.path, message);
+    }
     let mut others = object.members.iter().filter(|own| own.key != "delay");
     let other = others.find(|own| FUNCTION.iter().any(|key| key.0 == own.key));
     if let Some(other) = other {
@@ -171,18 +194,47 @@ fn course(
         return None;
     }
     let path = object.path(DISPLACEMENT.0);
-    let is_file = IMPOSED_BY_FILE
-        .iter()
-        .any(|key| member(node, key.0).is_some());
-    let points = match is_file {
-        true => file(node, &path, reader, faults)?,
-        false => Points::List(table(node, &path, (IMPOSED, ["t", "u"]), reader, faults)?),
+    let has = |keys: &[(&str, &str)]| keys.iter().any(|key| member(node, key.0).is_some());
+    let points = if has(IMPOSED_SINE) {
+        sine(node, &path, reader, faults)?
+    } else if has(&IMPOSED_BY_FILE[..3]) {
+        file(node, &path, reader, faults)?
+    } else {
+        let [t, u] = table(node, &path, (IMPOSED, ["t", "u"]), reader, faults)?;
+        Points::List([t, u], line(node, &path, faults)?)
     };
-    Some(Course::Displacement(points, (node.at, path)))
+    Some((Course::Displacement(points, (node.at, path)), None))
+}
+
+/// The line between points.
+fn line(node: &Node, path: &str, faults: &mut Faults) -> Option<Line> {
+    let Some(line) = member(node, BETWEEN.0) else {
+        return Some(Line::default());
+    };
+    let names = Line::ALL.map(Line::name);
+    let place = name(line, &join(path, BETWEEN.0), "line", &names, faults)?;
+    Some(Line::ALL[place])
+}
+
+/// A displacement that is a sine.
+fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Points> {
+    let object = open(node, path, IMPOSED_SINE, faults)?;
+    let (key, meaning) = IMPOSED_SINE[0];
+    let object = open(
+        object.need(key, meaning, faults)?,
+        &object.path(key),
+        SINE,
+        faults,
+    )?;
+    let mut need = |key| reader.needed(&object, SINE, key, faults);
+    let (amplitude, omega) = (need("amplitude"), need("omega"));
+    let phase = reader.optional(&object, "phase", Range::Any, faults);
+    Some(Points::Sine([amplitude?, omega?], phase))
 }
 
 /// The displacements of a file.
 fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Points> {
+    let (file_node, file_path) = (node, path);
     let object = open(node, path, IMPOSED_BY_FILE, faults)?;
     let mut need = |place: usize| {
         let (key, meaning) = IMPOSED_BY_FILE[place];
@@ -217,5 +269,9 @@ fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
         let u = u.iter().map(|x| x - first).collect();
         points.push((file, Arc::new([time, u])));
     }
-    Some(Points::File(chosen, points))
+    Some(Points::File(
+        chosen,
+        points,
+        line(file_node, file_path, faults)?,
+    ))
 }

@@ -11,6 +11,7 @@ use crate::structure::keys::{BAR, GRAVITY, GROUND, MASS, START, range};
 use crate::structure::reading::given::member;
 use crate::structure::reading::reader::{Part, Reader, open, take_name};
 use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::given::amount::Amount;
 use slipgap_problem::problem::structure::parts::template::{Bar, Mass, Moved, Start, StaticLoad};
 use slipgap_system::system::structure::Direction;
 use std::collections::HashSet;
@@ -146,19 +147,58 @@ pub(in crate::structure) fn static_loads(
     loads
 }
 
-/// The accelerations of gravity: one in y, or one for each key x, y and z.
+/// Gravity that acts from t = 0 on, without an equilibrium before.
+pub(in crate::structure) fn falling(
+    object: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Vec<(Direction, Amount)> {
+    let Some(node) = object.get(GRAVITY.0) else {
+        return Vec::new();
+    };
+    let path = object.path(GRAVITY.0);
+    if let Some(at_rest) = object
+        .get("static")
+        .and_then(|loads| member(loads, GRAVITY.0))
+    {
+        let message =
+            "give it here or under \"static\", which makes the equilibrium at the start, not both";
+        faults.add(
+            at_rest.at,
+            &join(&object.path("static"), GRAVITY.0),
+            message,
+        );
+    }
+    accelerations(node, &path, reader, faults)
+}
+
+/// The static loads of gravity.
 fn gravity(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Vec<StaticLoad> {
+    let each = accelerations(node, path, reader, faults).into_iter();
+    each.map(|(direction, amount)| StaticLoad::Gravity(direction, amount))
+        .collect()
+}
+
+/// The accelerations of gravity: one in y, or one for each key x, y and z.
+fn accelerations(
+    node: &Node,
+    path: &str,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Vec<(Direction, Amount)> {
     let Tree::Object(_) = &node.tree else {
         let amount = reader.amount(node, path, Range::Any, faults);
-        let load = amount.map(|amount| StaticLoad::Gravity(Direction::Y, amount));
-        return load.into_iter().collect();
+        return amount
+            .map(|amount| (Direction::Y, amount))
+            .into_iter()
+            .collect();
     };
     let Some(object) = open(node, path, GROUND, faults) else {
         return Vec::new();
     };
     let one = |direction: Direction| {
         let amount = reader.optional(&object, direction.name(), Range::Any, faults)?;
-        Some(StaticLoad::Gravity(direction, amount))
+        Some((direction, amount))
     };
     Direction::TRANSLATIONS
         .into_iter()

@@ -5,7 +5,6 @@ mod channels;
 mod contact_duration;
 mod directions;
 mod ground;
-mod imposed;
 mod initial;
 mod measured;
 mod parts;

@@ -52,6 +52,13 @@ const MOST_PINS: usize = 64;
 const ROUND_OFF: f64 = 1e-12;
 
 impl Structure {
+    /// rdot of a contact at t = 0, with the velocities of the supports.
+    pub fn rate_at_start(&self, contact: usize) -> f64 {
+        let supports = self.supports.iter();
+        let terms = supports.map(|support| support.gaps[contact] * support.motion.at(0.0)[1]);
+        self.relative(contact, &self.velocity) + terms.sum::<f64>()
+    }
+
     /// The acceleration by which supports move the gap of a contact at t = 0.
     pub fn gap_acceleration(&self, contact: usize) -> f64 {
         let supports = self.supports.iter();
@@ -73,7 +80,7 @@ impl Structure {
     pub fn damp_beside_supports(&mut self, damping: &Symmetric) {
         self.damping.add_matrix(damping, 1.0);
         let displaced = self.loads.iter().filter_map(|load| match &*load.signal {
-            Signal::Motion(motion, Quantity::Displacement) if motion.is_by_displacement() => {
+            Signal::Motion(motion, Quantity::Displacement) if !motion.carries() => {
                 Some((motion.clone(), load.pattern.clone()))
             }
             Signal::Motion(..) | Signal::Sine { .. } | Signal::Table(_) => None,
@@ -110,7 +117,7 @@ impl Structure {
             [&self.coupled_mass, &self.damping, &self.stiffness].map(|all| Split::new(all, n));
         let mut carried = carried(self, &stiffness, count);
         for (r, (_, motion)) in carried.iter_mut().zip(&motions) {
-            if motion.is_by_displacement() {
+            if !motion.carries() {
                 r.fill(0.0);
             }
         }

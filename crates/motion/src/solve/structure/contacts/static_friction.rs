@@ -48,7 +48,7 @@ impl StaticFriction {
                 let ratio = own.law.static_ratio();
                 if ratio > 1.0 {
                     let limit = own.law.limit().map_or(0.0, |limit| limit.at(0.0));
-                    let rate = case.relative(contact, &case.velocity);
+                    let rate = case.rate_at_start(contact);
                     all.push(TwoLimits {
                         contact,
                         lane,

@@ -11,13 +11,13 @@ use crate::system::structure::{Inertia, PlaneRow, Structure};
 /// Softened laws give it. The force of a contact that sticks or is shut follows from the accelerations: r'' = d - A S with
 /// A = B^T M^-1 B and d = B^T M^-1 (p - K u - C v - B S) of the other forces, in the bounds of the law.
 pub(crate) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
-    let (u, v) = (&structure.displacement, &structure.velocity);
+    let u = &structure.displacement;
     let mut forces = vec![0.0; structure.contacts.len()];
     let mut active = Vec::new();
     let massless = structure.massless();
     for (c, contact) in structure.contacts.iter().enumerate() {
         let r = structure.relative(c, u) + contact.gap;
-        let rdot = structure.relative(c, v);
+        let rdot = structure.rate_at_start(c);
         let [low, high] = bounds_at_start(structure, c);
         let at_rest = structure.preload.force(c);
         // Nodes without mass are in equilibrium under the forces of their contacts.
@@ -35,7 +35,7 @@ pub(crate) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
             (None, Some(PlaneRow::Second)) => forces[c],
             (None, Some(PlaneRow::First)) => {
                 let other = structure.relative(c + 1, u) + structure.contacts[c + 1].gap;
-                let other_rate = structure.relative(c + 1, v);
+                let other_rate = structure.rate_at_start(c + 1);
                 let is_held = contact.law.is_rigid() && rdot == 0.0 && other_rate == 0.0;
                 let has_mass = |c: usize| {
                     let mut nodes = structure.column(c);

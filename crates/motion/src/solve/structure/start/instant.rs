@@ -108,7 +108,7 @@ fn meet(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
             let change = along(contact, &free);
             let displacement = structure.relative(contact, &structure.displacement)
                 + structure.contacts[contact].gap;
-            let velocity = structure.relative(contact, &structure.velocity);
+            let velocity = structure.rate_at_start(contact);
             Motion {
                 displacement,
                 velocity,

@@ -4,7 +4,7 @@ use super::amount::Amount;
 use super::chosen::Chosen;
 use super::shape::Scaled;
 use crate::problem::{Case, Violation};
-use crate::system::structure::{Baseline, Direction, Motion, MotionFault, Signal};
+use crate::system::structure::{Baseline, Direction, Motion, MotionFault};
 use std::sync::Arc;
 
 impl Support {
@@ -18,7 +18,18 @@ impl Support {
         let delay = delay.map_or(Ok(0.0), |delay| delay.value(case))?;
         match &self.course {
             Course::Acceleration(acceleration) => {
-                self.accelerated(acceleration, delay, (case, metre, samples))
+                let motion = self.accelerated(acceleration, delay, (case, metre, samples))?;
+                let velocity = self.velocity.as_ref();
+                let velocity = velocity.map_or(Ok(0.0), |velocity| velocity.value(case))?;
+                let moving = motion.with_velocity(velocity);
+                moving.map_err(|why| acceleration.source.violation(why.to_string()))
+            }
+            Course::Uniform => {
+                let Some(velocity) = &self.velocity else {
+                    return Ok(Motion::rest());
+                };
+                let moving = Motion::rest().with_velocity(velocity.value(case)?);
+                moving.map_err(|why| velocity.violation(why.to_string()))
             }
             Course::Displacement(points, (at, path)) => {
                 let broken = |message: String| Violation {
@@ -29,14 +40,23 @@ impl Support {
                 let values = |own: &Vec<Amount>| -> Result<Vec<f64>, Violation> {
                     own.iter().map(|amount| amount.value(case)).collect()
                 };
+                let through = |t: &[f64], u: &[f64], line: Line| match line {
+                    Line::Cubic => Motion::through(t, u, delay),
+                    Line::Straight => Motion::straight(t, u, delay),
+                };
                 let motion = match points {
-                    Points::List([t, u]) => Motion::through(&values(t)?, &values(u)?, delay),
-                    Points::File(file, files) => {
+                    Points::Sine([amplitude, omega], phase) => {
+                        let phase = phase.as_ref().map_or(Ok(0.0), |phase| phase.value(case));
+                        let numbers = [amplitude.value(case)?, omega.value(case)?, phase?];
+                        Motion::harmonic(numbers, delay)
+                    }
+                    Points::List([t, u], line) => through(&values(t)?, &values(u)?, *line),
+                    Points::File(file, files, line) => {
                         let name = file.name(case);
                         let found = files.iter().find(|own| own.0 == name);
                         let none = || broken("the case has no file".to_owned());
                         let [t, u] = &*found.ok_or_else(none)?.1;
-                        Motion::through(t, u, delay)
+                        through(t, u, *line)
                     }
                 };
                 motion.map_err(|why| broken(why.to_string()))
@@ -53,12 +73,7 @@ impl Support {
         let broken = |why: MotionFault| acceleration.source.violation(why.to_string());
         if !samples && acceleration.source.is_sampled() {
             acceleration.check(case, metre)?;
-            let rest = Signal::Sine {
-                amplitude: 0.0,
-                omega: 0.0,
-                phase: 0.0,
-            };
-            return Motion::new(&rest, 0.0, delay, Baseline::None).map_err(broken);
+            return Ok(Motion::rest());
         }
         let (signal, scale) = acceleration.in_case(case, metre)?;
         Motion::new(&signal, scale, delay, self.baseline).map_err(broken)
@@ -76,6 +91,8 @@ pub struct Support {
     pub course: Course,
     /// Time by which all of it is later, >= 0; none for 0.
     pub delay: Option<Amount>,
+    /// Velocity at t = 0, in addition to that of its acceleration; none for 0.
+    pub velocity: Option<Amount>,
     /// What is removed from its velocity.
     pub baseline: Baseline,
 }
@@ -87,15 +104,42 @@ pub enum Course {
     Acceleration(Box<Scaled>),
     /// Displacements at times, with their place in the study.
     Displacement(Points, (usize, String)),
+    /// Its velocity at t = 0, for ever.
+    Uniform,
 }
 
 /// Imposed displacements: t and u of each point.
 #[derive(Debug, Clone)]
 pub enum Points {
     /// Those of the study.
-    List([Vec<Amount>; 2]),
+    List([Vec<Amount>; 2], Line),
     /// Those of a file, or of the one that a parameter chooses, in the units of the study.
-    File(Chosen, Vec<(&'static str, Arc<[Vec<f64>; 2]>)>),
+    File(Chosen, Vec<(&'static str, Arc<[Vec<f64>; 2]>)>, Line),
+    /// amplitude (sin(omega t + phase) - sin phase), at all times; no phase is 0.
+    Sine([Amount; 2], Option<Amount>),
+}
+
+/// The line between two points of imposed displacements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Line {
+    /// A cubic, with a velocity that does not jump.
+    #[default]
+    Cubic,
+    /// Straight.
+    Straight,
+}
+
+impl Line {
+    /// All of them.
+    pub const ALL: [Line; 2] = [Line::Cubic, Line::Straight];
+
+    /// Its name in a study.
+    pub fn name(self) -> &'static str {
+        match self {
+            Line::Cubic => "cubic",
+            Line::Straight => "straight",
+        }
+    }
 }
 
 impl Support {
@@ -103,7 +147,7 @@ impl Support {
     pub fn acceleration(&self) -> Option<&Scaled> {
         match &self.course {
             Course::Acceleration(acceleration) => Some(acceleration),
-            Course::Displacement(..) => None,
+            Course::Displacement(..) | Course::Uniform => None,
         }
     }
 

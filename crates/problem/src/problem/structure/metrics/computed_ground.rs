@@ -136,7 +136,7 @@ fn lost(motion: &Scaled, case: &Case, metre: f64, (delay, steps): (f64, Steps)) 
 
 /// What a recorded displacement of a support has lost; `None` if it is little.
 fn lost_displacement(support: &Support, case: &Case, metre: f64, steps: Steps) -> Option<String> {
-    let Course::Displacement(Points::File(file, files), _) = &support.course else {
+    let Course::Displacement(Points::File(file, files, _), _) = &support.course else {
         return None;
     };
     let name = file.name(case);

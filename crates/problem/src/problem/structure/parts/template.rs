@@ -49,6 +49,8 @@ pub struct Template {
     pub supports: Vec<Support>,
     /// Loads whose equilibrium is the structure's place at t = 0.
     pub at_rest: Vec<StaticLoad>,
+    /// Accelerations of all masses from t = 0 on, each in its direction.
+    pub gravity: Vec<(Direction, Amount)>,
     /// Displacements and velocities at t = 0.
     pub start: Vec<Start>,
     /// The reference, if the study asks for one.
@@ -67,6 +69,16 @@ impl Template {
         let none = |mass: &Mass| mass.mass.value(case) == Ok(0.0);
         let has_massless = |own: &Matrices| own.in_case(case).massless_rows() > 0;
         self.matrices.iter().any(has_massless) || self.masses.iter().any(none)
+    }
+
+    /// The accelerations of all masses by gravity, at rest or from t = 0 on.
+    pub fn gravities(&self) -> impl Iterator<Item = (Direction, &Amount)> {
+        let at_rest = self.at_rest.iter().filter_map(|load| match load {
+            StaticLoad::Gravity(direction, amount) => Some((*direction, amount)),
+            StaticLoad::Force(..) => None,
+        });
+        let falling = self.gravity.iter();
+        at_rest.chain(falling.map(|(direction, amount)| (*direction, amount)))
     }
 
     /// Whether a mass or a row of matrices has no mass in a case.

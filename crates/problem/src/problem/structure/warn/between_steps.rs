@@ -83,7 +83,7 @@ pub fn before(template: &Template, case: &Case) -> Option<Doubt> {
     let found = all.find_map(|own| Some((begins(&own).filter(|t| *t < 0.0)?, own.name)));
     let displaced = || {
         template.supports.iter().find_map(|own| {
-            let Course::Displacement(Points::List(_), _) = &own.course else {
+            let Course::Displacement(Points::List(..), _) = &own.course else {
                 return None;
             };
             let motion = own.in_case(case, template.metre, true).ok()?;
@@ -136,7 +136,7 @@ fn of_source(
 fn displaced(template: &Template, case: &Case, steps: Steps) -> Option<String> {
     template.supports.iter().find_map(|own| {
         // The velocity of a file is mostly noise.
-        let Course::Displacement(Points::List(_), _) = &own.course else {
+        let Course::Displacement(Points::List(..), _) = &own.course else {
             return None;
         };
         let motion = own.in_case(case, template.metre, true).ok()?;

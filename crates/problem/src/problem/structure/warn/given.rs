@@ -10,7 +10,7 @@ use crate::problem::structure::metrics::unit_consistency::size_of;
 use crate::problem::structure::metrics::units::UnitNames;
 use crate::problem::structure::parts::contacts::law_named;
 use crate::problem::structure::parts::damping::{ModalDamping, Rayleigh};
-use crate::problem::structure::parts::template::{SpringNumbers, StaticLoad, Template};
+use crate::problem::structure::parts::template::{SpringNumbers, Template};
 use crate::solve::Warning;
 use crate::system::structure::{Baseline, Signal};
 
@@ -145,13 +145,10 @@ pub fn idle_gravity(template: &Template, case: &Case) -> Option<Doubt> {
     let rows = template.matrices.iter();
     let rows = rows.flat_map(|own| own.imported.dofs.rows().iter().map(|dof| dof.direction));
     let moving: Vec<_> = masses.chain(bars).chain(rows).collect();
-    template.at_rest.iter().find_map(|load| match load {
-        StaticLoad::Gravity(direction, amount) => {
-            let acts = amount.value(case).is_ok_and(|own| own != 0.0);
-            let text = || format!("no node moves in {}", direction.name());
-            (acts && !moving.contains(direction)).then(|| (Warning::IdleGravity, text()))
-        }
-        StaticLoad::Force(..) => None,
+    template.gravities().find_map(|(direction, amount)| {
+        let acts = amount.value(case).is_ok_and(|value| value != 0.0);
+        let text = || format!("no node moves in {}", direction.name());
+        (acts && !moving.contains(&direction)).then(|| (Warning::IdleGravity, text()))
     })
 }
 

@@ -6,7 +6,7 @@ use crate::problem::Case;
 use crate::problem::numbers::short::short;
 use crate::problem::structure::parts::contact::{Contact as Given, Normal};
 use crate::problem::structure::parts::contacts::law_named;
-use crate::problem::structure::parts::template::{StaticLoad, Template};
+use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::structure::{Contact, Direction, Structure};
@@ -57,10 +57,7 @@ pub fn far(template: &Template, case: &Case, structure: &Structure) -> Option<Do
 
 /// Gravity along the contacts of a part that friction alone holds in its direction.
 pub fn along_friction(template: &Template, case: &Case, structure: &Structure) -> Option<Doubt> {
-    let (direction, amount) = template.at_rest.iter().find_map(|load| match load {
-        StaticLoad::Gravity(direction, amount) => Some((*direction, amount)),
-        StaticLoad::Force(..) => None,
-    })?;
+    let (direction, amount) = template.gravities().next()?;
     let is_whole = amount.value(case).ok()?.abs() * template.metre > WHOLE;
     if template.units.is_empty() || !is_whole {
         return None;

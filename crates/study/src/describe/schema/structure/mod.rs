@@ -127,11 +127,11 @@ fn structure(function: &Json, contact: &Json) -> Json {
         "ground" => ground(function),
         "supports" => parts_by_name(support(function)),
         "static" => {
-            let gravity = json!({ "anyOf": [any(), all_numbers(keys::GROUND, &[])] });
             let mut loads = named(any());
-            loads["properties"] = json!({ keys::GRAVITY.0: gravity });
+            loads["properties"] = json!({ keys::GRAVITY.0: gravity() });
             loads
         }
+        "gravity" => gravity(),
         "start" => named(all_numbers(keys::START, &[])),
         "contacts_reference" => json!({ "enum": keys::REFERENCES }),
         "damping_stiffness" => {
@@ -141,6 +141,11 @@ fn structure(function: &Json, contact: &Json) -> Json {
         _ => number(keys::range(keys::STRUCTURE, key)),
     };
     described(keys::STRUCTURE, value, &[])
+}
+
+/// An acceleration in y, or one in each direction.
+fn gravity() -> Json {
+    json!({ "anyOf": [any(), all_numbers(keys::GROUND, &[])] })
 }
 
 /// The factors of M and K, or two ratios.

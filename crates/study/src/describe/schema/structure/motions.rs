@@ -1,10 +1,11 @@
 //! The schema of loads, supports and functions of time.
 
-use super::rules::{all_numbers, described, each_required, none_of};
+use super::rules::{all_numbers, any, described, each_required, none_of};
 use super::{add_properties, column, files, numbers};
 use crate::describe::schema::values::{number, whole};
 use crate::structure::keys::{self, FUNCTION, FUNCTIONS};
 use serde_json::{Value as Json, json};
+use slipgap_problem::problem::structure::given::supports::Line;
 use slipgap_system::system::loads::Unit;
 use slipgap_system::system::loads::pair::Component;
 use slipgap_system::system::loads::pulse::PULSES;
@@ -171,10 +172,18 @@ pub(super) fn support(function: &Json) -> Json {
     let mut kinds = keys::names(&FUNCTION[..FUNCTIONS]);
     kinds.push(keys::DISPLACEMENT.0);
     let mut courses = each_required(&kinds);
-    let course = json!({ "anyOf": [function, all_of_displacement()] });
+    let mut moving = described(FUNCTION, function_value, &[]);
+    let velocity = described(&[keys::VELOCITY], |_| any(), &[keys::VELOCITY.0]);
+    add_properties(&mut moving, &velocity);
+    moving["required"] = velocity["required"].clone();
+    moving["dependencies"] = dependencies();
+    let course = json!({ "anyOf": [function, all_of_displacement(), moving] });
     let directions = by_directions(&course);
     if let Some(courses) = courses.as_array_mut() {
         courses.push(json!({ "anyOf": directions["anyOf"] }));
+        courses.push(
+            json!({ "required": [keys::VELOCITY.0], "not": { "anyOf": each_required(&kinds) } }),
+        );
     }
     schema["oneOf"] = courses;
     let own = described(
@@ -202,13 +211,21 @@ fn all_of_displacement() -> Json {
 }
 
 fn imposed() -> Json {
+    let between = || names_of(Line::ALL.map(Line::name));
     let file = |key: &str| match key {
         "file" => json!({ "type": "string" }),
+        "between" => between(),
         _ => column(),
     };
-    let by_file = keys::names(keys::IMPOSED_BY_FILE);
+    let list = |key: &str| match key {
+        "between" => between(),
+        _ => numbers(),
+    };
+    let by_file = keys::names(&keys::IMPOSED_BY_FILE[..3]);
+    let sine = |_: &str| all_numbers(keys::SINE, &["amplitude", "omega"]);
     json!({ "anyOf": [
-        described(keys::IMPOSED, |_| numbers(), &["t", "u"]),
+        described(keys::IMPOSED, list, &["t", "u"]),
         described(keys::IMPOSED_BY_FILE, file, &by_file),
+        described(keys::IMPOSED_SINE, sine, &["sine"]),
     ] })
 }

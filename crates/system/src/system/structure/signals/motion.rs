@@ -1,6 +1,8 @@
 //! Motions of supports: an acceleration with its integrals from rest.
 
-use super::motion_pieces::{MotionFault, Piece, accelerations, pieces, sine};
+use super::motion_pieces::{
+    MotionFault, Piece, accelerations, harmonic, pieces, sine, steps_and_secants,
+};
 use crate::system::structure::{Baseline, Signal, Table};
 use libm::{cos, sin};
 use std::sync::Arc;
@@ -15,12 +17,21 @@ pub struct Motion {
     /// Of one that is given by displacements, the accelerations of its points with straight lines between: those of the cubics jump
     /// at every point, and do not tend to those of a smooth motion.
     accelerations: Option<Arc<Table>>,
+    /// v at t = 0 in addition to the integral of the acceleration.
+    velocity: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 enum Course {
     /// amplitude sin(omega (t - start) + phase).
     Sine {
+        amplitude: f64,
+        omega: f64,
+        phase: f64,
+        start: f64,
+    },
+    /// u = amplitude (sin(omega (t - start) + phase) - sin phase).
+    Harmonic {
         amplitude: f64,
         omega: f64,
         phase: f64,
@@ -72,16 +83,77 @@ impl Motion {
             // No study has the motion of a support as a function of time.
             Signal::Motion(..) => return Err(MotionFault::NotFinite),
         };
-        let motion = Motion {
+        Motion {
             course,
             accelerations: None,
-        };
-        let end = match &motion.course {
-            Course::Sine { start, .. } => motion.at(*start),
+            velocity: 0.0,
+        }
+        .finite()
+    }
+
+    /// Rest at u = 0.
+    pub fn rest() -> Motion {
+        Motion {
+            course: Course::Pieces(Vec::new()),
+            accelerations: None,
+            velocity: 0.0,
+        }
+    }
+
+    /// The motion u = amplitude (sin(omega t + phase) - sin phase) from the time `delay` on, at rest before: v may jump there, and there is
+    /// no drift.
+    ///
+    /// # Errors
+    /// A number is not finite.
+    pub fn harmonic(
+        [amplitude, omega, phase]: [f64; 3],
+        delay: f64,
+    ) -> Result<Motion, MotionFault> {
+        Motion {
+            course: Course::Harmonic {
+                amplitude,
+                omega,
+                phase,
+                start: delay,
+            },
+            accelerations: None,
+            velocity: 0.0,
+        }
+        .finite()
+    }
+
+    /// The motion with this velocity at t = 0 in addition; without an acceleration, it is constant.
+    ///
+    /// # Errors
+    /// It is not finite.
+    pub fn with_velocity(mut self, velocity: f64) -> Result<Motion, MotionFault> {
+        if velocity == 0.0 {
+            return Ok(self);
+        }
+        self.velocity = velocity;
+        if let Course::Pieces(pieces) = &mut self.course {
+            if pieces.first().is_none_or(|first| first.time > 0.0) {
+                let rest = Piece {
+                    time: 0.0,
+                    values: [0.0; 4],
+                };
+                pieces.insert(0, rest);
+            }
+            for piece in pieces {
+                piece.values[0] += velocity * piece.time;
+                piece.values[1] += velocity;
+            }
+        }
+        self.finite()
+    }
+
+    fn finite(self) -> Result<Motion, MotionFault> {
+        let last = match &self.course {
+            Course::Sine { start, .. } | Course::Harmonic { start, .. } => self.at(*start),
             Course::Pieces(pieces) => pieces.last().map_or([0.0; 3], |last| last.at(last.time)),
         };
-        match end.iter().all(|x| x.is_finite()) {
-            true => Ok(motion),
+        match last.iter().all(|x| x.is_finite()) {
+            true => Ok(self),
             false => Err(MotionFault::NotFinite),
         }
     }
@@ -99,13 +171,7 @@ impl Motion {
         displacements: &[f64],
         delay: f64,
     ) -> Result<Motion, MotionFault> {
-        let rising = times.windows(2).all(|pair| pair[0] < pair[1]);
-        if !rising || times.len() != displacements.len() || displacements.first() != Some(&0.0) {
-            return Err(MotionFault::Displacements);
-        }
-        let steps: Vec<f64> = times.windows(2).map(|t| t[1] - t[0]).collect();
-        let pairs = displacements.windows(2).zip(&steps);
-        let secants: Vec<f64> = pairs.map(|(u, step)| (u[1] - u[0]) / step).collect();
+        let (steps, secants) = steps_and_secants(times, displacements)?;
         let mut slopes = vec![0.0; times.len()];
         for i in 1..secants.len() {
             let [before, after] = [secants[i - 1], secants[i]];
@@ -124,6 +190,33 @@ impl Motion {
                 values: [displacements[i], v0, a, rate],
             });
         }
+        Motion::displaced(pieces, (times, displacements, &secants), delay)
+    }
+
+    /// The motion through points (t, u) from the time `delay` on, straight between them: v jumps at the points.
+    ///
+    /// # Errors
+    /// The points do not begin with u = 0, or a number is not finite.
+    pub fn straight(
+        times: &[f64],
+        displacements: &[f64],
+        delay: f64,
+    ) -> Result<Motion, MotionFault> {
+        let (_, secants) = steps_and_secants(times, displacements)?;
+        let points = times.iter().zip(displacements).zip(&secants);
+        let pieces = points.map(|((time, u), secant)| Piece {
+            time: delay + time,
+            values: [*u, *secant, 0.0, 0.0],
+        });
+        Motion::displaced(pieces.collect(), (times, displacements, &secants), delay)
+    }
+
+    /// The motion with these pieces between points, at rest after the last one.
+    fn displaced(
+        mut pieces: Vec<Piece>,
+        (times, displacements, secants): (&[f64], &[f64], &[f64]),
+        delay: f64,
+    ) -> Result<Motion, MotionFault> {
         if let (Some(time), Some(u)) = (times.last(), displacements.last()) {
             pieces.push(Piece {
                 time: delay + time,
@@ -133,17 +226,52 @@ impl Motion {
         let finite = pieces
             .iter()
             .all(|piece| piece.values.iter().all(|x| x.is_finite()));
-        let shown = accelerations(times, &secants, delay).filter(|_| finite);
+        let shown = accelerations(times, secants, delay).filter(|_| finite);
         let shown = shown.ok_or(MotionFault::NotFinite)?;
         Ok(Motion {
             course: Course::Pieces(pieces),
             accelerations: Some(Arc::new(shown)),
+            velocity: 0.0,
         })
     }
 
-    /// Whether the motion is given by displacements: nodes then do not follow it at rest ([`super::super::Structure::prescribe`]).
+    /// Whether the motion is given by displacements.
     pub fn is_by_displacement(&self) -> bool {
-        self.accelerations.is_some()
+        self.accelerations.is_some() || matches!(self.course, Course::Harmonic { .. })
+    }
+
+    /// Whether nodes follow the motion at rest in the equations ([`super::super::Structure::prescribe`]): not where v may jump.
+    pub fn carries(&self) -> bool {
+        !self.is_by_displacement() && self.velocity == 0.0
+    }
+
+    /// The times at which v jumps.
+    pub fn blows(&self) -> Vec<f64> {
+        let velocity = |time: f64| self.at(time)[1];
+        match &self.course {
+            Course::Sine { .. } => Vec::new(),
+            Course::Harmonic { start, .. } => {
+                let is_blow = velocity(*start) != 0.0;
+                is_blow.then_some(*start).into_iter().collect()
+            }
+            Course::Pieces(pieces) => {
+                let rest = Piece {
+                    time: f64::NEG_INFINITY,
+                    values: [0.0; 4],
+                };
+                let before = std::iter::once(&rest).chain(pieces);
+                let jumps = before.zip(pieces).filter(|(before, after)| {
+                    let v = match before.time.is_finite() {
+                        true => before.at(after.time)[1],
+                        false => self.velocity,
+                    };
+                    let largest = v.abs().max(after.values[1].abs());
+                    // Round-off of a cubic at its end.
+                    (after.values[1] - v).abs() > 1e-9 * largest
+                });
+                jumps.map(|(_, after)| after.time).collect()
+            }
+        }
     }
 
     /// The acceleration for channels, as a function of time: of displacements, straight between the points, where it is the change of
@@ -171,8 +299,17 @@ impl Motion {
                 omega,
                 phase,
                 start,
-            } if t >= *start => sine([*amplitude, *omega, *phase], t - start),
-            Course::Sine { .. } => [0.0; 3],
+            } if t >= *start => {
+                let [u, v, a] = sine([*amplitude, *omega, *phase], t - start);
+                [u + self.velocity * t, v + self.velocity, a]
+            }
+            Course::Harmonic {
+                amplitude,
+                omega,
+                phase,
+                start,
+            } if t >= *start => harmonic([*amplitude, *omega, *phase], t - start),
+            Course::Sine { .. } | Course::Harmonic { .. } => [0.0; 3],
             Course::Pieces(pieces) => {
                 let after = pieces.partition_point(|piece| piece.time <= t);
                 let piece = after.checked_sub(1).map(|i| pieces[i]);
@@ -207,7 +344,7 @@ impl Motion {
     /// The times from which on the motion has another form.
     pub fn points(&self) -> Vec<f64> {
         match &self.course {
-            Course::Sine { start, .. } => vec![*start],
+            Course::Sine { start, .. } | Course::Harmonic { start, .. } => vec![*start],
             Course::Pieces(pieces) => pieces.iter().map(|piece| piece.time).collect(),
         }
     }
@@ -215,7 +352,7 @@ impl Motion {
     /// The time up to which the support is at rest.
     pub fn start(&self) -> f64 {
         match &self.course {
-            Course::Sine { start, .. } => *start,
+            Course::Sine { start, .. } | Course::Harmonic { start, .. } => *start,
             Course::Pieces(pieces) => pieces.first().map_or(0.0, |piece| piece.time),
         }
     }
@@ -224,7 +361,9 @@ impl Motion {
     pub fn jumps(&self) -> Vec<(f64, [f64; 2])> {
         let acceleration = |time: f64| self.at(time)[2];
         let all = match &self.course {
-            Course::Sine { start, .. } => vec![(*start, [0.0, acceleration(*start)])],
+            Course::Sine { start, .. } | Course::Harmonic { start, .. } => {
+                vec![(*start, [0.0, acceleration(*start)])]
+            }
             Course::Pieces(pieces) => {
                 let first = pieces.iter().take(1);
                 let first = first.map(|piece| (piece.time, [0.0, piece.values[2]]));
@@ -245,7 +384,7 @@ impl Motion {
     /// The circular frequency of a sine; 0 of other motions.
     pub fn omega(&self) -> f64 {
         match &self.course {
-            Course::Sine { omega, .. } => *omega,
+            Course::Sine { omega, .. } | Course::Harmonic { omega, .. } => *omega,
             Course::Pieces(_) => 0.0,
         }
     }
@@ -262,17 +401,26 @@ impl Motion {
                 amplitude,
                 omega,
                 phase,
-                start: own,
-            } if start >= *own => {
-                let angle = omega * (start - own) + phase;
+                start: begin,
+            }
+            | Course::Harmonic {
+                amplitude,
+                omega,
+                phase,
+                start: begin,
+            } if start >= *begin => {
+                let angle = omega * (start - begin) + phase;
                 let cycle = [sin(angle), cos(angle), -sin(angle), -cos(angle)];
-                let mut factor = *amplitude;
+                let mut factor = match self.course {
+                    Course::Harmonic { .. } => -amplitude * omega * omega,
+                    Course::Sine { .. } | Course::Pieces(_) => *amplitude,
+                };
                 for (k, to) in derivatives.iter_mut().skip(2).enumerate() {
                     *to = factor * cycle[k % 4];
                     factor *= omega;
                 }
             }
-            Course::Sine { .. } => {}
+            Course::Sine { .. } | Course::Harmonic { .. } => {}
             Course::Pieces(pieces) => {
                 let after = pieces.partition_point(|piece| piece.time <= start);
                 if let (Some(i), Some(to)) = (after.checked_sub(1), derivatives.get_mut(3)) {

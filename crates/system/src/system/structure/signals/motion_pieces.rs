@@ -98,6 +98,34 @@ pub(crate) fn sine([amplitude, omega, phase]: [f64; 3], t: f64) -> [f64; 3] {
     [amplitude / (omega * omega) * shape, v, a]
 }
 
+/// u, v and a of amplitude (sin(omega t + phase) - sin phase), without a difference of nearly equal numbers.
+pub(crate) fn harmonic([amplitude, omega, phase]: [f64; 3], t: f64) -> [f64; 3] {
+    let x = omega * t;
+    [
+        2.0 * amplitude * cos(phase + 0.5 * x) * sin(0.5 * x),
+        amplitude * omega * cos(x + phase),
+        -amplitude * omega * omega * sin(x + phase),
+    ]
+}
+
+/// The times between points (t, u), and the slopes of the lines between them.
+///
+/// # Errors
+/// The times do not rise, or the first u is not 0.
+pub(crate) fn steps_and_secants(
+    times: &[f64],
+    displacements: &[f64],
+) -> Result<(Vec<f64>, Vec<f64>), MotionFault> {
+    let rising = times.windows(2).all(|pair| pair[0] < pair[1]);
+    if !rising || times.len() != displacements.len() || displacements.first() != Some(&0.0) {
+        return Err(MotionFault::Displacements);
+    }
+    let steps: Vec<f64> = times.windows(2).map(|t| t[1] - t[0]).collect();
+    let pairs = displacements.windows(2).zip(&steps);
+    let secants = pairs.map(|(u, step)| (u[1] - u[0]) / step).collect();
+    Ok((steps, secants))
+}
+
 /// x - sin x.
 pub(crate) fn x_minus_sine(x: f64) -> f64 {
     if x.abs() > 1.0 {

@@ -1,7 +1,10 @@
 //! Loads, ground motion and motions of supports of a structure under construction.
 
 use super::{Detail, Draft};
+use crate::problem::Violation;
+use crate::problem::numbers::short::short;
 use crate::problem::structure::given::shape::Scaled;
+use crate::problem::structure::given::supports::Course;
 use crate::problem::structure::parts::template::{Moved, StaticLoad};
 use crate::system::structure::{Direction, Ground, Load, Node, Signal};
 use std::sync::Arc;
@@ -16,6 +19,14 @@ impl Draft<'_> {
                     .map(|(node, share)| (*node, scale * share))
                     .collect()
             });
+        }
+        for (direction, acceleration) in &self.template.gravity {
+            let value = self.value(acceleration);
+            let pattern = self.weights(*direction, value);
+            let signal = Arc::new(Signal::constant(1.0));
+            if self.is_built() {
+                self.structure.loads.push(Load { pattern, signal });
+            }
         }
         for (direction, ground) in &self.template.ground {
             // u is relative to the ground: the load is -M a_g in the nodes of its direction.
@@ -46,25 +57,20 @@ impl Draft<'_> {
         }
         let mut sum = vec![0.0; self.structure.nodes.len()];
         for load in &template.at_rest {
-            let (pattern, value) = match load {
-                StaticLoad::Force(at, force) => (self.loaded(at), self.value(force)),
+            let pattern = match load {
+                StaticLoad::Force(at, force) => {
+                    let (nodes, force) = (self.loaded(at), self.value(force));
+                    let nodes = nodes.into_iter();
+                    nodes.map(|(node, share)| (node, force * share)).collect()
+                }
                 StaticLoad::Gravity(direction, acceleration) => {
-                    let shaken = match self.is_built() {
-                        true => self.shaken(*direction),
-                        false => Vec::new(),
-                    };
-                    let pattern = shaken.into_iter().enumerate();
-                    let pattern = pattern.filter(|(_, mass)| *mass != 0.0).collect();
-                    (pattern, self.value(acceleration))
+                    let value = self.value(acceleration);
+                    self.weights(*direction, value)
                 }
             };
             if !self.is_built() {
                 continue;
             }
-            let pattern: Vec<_> = pattern
-                .into_iter()
-                .map(|(node, share)| (node, value * share))
-                .collect();
             for (node, force) in &pattern {
                 sum[*node] += force;
             }
@@ -72,6 +78,19 @@ impl Draft<'_> {
             self.structure.loads.push(Load { pattern, signal });
         }
         self.structure.preload.load = sum;
+    }
+
+    /// The forces of an acceleration of all masses in a direction; none where nothing is built.
+    fn weights(&self, direction: Direction, acceleration: f64) -> Vec<(usize, f64)> {
+        let shaken = match self.is_built() {
+            true => self.shaken(direction),
+            false => Vec::new(),
+        };
+        let masses = shaken.into_iter().enumerate();
+        let masses = masses.filter(|(_, mass)| *mass != 0.0);
+        masses
+            .map(|(node, mass)| (node, acceleration * mass))
+            .collect()
     }
 
     /// M times 1 in the nodes of a direction and 0 in the others.
@@ -175,10 +194,27 @@ impl Draft<'_> {
     /// Prescribes the motions of the supports.
     pub(super) fn supports(&mut self) {
         let mut motions = Vec::with_capacity(self.template.supports.len());
-        for support in &self.template.supports {
+        let n = self.structure.nodes.len();
+        for (place, support) in self.template.supports.iter().enumerate() {
             let motion =
                 support.in_case(self.case, self.template.metre, self.detail == Detail::Whole);
             if let Some(motion) = self.checked(motion) {
+                let mut coupled = self.structure.coupled_mass.entries();
+                let is_coupled =
+                    coupled.any(|((i, j), m)| m != 0.0 && i.min(j) < n && i.max(j) == n + place);
+                if let (true, Some(time), Course::Displacement(_, (at, path))) =
+                    (is_coupled, motion.blows().first(), &support.course)
+                {
+                    let message = format!(
+                        "the velocity jumps at t = {}, and M couples the support with nodes: that would be a blow; allowed: \"between\": \"cubic\", or an M without these entries",
+                        short(*time)
+                    );
+                    self.violations.push(Violation {
+                        parameter: path.clone().into(),
+                        message,
+                        at: Some(*at),
+                    });
+                }
                 motions.push((support.full_name(), Arc::new(motion)));
             }
         }

@@ -1,5 +1,8 @@
 //! Supports with motions of their own: against the ground with the same motion, and against solutions that come from no method.
 
+mod imposed;
+mod moving;
+
 use super::{faults, solved, study};
 use slipgap_problem::problem::Solution;
 
