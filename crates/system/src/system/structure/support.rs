@@ -65,7 +65,7 @@ impl Structure {
             return self.supports[support].motion.at(t)[which];
         }
         let supports = self.supports.iter();
-        let carried = supports.map(|own| own.motion.at(t)[which] * own.carried[node]);
+        let carried = supports.map(|support| support.motion.at(t)[which] * support.carried[node]);
         carried.fold(w[node], |sum, x| sum + x)
     }
 
@@ -106,8 +106,8 @@ impl Structure {
         }
         let n = self.len();
         let count = motions.len();
-        let [mass, damping, stiffness] =
-            [&self.coupled_mass, &self.damping, &self.stiffness].map(|all| Split::new(all, n));
+        let [mass, damping, stiffness] = [&self.coupled_mass, &self.damping, &self.stiffness]
+            .map(|matrix| Split::new(matrix, n));
         let mut carried = carried(self, &stiffness, count);
         for (r, (_, motion)) in carried.iter_mut().zip(&motions) {
             if motion.is_by_displacement() {
@@ -133,7 +133,7 @@ impl Structure {
                 (Quantity::Velocity, &self.damping, &damping.columns),
                 (Quantity::Displacement, &self.stiffness, &stiffness.columns),
             ] {
-                let pattern = pattern(matrix, r, column.get(s).map_or(&[], |own| &own[..]));
+                let pattern = pattern(matrix, r, column.get(s).map_or(&[], |factors| &factors[..]));
                 if !pattern.is_empty() {
                     let signal = Arc::new(Signal::Motion(motion.clone(), quantity));
                     self.loads.push(Load { pattern, signal });
@@ -166,24 +166,28 @@ struct Split {
 }
 
 impl Split {
-    fn new(all: &Symmetric, n: usize) -> Split {
+    fn new(matrix: &Symmetric, n: usize) -> Split {
         let mut free = Symmetric::zeros(n);
-        let count = all.size().saturating_sub(n);
-        let (mut columns, mut own) = (vec![Vec::new(); count], vec![Vec::new(); count]);
-        for ((i, j), value) in all.entries() {
+        let count = matrix.size().saturating_sub(n);
+        let (mut columns, mut among_supports) = (vec![Vec::new(); count], vec![Vec::new(); count]);
+        for ((i, j), value) in matrix.entries() {
             // i >= j.
             if i < n {
                 free.add(i, j, value);
             } else if j < n {
                 columns[i - n].push((j, value));
             } else {
-                own[i - n].push((j - n, value));
+                among_supports[i - n].push((j - n, value));
                 if i != j {
-                    own[j - n].push((i - n, value));
+                    among_supports[j - n].push((i - n, value));
                 }
             }
         }
-        Split { free, columns, own }
+        Split {
+            free,
+            columns,
+            own: among_supports,
+        }
     }
 }
 
@@ -204,16 +208,16 @@ fn pattern(matrix: &Symmetric, r: &[f64], column: &[(usize, f64)]) -> Along {
     for (row, value) in column {
         add(*row, *value);
     }
-    let all = sums.into_iter().zip(sizes).enumerate();
-    let kept = all.filter(|(_, (sum, size))| sum.abs() > ROUND_OFF * size);
+    let sums_and_sizes = sums.into_iter().zip(sizes).enumerate();
+    let kept = sums_and_sizes.filter(|(_, (sum, size))| sum.abs() > ROUND_OFF * size);
     kept.map(|(row, (sum, _))| (row, sum)).collect()
 }
 
 /// The factor of a place in r of each contact that has one.
-fn own_factors(contacts: &[Contact], place: usize) -> Along {
+fn own_factors(contacts: &[Contact], row: usize) -> Along {
     let factors = contacts.iter().enumerate().filter_map(|(c, contact)| {
-        let own = contact.along.iter().find(|(at, _)| *at == place)?;
-        Some((c, own.1))
+        let entry = contact.along.iter().find(|(at, _)| *at == row)?;
+        Some((c, entry.1))
     });
     factors.collect()
 }
@@ -224,7 +228,7 @@ fn gap(along: &[(usize, f64)], r: &[f64], n: usize, s: usize) -> f64 {
         .iter()
         .map(|(node, factor)| match node.checked_sub(n) {
             None => factor * r[*node],
-            Some(own) if own == s => *factor,
+            Some(support) if support == s => *factor,
             Some(_) => 0.0,
         });
     let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), x| (sum + x, size + f64::abs(x)));
@@ -239,9 +243,11 @@ fn gap(along: &[(usize, f64)], r: &[f64], n: usize, s: usize) -> f64 {
 fn carried(structure: &Structure, stiffness: &Split, count: usize) -> Vec<Vec<f64>> {
     let n = structure.len();
     let columns = |columns: &[Along]| -> Vec<Vec<f64>> {
-        let dense = |own: &Along| {
+        let dense = |column_of: &Along| {
             let mut column = vec![0.0; n];
-            own.iter().for_each(|(row, value)| column[*row] -= value);
+            column_of
+                .iter()
+                .for_each(|(row, value)| column[*row] -= value);
             column
         };
         columns.iter().map(dense).collect()
@@ -256,15 +262,19 @@ fn carried(structure: &Structure, stiffness: &Split, count: usize) -> Vec<Vec<f6
         columns: stiffness.columns.clone(),
         own: Vec::new(),
     };
-    for all in [false, true] {
+    for holds_none in [false, true] {
         let mut springs = Symmetric::zeros(n + count);
-        for contact in structure.contacts.iter().filter(|c| c.holds() != all) {
+        for contact in structure
+            .contacts
+            .iter()
+            .filter(|c| c.holds() != holds_none)
+        {
             springs.add_along(&contact.along, weak);
         }
         let springs = Split::new(&springs, n);
         with_contacts.free.add_matrix(&springs.free, 1.0);
-        for (own, more) in with_contacts.columns.iter_mut().zip(springs.columns) {
-            own.extend(more);
+        for (list, more) in with_contacts.columns.iter_mut().zip(springs.columns) {
+            list.extend(more);
         }
         if let Ok(factor) = Factor::regular(&with_contacts.free, SINGULAR) {
             return solved(&factor, columns(&with_contacts.columns));
@@ -347,7 +357,9 @@ mod tests {
         ];
         assert_eq!(structure.loads.len(), expected.len());
         for (load, (quantity, force)) in structure.loads.iter().zip(expected) {
-            assert!(matches!(&*load.signal, Signal::Motion(_, own) if *own == quantity));
+            assert!(
+                matches!(&*load.signal, Signal::Motion(_, quantity_of) if *quantity_of == quantity)
+            );
             let [(0, found)] = load.pattern[..] else {
                 panic!("{load:?}");
             };

@@ -223,7 +223,7 @@ impl Motion {
     /// Times after 0 at which a jumps, with the values before and after.
     pub fn jumps(&self) -> Vec<(f64, [f64; 2])> {
         let acceleration = |time: f64| self.at(time)[2];
-        let all = match &self.course {
+        let corners = match &self.course {
             Course::Sine { start, .. } => vec![(*start, [0.0, acceleration(*start)])],
             Course::Pieces(pieces) => {
                 let first = pieces.iter().take(1);
@@ -235,7 +235,7 @@ impl Motion {
                 first.chain(others).collect()
             }
         };
-        let jumps = all.into_iter().filter(|(time, [before, after])| {
+        let jumps = corners.into_iter().filter(|(time, [before, after])| {
             // Round-off of a line at its end.
             *time > 0.0 && (after - before).abs() > 1e-12 * before.abs().max(after.abs())
         });
@@ -262,9 +262,9 @@ impl Motion {
                 amplitude,
                 omega,
                 phase,
-                start: own,
-            } if start >= *own => {
-                let angle = omega * (start - own) + phase;
+                start: start_of_sine,
+            } if start >= *start_of_sine => {
+                let angle = omega * (start - start_of_sine) + phase;
                 let cycle = [sin(angle), cos(angle), -sin(angle), -cos(angle)];
                 let mut factor = *amplitude;
                 for (k, to) in derivatives.iter_mut().skip(2).enumerate() {
@@ -327,11 +327,11 @@ mod tests {
             }
             for t in [0.01, 0.5, 2.0, 6.0] {
                 let [u, v] = integrals(|t| 2.6 * (omega * t + phase).sin(), t);
-                let own = motion.at(delay + t);
+                let moved = motion.at(delay + t);
                 // Simpson's rule: (omega h)^4/180 = 3e-12, and its round-off.
                 assert!(
-                    (own[0] - u).abs() < 1e-10 && (own[1] - v).abs() < 1e-10,
-                    "{t}: {own:?} {u} {v}"
+                    (moved[0] - u).abs() < 1e-10 && (moved[1] - v).abs() < 1e-10,
+                    "{t}: {moved:?} {u} {v}"
                 );
                 let taylor: [f64; 27] = motion.taylor([delay + t, 0.8]);
                 let at = taylor.iter().rev().fold(0.0, |sum, c| sum * 0.6 + c);
@@ -404,13 +404,13 @@ mod tests {
             let u: Vec<f64> = times.iter().map(|t| 1.0 - cos(TAU * t)).collect();
             let motion = Motion::through(&times, &u, 0.3).unwrap();
             let error = |t: &f64| {
-                let own = motion.shown_acceleration_at(0.3 + t);
-                (own - TAU * TAU * cos(TAU * t)).abs()
+                let shown = motion.shown_acceleration_at(0.3 + t);
+                (shown - TAU * TAU * cos(TAU * t)).abs()
             };
             // Between the points, too.
             let inner = times.windows(2).map(|t| 0.5 * (t[0] + t[1]));
-            let all = times[..times.len() - 1].iter().copied().chain(inner);
-            all.fold(0.0, |most: f64, t| most.max(error(&t)))
+            let instants = times[..times.len() - 1].iter().copied().chain(inner);
+            instants.fold(0.0, |most: f64, t| most.max(error(&t)))
         });
         // h^2/12 of (2 pi)^4 at the points, h^2/8 more between them.
         assert!(errors[0] < 0.21 * TAU.powi(4) / 2500.0, "{errors:?}");
