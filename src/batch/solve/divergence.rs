@@ -39,8 +39,8 @@ pub fn sampled(study: &Study) -> Option<Divergence> {
 
 /// The same of the cases that need no other sampled signals than this case. It is one of them.
 pub fn sampled_like(study: &Study, number: u64) -> Option<Divergence> {
-    let own = study.samples(&study.case(number)?);
-    sampled_if(study, |case| study.samples(case) == own).map(|found| match found.looked_at {
+    let samples = study.samples(&study.case(number)?);
+    sampled_if(study, |case| study.samples(case) == samples).map(|found| match found.looked_at {
         0 => {
             let case = study.case(number);
             let mut one = Divergence::default();
@@ -132,9 +132,9 @@ mod tests {
     #[test]
     fn the_cases_looked_at_are_evenly_spaced_and_fewer_if_they_are_much_work() {
         assert_eq!(numbers(3, 1.0), [0, 1, 2]);
-        let all = numbers(6400, 1.0);
-        assert!(all.iter().enumerate().all(|(i, n)| *n == 100 * i as u64));
-        assert_eq!(all.len(), 64);
+        let chosen = numbers(6400, 1.0);
+        assert!(chosen.iter().enumerate().all(|(i, n)| *n == 100 * i as u64));
+        assert_eq!(chosen.len(), 64);
         // 10 of 100 cases are 1e8.
         assert_eq!(numbers(100, 1e9), [0, 10, 20, 30, 40, 50, 60, 70, 80, 90]);
         assert_eq!(numbers(7, 1e30), [0]);
