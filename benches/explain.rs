@@ -52,7 +52,7 @@ fn estimate(source: &Source) -> Option<f64> {
         keep_history: study_figures::show_histories(study).then_some(&keep),
         ..RunOptions::METRICS
     };
-    let measured = measure(study, total, &options, (&case, MEASURING)).ok()?;
+    let measured = measure(study, total, &options, (&case, MEASURING, u64::MAX)).ok()?;
     let seconds = measured.seconds_for(total + sampling(study))?;
     Some(seconds * measured.threads as f64)
 }

@@ -42,8 +42,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
             c.add_spring([Some(i), Some(i + 1)], 1.5e-4 * element);
         }
     }
-    let [pier, left, right] =
-        [0, 1, n + 1].map(|place| move |girder| Some(girder * (n + 2) + place));
+    let [pier, left, right] = [0, 1, n + 1].map(|node| move |girder| Some(girder * (n + 2) + node));
     let contact = |between, gap, law| Contact {
         name: "contact".to_string(),
         along: slipgap_system::system::structure::between(between),

@@ -113,9 +113,9 @@ impl<'a> CheckCollector<'a> {
             return;
         }
         let mut shown = part.cases.shown();
-        for place in 0..part.len() {
-            let (number, case) = (part.number(place), shown.at(place));
-            let value = |metric| part.metrics.value(place, metric);
+        for row in 0..part.len() {
+            let (number, case) = (part.number(row), shown.at(row));
+            let value = |metric| part.metrics.value(row, metric);
             for (check, value) in applicable(self.study, case, value) {
                 self.values[check].push((number, value.unwrap_or(f64::NAN)));
             }

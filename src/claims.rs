@@ -28,12 +28,12 @@ fn store(results: &Path) -> Result<Option<Store>, Error> {
 /// # Errors
 /// Of the store, and internal ones. An expectation of a case without a solution does not hold.
 pub fn compute(ledger: &Ledger, out: &Path, bar: &ProgressBar) -> Result<Vec<Vec<Finding>>, Error> {
-    judged(ledger, |own: &LedgerStudy| {
-        let store = store(&out.join(&own.name))?;
-        let outcomes = batch::all(&own.study, store.as_ref(), bar)?.into_iter();
-        let results = outcomes.map(|own| CaseMetrics {
-            case: own.case,
-            metrics: own.metrics,
+    judged(ledger, |ledger_study: &LedgerStudy| {
+        let store = store(&out.join(&ledger_study.name))?;
+        let outcomes = batch::all(&ledger_study.study, store.as_ref(), bar)?.into_iter();
+        let results = outcomes.map(|outcome| CaseMetrics {
+            case: outcome.case,
+            metrics: outcome.metrics,
         });
         Ok(results.collect())
     })

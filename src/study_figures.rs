@@ -137,7 +137,7 @@ pub fn with_data<T>(
     if let Some(reduced) = reduced {
         let mut shown = ShownCases::new(study.problem.schema());
         let cases = reduced.iter();
-        cases.for_each(|own| shown.push(&own.case, &own.metrics, None));
+        cases.for_each(|reduced_case| shown.push(&reduced_case.case, &reduced_case.metrics, None));
         return draw(&with_snapshots(study, figure, shown).all());
     }
     if figure.kind.draws_snapshots() {
@@ -266,17 +266,20 @@ mod tests {
                     figures::svg(&figures::sheet(data), 192).unwrap()
                 })
             };
-            let own = needed(&study);
+            let needed_columns = needed(&study);
             let count = |needed: &[bool]| needed.iter().filter(|needed| **needed).count();
             assert_eq!(
-                [count(&own.parameters), count(&own.measures)],
+                [
+                    count(&needed_columns.parameters),
+                    count(&needed_columns.measures)
+                ],
                 [parameters, measures]
             );
-            let all = Needed {
-                parameters: vec![true; own.parameters.len()],
-                measures: vec![true; own.measures.len()],
+            let every_column = Needed {
+                parameters: vec![true; needed_columns.parameters.len()],
+                measures: vec![true; needed_columns.measures.len()],
             };
-            assert_eq!(drawn(&own), drawn(&all));
+            assert_eq!(drawn(&needed_columns), drawn(&every_column));
         }
     }
 

@@ -27,14 +27,14 @@ const fn commit(log: &[u8]) -> Option<[u8; 8]> {
         start += 1;
     }
     let mut digits = [0; 8];
-    let mut place = 0;
-    while place < digits.len() {
-        let at = start + 1 + place;
+    let mut index = 0;
+    while index < digits.len() {
+        let at = start + 1 + index;
         if at >= log.len() || !log[at].is_ascii_hexdigit() {
             return None;
         }
-        digits[place] = log[at];
-        place += 1;
+        digits[index] = log[at];
+        index += 1;
     }
     Some(digits)
 }

@@ -69,14 +69,17 @@ impl<'a> StudyWarnings<'a> {
         for case in &self.not_met {
             self.counts.add(Warning::CheckNotMet, *case);
         }
-        let mut all = self.counts.list(self.study, self.cases);
+        let mut warnings = self.counts.list(self.study, self.cases);
         let solved = self.cases - self.unsolved;
-        for own in all.iter_mut().filter(|own| own.kind.is_of_all_cases()) {
-            own.is_note = own.cases != solved;
+        for warning in warnings
+            .iter_mut()
+            .filter(|warning| warning.kind.is_of_all_cases())
+        {
+            warning.is_note = warning.cases != solved;
         }
         // What slides, yields or pulls in some cases needs no word; how many cases have no contact is always said.
         let is_said = |kind: Warning| !kind.is_of_all_cases() || kind == Warning::NoContact;
-        all.retain(|own| !own.is_note || is_said(own.kind));
-        all
+        warnings.retain(|warning| !warning.is_note || is_said(warning.kind));
+        warnings
     }
 }

@@ -105,15 +105,15 @@ pub fn sweep(name: &str, times: u64) {
 
 /// Whether the instructions of all sweeps are near the recorded ones.
 pub fn are_near() -> bool {
-    let own = std::env::current_exe().expect("this program has a path");
-    let all: Vec<(&str, &str, u64)> = SWEEPS.into_iter().chain(OTHERS).collect();
+    let program = std::env::current_exe().expect("this program has a path");
+    let kernels: Vec<(&str, &str, u64)> = SWEEPS.into_iter().chain(OTHERS).collect();
     let count = |(name, text, _): &(&str, &str, u64)| {
         // Both counts contain the work before the sweeps.
-        let [one, three] = ["1", "3"].map(|times| instructions(&own, [name, times]));
+        let [one, three] = ["1", "3"].map(|times| instructions(&program, [name, times]));
         (three - one) as f64 / 2.0 / study(text).len() as f64
     };
-    let counts: Vec<f64> = all.par_iter().map(count).collect();
-    let near = all.iter().zip(counts);
+    let counts: Vec<f64> = kernels.par_iter().map(count).collect();
+    let near = kernels.iter().zip(counts);
     let near = near.map(|((name, _, recorded), each)| is_near(name, each, *recorded));
     !near.collect::<Vec<_>>().contains(&false)
 }

@@ -94,8 +94,8 @@ impl Run {
         let args = ["run", "--jobs", "1", "--format", self.format, "--out"].map(Path::new);
         let args = args.into_iter().chain([folder.path(), &file]);
         // The release build of the program stands beside this one.
-        let own = std::env::current_exe().expect("this program has a path");
-        let program = own.with_file_name("slipgap");
+        let guard = std::env::current_exe().expect("this program has a path");
+        let program = guard.with_file_name("slipgap");
         instructions(&program, args)
     }
 }

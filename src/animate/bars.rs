@@ -39,11 +39,11 @@ pub fn film<'a>(problem: &dyn Problem, case: &Case, history: &'a History, exact:
     };
     let displacements: Vec<Vec<Vec<[f64; 2]>>> = snapshots
         .iter()
-        .map(|own| chosen(&own.displacement))
+        .map(|snapshot| chosen(&snapshot.displacement))
         .collect();
     let stresses: Vec<Vec<Vec<[f64; 2]>>> = snapshots
         .iter()
-        .map(|own| own.profiles.get(1).map_or_else(Vec::new, chosen))
+        .map(|snapshot| snapshot.profiles.get(1).map_or_else(Vec::new, chosen))
         .collect();
     let mut film = Film {
         last,
@@ -64,25 +64,32 @@ pub fn film<'a>(problem: &dyn Problem, case: &Case, history: &'a History, exact:
         let nodes = (0..=NODES).map(|i| {
             let values = displacements
                 .iter()
-                .map(|own| more + at(&own[bar], node(i)));
+                .map(|lines| more + at(&lines[bar], node(i)));
             film.moves.push(Cow::Owned(values.collect()));
             Some(film.moves.len() - 1)
         });
         let nodes: Vec<Option<usize>> = nodes.collect();
         let piece = |i: usize| start + length * (i as f64 + 0.5) / NODES as f64;
-        let mut own: Vec<Vec<f64>> = (0..NODES)
+        let mut stresses_of_nodes: Vec<Vec<f64>> = (0..NODES)
             .map(|i| {
                 stresses
                     .iter()
-                    .map(|own| step_at(&own[bar], piece(i), exact))
+                    .map(|lines| step_at(&lines[bar], piece(i), exact))
                     .collect()
             })
             .collect();
-        let largest = own.iter().map(|values| peak(values)).fold(0.0, f64::max);
+        let largest = stresses_of_nodes
+            .iter()
+            .map(|values| peak(values))
+            .fold(0.0, f64::max);
         let first = film.stresses.len();
         if largest > 0.0 {
-            own.iter_mut().flatten().for_each(|x| *x /= largest);
-            film.stresses.extend(own.into_iter().map(Cow::Owned));
+            stresses_of_nodes
+                .iter_mut()
+                .flatten()
+                .for_each(|x| *x /= largest);
+            film.stresses
+                .extend(stresses_of_nodes.into_iter().map(Cow::Owned));
         }
         let width = SIZE[0] * length / longest;
         film.scene.bars.push(Bar {
@@ -133,13 +140,13 @@ fn lengths(displacements: &[Vec<Vec<[f64; 2]>>]) -> Vec<f64> {
 }
 
 /// The value of a line at a place. Its points are in the order of their distance from 0.
-fn at(line: &[[f64; 2]], place: f64) -> f64 {
-    let beyond = line.iter().position(|point| point[0].abs() >= place.abs());
+fn at(line: &[[f64; 2]], x_at: f64) -> f64 {
+    let beyond = line.iter().position(|point| point[0].abs() >= x_at.abs());
     match beyond {
         Some(0) => line[0][1],
         Some(i) => {
             let ([x, a], [to, b]) = (line[i - 1], line[i]);
-            let part = if to == x { 0.0 } else { (place - x) / (to - x) };
+            let part = if to == x { 0.0 } else { (x_at - x) / (to - x) };
             a + part * (b - a)
         }
         None => line.last().map_or(0.0, |point| point[1]),
@@ -147,13 +154,13 @@ fn at(line: &[[f64; 2]], place: f64) -> f64 {
 }
 
 /// The value of a line of constant pieces at a place: that of the piece if the line has its corners, or else the nearest.
-fn step_at(line: &[[f64; 2]], place: f64, corners: bool) -> f64 {
+fn step_at(line: &[[f64; 2]], x_at: f64, corners: bool) -> f64 {
     if corners {
-        return at(line, place);
+        return at(line, x_at);
     }
     let nearest = line
         .iter()
-        .min_by(|a, b| (a[0] - place).abs().total_cmp(&(b[0] - place).abs()));
+        .min_by(|a, b| (a[0] - x_at).abs().total_cmp(&(b[0] - x_at).abs()));
     nearest.map_or(0.0, |point| point[1])
 }
 

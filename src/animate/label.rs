@@ -22,8 +22,8 @@ pub fn labels(study: &Study, cases: &[&Case]) -> Vec<String> {
         groups.any(|group| {
             let is_name = |axis: &&Axis| matches!(axis.values.at(0), Value::Name(name) if !name.contains('/'));
             let named = group.axes.iter().find(is_name);
-            let own = named.map(|axis| axis.parameter == row);
-            own.unwrap_or_else(|| group.axes.iter().any(|axis| axis.parameter == row))
+            let is_named = named.map(|axis| axis.parameter == row);
+            is_named.unwrap_or_else(|| group.axes.iter().any(|axis| axis.parameter == row))
         })
     };
     let different: Vec<usize> = (0..table.len()).filter(|row| differs(*row)).collect();

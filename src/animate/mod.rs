@@ -34,7 +34,7 @@ pub struct Shown {
 pub fn animate(study: &Study, name: &str, shown: &Shown) -> Result<String, Error> {
     let numbers = match shown.cases.as_slice() {
         [] => vec![usual_case(study)],
-        own => own.to_vec(),
+        given => given.to_vec(),
     };
     if numbers.len() > 2 || numbers.len() == 2 && shown.exact {
         let what = "an animation shows one case, two cases, or one case and its exact motion";

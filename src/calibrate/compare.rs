@@ -37,8 +37,8 @@ pub fn compare(fits: &[Fit]) -> (Vec<usize>, Vec<Comparison>) {
     // Of equal misfits, the first in the study is first.
     order.sort_by(|a, b| fits[*a].misfit().total_cmp(&fits[*b].misfit()));
     let part = |at: usize| {
-        let own = fits[at].numerical.map(|own| own.total());
-        (fits[at].misfit(), own)
+        let numerical_error = fits[at].numerical.map(|numerical| numerical.total());
+        (fits[at].misfit(), numerical_error)
     };
     let solved = order
         .iter()

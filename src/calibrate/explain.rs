@@ -12,21 +12,28 @@ pub fn explained(study: &Study) -> String {
     };
     let table = study.problem.parameters();
     let names = |free: &[Free]| {
-        let names = free.iter().map(|own| &*table[own.parameter].name);
+        let names = free
+            .iter()
+            .map(|free_parameter| &*table[free_parameter.parameter].name);
         names.collect::<Vec<&str>>().join(", ")
     };
-    let range = |own: &Free| {
-        let [low, high] = own.range.ends.map(shortest);
-        let log = if own.range.log {
+    let range = |free_parameter: &Free| {
+        let [low, high] = free_parameter.range.ends.map(shortest);
+        let log = if free_parameter.range.log {
             " by its logarithm"
         } else {
             ""
         };
-        format!("{} from {low} to {high}{log}", table[own.parameter].name)
+        format!(
+            "{} from {low} to {high}{log}",
+            table[free_parameter.parameter].name
+        )
     };
     let ranges: Vec<String> = calibrate.free.iter().map(range).collect();
     let alternatives = study.alternatives();
-    let tests = alternatives.first().map_or(1, |own| own.cases());
+    let tests = alternatives
+        .first()
+        .map_or(1, |alternative| alternative.cases());
     let mut text = format!(
         "calibrate: minimises {}; free: {}\n",
         study.measures[calibrate.minimise].name,
@@ -50,10 +57,10 @@ pub fn explained(study: &Study) -> String {
             calibrate.cases / 4 * 3
         ),
     };
-    for own in &alternatives {
-        let [free, unused] = used(study, own);
-        let apart = usage::apart(study, own, &free);
-        let prefix = match own.name.as_str() {
+    for alternative in &alternatives {
+        let [free, unused] = used(study, alternative);
+        let apart = usage::apart(study, alternative, &free);
+        let prefix = match alternative.name.as_str() {
             "" => "calibrate: ".to_owned(),
             name => format!("calibrate: {name}: "),
         };

@@ -12,27 +12,27 @@ const MOST_TESTS: usize = 4;
 /// The misfit of each alternative over each of its free parameters.
 pub fn misfits(found: &Calibration) -> Misfits {
     let calibrate = found.study.calibrate.as_ref();
-    let measure = calibrate.map(|own| &found.study.measures[own.minimise]);
+    let measure = calibrate.map(|calibrate| &found.study.measures[calibrate.minimise]);
     let alternative = |fit: &Fit| AlternativeMisfit {
         label: escape(fit.label()),
         least: fit.misfit(),
         panels: (0..fit.found.profiles.len())
-            .map(|place| panel(found, fit, place))
+            .map(|index| panel(found, fit, index))
             .collect(),
     };
     let solved = found.fits.iter().filter(|fit| fit.misfit().is_finite());
     Misfits {
         title: format!("{}: misfit over the free parameters", found.study.title),
-        axis: measure.map_or(String::new(), |own| own.symbol.clone()),
+        axis: measure.map_or(String::new(), |measure| measure.symbol.clone()),
         alternatives: solved.map(alternative).collect(),
     }
 }
 
 /// The profile of a free parameter of an alternative.
-fn panel(found: &Calibration, fit: &Fit, place: usize) -> MisfitPanel {
-    let (free, profile) = (&fit.free[place], &fit.found.profiles[place]);
+fn panel(found: &Calibration, fit: &Fit, index: usize) -> MisfitPanel {
+    let (free, profile) = (&fit.free[index], &fit.found.profiles[index]);
     let points = profile.points.iter();
-    let end = |i: usize, end: End| fit.value(place, end).unwrap_or(free.range.ends[i]);
+    let end = |i: usize, end: End| fit.value(index, end).unwrap_or(free.range.ends[i]);
     MisfitPanel {
         title: found.study.problem.parameters()[free.parameter].title(),
         range: free.range.ends,
@@ -40,7 +40,7 @@ fn panel(found: &Calibration, fit: &Fit, place: usize) -> MisfitPanel {
         points: points
             .map(|point| [free.range.at(point.at), point.misfit])
             .collect(),
-        best: fit.values[place],
+        best: fit.values[index],
         interval: profile
             .interval
             .map(|[from, to]| [end(0, from), end(1, to)]),
@@ -96,9 +96,9 @@ fn residual(found: &Calibration, best: usize, test: usize) -> Option<MeasuredPan
         let points = pairs.map(|(point, residual)| [point[0], residual]);
         Some((index, escape(fit.label()), points.collect()))
     };
-    let own = series::measured(&found.fits[best].tests[test], channel)?;
+    let channel_measured = series::measured(&found.fits[best].tests[test], channel)?;
     Some(MeasuredPanel {
-        title: format!("computed - measured, {}", title(found, own)),
+        title: format!("computed - measured, {}", title(found, channel_measured)),
         caption: caption(&found.fits[best], test),
         measured: Vec::new(),
         curves: found.fits.iter().enumerate().filter_map(curve).collect(),
@@ -109,7 +109,10 @@ fn residual(found: &Calibration, best: usize, test: usize) -> Option<MeasuredPan
 fn title(found: &Calibration, measured: &MeasuredChannel) -> String {
     let mut quantities = found.study.problem.schema().quantities.iter();
     let quantity = quantities.find(|quantity| quantity.channel == measured.column);
-    quantity.map_or_else(|| escape(&measured.name), |own| own.title.to_string())
+    quantity.map_or_else(
+        || escape(&measured.name),
+        |quantity| quantity.title.to_string(),
+    )
 }
 
 /// The name of a test, in markup; empty for a single one.

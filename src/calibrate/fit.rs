@@ -220,10 +220,10 @@ impl Search<'_> {
         if free > 0 {
             return search(free, misfit, &options);
         }
-        let own = misfit.misfits(&[Vec::new()])?;
+        let misfits = misfit.misfits(&[Vec::new()])?;
         Ok(Best {
             at: Vec::new(),
-            misfit: own.first().copied().unwrap_or(f64::INFINITY),
+            misfit: misfits.first().copied().unwrap_or(f64::INFINITY),
             solved: 1,
             starts: [1, 1],
             spent: false,
@@ -233,15 +233,15 @@ impl Search<'_> {
     /// The points of each test.
     fn points(&self, cases: &PointCases) -> Pooling {
         let middle = vec![0.5; cases.free().len()];
-        let all = cases.cases(&[middle]);
-        let mut shown = all.shown();
+        let middle_cases = cases.cases(&[middle]);
+        let mut shown = middle_cases.shown();
         let count = |row: usize| {
             let measured = self.study.measured(shown.at(row));
             measured
                 .first()
-                .map_or(0.0, |own| own.compared.len() as f64)
+                .map_or(0.0, |measured| measured.compared.len() as f64)
         };
-        let counts: Vec<f64> = (0..all.len()).map(count).collect();
+        let counts: Vec<f64> = (0..middle_cases.len()).map(count).collect();
         match counts.len() > 1 && counts.iter().all(|count| *count > 0.0) {
             true => Pooling::Points(counts),
             false => Pooling::Mean,
@@ -262,7 +262,7 @@ fn of_tests(tests: &[Test], channel: &str) -> Option<Residuals> {
 }
 
 fn of_intervals(residuals: Option<Residuals>) -> Option<f64> {
-    residuals.and_then(|own| own.for_intervals())
+    residuals.and_then(|residuals| residuals.for_intervals())
 }
 
 /// Whether intervals of one number of residuals are those of another one.

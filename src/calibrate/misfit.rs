@@ -57,8 +57,8 @@ impl Misfit<'_> {
         self.solved += rows.len() as u64;
         let mut values = vec![f64::INFINITY; cases.len()];
         let mut shown = cases.shown();
-        for (place, row) in rows.into_iter().map(|row| row as usize).enumerate() {
-            let metric = |metric: usize| table.value(place, metric);
+        for (position, row) in rows.into_iter().map(|row| row as usize).enumerate() {
+            let metric = |metric: usize| table.value(position, metric);
             let value = self
                 .study
                 .measure_value(self.measure, shown.at(row), &metric);
@@ -71,8 +71,8 @@ impl Misfit<'_> {
     pub fn pooled(&self, values: &[f64], points: usize) -> Vec<f64> {
         let tests = self.cases.tests();
         let point = |at: usize| {
-            let own: Vec<f64> = (0..tests).map(|test| values[test * points + at]).collect();
-            self.pooling.misfit(&own)
+            let of_tests: Vec<f64> = (0..tests).map(|test| values[test * points + at]).collect();
+            self.pooling.misfit(&of_tests)
         };
         (0..points).map(point).collect()
     }

@@ -64,7 +64,11 @@ impl Calibration {
 
 /// The free parameters that an alternative uses, and those that it does not.
 fn used(study: &Study, alternative: &Alternative) -> [Vec<Free>; 2] {
-    let minimised: Vec<usize> = study.calibrate.iter().map(|own| own.minimise).collect();
+    let minimised: Vec<usize> = study
+        .calibrate
+        .iter()
+        .map(|calibrate| calibrate.minimise)
+        .collect();
     usage::used(study, alternative, &study.free_of(alternative), &minimised)
 }
 

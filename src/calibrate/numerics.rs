@@ -81,9 +81,9 @@ pub fn numerical(
     values: &[f64],
 ) -> Result<Option<Numerical>, Stopped> {
     if let Some(errors) = errors
-        && let Some(own) = errors.of(misfit, alternative, values)
+        && let Some(error) = errors.of(misfit, alternative, values)
     {
-        return Ok(Some(own));
+        return Ok(Some(error));
     }
     let problem = &*misfit.study.problem;
     let cases = misfit.cases.cases_with(&[values.to_vec()]);
@@ -92,11 +92,13 @@ pub fn numerical(
     for row in 0..cases.len() {
         finer.push(&with_finer_step(problem, shown.at(row), 2));
     }
-    let [own, finer] = [cases, finer].map(|cases| {
+    let [given, finer] = [cases, finer].map(|cases| {
         let values = misfit.values(&cases)?;
         Ok(misfit.pooled(&values, 1).first().copied())
     });
-    let change = own?.zip(finer?).map(|(own, finer)| (own - finer).abs());
+    let change = given?
+        .zip(finer?)
+        .map(|(given, finer)| (given - finer).abs());
     Ok(change.filter(|x| x.is_finite()).map(|step| Numerical {
         step,
         mesh: None,
@@ -133,13 +135,13 @@ mod tests {
 
     #[test]
     fn the_whole_part_is_the_sum_and_says_its_source() {
-        let own = Numerical {
+        let numerical = Numerical {
             step: 0.25,
             mesh: Some(0.5),
             from: From::StepError,
         };
         assert_eq!(
-            (own.total(), own.source()),
+            (numerical.total(), numerical.source()),
             (0.75, "step_error + mesh_error")
         );
     }

@@ -46,33 +46,33 @@ impl Fit {
     /// The best value of a free parameter with its standard error, half of the 95 % interval over t; of a logarithmic range those of the
     /// natural logarithm. `None` without an interval.
     fn estimate(&self, free: &Free) -> Option<(f64, f64)> {
-        let place = self.free.iter().position(|own| own == free)?;
-        let Some([End::At(low), End::At(high)]) = self.found.profiles.get(place)?.interval else {
+        let index = self.free.iter().position(|known| known == free)?;
+        let Some([End::At(low), End::At(high)]) = self.found.profiles.get(index)?.interval else {
             return None;
         };
         let scaled = |x: f64| if free.range.log { libm::log(x) } else { x };
         let freedom = self.residuals?.for_intervals()? - self.free.len() as f64;
         let t = fisher::quantile(CONFIDENCE, 1.0, freedom).sqrt();
         let [low, high] = [low, high].map(|u| scaled(free.range.at(u)));
-        Some((scaled(self.values[place]), (high - low) / (2.0 * t)))
+        Some((scaled(self.values[index]), (high - low) / (2.0 * t)))
     }
 }
 
 /// What the tests say, in words.
-pub(super) fn sentences(found: &Calibration, fit: &Fit, own: &str) -> Vec<String> {
+pub(super) fn sentences(found: &Calibration, fit: &Fit, prefix: &str) -> Vec<String> {
     let table = found.study.problem.parameters();
     let tests = fit.each.len();
     let one = |free: &Free| {
         let name = &table[free.parameter].name;
         let varies = found.study.calibrate.as_ref();
-        let varies = varies.is_some_and(|own| own.varies.contains(&free.parameter));
+        let varies = varies.is_some_and(|calibrate| calibrate.varies.contains(&free.parameter));
         let Some(scatter) = fit.scatter(found, free) else {
             let mut each = fit.each.iter();
             let test = each.find(|test| test.estimate(free).is_none());
             let test = test.and_then(|test| test.alternative.tests.first());
             let test = test.map_or("", String::as_str);
             return varies.then(|| {
-                format!("{own}{name} has no scatter, because it has no 95 % interval with two ends in the test {test}")
+                format!("{prefix}{name} has no scatter, because it has no 95 % interval with two ends in the test {test}")
             });
         };
         let (between, [mean, low, high]) = (scatter.between, scatter.mean().map(digits));
@@ -84,11 +84,11 @@ pub(super) fn sentences(found: &Calibration, fit: &Fit, own: &str) -> Vec<String
         };
         match varies {
             true => Some(format!(
-                "{own}{name} varies between {tests} tests: mean {mean} ({low} to {high}), {what} {} ({least} to {most})",
+                "{prefix}{name} varies between {tests} tests: mean {mean} ({low} to {high}), {what} {} ({least} to {most})",
                 digits(between.scatter)
             )),
             false if between.p_common < LEVEL => Some(format!(
-                "{own}{name} differs between the tests by more than its errors (p = {}); it may be one that \"varies\"",
+                "{prefix}{name} differs between the tests by more than its errors (p = {}); it may be one that \"varies\"",
                 digits(between.p_common)
             )),
             false => None,

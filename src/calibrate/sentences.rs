@@ -18,22 +18,22 @@ fn without_solution(fit: &Fit) -> String {
 
 /// What the numbers do not say.
 pub fn sentences(found: &Calibration) -> Vec<String> {
-    let mut all = Vec::new();
+    let mut sentences = Vec::new();
     for at in &found.order {
         let fit = &found.fits[*at];
         match fit.misfit().is_finite() {
-            false => all.push(without_solution(fit)),
-            true => all.extend(of_fit(found, fit)),
+            false => sentences.push(without_solution(fit)),
+            true => sentences.extend(of_fit(found, fit)),
         }
     }
-    for own in &found.comparisons {
-        let [better, worse] = own.fits.map(|at| &found.fits[at]);
+    for comparison in &found.comparisons {
+        let [better, worse] = comparison.fits.map(|at| &found.fits[at]);
         let part = |fit: &Fit| fit.numerical.as_ref().map_or(0.0, Numerical::total);
         let names = [better, worse].map(Fit::label);
         let misfits = [better, worse].map(|fit| digits(fit.misfit()));
         let parts = [better, worse].map(|fit| digits(part(fit)));
-        let criterion = own.information.map(digits);
-        all.push(match own.verdict {
+        let criterion = comparison.information.map(digits);
+        sentences.push(match comparison.verdict {
             Verdict::WithinNoise => format!(
                 "{} and {} are not told apart: their misfits {} and {} differ by no more than noise can cause (difference of BIC {}, \
                  below {DECISIVE})",
@@ -55,7 +55,7 @@ pub fn sentences(found: &Calibration) -> Vec<String> {
                 misfits[1],
                 parts[0],
                 parts[1],
-                match own.information {
+                match comparison.information {
                     Some(difference) if difference < DECISIVE => ", and by no more than noise can cause",
                     _ => "; a smaller dt makes these smaller",
                 }
@@ -66,105 +66,113 @@ pub fn sentences(found: &Calibration) -> Vec<String> {
             ),
         });
     }
-    all
+    sentences
 }
 
 /// What an alternative does not determine.
 fn of_fit(found: &Calibration, fit: &Fit) -> Vec<String> {
     let table = found.study.problem.parameters();
-    let own = match found.fits.len() {
+    let prefix = match found.fits.len() {
         1 => String::new(),
         _ => format!("{}: ", fit.label()),
     };
-    let mut all = Vec::new();
-    let name = |place: usize| &*table[fit.free[place].parameter].name;
+    let mut sentences = Vec::new();
+    let name = |index: usize| &*table[fit.free[index].parameter].name;
     if fit.free.is_empty() {
-        all.push(format!(
-            "{own}nothing was searched, because no free parameter is used; the misfit is that of the study's values"
+        sentences.push(format!(
+            "{prefix}nothing was searched, because no free parameter is used; the misfit is that of the study's values"
         ));
     }
-    let intervals = fit.found.profiles.iter().any(|own| own.interval.is_some());
+    let intervals = fit
+        .found
+        .profiles
+        .iter()
+        .any(|profile| profile.interval.is_some());
     let good = match intervals {
         true => "in its 95 % interval",
         false => "within 10 % of the best misfit",
     };
-    for place in 0..fit.free.len() {
-        let [low, high] = fit.free[place].range.ends.map(shortest);
-        match fit.state(place) {
-            Some(State::Not) => all.push(format!(
-                "{own}{} is not determined: all values from {low} to {high} are {good}",
-                name(place)
+    for index in 0..fit.free.len() {
+        let [low, high] = fit.free[index].range.ends.map(shortest);
+        match fit.state(index) {
+            Some(State::Not) => sentences.push(format!(
+                "{prefix}{} is not determined: all values from {low} to {high} are {good}",
+                name(index)
             )),
-            Some(State::OnlyBelow) => all.push(format!(
-                "{own}{} has only a smallest value: those up to {high}, the end of its range, are {good}",
-                name(place)
+            Some(State::OnlyBelow) => sentences.push(format!(
+                "{prefix}{} has only a smallest value: those up to {high}, the end of its range, are {good}",
+                name(index)
             )),
-            Some(State::OnlyAbove) => all.push(format!(
-                "{own}{} has only a largest value: those down to {low}, the end of its range, are {good}",
-                name(place)
+            Some(State::OnlyAbove) => sentences.push(format!(
+                "{prefix}{} has only a largest value: those down to {low}, the end of its range, are {good}",
+                name(index)
             )),
             Some(State::Determined) | None => {}
         }
-        if let Some(end) = fit.at_end(place) {
+        if let Some(end) = fit.at_end(index) {
             let (which, value) = [("lower", &low), ("upper", &high)][end];
-            all.push(format!(
-                "{own}the best {} is at the {which} end of its range, {value}; a wider range may have a better one",
-                name(place)
+            sentences.push(format!(
+                "{prefix}the best {} is at the {which} end of its range, {value}; a wider range may have a better one",
+                name(index)
             ));
         }
     }
     if fit.found.combined.len() > 1 {
-        let names = fit.found.combined.iter().map(|place| name(*place));
+        let names = fit.found.combined.iter().map(|index| name(*index));
         let names: Vec<&str> = names.collect();
-        all.push(format!(
-            "{own}only a combination of {} is determined, not each by itself",
+        sentences.push(format!(
+            "{prefix}only a combination of {} is determined, not each by itself",
             names.join(", ")
         ));
     }
-    all.extend(scatter::sentences(found, fit, &own));
+    sentences.extend(scatter::sentences(found, fit, &prefix));
     if let Some(residuals) = &fit.residuals
         && !residuals.are_white()
     {
         let rho = format!("{:.2}", residuals.correlation);
         let count = residuals.count;
-        all.push(match residuals.for_intervals() {
+        sentences.push(match residuals.for_intervals() {
             Some(effective) => format!(
-                "{own}residuals are not white (rho_1 = {rho} of {count} points): the model misses something, intervals are approximate, \
+                "{prefix}residuals are not white (rho_1 = {rho} of {count} points): the model misses something, intervals are approximate, \
                  as of {effective:.0} independent points"
             ),
             None => format!(
-                "{own}residuals are not white (rho_1 = {rho} of {count} points): the model misses something, and there are no intervals"
+                "{prefix}residuals are not white (rho_1 = {rho} of {count} points): the model misses something, and there are no intervals"
             ),
         });
     }
     if let (true, Some(numerical), Some(residuals)) = (intervals, &fit.numerical, &fit.residuals)
         && numerical.total() > 2.0 * fit.misfit() / residuals.effective().sqrt()
     {
-        all.push(format!(
-            "{own}the numerical part may move the best values by more than their intervals, which are of noise only; use a smaller dt"
+        sentences.push(format!(
+            "{prefix}the numerical part may move the best values by more than their intervals, which are of noise only; use a smaller dt"
         ));
     }
     if fit.residuals.is_none() && !fit.free.is_empty() {
-        all.push(format!(
-            "{own}there are no 95 % intervals, because the minimised metric is no rms_error(CHANNEL, measured) alone"
+        sentences.push(format!(
+            "{prefix}there are no 95 % intervals, because the minimised metric is no rms_error(CHANNEL, measured) alone"
         ));
     }
     if intervals && fit.found.widened > 1.0 {
-        all.push(format!(
-            "{own}the misfit jumps where contacts begin or vanish, which makes the intervals {} times as wide",
+        sentences.push(format!(
+            "{prefix}the misfit jumps where contacts begin or vanish, which makes the intervals {} times as wide",
             digits(fit.found.widened)
         ));
     }
     if intervals && !fit.found.quadratic {
-        all.push(format!(
-            "{own}the squared misfit is not quadratic over the intervals: use these and the profiles, not the correlation"
+        sentences.push(format!(
+            "{prefix}the squared misfit is not quadratic over the intervals: use these and the profiles, not the correlation"
         ));
     }
     if fit.found.best.spent {
-        let cases = found.study.calibrate.as_ref().map_or(0, |own| own.cases);
-        all.push(format!(
-            "{own}the search spent all its {cases} cases before it ended; \"cases\" of \"calibrate\" allows more"
+        let cases = found
+            .study
+            .calibrate
+            .as_ref()
+            .map_or(0, |calibrate| calibrate.cases);
+        sentences.push(format!(
+            "{prefix}the search spent all its {cases} cases before it ended; \"cases\" of \"calibrate\" allows more"
         ));
     }
-    all
+    sentences
 }

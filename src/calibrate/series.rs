@@ -20,10 +20,10 @@ pub struct Test {
 
 /// The tests of an alternative with these values of its free parameters.
 pub fn tests(study: &Study, cases: &PointCases, values: &[f64]) -> Vec<Test> {
-    let all = cases.cases_with(&[values.to_vec()]);
-    let mut shown = all.shown();
-    let each: Vec<(Case, bool)> = (0..all.len())
-        .map(|row| (shown.at(row).clone(), all.may_be_solved(row)))
+    let every_case = cases.cases_with(&[values.to_vec()]);
+    let mut shown = every_case.shown();
+    let each: Vec<(Case, bool)> = (0..every_case.len())
+        .map(|row| (shown.at(row).clone(), every_case.may_be_solved(row)))
         .collect();
     let test = |(case, solvable): (Case, bool)| {
         let solved = study.problem.solve(&case, &study.metrics);
@@ -51,8 +51,8 @@ pub fn channel(study: &Study) -> Option<&str> {
 /// What was measured of a channel.
 pub fn measured<'a>(test: &'a Test, channel: &str) -> Option<&'a MeasuredChannel> {
     let plain = |name: &str| name.replace(char::is_whitespace, "");
-    let mut all = test.measured.iter();
-    all.find(|own| plain(&own.name) == plain(channel))
+    let mut channels = test.measured.iter();
+    channels.find(|measured| plain(&measured.name) == plain(channel))
 }
 
 /// How far the computed motion is from the exact one at the points of a channel that metrics compare: the rms of their difference, with

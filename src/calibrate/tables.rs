@@ -22,17 +22,17 @@ pub fn parameters(found: &Calibration) -> Result<Vec<u8>, Error> {
         "state",
     ];
     let table = found.study.problem.parameters();
-    let row = |fit: &Fit, place: usize, free: &Free| {
-        let profile = fit.found.profiles.get(place);
+    let row = |fit: &Fit, index: usize, free: &Free| {
+        let profile = fit.found.profiles.get(index);
         let ends = |ends: Option<[End; 2]>| {
-            let ends = ends.map(|ends| ends.map(|end| fit.value(place, end)));
+            let ends = ends.map(|ends| ends.map(|end| fit.value(index, end)));
             ends.unwrap_or_default().map(cell)
         };
-        let interval = ends(profile.and_then(|own| own.interval));
-        let tenth = ends(profile.map(|own| own.within_tenth));
+        let interval = ends(profile.and_then(|profile| profile.interval));
+        let tenth = ends(profile.map(|profile| profile.within_tenth));
         let solved = fit.misfit().is_finite();
-        let best = cell(fit.values.get(place).copied().filter(|_| solved));
-        let state = fit.state(place).map_or("", words::state_name);
+        let best = cell(fit.values.get(index).copied().filter(|_| solved));
+        let state = fit.state(index).map_or("", words::state_name);
         [
             name_of(fit),
             table[free.parameter].column_name().to_string(),
@@ -56,9 +56,9 @@ pub fn parameters(found: &Calibration) -> Result<Vec<u8>, Error> {
             .collect()
     };
     let rows = found.fits.iter().flat_map(|fit| {
-        let own = fit.free.iter().enumerate();
-        let own = own.map(|(place, free)| row(fit, place, free));
-        own.chain(fit.unused.iter().map(|free| unused(fit, free)))
+        let free_parameters = fit.free.iter().enumerate();
+        let used = free_parameters.map(|(index, free)| row(fit, index, free));
+        used.chain(fit.unused.iter().map(|free| unused(fit, free)))
             .collect::<Vec<Vec<String>>>()
     });
     csv(header.map(String::from).to_vec(), rows)
@@ -92,9 +92,9 @@ pub fn alternatives(found: &Calibration) -> Result<Vec<u8>, Error> {
             name_of(fit),
             cell(Some(fit.misfit()).filter(|_| solved)),
             cell(numerical.map(super::Numerical::total)),
-            numerical.map_or(String::new(), |own| own.source().to_owned()),
-            residuals.map_or(String::new(), |own| own.count.to_string()),
-            cell(residuals.map(|own| own.correlation)),
+            numerical.map_or(String::new(), |numerical| numerical.source().to_owned()),
+            residuals.map_or(String::new(), |residuals| residuals.count.to_string()),
+            cell(residuals.map(|residuals| residuals.correlation)),
             cell(residuals.map(super::Residuals::effective)),
             cell(words::information(found, *at)),
             cell(Some(fit.found.widened).filter(|_| !fit.found.profiles.is_empty())),
@@ -118,22 +118,22 @@ pub fn profiles(found: &Calibration) -> Result<Vec<u8>, Error> {
     header.extend(names(found, &free));
     let mut rows = Vec::new();
     for fit in &found.fits {
-        for (place, profile) in fit.found.profiles.iter().enumerate() {
-            let name = column(found, &fit.free[place]);
+        for (index, profile) in fit.found.profiles.iter().enumerate() {
+            let name = column(found, &fit.free[index]);
             for point in &profile.points {
                 let mut others = point.others.iter();
-                let values = fit.free.iter().enumerate().map(|(k, own)| {
-                    let u = if k == place {
+                let values = fit.free.iter().enumerate().map(|(k, other_free)| {
+                    let u = if k == index {
                         Some(&point.at)
                     } else {
                         others.next()
                     };
-                    (own.parameter, u.map(|u| own.range.at(*u)))
+                    (other_free.parameter, u.map(|u| other_free.range.at(*u)))
                 });
                 let values: Vec<(usize, Option<f64>)> = values.collect();
                 let value = |free: &Free| {
-                    let own = values.iter().find(|own| own.0 == free.parameter);
-                    cell(own.and_then(|own| own.1))
+                    let value = values.iter().find(|pair| pair.0 == free.parameter);
+                    cell(value.and_then(|pair| pair.1))
                 };
                 let misfit = cell(Some(point.misfit).filter(|x| x.is_finite()));
                 let mut row = vec![name_of(fit), name.clone(), misfit];
@@ -152,15 +152,15 @@ pub fn correlation(found: &Calibration) -> Result<Vec<u8>, Error> {
     header.extend(names(found, &free));
     let mut rows = Vec::new();
     for fit in &found.fits {
-        for (own, line) in fit.free.iter().zip(fit.found.correlation.iter().flatten()) {
+        for (line_free, line) in fit.free.iter().zip(fit.found.correlation.iter().flatten()) {
             let value = |other: &Free| {
-                let place = fit
+                let index = fit
                     .free
                     .iter()
                     .position(|known| known.parameter == other.parameter);
-                cell(place.map(|place| line[place]))
+                cell(index.map(|index| line[index]))
             };
-            let mut row = vec![name_of(fit), column(found, own)];
+            let mut row = vec![name_of(fit), column(found, line_free)];
             row.extend(free.iter().map(value));
             rows.push(row);
         }
@@ -171,16 +171,16 @@ pub fn correlation(found: &Calibration) -> Result<Vec<u8>, Error> {
 /// each-test.csv: each free parameter in each test fitted alone.
 pub fn each_test(found: &Calibration) -> Result<Vec<u8>, Error> {
     let header = ["alternative", "test", "parameter", "best", "from", "to"];
-    let row = |fit: &Fit, place: usize| {
-        let profile = fit.found.profiles.get(place);
-        let interval = profile.and_then(|own| own.interval);
-        let ends = interval.map(|ends| ends.map(|end| fit.value(place, end)));
+    let row = |fit: &Fit, index: usize| {
+        let profile = fit.found.profiles.get(index);
+        let interval = profile.and_then(|profile| profile.interval);
+        let ends = interval.map(|ends| ends.map(|end| fit.value(index, end)));
         let solved = fit.misfit().is_finite();
-        let best = fit.values.get(place).copied().filter(|_| solved);
+        let best = fit.values.get(index).copied().filter(|_| solved);
         let names = [
             name_of(fit),
             fit.alternative.tests.join(" "),
-            column(found, &fit.free[place]),
+            column(found, &fit.free[index]),
         ];
         names
             .into_iter()
@@ -189,7 +189,7 @@ pub fn each_test(found: &Calibration) -> Result<Vec<u8>, Error> {
             .collect()
     };
     let each = found.fits.iter().flat_map(|fit| &fit.each);
-    let rows = each.flat_map(|fit| (0..fit.free.len()).map(move |place| row(fit, place)));
+    let rows = each.flat_map(|fit| (0..fit.free.len()).map(move |index| row(fit, index)));
     csv(header.map(String::from).to_vec(), rows)
 }
 
@@ -211,10 +211,10 @@ pub fn scatter(found: &Calibration) -> Result<Vec<u8>, Error> {
     let row = |fit: &Fit, free: &Free| {
         let scatter = fit.scatter(found, free);
         let calibrate = found.study.calibrate.as_ref();
-        let varies = calibrate.is_some_and(|own| own.varies.contains(&free.parameter));
-        let own = scatter.filter(|_| varies).map(|own| own.between);
-        let mean = scatter.map(|own| own.mean().map(Some));
-        let ends = own.map(|own| own.scatter_interval.map(Some));
+        let varies = calibrate.is_some_and(|calibrate| calibrate.varies.contains(&free.parameter));
+        let between = scatter.filter(|_| varies).map(|scatter| scatter.between);
+        let mean = scatter.map(|scatter| scatter.mean().map(Some));
+        let ends = between.map(|between| between.scatter_interval.map(Some));
         [
             name_of(fit),
             column(found, free),
@@ -223,9 +223,9 @@ pub fn scatter(found: &Calibration) -> Result<Vec<u8>, Error> {
         ]
         .into_iter()
         .chain(mean.unwrap_or_default().map(cell))
-        .chain([cell(own.map(|own| own.scatter))])
+        .chain([cell(between.map(|between| between.scatter))])
         .chain(ends.unwrap_or_default().map(cell))
-        .chain([cell(scatter.map(|own| own.between.p_common))])
+        .chain([cell(scatter.map(|scatter| scatter.between.p_common))])
         .collect()
     };
     let fits = found.fits.iter().filter(|fit| !fit.each.is_empty());
@@ -236,7 +236,7 @@ pub fn scatter(found: &Calibration) -> Result<Vec<u8>, Error> {
 /// All free parameters of the study.
 fn all_free(found: &Calibration) -> Vec<Free> {
     let calibrate = found.study.calibrate.as_ref();
-    calibrate.map_or(Vec::new(), |own| own.free.clone())
+    calibrate.map_or(Vec::new(), |calibrate| calibrate.free.clone())
 }
 
 fn names(found: &Calibration, free: &[Free]) -> Vec<String> {

@@ -19,8 +19,11 @@ pub fn state_name(state: State) -> &'static str {
 
 /// Whether the alternative at a position is told apart from the best one.
 pub fn verdict(found: &Calibration, at: usize) -> &'static str {
-    let own = found.comparisons.iter().find(|own| own.fits[1] == at);
-    match own.map(|own| own.verdict) {
+    let comparison = found
+        .comparisons
+        .iter()
+        .find(|comparison| comparison.fits[1] == at);
+    match comparison.map(|comparison| comparison.verdict) {
         None if found.fits[at].misfit().is_finite() => "best",
         None => "no solution",
         Some(Verdict::Better) => "worse",
@@ -31,9 +34,9 @@ pub fn verdict(found: &Calibration, at: usize) -> &'static str {
 
 /// By how much the information criterion of the alternative at a position is above that of the best one.
 pub fn information(found: &Calibration, at: usize) -> Option<f64> {
-    let mut all = found.comparisons.iter();
-    match all.find(|own| own.fits[1] == at) {
-        Some(own) => own.information,
+    let mut comparisons = found.comparisons.iter();
+    match comparisons.find(|comparison| comparison.fits[1] == at) {
+        Some(comparison) => comparison.information,
         None => found.fits[at].residuals.as_ref().map(|_| 0.0),
     }
 }
@@ -65,7 +68,9 @@ pub fn text(found: &Calibration, table: &dyn Fn(&[Vec<String>]) -> String) -> St
 /// The metric, and the tests.
 fn minimised(found: &Calibration) -> String {
     let calibrate = found.study.calibrate.as_ref();
-    let name = calibrate.map_or("", |own| &found.study.measures[own.minimise].name);
+    let name = calibrate.map_or("", |calibrate| {
+        &found.study.measures[calibrate.minimise].name
+    });
     match found
         .fits
         .first()
@@ -102,11 +107,13 @@ fn summary(found: &Calibration) -> Vec<Vec<String>> {
             } else {
                 "-".into()
             },
-            numerical.map_or("-".into(), |own| {
-                format!("{} ({})", digits(own.total()), own.source())
+            numerical.map_or("-".into(), |numerical| {
+                format!("{} ({})", digits(numerical.total()), numerical.source())
             }),
-            residuals.map_or("-".into(), |own| format!("{:.2}", own.correlation)),
-            residuals.map_or("-".into(), |own| own.count.to_string()),
+            residuals.map_or("-".into(), |residuals| {
+                format!("{:.2}", residuals.correlation)
+            }),
+            residuals.map_or("-".into(), |residuals| residuals.count.to_string()),
             information(found, *at).map_or("-".into(), digits),
             match starts {
                 0 => "-".into(),
@@ -127,7 +134,7 @@ fn heading(found: &Calibration, fit: &Fit) -> String {
     let unused: Vec<&str> = fit
         .unused
         .iter()
-        .map(|own| &*table[own.parameter].name)
+        .map(|free_parameter| &*table[free_parameter.parameter].name)
         .collect();
     match unused.is_empty() {
         true => format!("{}:", fit.label()),
@@ -138,7 +145,11 @@ fn heading(found: &Calibration, fit: &Fit) -> String {
 /// The best values of an alternative.
 fn values(found: &Calibration, fit: &Fit) -> Vec<Vec<String>> {
     let table = found.study.problem.parameters();
-    let intervals = fit.found.profiles.iter().any(|own| own.interval.is_some());
+    let intervals = fit
+        .found
+        .profiles
+        .iter()
+        .any(|profile| profile.interval.is_some());
     let unit = |free: &Free| {
         let shown = table[free.parameter].shown_unit.as_ref();
         shown.map_or(String::new(), |unit| unit.to_string())
@@ -148,11 +159,11 @@ fn values(found: &Calibration, fit: &Fit) -> Vec<Vec<String>> {
     header.extend(units.then_some("unit"));
     header.extend(intervals.then_some("95 % interval"));
     header.extend(["within 10 % of the best misfit", "searched", ""]);
-    let range = |place: usize, ends: Option<[End; 2]>| {
+    let range = |index: usize, ends: Option<[End; 2]>| {
         let Some(ends) = ends else {
             return "-".to_owned();
         };
-        let [from, to] = ends.map(|end| fit.value(place, end).map(six));
+        let [from, to] = ends.map(|end| fit.value(index, end).map(six));
         match (from, to) {
             (Some(from), Some(to)) => format!("{from} to {to}"),
             (Some(from), None) => format!("from {from}"),
@@ -160,16 +171,16 @@ fn values(found: &Calibration, fit: &Fit) -> Vec<Vec<String>> {
             (None, None) => "all".to_owned(),
         }
     };
-    let row = |(place, free): (usize, &Free)| {
+    let row = |(index, free): (usize, &Free)| {
         let parameter = &table[free.parameter];
-        let profile = fit.found.profiles.get(place);
+        let profile = fit.found.profiles.get(index);
         let [low, high] = free.range.ends.map(shortest);
-        let mut row = vec![parameter.name.to_string(), six(fit.values[place])];
+        let mut row = vec![parameter.name.to_string(), six(fit.values[index])];
         row.extend(units.then(|| unit(free)));
-        row.extend(intervals.then(|| range(place, profile.and_then(|own| own.interval))));
-        row.push(range(place, profile.map(|own| own.within_tenth)));
+        row.extend(intervals.then(|| range(index, profile.and_then(|profile| profile.interval))));
+        row.push(range(index, profile.map(|profile| profile.within_tenth)));
         row.push(format!("{low} to {high}"));
-        row.push(fit.state(place).map_or("", state_name).to_owned());
+        row.push(fit.state(index).map_or("", state_name).to_owned());
         row
     };
     let rows = fit.free.iter().enumerate().map(row);

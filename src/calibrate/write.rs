@@ -55,9 +55,9 @@ pub fn write(
     let drawn = misfits
         .alternatives
         .iter()
-        .any(|own| !own.panels.is_empty());
+        .any(|alternative| !alternative.panels.is_empty());
     let misfits = drawn.then(|| misfits.sheet());
-    let measured = figures::measured(found).map(|own| own.sheet());
+    let measured = figures::measured(found).map(|figure| figure.sheet());
     for (name, sheet) in FIGURES.iter().zip([misfits, measured]) {
         if let Some(sheet) = sheet {
             written.extend(draw(&mut folder, name, &sheet, dpi)?);
@@ -84,9 +84,11 @@ pub fn studies(
     folder: &Path,
 ) -> Result<BTreeMap<usize, (String, String)>, Error> {
     let input = source.input();
-    let mut all: BTreeMap<usize, (String, String)> = BTreeMap::new();
+    let mut files: BTreeMap<usize, (String, String)> = BTreeMap::new();
     let calibrate = found.study.calibrate.as_ref();
-    let minimised = calibrate.map_or("", |own| &found.study.measures[own.minimise].name);
+    let minimised = calibrate.map_or("", |calibrate| {
+        &found.study.measures[calibrate.minimise].name
+    });
     for (i, fit) in found.fits.iter().enumerate() {
         if !fit.misfit().is_finite() {
             continue;
@@ -102,12 +104,12 @@ pub fn studies(
             name if name.is_empty() => "best.json".to_owned(),
             name => format!("best-{name}.json"),
         };
-        if all.values().any(|known| known.0 == name) {
+        if files.values().any(|known| known.0 == name) {
             name = format!("best-{}.json", i + 1);
         }
-        all.insert(i, (name, text));
+        files.insert(i, (name, text));
     }
-    Ok(all)
+    Ok(files)
 }
 
 /// The rows of the searched parameters with their best values.

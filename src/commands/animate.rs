@@ -75,7 +75,9 @@ fn write(source: &Source, out: Option<&Path>, page: &str) -> Result<PathBuf, Err
         let what = format!("{} is a folder; name a file to write", path.display());
         return Err(Error::Usage(what));
     }
-    let parent = path.parent().filter(|own| !own.as_os_str().is_empty());
+    let parent = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
     let folder = Folder::open(parent.unwrap_or(Path::new(".")))?;
     folder.write_unlisted(name, |file| file.write_all(page.as_bytes()))?;
     Ok(path.to_owned())

@@ -54,13 +54,13 @@ impl CalibrateArgs {
         // A folder that cannot be written ends the command before any computing.
         check_folder(&path)?;
         Folder::open(&path)?;
-        for own in source
+        for message in source
             .study
             .problem
             .as_structure()
             .map_or(&[][..], |structure| structure.notes())
         {
-            note(&source.line(own));
+            note(&source.line(message));
         }
         let (bar, start) = (progress::counter(&source.name), Instant::now());
         let found = calibrate(source, &bar, &Stop::default())?;

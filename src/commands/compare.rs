@@ -73,8 +73,8 @@ fn note_sides(name: &str, comparison: &Comparison, sides: [&Path; 2]) {
     for origin in &comparison.origins {
         note(&format!("{name}: {origin}"));
     }
-    let own = comparison.alone.iter().zip(&comparison.columns);
-    for ((cases, metrics), side) in own.zip(sides) {
+    let alone = comparison.alone.iter().zip(&comparison.columns);
+    for ((cases, metrics), side) in alone.zip(sides) {
         let side = side.display();
         if *cases > 0 {
             note(&format!("{name}: {cases} cases only in {side}"));

@@ -150,9 +150,9 @@ fn keys<'a>(parameters: &[Parameter], rows: &'a Rows) -> Vec<Vec<Cow<'a, str>>> 
         table.map(|p| (p, place(p.column_name()))).collect();
     let key = |row: &'a Vec<String>| {
         let mut key: Vec<Cow<str>> = Vec::new();
-        for (parameter, place) in &places {
-            key.push(match place {
-                Some(place) => digits_15(Cow::Borrowed(&row[*place])),
+        for (parameter, index) in &places {
+            key.push(match index {
+                Some(index) => digits_15(Cow::Borrowed(&row[*index])),
                 None => digits_15(Cow::Owned(default_of(parameter, &key, &places))),
             });
         }
@@ -265,10 +265,11 @@ mod tests {
     #[test]
     fn a_parameter_without_a_column_has_its_default() {
         let problem = find("friction-oscillator").unwrap();
-        let place = |rows: &Rows, name: &str| rows.columns.iter().position(|c| c == name).unwrap();
+        let column_of =
+            |rows: &Rows, name: &str| rows.columns.iter().position(|c| c == name).unwrap();
         // Three cases that differ in x0 only; the default of x0 is 12.
         let mut with = table(&[("1", "2", "3"), ("1", "4", "5"), ("1", "6", "7")]);
-        let x0 = place(&with, "x0");
+        let x0 = column_of(&with, "x0");
         for (row, value) in with.rows.iter_mut().zip(["9", "12", "13"]) {
             row[x0] = value.into();
         }

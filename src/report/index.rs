@@ -41,7 +41,7 @@ impl<'a> Index<'a> {
         tags_of_two.sort_unstable();
         let shared = |tag: &&str| tags_of_two.iter().any(|known| known.0 == *tag);
         let mut groups: Vec<Group> = Vec::new();
-        for (place, section) in sections.iter().enumerate() {
+        for (index, section) in sections.iter().enumerate() {
             let problem = section.study.problem.name();
             let tag = tags(section.name).find(shared).unwrap_or_default();
             let group = entry(
@@ -54,7 +54,7 @@ impl<'a> Index<'a> {
             );
             entry(&mut group.parts, |part| part.0 == tag, || (tag, Vec::new()))
                 .1
-                .push(place);
+                .push(index);
         }
         Index {
             sections,
@@ -94,8 +94,8 @@ impl<'a> Index<'a> {
                     tag => tag,
                 };
                 writeln!(out, "<div class=\"group\"><h4>{}</h4><ul>", escape(tag))?;
-                for place in places {
-                    self.write_entry(out, *place)?;
+                for index in places {
+                    self.write_entry(out, *index)?;
                 }
                 out.write_all(b"</ul></div>\n")?;
             }
@@ -104,8 +104,8 @@ impl<'a> Index<'a> {
         out.write_all(b"</nav>\n")
     }
 
-    fn write_entry(&self, out: &mut impl Write, place: usize) -> io::Result<()> {
-        let section = &self.sections[place];
+    fn write_entry(&self, out: &mut impl Write, index: usize) -> io::Result<()> {
+        let section = &self.sections[index];
         let tags: Vec<&str> = tags(section.name).collect();
         let cases = section.results.cases();
         let failed = match section.checks.failed() {
@@ -115,7 +115,7 @@ impl<'a> Index<'a> {
         };
         writeln!(
             out,
-            "<li data-tags=\"{}\"><a href=\"#study-{place}\">{}</a> <span class=\"facts\">{}, {cases} {}{failed}</span></li>",
+            "<li data-tags=\"{}\"><a href=\"#study-{index}\">{}</a> <span class=\"facts\">{}, {cases} {}{failed}</span></li>",
             escape(&tags.join(" ")),
             escape(section.title()),
             escape(section.name),
@@ -126,11 +126,11 @@ impl<'a> Index<'a> {
 
 /// The first entry that `is` finds, or a new one at the end.
 fn entry<T>(list: &mut Vec<T>, is: impl Fn(&T) -> bool, new: impl FnOnce() -> T) -> &mut T {
-    let place = list.iter().position(is).unwrap_or_else(|| {
+    let position = list.iter().position(is).unwrap_or_else(|| {
         list.push(new());
         list.len() - 1
     });
-    &mut list[place]
+    &mut list[position]
 }
 
 impl Group<'_> {

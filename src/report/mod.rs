@@ -82,8 +82,8 @@ pub fn write(out: &mut impl Write, sections: &mut [Section]) -> io::Result<()> {
     out.write_all(b"<main>\n")?;
     for group in index.groups() {
         group.begin(out, detail)?;
-        for place in group.places() {
-            section::write(out, place, &sections[place], detail)?;
+        for index in group.places() {
+            section::write(out, index, &sections[index], detail)?;
         }
         out.write_all(b"</div>\n")?;
     }

@@ -47,10 +47,10 @@ pub fn write(out: &mut impl Write, sections: &[Section]) -> io::Result<()> {
     let readings = || sections.iter().flat_map(|section| &section.claims);
     if readings().count() > 0 {
         let hold = readings().filter(|reading| reading.holds).count();
-        let all = readings().count();
+        let count = readings().count();
         writeln!(
             out,
-            "<p>{hold} of {all} readings of statements of the papers and of the literature hold; claims.md has the reason for each that \
+            "<p>{hold} of {count} readings of statements of the papers and of the literature hold; claims.md has the reason for each that \
              fails.</p>"
         )?;
     }
@@ -68,11 +68,11 @@ fn write_warnings(out: &mut impl Write, sections: &[Section]) -> io::Result<()> 
     for kind in &WARNINGS {
         let of = |section: &Section| {
             let warnings = section.counts.warnings.iter();
-            let own = warnings.clone().find(|warning| warning.kind == *kind);
-            own.map(|own| format!("{} of {} cases", own.cases, own.of))
+            let of_kind = warnings.clone().find(|warning| warning.kind == *kind);
+            of_kind.map(|warning| format!("{} of {} cases", warning.cases, warning.of))
         };
         let mut warnings = sections.iter().flat_map(|section| &section.counts.warnings);
-        let is_note = warnings.all(|own| own.kind != *kind || own.is_note);
+        let is_note = warnings.all(|warning| warning.kind != *kind || warning.is_note);
         let studies = match sections.iter().filter_map(of).count() {
             0 => continue,
             1 => "1 study".to_owned(),

@@ -51,9 +51,9 @@ mod tests {
 
     #[test]
     fn no_character_that_html_forbids_remains() {
-        let all: String = ('\0'..=char::MAX).collect();
-        let left = printable(&all);
-        assert_eq!(left.chars().count(), all.chars().count());
+        let characters: String = ('\0'..=char::MAX).collect();
+        let left = printable(&characters);
+        assert_eq!(left.chars().count(), characters.chars().count());
         // "Control" and "noncharacter" of the Infra standard, which HTML forbids in its input, apart from white space.
         let forbidden = |c: char| {
             let code = u32::from(c);
@@ -62,7 +62,7 @@ mod tests {
                 || [0xfffe, 0xffff].contains(&(code % 0x10000))
         };
         assert_eq!(left.chars().find(|c| forbidden(*c)), None);
-        let changed = all.chars().zip(left.chars()).filter(|(a, b)| a != b);
+        let changed = characters.chars().zip(left.chars()).filter(|(a, b)| a != b);
         // 30 of C0, delete, 32 of C1, and the 66 noncharacters.
         assert_eq!(changed.count(), 30 + 1 + 32 + 66);
     }

@@ -59,9 +59,9 @@ pub(super) fn write(
         .map(|(metric, count)| format!("{metric} in {count}"));
     let empty: Vec<String> = empty.collect();
     if !empty.is_empty() {
-        let (empty, all) = (empty.join(", "), ensembles.cases());
+        let (empty, cases) = (empty.join(", "), ensembles.cases());
         observer.note(&source.line(&format!(
-            "{QUANTILES} leaves out empty values: {empty} of {all} cases"
+            "{QUANTILES} leaves out empty values: {empty} of {cases} cases"
         )));
     }
     Ok(())

@@ -40,16 +40,16 @@ pub fn read_all<F, T>(
     files: impl IntoIterator<Item = F>,
     read: impl Fn(F) -> Result<T, Error>,
 ) -> Result<Vec<T>, Error> {
-    let (mut all, mut faults) = (Vec::new(), Vec::new());
+    let (mut done, mut faults) = (Vec::new(), Vec::new());
     for file in files {
         match read(file) {
-            Ok(one) => all.push(one),
+            Ok(one) => done.push(one),
             Err(Error::Faults(more)) => faults.extend(more),
             Err(other) => return Err(other),
         }
     }
     match faults.is_empty() {
-        true => Ok(all),
+        true => Ok(done),
         false => Err(Error::Faults(faults)),
     }
 }

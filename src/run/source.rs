@@ -110,14 +110,14 @@ pub fn found(file: &Path) -> Result<PathBuf, Error> {
 /// # Errors
 /// `...json` without its ending is a path outside the output folder.
 pub fn results_name(file: &Path) -> Result<String, Error> {
-    let own = file_name(file)?;
+    let name = file_name(file)?;
     let folder = match file.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         Some(_) | None => Path::new("."),
     };
     Ok(match place_in_studies(folder) {
-        Some(place) if !place.is_empty() => format!("{place}/{own}"),
-        Some(_) | None => own,
+        Some(folder) if !folder.is_empty() => format!("{folder}/{name}"),
+        Some(_) | None => name,
     })
 }
 

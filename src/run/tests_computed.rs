@@ -25,7 +25,10 @@ fn outcomes(study: &Study) -> Vec<Outcome> {
 fn column(study: &Study, outcomes: &[Outcome], name: &str) -> Vec<Option<f64>> {
     let row = study.measures.iter().position(|m| m.name == name);
     let row = row.unwrap_or_else(|| panic!("{name}"));
-    outcomes.iter().map(|own| own.metrics[row]).collect()
+    outcomes
+        .iter()
+        .map(|outcome| outcome.metrics[row])
+        .collect()
 }
 
 fn parameter(outcome: &Outcome, name: &str) -> f64 {
@@ -39,11 +42,11 @@ fn arithmetic_has_the_bits_of_the_same_on_the_columns() {
            "peak(m)/peak(stop.S)", {"deep": "sqrt(abs(more)) + drift"}"#,
         "",
     );
-    let all = outcomes(&study);
-    let of = |name: &str| column(&study, &all, name);
+    let solved = outcomes(&study);
+    let of = |name: &str| column(&study, &solved, name);
     let [peak, largest, force] = ["peak(m)", "max(m)", "peak(stop.S)"].map(of);
     assert!(force.contains(&Some(0.0)) && force.iter().any(|x| *x > Some(1.0)));
-    for (i, outcome) in all.iter().enumerate() {
+    for (i, outcome) in solved.iter().enumerate() {
         let (p, m, s) = (peak[i].unwrap(), largest[i].unwrap(), force[i].unwrap());
         let [f1, gap] = ["F1", "gap"].map(|name| parameter(outcome, name));
         let drift = m / 3.2;
@@ -77,30 +80,30 @@ fn ratios_are_of_the_case_that_is_otherwise_the_same() {
            "peak(m) relative to speed = 1 relative to gamma = 4""#,
         "",
     );
-    let all = outcomes(&study);
-    let value = |i: usize, name: &str| column(&study, &all, name)[i].unwrap();
+    let solved = outcomes(&study);
+    let value = |i: usize, name: &str| column(&study, &solved, name)[i].unwrap();
     // The other case by a search through the values.
     let other = |i: usize, change: &[(&str, f64)]| {
         let wanted = |name: &str| {
-            let new = change.iter().find(|own| own.0 == name);
-            new.map_or(parameter(&all[i], name), |own| own.1)
+            let new = change.iter().find(|changed| changed.0 == name);
+            new.map_or(parameter(&solved[i], name), |changed| changed.1)
         };
-        let is = |own: &Outcome| {
+        let is = |outcome: &Outcome| {
             ["gamma", "gap", "speed"]
                 .iter()
-                .all(|name| parameter(own, name) == wanted(name))
+                .all(|name| parameter(outcome, name) == wanted(name))
         };
-        let mut found = (0..all.len()).filter(|place| is(&all[*place]));
+        let mut found = (0..solved.len()).filter(|index| is(&solved[*index]));
         let one = found.next().unwrap();
         assert_eq!(found.next(), None);
         one
     };
     let mut undefined = 0;
-    for i in 0..all.len() {
+    for i in 0..solved.len() {
         let reference = value(other(i, &[("gamma", 1.0)]), "peak(stop.S)");
         let expected = Some(value(i, "peak(stop.S)") / reference).filter(|x| x.is_finite());
         assert_eq!(
-            column(&study, &all, "peak(stop.S) relative to gamma = 1")[i],
+            column(&study, &solved, "peak(stop.S) relative to gamma = 1")[i],
             expected
         );
         undefined += usize::from(expected.is_none());
@@ -160,7 +163,7 @@ fn reductions_and_checks_see_ratios_and_a_store_gives_the_same() {
     // Two cases, three groups, and three cases whose reference has no force: an undefined value fails.
     assert_eq!(holds, [true, true, true, true, true, false, false, false]);
     assert_eq!(first.1[0].value, Some(1.0));
-    assert!(first.1.iter().any(|own| own.value > Some(1.2)));
+    assert!(first.1.iter().any(|finding| finding.value > Some(1.2)));
     let case = study.case(0).unwrap();
     assert_eq!(case.values[0], Some(Value::Number(1.0)));
 }

@@ -16,18 +16,20 @@ pub fn reading(study: &Study, outcomes: &[CaseMetrics], reading: &Reading) -> Fi
 }
 
 /// The finding of a reading from the results of its expectations.
-fn finding(all: Vec<Met>) -> Finding {
-    let holds = all.iter().all(|met| met.holds);
+fn finding(met_list: Vec<Met>) -> Finding {
+    let holds = met_list.iter().all(|met| met.holds);
     let near: Vec<String> = match holds {
-        true => all.iter().filter(|met| !met.narrower).collect(),
+        true => met_list.iter().filter(|met| !met.narrower).collect(),
         // It would hold with wider limits: those not met now are near theirs.
-        false if all.iter().all(|met| met.wider) => all.iter().filter(|met| !met.holds).collect(),
+        false if met_list.iter().all(|met| met.wider) => {
+            met_list.iter().filter(|met| !met.holds).collect()
+        }
         false => Vec::new(),
     }
     .into_iter()
     .map(|met: &Met| met.found.clone())
     .collect();
-    let found = all.into_iter().map(|met| met.found).collect();
+    let found = met_list.into_iter().map(|met| met.found).collect();
     Finding { holds, found, near }
 }
 
@@ -39,8 +41,10 @@ fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met 
         | Demand::Trend { metric, .. }
         | Demand::LeastAt { metric, .. } => {
             slipgap_study::reduced_cases(study, &[metric], |take| {
-                for own in &cases {
-                    take(&own.case, &|row| own.metrics.get(row).copied().flatten());
+                for reduced in &cases {
+                    take(&reduced.case, &|row| {
+                        reduced.metrics.get(row).copied().flatten()
+                    });
                 }
             })
         }
@@ -50,12 +54,12 @@ fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met 
         cases = reduced.iter().collect();
     }
     let problem = &*study.problem;
-    let own = |o: &CaseMetrics, metric: usize| o.metrics[metric].filter(|x| x.is_finite());
+    let metric_of = |o: &CaseMetrics, metric: usize| o.metrics[metric].filter(|x| x.is_finite());
     let value = |o: &CaseMetrics, metric: usize| match &expect.over {
-        None => own(o, metric),
+        None => metric_of(o, metric),
         Some(over) => {
-            let other = own(partner(over, o, outcomes)?, metric)?;
-            Some(own(o, metric)? / other).filter(|x| x.is_finite())
+            let other = metric_of(partner(over, o, outcomes)?, metric)?;
+            Some(metric_of(o, metric)? / other).filter(|x| x.is_finite())
         }
     };
     let named = |metric: usize| {
@@ -146,9 +150,10 @@ fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met 
 fn partner<'a>(
     over: &Reference,
     outcome: &CaseMetrics,
-    all: &'a [CaseMetrics],
+    cases: &'a [CaseMetrics],
 ) -> Option<&'a CaseMetrics> {
-    all.iter()
+    cases
+        .iter()
         .find(|other| over.pairs(&outcome.case, &other.case))
 }
 

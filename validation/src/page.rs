@@ -48,7 +48,7 @@ impl Judged {
 }
 
 /// The page in Markdown; files of results that it names are in the output folder.
-pub fn page(all: &[Judged]) -> String {
+pub fn page(ledgers: &[Judged]) -> String {
     let mut page = String::from(
         "# The statements of the papers and of the literature, tested by computation\n\n\
          This page lists every statement of the two papers that a computation can test, and statements of the literature and of \
@@ -58,7 +58,7 @@ pub fn page(all: &[Judged]) -> String {
          brackets next to each value. A metric over that of other values is the quotient of two cases that are otherwise the \
          same. The last column has a file of the results that shows it. docs/errata.md checks simple arithmetic (f_n, Delta, T_I).\n",
     );
-    for judged in all {
+    for judged in ledgers {
         let _ = write!(page, "\n## {}\n\n", judged.ledger.paper);
         page.push_str("| | statement | verdict |\n| --- | --- | --- |\n");
         for (claim, findings) in judged.claims() {
@@ -78,19 +78,19 @@ pub fn page(all: &[Judged]) -> String {
             section(&mut page, &judged.ledger, claim, findings);
         }
     }
-    near(&mut page, all);
+    near(&mut page, ledgers);
     page
 }
 
 /// The readings whose verdicts depend on the choice of a limit, each with the reason for the limit.
-fn near(page: &mut String, all: &[Judged]) {
+fn near(page: &mut String, ledgers: &[Judged]) {
     let percent = 100.0 * NEAR;
     let _ = write!(
         page,
         "\n## Verdicts near a limit\n\nA reading is listed here if its verdict changes when its limits move by {percent} % of half their range, or of \
          the limit if there is only one. Trends have no limit.\n\n| claim | reading | computed | why this limit |\n| --- | --- | --- | --- |\n"
     );
-    for (claim, reading, finding) in all.iter().flat_map(Judged::readings) {
+    for (claim, reading, finding) in ledgers.iter().flat_map(Judged::readings) {
         let reason = match (&reading.near, finding.near.is_empty()) {
             (None, true) => continue,
             (Some(reason), false) => cell(reason),

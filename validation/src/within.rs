@@ -51,14 +51,14 @@ pub struct Met {
 impl Met {
     /// Tests all values against limits. An undefined value fails.
     pub fn of(values: &[Option<f64>], limits: Limits, found: String) -> Met {
-        let all = |limits: Limits| {
+        let are_within = |limits: Limits| {
             let mut values = values.iter();
             values.all(|x| x.is_some_and(|x| limits.contain(x)))
         };
         Met {
-            holds: all(limits),
-            narrower: all(limits.moved(NEAR)),
-            wider: all(limits.moved(-NEAR)),
+            holds: are_within(limits),
+            narrower: are_within(limits.moved(NEAR)),
+            wider: are_within(limits.moved(-NEAR)),
             found,
         }
     }

@@ -12,8 +12,9 @@ impl Block {
         let moved = |group: usize| rows.iter().any(|row| self.groups[group].has(*row));
         let derived = self.derived.iter().find(|d| d.parameter == parameter);
         let on = derived.map_or(&[][..], |derived| &derived.formula.on);
-        let mut own = (0..self.groups.len()).filter(|group| self.groups[*group].has(parameter));
-        own.any(moved) || on.iter().any(|group| moved(*group))
+        let mut moved_groups =
+            (0..self.groups.len()).filter(|group| self.groups[*group].has(parameter));
+        moved_groups.any(moved) || on.iter().any(|group| moved(*group))
     }
 }
 
@@ -50,8 +51,8 @@ pub fn grouped<T, K: Eq + Hash>(
     let mut places = HashMap::new();
     let mut groups: Vec<Vec<T>> = Vec::new();
     for item in items {
-        let place = *places.entry(key(&item)).or_insert(groups.len());
-        match groups.get_mut(place) {
+        let group_index = *places.entry(key(&item)).or_insert(groups.len());
+        match groups.get_mut(group_index) {
             Some(group) => group.push(item),
             None => groups.push(vec![item]),
         }

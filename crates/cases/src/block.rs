@@ -138,12 +138,16 @@ impl Block {
         &self,
         raws: Range<u64>,
     ) -> impl Iterator<Item = (usize, impl Iterator<Item = (Value, usize)>)> {
-        let varying = self.groups.iter().zip(1..).filter(|own| own.0.len() > 1);
+        let varying = self
+            .groups
+            .iter()
+            .zip(1..)
+            .filter(|group| group.0.len() > 1);
         varying.flat_map(move |(group, after)| {
             let each: u64 = self.groups[after..].iter().map(AxisGroup::len).product();
-            let (start, all) = (raws.start, raws.end - raws.start);
+            let (start, length) = (raws.start, raws.end - raws.start);
             group.axes.iter().map(move |axis| {
-                let (len, mut rest) = (axis.values.len(), all);
+                let (len, mut rest) = (axis.values.len(), length);
                 let mut position = (start / each) as usize % len;
                 let mut left = each - start % each;
                 let run = move || {

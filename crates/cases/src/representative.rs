@@ -33,8 +33,8 @@ impl<'a> Enumeration<'a> {
 
 /// All positions of every group.
 pub fn all_positions(block: &Block) -> Vec<Vec<usize>> {
-    let all = |group: &AxisGroup| (0..group.len() as usize).collect();
-    block.groups.iter().map(all).collect()
+    let every_index = |group: &AxisGroup| (0..group.len() as usize).collect();
+    block.groups.iter().map(every_index).collect()
 }
 
 /// The positions of the smallest and the largest number of every axis, and of all names. A rule that compares parameters
@@ -45,9 +45,9 @@ pub fn ends(block: &Block) -> Vec<Vec<usize>> {
         if numbers.len() < axis.values.len() {
             return first_of_each(&axis.values);
         }
-        let all = || numbers.iter().enumerate();
-        let smallest = all().min_by(|a, b| a.1.total_cmp(b.1));
-        let largest = all().max_by(|a, b| a.1.total_cmp(b.1));
+        let numbered = || numbers.iter().enumerate();
+        let smallest = numbered().min_by(|a, b| a.1.total_cmp(b.1));
+        let largest = numbered().max_by(|a, b| a.1.total_cmp(b.1));
         let both = smallest.into_iter().chain(largest);
         both.map(|(position, _)| position).collect()
     };

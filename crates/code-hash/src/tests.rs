@@ -39,17 +39,17 @@ fn entry(name: &str, version: &str, dependencies: &[&str]) -> String {
 #[test]
 fn crates_of_the_command_line_and_of_python_leave_the_version() {
     let lock = text("Cargo.lock");
-    let own = concat!(
+    let package = concat!(
         "name = \"slipgap\"\nversion = \"",
         env!("CARGO_PKG_VERSION"),
         "\""
     );
-    let list = format!("{own}\ndependencies = [\n");
+    let list = format!("{package}\ndependencies = [\n");
     assert!(lock.contains(&list));
     let python = entry("pyo3", "0.29.0", &["libm"]);
     let more = lock.replace(&list, &format!("{list} \"pyo3\",\n")) + &python;
     assert_eq!(locked(&more), locked(&lock));
-    let newer = lock.replace(own, "name = \"slipgap\"\nversion = \"99.0.0\"");
+    let newer = lock.replace(package, "name = \"slipgap\"\nversion = \"99.0.0\"");
     assert_ne!(newer, lock);
     assert_eq!(locked(&newer), locked(&lock));
     // The same crates from a mirror.
@@ -131,7 +131,7 @@ const PARTS: [(&str, &[&str]); 5] = [
 
 #[test]
 fn every_part_of_the_solver_has_a_hash_of_its_code_and_no_test_counts() {
-    let mut all = BTreeSet::new();
+    let mut crates = BTreeSet::new();
     for (part, folders) in PARTS {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(part);
         let files = files(&root.join("src")).unwrap();
@@ -157,11 +157,11 @@ fn every_part_of_the_solver_has_a_hash_of_its_code_and_no_test_counts() {
             named.join(", ")
         );
         assert!(tokens(&script).contains(&tokens(&call)), "{script}");
-        all.extend(below.into_iter().map(str::to_owned));
+        crates.extend(below.into_iter().map(str::to_owned));
         // The keys of stores have it.
-        let own = format!("slipgap_{part}::CODE_KEY");
+        let key = format!("slipgap_{part}::CODE_KEY");
         let keys = text("crates/solver/src/lib.rs") + &text("src/batch/store/key.rs");
-        assert!(keys.contains(&own), "{own}");
+        assert!(keys.contains(&key), "{key}");
     }
-    assert!(all.iter().map(String::as_str).eq(CRATES));
+    assert!(crates.iter().map(String::as_str).eq(CRATES));
 }

@@ -24,20 +24,20 @@ pub fn shortest(x: f64) -> String {
 pub fn push_real(text: &mut Vec<u8>, x: f64) {
     let start = text.len();
     push_shortest(text, x);
-    let own = &text[start..];
-    if !x.is_finite() || own.contains(&b'.') {
+    let written = &text[start..];
+    if !x.is_finite() || written.contains(&b'.') {
         return;
     }
-    let zeros = match own.iter().position(|byte| *byte == b'e') {
+    let zeros = match written.iter().position(|byte| *byte == b'e') {
         None => 0,
         // Behind one digit.
-        Some(place) => match own[place + 1..] {
+        Some(exponent_at) => match written[exponent_at + 1..] {
             [digit @ b'0'..=b'9'] => {
-                text.truncate(start + place);
+                text.truncate(start + exponent_at);
                 usize::from(digit - b'0')
             }
             [b'1', digit @ b'0'..=b'5'] => {
-                text.truncate(start + place);
+                text.truncate(start + exponent_at);
                 usize::from(digit - b'0') + 10
             }
             _ => return,
@@ -90,11 +90,11 @@ impl Decimal {
         };
         let (mut after_point, mut zeros) = (false, 0);
         let bytes = text.as_bytes();
-        for (place, byte) in bytes.iter().enumerate().skip(usize::from(negative)) {
+        for (index, byte) in bytes.iter().enumerate().skip(usize::from(negative)) {
             match byte {
                 b'.' => after_point = true,
                 b'e' => {
-                    let exponent: i32 = text.get(place + 1..)?.parse().ok()?;
+                    let exponent: i32 = text.get(index + 1..)?.parse().ok()?;
                     decimal.exponent += exponent;
                     break;
                 }

@@ -91,7 +91,7 @@ impl Solution {
 fn check(structure: &Structure) -> Result<(), String> {
     let (n, m) = (structure.len(), structure.contacts.len());
     let load = &structure.preload.load;
-    let own = [
+    let lists = [
         ("coupled_mass", structure.coupled_mass.size(), n),
         ("stiffness", structure.stiffness.size(), n),
         ("damping", structure.damping.size(), n),
@@ -104,18 +104,18 @@ fn check(structure: &Structure) -> Result<(), String> {
         ),
     ];
     let supports = structure.supports.iter();
-    let of_supports = supports.flat_map(|own| {
+    let of_supports = supports.flat_map(|support| {
         [
-            ("carried", own.carried.len(), n),
-            ("gaps", own.gaps.len(), m),
+            ("carried", support.carried.len(), n),
+            ("gaps", support.gaps.len(), m),
         ]
     });
-    let mut lengths = own.into_iter().chain(of_supports);
+    let mut lengths = lists.into_iter().chain(of_supports);
     if let Some((name, got, right)) = lengths.find(|(_, got, right)| got != right) {
         return Err(format!("{name} must have the size {right}, got {got}"));
     }
-    let contacts = structure.contacts.iter().flat_map(|own| &own.along);
-    let loads = structure.loads.iter().flat_map(|own| &own.pattern);
+    let contacts = structure.contacts.iter().flat_map(|contact| &contact.along);
+    let loads = structure.loads.iter().flat_map(|load| &load.pattern);
     match contacts.chain(loads).find(|(node, _)| *node >= n) {
         Some((node, _)) => Err(format!("a node must be below {n}, got {node}")),
         None => Ok(()),
@@ -129,13 +129,13 @@ fn started(structure: &Structure, dt: f64) -> Result<Structure, Unsolvable> {
         let rule = "times must be > 0 and finite".to_owned();
         return Err(Unsolvable::BrokenRules(rule));
     }
-    let mut own = structure.clone();
-    if !own.preload.load.is_empty() {
-        settle(&mut own)?;
+    let mut started = structure.clone();
+    if !started.preload.load.is_empty() {
+        settle(&mut started)?;
     }
-    own.press_at_start();
-    balance(&mut own, dt)?;
-    Ok(own)
+    started.press_at_start();
+    balance(&mut started, dt)?;
+    Ok(started)
 }
 
 /// The motion by `steps` steps of `dt`, t = 0 included.
@@ -164,11 +164,14 @@ pub fn run(
     dt: f64,
     steps: usize,
 ) -> Result<Solution, Unsolvable> {
-    let own = started(structure, dt)?;
-    let prepared = Prepared::by(method, &own, dt)?;
+    let structure_at_start = started(structure, dt)?;
+    let prepared = Prepared::by(method, &structure_at_start, dt)?;
     let mut solution = Solution::default();
-    let (nodes, contacts) = (0..own.len(), 0..own.contacts.len());
-    let [ended] = step::<1>(&[&own], &prepared, steps, |i, state| {
+    let (nodes, contacts) = (
+        0..structure_at_start.len(),
+        0..structure_at_start.contacts.len(),
+    );
+    let [ended] = step::<1>(&[&structure_at_start], &prepared, steps, |i, state| {
         let contact = |c| state.contact(c);
         solution.add(
             i as f64 * dt,
@@ -212,17 +215,25 @@ pub fn exact(structure: &Structure, times: &[f64]) -> Result<Solution, Unsolvabl
         let rule = "times must rise from a number >= 0 to one > 0".to_owned();
         return Err(Unsolvable::BrokenRules(rule));
     };
-    let own = started(structure, SHORT * end)?;
-    let nodes: Vec<usize> = (0..own.len()).collect();
+    let structure_at_start = started(structure, SHORT * end)?;
+    let nodes: Vec<usize> = (0..structure_at_start.len()).collect();
     let mut solution = Solution::default();
     let mut visit = |i: usize, state: &exactly::State| {
-        let all = [state.u, state.v, state.r, state.force].map(<[f64]>::to_vec);
-        solution.add(times[i], all);
+        let channels = [state.u, state.v, state.r, state.force].map(<[f64]>::to_vec);
+        solution.add(times[i], channels);
     };
     let refused = |why: String| Unsolvable::Reference(why);
-    match exactly::run_of(&own, &nodes, times, &mut visit) {
-        Err(EventsFault::Law { .. }) => adaptive::refuse_large(&own)
-            .and_then(|()| adaptive::run_of(&own, &nodes, times, adaptive::TOLERANCE, &mut visit))
+    match exactly::run_of(&structure_at_start, &nodes, times, &mut visit) {
+        Err(EventsFault::Law { .. }) => adaptive::refuse_large(&structure_at_start)
+            .and_then(|()| {
+                adaptive::run_of(
+                    &structure_at_start,
+                    &nodes,
+                    times,
+                    adaptive::TOLERANCE,
+                    &mut visit,
+                )
+            })
             .map_err(|why| refused(why.to_string()))?,
         ended => ended.map_err(|why| refused(why.to_string()))?,
     }
@@ -248,8 +259,8 @@ pub fn exact(structure: &Structure, times: &[f64]) -> Result<Solution, Unsolvabl
 /// # Errors
 /// As [`exact`], and a law that is none of straight lines: its motion has no events.
 pub fn events(structure: &Structure, end: f64) -> Result<Vec<Event>, Unsolvable> {
-    let own = started(structure, SHORT * end)?;
-    let motion = exactly::run(&own, &[end], |_, _| ());
+    let structure_at_start = started(structure, SHORT * end)?;
+    let motion = exactly::run(&structure_at_start, &[end], |_, _| ());
     let motion = motion.map_err(|why| Unsolvable::Reference(why.to_string()))?;
     Ok(motion.events)
 }

@@ -57,19 +57,19 @@ pub fn interval(first: &[f64], second: &[f64]) -> Option<[f64; 2]> {
     let distance = test(first, second)?.distance;
     let (m, n) = (first.len(), second.len());
     // The place of each value among all different ones.
-    let mut all: Vec<f64> = first.iter().chain(second).copied().collect();
-    all.sort_unstable_by(f64::total_cmp);
-    all.dedup();
-    let places = |own: &[f64]| -> Vec<usize> {
-        let place = |x: &f64| all.partition_point(|known| known < x);
-        own.iter().map(place).collect()
+    let mut values: Vec<f64> = first.iter().chain(second).copied().collect();
+    values.sort_unstable_by(f64::total_cmp);
+    values.dedup();
+    let places = |sample: &[f64]| -> Vec<usize> {
+        let rank = |x: &f64| values.partition_point(|known| known < x);
+        sample.iter().map(rank).collect()
     };
     let [first, second] = [first, second].map(places);
     // Parts of 1/(m n): a value of the first sample counts n, one of the second -m, and those that are not drawn are missing.
     let [ones, others] = [n as i64, -(m as i64)];
-    let mut none = vec![0; all.len()];
-    first.iter().for_each(|place| none[*place] -= ones);
-    second.iter().for_each(|place| none[*place] -= others);
+    let mut none = vec![0; values.len()];
+    first.iter().for_each(|rank| none[*rank] -= ones);
+    second.iter().for_each(|rank| none[*rank] -= others);
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
     let mut draw = |places: &[usize]| {
         let at = (u64::from(random.next_u32()) * places.len() as u64) >> 32;
@@ -117,7 +117,7 @@ fn merge(first: &[f64], second: &[f64]) -> (usize, Vec<bool>) {
 /// sample ends; by the part of the paths to each place that were.
 fn by_paths([m, n]: [usize; 2], most: usize, ends: &[bool]) -> f64 {
     let far = |i: usize, j: usize| {
-        let end = (i + j).checked_sub(1).is_none_or(|place| ends[place]);
+        let end = (i + j).checked_sub(1).is_none_or(|rank| ends[rank]);
         end && (i * n).abs_diff(j * m) >= most
     };
     let mut row = vec![0.0; n + 1];
@@ -147,8 +147,8 @@ fn without_ties(n: usize, steps: usize) -> f64 {
         // C(2n, n - k steps) over C(2n, n - (k - 1) steps).
         let ratio: f64 = (1..=steps)
             .map(|j| {
-                let place = (k - 1) * steps + j;
-                (n - place + 1) as f64 / (n + place) as f64
+                let rank = (k - 1) * steps + j;
+                (n - rank + 1) as f64 / (n + rank) as f64
             })
             .product();
         p = ratio * (1.0 - p);
@@ -185,11 +185,11 @@ mod tests {
 
     fn distance(pooled: &[f64], in_first: &[bool]) -> usize {
         let of = |first: bool| {
-            let own = pooled
+            let of_sample = pooled
                 .iter()
                 .zip(in_first)
                 .filter(|(_, its)| **its == first);
-            own.map(|(x, _)| *x).collect::<Vec<f64>>()
+            of_sample.map(|(x, _)| *x).collect::<Vec<f64>>()
         };
         merge(&of(true), &of(false)).0
     }
@@ -204,23 +204,23 @@ mod tests {
         ];
         for pooled in pools {
             for m in [2, 4, 5, 8] {
-                let all = divisions(m, 9 - m);
-                let distances: Vec<usize> = all.iter().map(|way| distance(pooled, way)).collect();
-                for way in all.iter().step_by(7) {
+                let ways = divisions(m, 9 - m);
+                let distances: Vec<usize> = ways.iter().map(|way| distance(pooled, way)).collect();
+                for way in ways.iter().step_by(7) {
                     let of = |first: bool| {
-                        let own = pooled.iter().zip(way).filter(|(_, its)| **its == first);
-                        own.map(|(x, _)| *x).collect::<Vec<f64>>()
+                        let of_sample = pooled.iter().zip(way).filter(|(_, its)| **its == first);
+                        of_sample.map(|(x, _)| *x).collect::<Vec<f64>>()
                     };
                     let found = test(&of(true), &of(false)).unwrap();
-                    let own = distance(pooled, way);
-                    let as_far = distances.iter().filter(|d| **d >= own).count();
-                    let p = as_far as f64 / all.len() as f64;
+                    let own_distance = distance(pooled, way);
+                    let as_far = distances.iter().filter(|d| **d >= own_distance).count();
+                    let p = as_far as f64 / ways.len() as f64;
                     // A few roundings.
                     assert!(
                         (found.p - p).abs() < 1e-14,
                         "{pooled:?} {way:?}: {found:?} {p}"
                     );
-                    assert_eq!(found.distance, own as f64 / (m * (9 - m)) as f64);
+                    assert_eq!(found.distance, own_distance as f64 / (m * (9 - m)) as f64);
                 }
             }
         }

@@ -28,7 +28,7 @@ pub fn places(count: usize) -> Option<[usize; 2]> {
 
 /// The interval of the median of `rising` values.
 pub fn interval(rising: &[f64]) -> Option<[f64; 2]> {
-    places(rising.len()).map(|places| places.map(|place| rising[place]))
+    places(rising.len()).map(|places| places.map(|rank| rising[rank]))
 }
 
 #[cfg(test)]

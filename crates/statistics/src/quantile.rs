@@ -4,10 +4,10 @@
 /// Fan (1996), the usual one of R, numpy and spreadsheets. `None` without values.
 pub fn quantile(rising: &[f64], p: f64) -> Option<f64> {
     let last = rising.len().checked_sub(1)?;
-    let place = p * last as f64;
-    let below = (place.floor() as usize).min(last);
+    let rank = p * last as f64;
+    let below = (rank.floor() as usize).min(last);
     let above = (below + 1).min(last);
-    let part = place - below as f64;
+    let part = rank - below as f64;
     Some(match part > 0.0 {
         true => rising[below] + part * (rising[above] - rising[below]),
         false => rising[below],

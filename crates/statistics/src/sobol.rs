@@ -50,7 +50,7 @@ impl Lack {
 impl fmt::Display for Lack {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Lack::Empty(count, all) => write!(f, "empty in {count} of {all} cases"),
+            Lack::Empty(count, cases) => write!(f, "empty in {count} of {cases} cases"),
             Lack::Constant => write!(f, "the same in all cases"),
             Lack::Unbounded => write!(f, "too large for a variance"),
         }
@@ -74,8 +74,8 @@ pub fn indices(values: &[Option<f64>], count: usize, seed: u64) -> Result<Vec<In
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     values.iter_mut().for_each(|x| *x -= mean);
     let rows: Vec<&[f64]> = values.chunks_exact(count + 2).collect();
-    let all: Vec<usize> = (0..rows.len()).collect();
-    let estimates = estimate(&rows, &all, count);
+    let every_row: Vec<usize> = (0..rows.len()).collect();
+    let estimates = estimate(&rows, &every_row, count);
     if !estimates.iter().flatten().all(|x| x.is_finite()) {
         return Err(Lack::Unbounded);
     }

@@ -42,8 +42,8 @@ mod tests {
             (19.0, 2.0930),
             (120.0, 1.9799),
         ] {
-            let own = quantile(free, 0.95);
-            assert!((own - t).abs() < 5.1e-5, "{own}");
+            let found = quantile(free, 0.95);
+            assert!((found - t).abs() < 5.1e-5, "{found}");
         }
         for (free, p, x) in [
             (1.0, 0.975, 5.024),
@@ -51,8 +51,8 @@ mod tests {
             (19.0, 0.975, 32.852),
             (100.0, 0.025, 74.222),
         ] {
-            let own = chi_square(free, p);
-            assert!((own - x).abs() < 5.1e-4, "{own}");
+            let found = chi_square(free, p);
+            assert!((found - x).abs() < 5.1e-4, "{found}");
         }
     }
 }

@@ -69,8 +69,9 @@ impl Film<'_> {
         // Motions that pass through each other are better than none.
         let least = most / 8.0;
         let mut factor = most;
-        let value =
-            |channel: Option<usize>, i: usize| channel.map_or(0.0, |own| self.moves[own][i]);
+        let value = |channel: Option<usize>, i: usize| {
+            channel.map_or(0.0, |channel| self.moves[channel][i])
+        };
         for link in &self.scene.links {
             let Some(opening) = link.opening else {
                 continue;
@@ -85,10 +86,10 @@ impl Film<'_> {
             // What of the distance r is there without motion: its gap, if it has no other part.
             let gaps = (0..self.steps.len()).map(|i| self.moves[opening][i] - moved(i));
             let gap = gaps.fold(0.0, f64::max);
-            let own = (rest - RODS) / gap;
+            let limit_of_gap = (rest - RODS) / gap;
             // A gap that has no room in a small motion either is drawn with a break.
-            if gap > 0.0 && own >= least {
-                factor = factor.min(own);
+            if gap > 0.0 && limit_of_gap >= least {
+                factor = factor.min(limit_of_gap);
             }
         }
         for (distance, [left, right]) in &self.scene.distances {
@@ -123,7 +124,7 @@ impl Film<'_> {
             "unit": unit / PARTS,
             "moves": moves.collect::<Vec<_>>(),
             "shades": SHADES,
-            "stresses": self.stresses.iter().map(|own| taken(own, SHADES)).collect::<Vec<_>>(),
+            "stresses": self.stresses.iter().map(|values| taken(values, SHADES)).collect::<Vec<_>>(),
             "contacts": contacts.collect::<Vec<_>>(),
         })
     }
@@ -143,7 +144,11 @@ impl Film<'_> {
         // A contact that chatters has more changes than frames.
         let every = changes.len().div_ceil((most / 2).max(1)).max(1);
         kept.extend(changes.into_iter().step_by(every));
-        kept.extend(self.contacts.iter().filter_map(|own| frame(own.peak().0)));
+        kept.extend(
+            self.contacts
+                .iter()
+                .filter_map(|contact| frame(contact.peak().0)),
+        );
         let candidates: Vec<usize> = (0..count).step_by(stride).collect();
         let rows: Vec<Row> = self
             .moves

@@ -132,7 +132,7 @@ impl Scene {
                 found[3].max(y),
             ];
         };
-        let rects = self.masses.iter().map(|own| own.0);
+        let rects = self.masses.iter().map(|mass| mass.0);
         for [x, y, width, height] in rects.chain(self.bars.iter().map(|bar| bar.rect)) {
             add([x, y]);
             add([x + width, y + height]);
@@ -153,9 +153,12 @@ impl Scene {
                 add([x + 6.0 * away[0], y + 6.0 * away[1]]);
             }
         }
-        self.forces.iter().flat_map(|own| own.0).for_each(&mut add);
-        self.nodes.iter().for_each(|own| add(own.0));
-        self.words.iter().for_each(|own| add(own.0));
+        self.forces
+            .iter()
+            .flat_map(|force| force.0)
+            .for_each(&mut add);
+        self.nodes.iter().for_each(|node| add(node.0));
+        self.words.iter().for_each(|word| add(word.0));
         match found[0] <= found[2] {
             true => found,
             false => [0.0, 0.0, 1.0, 1.0],
@@ -170,7 +173,7 @@ impl Link {
                 end,
                 points
                     .iter()
-                    .map(|own| self::points(own))
+                    .map(|line| self::points(line))
                     .collect::<Vec<_>>()
             ])
         });

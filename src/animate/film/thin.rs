@@ -36,8 +36,8 @@ pub fn thin(
     candidates.extend(&taken);
     candidates.sort_unstable();
     candidates.dedup();
-    let place = |i: usize| candidates.binary_search(&i).unwrap_or(0);
-    let ends: Vec<usize> = taken.iter().map(|i| place(*i)).collect();
+    let position = |i: usize| candidates.binary_search(&i).unwrap_or(0);
+    let ends: Vec<usize> = taken.iter().map(|i| position(*i)).collect();
     let farthest = |from: usize, to: usize| farthest(steps, &candidates[from..=to], rows);
     let mut pieces = BinaryHeap::new();
     let push = |pieces: &mut BinaryHeap<_>, from: usize, to: usize| {
@@ -89,8 +89,8 @@ mod tests {
         let values: Vec<f64> = (0..=100_i32)
             .map(|i| f64::from((i - 30).abs().min((i - 70).abs())))
             .collect();
-        let all: Vec<usize> = (0..=100).collect();
-        let found = thin(&steps, all, Vec::new(), &[(&values, 1e-9)], 50);
+        let steps_all: Vec<usize> = (0..=100).collect();
+        let found = thin(&steps, steps_all, Vec::new(), &[(&values, 1e-9)], 50);
         assert_eq!(found, [0, 30, 50, 70, 100]);
         assert_eq!(extremes(&values), [30, 0]);
     }
@@ -99,9 +99,9 @@ mod tests {
     fn what_is_kept_stays_even_without_room() {
         let steps: Vec<u64> = (0..=1000).collect();
         let values: Vec<f64> = (0..=1000).map(|i| libm::sin(f64::from(i))).collect();
-        let all: Vec<usize> = (0..=1000).collect();
+        let steps_all: Vec<usize> = (0..=1000).collect();
         let kept = vec![3, 4, 500, 999];
-        let found = thin(&steps, all, kept.clone(), &[(&values, 1e-3)], 20);
+        let found = thin(&steps, steps_all, kept.clone(), &[(&values, 1e-3)], 20);
         assert_eq!(found.len(), 20);
         assert!(kept.iter().all(|i| found.contains(i)));
     }
@@ -114,9 +114,9 @@ mod tests {
             (0..=2000).map(value).collect()
         };
         let (slow, fast) = (curve(1.0), curve(3.0));
-        let all: Vec<usize> = (0..=2000).collect();
+        let steps_all: Vec<usize> = (0..=2000).collect();
         let rows: [Row; 2] = [(&slow, 0.01), (&fast, 0.02)];
-        let found = thin(&steps, all, Vec::new(), &rows, 5000);
+        let found = thin(&steps, steps_all, Vec::new(), &rows, 5000);
         assert!(found.len() < 120, "{}", found.len());
         for (values, allowed) in rows {
             for pair in found.windows(2) {

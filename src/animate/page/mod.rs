@@ -78,8 +78,8 @@ pub fn page(
             "symbols": symbols(study),
             "factor": digits(factor, 6),
             "reach": digits(factor * largest, 4),
-            "bounds": bounds.map(|own| scene::points(&own)),
-            "ground": ground.map(|own| ground_data(own, duration)).or_else(|| support_data(films.first()?)),
+            "bounds": bounds.map(|rect| scene::points(&rect)),
+            "ground": ground.map(|motion| ground_data(motion, duration)).or_else(|| support_data(films.first()?)),
             "films": films.iter().map(|film| film.data(largest, most)).collect::<Vec<_>>(),
         })
     };
@@ -268,12 +268,12 @@ mod tests {
                 let list = sums(list);
                 let ends =
                     [list.iter().min(), list.iter().max()].map(|x| *x.unwrap() as f64 * unit);
-                for (place, end) in thin::extremes(values).into_iter().zip(ends) {
+                for (index, end) in thin::extremes(values).into_iter().zip(ends) {
                     // Half a step of the rounding.
-                    assert!((values[place] - end).abs() <= 0.51 * unit && unit < 5e-4 * largest);
+                    assert!((values[index] - end).abs() <= 0.51 * unit && unit < 5e-4 * largest);
                 }
             }
-            for (contact, own) in film
+            for (contact, contact_json) in film
                 .contacts
                 .iter()
                 .zip(shown["contacts"].as_array().unwrap())
@@ -284,8 +284,11 @@ mod tests {
                     .flat_map(|[first, last]| [2 * *first as i64 - 1, 2 * *last as i64 + 1])
                     .collect();
                 assert!(spans.len() >= 300);
-                assert_eq!(sums(&own["spans"]), spans);
-                assert_eq!(own["peak"], json!([2 * contact.peak().0, contact.peak().1]));
+                assert_eq!(sums(&contact_json["spans"]), spans);
+                assert_eq!(
+                    contact_json["peak"],
+                    json!([2 * contact.peak().0, contact.peak().1])
+                );
             }
         }
     }

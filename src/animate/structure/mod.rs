@@ -29,7 +29,12 @@ pub fn film<'a>(
     let mut motion = Motion {
         history,
         columns: columns
-            .map(|own| (own.column.name.into_owned(), own.index))
+            .map(|history_column| {
+                (
+                    history_column.column.name.into_owned(),
+                    history_column.index,
+                )
+            })
             .collect(),
         moves: Vec::new(),
         stresses: Vec::new(),
@@ -102,10 +107,10 @@ impl Draft<'_, '_> {
     fn mover(&mut self, end: End, support: Option<&str>) -> Option<usize> {
         match end {
             End::Ground => support.and_then(|name| self.motion.of(name)),
-            End::Part(part, place) => {
+            End::Part(part, at) => {
                 let part = &self.painter.scheme.parts[part];
                 let n = part.elements.unwrap_or(1);
-                let node = match place {
+                let node = match at {
                     Place::Mass => part.name.clone(),
                     Place::Left => node_of_bar(&part.name, n, 0),
                     Place::Right => node_of_bar(&part.name, n, n),
@@ -114,10 +119,11 @@ impl Draft<'_, '_> {
                     }
                     Place::Dof(dof) => {
                         let model = part.model.as_ref()?;
-                        let own = &model.interface[dof];
+                        let dof_of_part = &model.interface[dof];
                         let all = self.placed.filter(|_| has_places(part));
-                        let matrices = all.and_then(|placed| nodes::matrices(placed, own.node));
-                        format!("{}.{}", matrices.unwrap_or(&part.name), own.name)
+                        let matrices =
+                            all.and_then(|placed| nodes::matrices(placed, dof_of_part.node));
+                        format!("{}.{}", matrices.unwrap_or(&part.name), dof_of_part.name)
                     }
                 };
                 self.motion.of(&node)
@@ -131,8 +137,8 @@ impl Draft<'_, '_> {
             if has_places(part) {
                 continue;
             }
-            let own = painter.rects[i];
-            let rect = [own.left, own.top, own.width, own.height];
+            let bounds = painter.rects[i];
+            let rect = [bounds.left, bounds.top, bounds.width, bounds.height];
             match part.elements {
                 Some(n) => {
                     let shown = n.min(NODES);
@@ -163,8 +169,8 @@ impl Draft<'_, '_> {
     }
 
     fn links(&mut self) {
-        for place in self.painter.link_places() {
-            let link = self.link(&place);
+        for link_place in self.painter.link_places() {
+            let link = self.link(&link_place);
             let [(from, a), (to, b)] = link.ends;
             if (to[1] - from[1]).abs() < (to[0] - from[0]).abs() {
                 self.scene
@@ -175,34 +181,40 @@ impl Draft<'_, '_> {
         }
     }
 
-    fn link(&mut self, place: &LinkPlace) -> Link {
-        let own = &self.painter.scheme.links[place.link];
+    fn link(&mut self, link_place: &LinkPlace) -> Link {
+        let link = &self.painter.scheme.links[link_place.link];
         let mover = |end: usize, draft: &mut Self| {
-            let which = place.of[end];
-            let support = own.supports[which].as_deref();
-            Mover::right(draft.mover(own.between[which], support))
+            let which = link_place.of[end];
+            let support = link.supports[which].as_deref();
+            Mover::right(draft.mover(link.between[which], support))
         };
         let movers = [mover(0, self), mover(1, self)];
-        let (at, anchor) = place.name;
-        let [first, second] = &place.rods;
+        let (at, anchor) = link_place.name;
+        let [first, second] = &link_place.rods;
         let mut rods: Vec<(usize, Vec<Point>)> = first.iter().chain(second).cloned().collect();
         // Thin lines to nodes.
-        for (end, which) in place.of.iter().enumerate() {
-            if let End::Part(part, Place::Dof(dof)) = own.between[*which]
-                && let own = &self.painter.scheme.parts[part]
-                && let Some(model) = own.model.as_ref().filter(|_| has_places(own))
+        for (end, which) in link_place.of.iter().enumerate() {
+            if let End::Part(part, Place::Dof(dof)) = link.between[*which]
+                && let part_of_end = &self.painter.scheme.parts[part]
+                && let Some(model) = part_of_end
+                    .model
+                    .as_ref()
+                    .filter(|_| has_places(part_of_end))
             {
                 let node = model.interface[dof].node;
                 let from = self.painter.node_places(part, model)[node];
-                rods.push((end, vec![from, place.ends[end]]));
+                rods.push((end, vec![from, link_place.ends[end]]));
             }
         }
         Link {
-            kind: kind(own.kind),
-            contact: self.contacts.iter().position(|name| *name == own.name),
-            name: (own.name.clone(), at, align(anchor)),
-            ends: [(place.ends[0], movers[0]), (place.ends[1], movers[1])],
-            direction: [place.opens, 0.0],
+            kind: kind(link.kind),
+            contact: self.contacts.iter().position(|name| *name == link.name),
+            name: (link.name.clone(), at, align(anchor)),
+            ends: [
+                (link_place.ends[0], movers[0]),
+                (link_place.ends[1], movers[1]),
+            ],
+            direction: [link_place.opens, 0.0],
             opening: None,
             rods,
         }
@@ -219,20 +231,23 @@ impl Draft<'_, '_> {
             let places = self.painter.ground_places().into_iter();
             self.scene
                 .grounds
-                .extend(places.map(|own| (own.ends, own.away, Mover::default())));
+                .extend(places.map(|ground| (ground.ends, ground.away, Mover::default())));
             return;
         }
         const HALF: f64 = 14.0;
-        for place in self.painter.link_places() {
-            let Some(end) = place.parts.iter().position(Option::is_none) else {
+        for link_place in self.painter.link_places() {
+            let Some(end) = link_place.parts.iter().position(Option::is_none) else {
                 continue;
             };
-            let own = &scheme.links[place.link];
-            let which = place.of[end];
-            let support = own.supports[which].as_deref();
-            let by = Mover::right(self.mover(own.between[which], support));
-            let [x, y] = place.ends[end];
-            let across: Point = [place.ends[1 - end][0] - x, place.ends[1 - end][1] - y];
+            let link = &scheme.links[link_place.link];
+            let which = link_place.of[end];
+            let support = link.supports[which].as_deref();
+            let by = Mover::right(self.mover(link.between[which], support));
+            let [x, y] = link_place.ends[end];
+            let across: Point = [
+                link_place.ends[1 - end][0] - x,
+                link_place.ends[1 - end][1] - y,
+            ];
             let (ends, away) = match across[0].abs() > across[1].abs() {
                 true => ([[x, y - HALF], [x, y + HALF]], [-across[0].signum(), 0.0]),
                 false => ([[x - HALF, y], [x + HALF, y]], [0.0, 1.0]),

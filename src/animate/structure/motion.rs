@@ -30,7 +30,10 @@ impl<'a> Motion<'a> {
 
     /// The place of a column among the displacements.
     pub fn add(&mut self, column: usize) -> usize {
-        let known = self.moves.iter().position(|own| *own == column);
+        let known = self
+            .moves
+            .iter()
+            .position(|known_column| *known_column == column);
         known.unwrap_or_else(|| {
             self.moves.push(column);
             self.moves.len() - 1
@@ -53,7 +56,7 @@ impl<'a> Motion<'a> {
     pub fn contact(&self, kind: LinkKind, name: &str, limits: &[Option<Vec<f64>>]) -> Contact<'a> {
         let force = Cow::Borrowed(self.values(&format!("{name}.S")));
         // Limits are in the order of the contacts in the columns.
-        let place = self.column(&format!("{name}.S"));
+        let force_column = self.column(&format!("{name}.S"));
         let mut forces: Vec<usize> = self
             .columns
             .iter()
@@ -61,7 +64,8 @@ impl<'a> Motion<'a> {
             .map(|(_, column)| *column)
             .collect();
         forces.sort_unstable();
-        let number = place.and_then(|own| forces.iter().position(|column| *column == own));
+        let number =
+            force_column.and_then(|wanted| forces.iter().position(|column| *column == wanted));
         let limit = number.and_then(|number| limits.get(number)?.as_deref());
         match kind {
             LinkKind::Impact => Contact::impact(name, force),
@@ -89,14 +93,17 @@ impl<'a> Motion<'a> {
             let both = pair[0].iter().zip(pair[1]);
             differences.push(both.map(|(a, b)| (b - a) / f64::from(length)).collect());
         }
-        let largest = differences.iter().map(|own| peak(own)).fold(0.0, f64::max);
+        let largest = differences
+            .iter()
+            .map(|values| peak(values))
+            .fold(0.0, f64::max);
         if largest == 0.0 {
             return Vec::new();
         }
         let first = self.stresses.len();
-        for mut own in differences {
-            own.iter_mut().for_each(|x| *x /= largest);
-            self.stresses.push(own);
+        for mut values in differences {
+            values.iter_mut().for_each(|x| *x /= largest);
+            self.stresses.push(values);
         }
         (first..self.stresses.len()).collect()
     }

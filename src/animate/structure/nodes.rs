@@ -22,9 +22,9 @@ pub fn add(
     contacts: &[&str],
 ) {
     let parts = painter.scheme.parts.iter().enumerate();
-    let own = { parts }
+    let part_with_model = { parts }
         .find_map(|(i, part)| Some((i, part.model.as_ref().filter(|_| has_places(part))?)));
-    let Some((part, model)) = own else {
+    let Some((part, model)) = part_with_model else {
         return;
     };
     let places = painter.node_places(part, model);
@@ -54,7 +54,7 @@ pub fn add(
         let nodes = link.between.map(node);
         let direction = in_plane(placed, link.direction);
         let ends = match nodes {
-            [Some(i), Some(j)] => [i, j].map(|own| (places[own], mover(own, motion))),
+            [Some(i), Some(j)] => [i, j].map(|node| (places[node], mover(node, motion))),
             [Some(i), None] => {
                 let far = ground(link.kind, places[i], direction, 1.0);
                 scene.grounds.push(far);
@@ -86,14 +86,16 @@ pub fn add(
     }
     held(scene, model, &places, &drawn);
     for (name, [first, end]) in &placed.names {
-        let own = &places[*first..*end];
-        let lowest = own
+        let points = &places[*first..*end];
+        let lowest = points
             .iter()
-            .fold(f64::NEG_INFINITY, |y, place| y.max(place[1]));
-        let left = own.iter().fold(f64::INFINITY, |x, place| x.min(place[0]));
-        let right = own
+            .fold(f64::NEG_INFINITY, |y, point| y.max(point[1]));
+        let left = points
             .iter()
-            .fold(f64::NEG_INFINITY, |x, place| x.max(place[0]));
+            .fold(f64::INFINITY, |x, point| x.min(point[0]));
+        let right = points
+            .iter()
+            .fold(f64::NEG_INFINITY, |x, point| x.max(point[0]));
         let at = [(left + right) / 2.0, lowest + TO_GROUND + 16.0];
         scene
             .words
@@ -105,15 +107,15 @@ pub fn add(
 /// The name of the matrices of a node.
 pub fn matrices(placed: &Placed, node: usize) -> Option<&str> {
     let mut names = placed.names.iter();
-    let own = names.find(|(_, [first, end])| (*first..*end).contains(&node));
-    own.map(|own| &*own.0)
+    let name = names.find(|(_, [first, end])| (*first..*end).contains(&node));
+    name.map(|name| &*name.0)
 }
 
 /// The nodes that are drawn, and the lines between them by their places in this list.
 fn drawn(model: &Model, places: &[Point]) -> (Vec<usize>, Vec<[usize; 2]>) {
-    let all = scheme::shown(model, places);
-    let step = all.len().div_ceil(2 * MOST).max(1);
-    let lines: Vec<[usize; 2]> = all.into_iter().step_by(step).collect();
+    let edges = scheme::shown(model, places);
+    let step = edges.len().div_ceil(2 * MOST).max(1);
+    let lines: Vec<[usize; 2]> = edges.into_iter().step_by(step).collect();
     let mut drawn: Vec<usize> = lines.iter().flatten().copied().collect();
     drawn.extend(model.interface.iter().map(|named| named.node));
     if places.len() <= MOST {
@@ -121,8 +123,8 @@ fn drawn(model: &Model, places: &[Point]) -> (Vec<usize>, Vec<[usize; 2]>) {
     }
     drawn.sort_unstable();
     drawn.dedup();
-    let place = |node: usize| drawn.binary_search(&node).unwrap_or(0);
-    let lines = lines.iter().map(|line| line.map(place)).collect();
+    let position = |node: usize| drawn.binary_search(&node).unwrap_or(0);
+    let lines = lines.iter().map(|line| line.map(position)).collect();
     (drawn, lines)
 }
 
@@ -147,7 +149,7 @@ fn ground(
         // Friction acts along a surface below the node, or right of it.
         LinkKind::Friction if direction[0].abs() >= direction[1].abs() => [0.0, 1.0],
         LinkKind::Friction => [1.0, 0.0],
-        LinkKind::Impact | LinkKind::Spring { .. } => direction.map(|own| sign * own),
+        LinkKind::Impact | LinkKind::Spring { .. } => direction.map(|component| sign * component),
     };
     let away = match dx.abs() >= dy.abs() {
         true => [dx.signum(), 0.0],
@@ -183,8 +185,8 @@ fn held(scene: &mut Scene, model: &Model, places: &[Point], drawn: &[usize]) {
     for node in held.iter().filter(|node| drawn.contains(node)) {
         let first = scene.nodes.len();
         scene.nodes.push(([places[*node][0], y], Mover::default()));
-        if let Ok(place) = drawn.binary_search(node) {
-            scene.lines.push([place, first]);
+        if let Ok(index) = drawn.binary_search(node) {
+            scene.lines.push([index, first]);
         }
     }
 }

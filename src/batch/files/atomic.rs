@@ -330,8 +330,8 @@ mod tests {
             out.write_all(b"last")
         })
         .unwrap();
-        let all = [&b"first"[..], &pieces.concat(), b"last"].concat();
-        assert!(fs::read(&path).unwrap() == all);
+        let expected = [&b"first"[..], &pieces.concat(), b"last"].concat();
+        assert!(fs::read(&path).unwrap() == expected);
     }
 
     #[test]

@@ -41,7 +41,7 @@ pub fn list(folder: &Path) -> io::Result<Vec<(String, bool)>> {
         bucket.list_with_delimiter(Some(key)).await
     })?;
     let prefixes = found.common_prefixes.iter().map(|key| (key, true));
-    let objects = found.objects.iter().map(|own| (&own.location, false));
+    let objects = found.objects.iter().map(|object| (&object.location, false));
     let name = |(key, is_prefix): (&Key, bool)| Some((key.filename()?.to_owned(), is_prefix));
     Ok(prefixes.chain(objects).filter_map(name).collect())
 }

@@ -94,7 +94,7 @@ impl Manifest {
             self.unfinished.cases = self.unfinished.cases.max(cases);
         }
         let present = entries(folder).map_err(Error::io("cannot read", folder))?;
-        let present: BTreeSet<String> = present.into_iter().map(|own| own.name).collect();
+        let present: BTreeSet<String> = present.into_iter().map(|entry| entry.name).collect();
         let new = names.into_iter().filter(|name| !present.contains(name));
         self.files.extend(new);
         // The origin of a former run is kept, because its results are still in the folder.

@@ -34,8 +34,7 @@ pub fn origin(study: &Study, file: &Path) -> Map<String, Value> {
         entries["set"] = settings.collect();
     }
     if !study.read.is_empty() {
-        let one =
-            |own: &ReadFile| json!({ "name": own.name, "size": own.size, "sha256": own.sha256 });
+        let one = |file: &ReadFile| json!({ "name": file.name, "size": file.size, "sha256": file.sha256 });
         entries[INPUTS] = study.read.iter().map(one).collect();
     }
     let Value::Object(entries) = entries else {
@@ -54,7 +53,7 @@ pub fn differences(results: &Path, study: &Study) -> Vec<String> {
     if manifest["study_sha256"].as_str() != Some(&study.sha256) {
         found.push("an earlier version of the study".to_owned());
     }
-    let now = study.read.iter().map(|own| (&*own.name, &*own.sha256));
+    let now = study.read.iter().map(|file| (&*file.name, &*file.sha256));
     let now: BTreeMap<&str, &str> = now.collect();
     match inputs(&manifest) {
         None if !now.is_empty() => {
@@ -111,8 +110,8 @@ pub fn differences_between(folders: [&Path; 2]) -> Vec<String> {
         found.extend(few(names.iter().filter_map(one).collect()));
     }
     if let Some(other) = version(&b, &a) {
-        let own = version(&a, &b).unwrap_or_default();
-        found.push(format!("the first is of {own}, the second of {other}"));
+        let first = version(&a, &b).unwrap_or_default();
+        found.push(format!("the first is of {first}, the second of {other}"));
     }
     found
 }
@@ -152,7 +151,7 @@ fn few(mut found: Vec<String>) -> Vec<String> {
 
 /// The first digits of two hashes, in brackets.
 fn hashes(one: &str, other: &str) -> String {
-    let [one, other] = [one, other].map(|own| own.get(..DIGITS).unwrap_or(own));
+    let [one, other] = [one, other].map(|hash| hash.get(..DIGITS).unwrap_or(hash));
     format!(" (sha256 {one} and {other})")
 }
 

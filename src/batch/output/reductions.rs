@@ -82,9 +82,9 @@ impl<'a> ReducedMetrics<'a> {
         writer.write_record(header).map_err(failed)?;
         let mut empty = Vec::new();
         for (row, measure, reduction) in study.reductions() {
-            let (mut lacking, mut all) = (0, 0);
+            let (mut lacking, mut cases) = (0, 0);
             for reduced in self.values(row) {
-                (lacking, all) = (lacking + reduced.empty, all + reduced.cases);
+                (lacking, cases) = (lacking + reduced.empty, cases + reduced.cases);
                 let shown = self.parameters(&parameters, reduction, &reduced);
                 let numbers = [reduced.cases, reduced.empty].map(|n| n.to_string());
                 let name = std::iter::once(measure.name.clone());
@@ -95,7 +95,7 @@ impl<'a> ReducedMetrics<'a> {
                 writer.write_record(cells).map_err(failed)?;
             }
             if lacking > 0 {
-                empty.push((measure.name.clone(), lacking, all));
+                empty.push((measure.name.clone(), lacking, cases));
             }
         }
         let bytes = writer.into_inner();

@@ -68,14 +68,17 @@ fn rows(study: &Study, design: &DesignColumns, column: &MetricColumn) -> Vec<Vec
     let empty = lack.map_or(0, |lack| lack.empty_cases());
     let sampled = study.blocks[design.block].design.iter();
     let parameters = sampled.flat_map(|design| design.parameters.iter().enumerate());
-    let row = |(place, parameter): (usize, &usize)| {
-        let own = estimates.as_ref().ok().map(|estimates| estimates[place]);
+    let row = |(index, parameter): (usize, &usize)| {
+        let estimate = estimates.as_ref().ok().map(|estimates| estimates[index]);
         let first = [
             design.block.to_string(),
             study.measures[column.metric].name.clone(),
             study.problem.parameters()[*parameter].name.to_string(),
         ];
-        let indices = [own.map(|own| own.first), own.map(|own| own.total)];
+        let indices = [
+            estimate.map(|estimate| estimate.first),
+            estimate.map(|estimate| estimate.total),
+        ];
         let cells = indices.into_iter().flat_map(cells);
         let row = first.into_iter().chain(cells);
         row.chain([empty.to_string()]).collect()

@@ -75,11 +75,11 @@ pub fn write_history(
     let measured = study.measured(case);
     let measured: Vec<(&MeasuredChannel, Vec<f64>)> = measured
         .iter()
-        .map(|own| (own, own.at(&computed.time)))
+        .map(|channel| (channel, channel.at(&computed.time)))
         .collect();
-    columns.extend(measured.iter().map(|(own, values)| {
-        let dimension = schema.channels[own.column].dimension;
-        (own.history_name(), dimension, &values[..])
+    columns.extend(measured.iter().map(|(channel, values)| {
+        let dimension = schema.channels[channel.column].dimension;
+        (channel.history_name(), dimension, &values[..])
     }));
     let mut writer = csv::Writer::from_writer(out);
     let units = study.units.as_ref();

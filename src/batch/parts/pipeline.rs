@@ -37,10 +37,10 @@ pub(in crate::batch) fn in_order<R: Send>(
                 let parts = queue.next(threads);
                 left = !parts.is_empty();
                 for (_, part) in parts {
-                    let (place, finished) = (begun, &finished);
+                    let (position, finished) = (begun, &finished);
                     scope.spawn_fifo(move |_| {
                         if !finished.stopped.load(Ordering::Relaxed) {
-                            finished.put(place, work(part));
+                            finished.put(position, work(part));
                         }
                     });
                     begun += 1;
@@ -77,22 +77,22 @@ impl<R> Default for Finished<R> {
 }
 
 impl<R> Finished<R> {
-    fn put(&self, place: usize, result: Result<R, Error>) {
-        self.results().insert(place, result);
+    fn put(&self, position: usize, result: Result<R, Error>) {
+        self.results().insert(position, result);
         self.changed.notify_one();
     }
 
     /// The result of a part that was begun. Until it is there, this thread does other work of its pool.
-    fn wait_for(&self, place: usize) -> Result<R, Error> {
+    fn wait_for(&self, position: usize) -> Result<R, Error> {
         loop {
-            if let Some(result) = self.results().remove(&place) {
+            if let Some(result) = self.results().remove(&position) {
                 return result;
             }
             if rayon::yield_now() == Some(Yield::Executed) {
                 continue;
             }
             let results = self.results();
-            if !results.contains_key(&place) {
+            if !results.contains_key(&position) {
                 drop(self.changed.wait_timeout(results, PAUSE));
             }
         }

@@ -79,7 +79,7 @@ mod tests {
             "beta": {"linspace": [1, 400, 400]}, "dT": {"geomspace": [0.5, 1e-6, 100]}}}"#,
         )
         .unwrap();
-        let all = |mut queue: PartQueue, count: usize| {
+        let take = |mut queue: PartQueue, count: usize| {
             let mut found = Vec::new();
             loop {
                 let next = queue.next(count);
@@ -93,7 +93,7 @@ mod tests {
                 );
             }
         };
-        let whole = all(PartQueue::new(&study), 3);
+        let whole = take(PartQueue::new(&study), 3);
         let chunks = chunk::count(&study);
         let direct = (0..chunks).flat_map(|chunk| chunk::parts(&study, chunk));
         let direct = (0..)
@@ -105,11 +105,11 @@ mod tests {
             let mut joined = Vec::new();
             for index in 1..=of {
                 let shard: Shard = format!("{index}/{of}").parse().unwrap();
-                let own = all(PartQueue::of_shard(&study, shard), 1 + index as usize);
+                let of_shard = take(PartQueue::of_shard(&study, shard), 1 + index as usize);
                 // Every N-th part, beginning with part I.
                 let numbers = (index - 1..whole.len() as u64).step_by(of as usize);
-                assert!(own.iter().map(|part| part.0).eq(numbers), "{shard}");
-                joined.extend(own);
+                assert!(of_shard.iter().map(|part| part.0).eq(numbers), "{shard}");
+                joined.extend(of_shard);
             }
             joined.sort_unstable();
             assert_eq!(joined, whole);

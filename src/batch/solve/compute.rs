@@ -106,7 +106,7 @@ pub(in crate::batch) fn compute_rows(
         swept.extend(tables.collect::<Result<Vec<_>, Error>>()?);
     }
     let in_lanes = match &mut in_lanes[..] {
-        [all] => std::mem::take(all),
+        [only] => std::mem::take(only),
         _ => in_lanes.concat(),
     };
     let swept = MetricTable::joined(swept);
@@ -124,19 +124,19 @@ pub(in crate::batch) fn compute_rows(
     for block in signal_order(study, cases, single) {
         let block = block.into_iter().map(|row| row as usize);
         let block: Vec<(usize, Case)> = block.map(|row| (row, shown.at(row).clone())).collect();
-        let own = block.par_iter().map(solve);
-        solved.extend(own.collect::<Result<Vec<_>, Error>>()?);
+        let solutions = block.par_iter().map(solve);
+        solved.extend(solutions.collect::<Result<Vec<_>, Error>>()?);
     }
     let (mut metrics, mut solutions) =
         (MetricTable::new(cases.len(), table.len()), Solutions::new());
-    for (place, row) in in_lanes.into_iter().enumerate() {
-        metrics.copy(row as usize, &swept, place);
+    for (lane, row) in in_lanes.into_iter().enumerate() {
+        metrics.copy(row as usize, &swept, lane);
     }
     for (row, why) in cases.refused() {
         metrics.fail(row, Unsolvable::BrokenRules(why.to_owned()));
     }
-    for (row, (own, warnings, solution)) in solved {
-        metrics.put(row, own);
+    for (row, (values, warnings, solution)) in solved {
+        metrics.put(row, values);
         metrics.warn(row, warnings);
         solutions.extend(solution.map(|solution| (row, solution)));
     }

@@ -74,15 +74,18 @@ fn set_ratio(parts: &mut [PartResult], column: usize, of: usize, reference: &Ref
             }
         }
     }
-    let mut partners = Partners::new(reference, references.iter().map(|own| &own.0));
+    let mut partners = Partners::new(
+        reference,
+        references.iter().map(|case_and_value| &case_and_value.0),
+    );
     for part in parts {
         let mut shown = part.cases.shown();
         let ratio = |row: usize| {
-            let Found::One(place) = partners.find(shown.at(row)) else {
+            let Found::One(partner) = partners.find(shown.at(row)) else {
                 return f64::NAN;
             };
-            let pair = part.metrics.value(row, of).zip(references[place].1);
-            pair.map_or(f64::NAN, |(own, other)| own / other)
+            let pair = part.metrics.value(row, of).zip(references[partner].1);
+            pair.map_or(f64::NAN, |(value, other)| value / other)
         };
         let ratios: Vec<f64> = (0..part.len()).map(ratio).collect();
         part.metrics.set_column(column, ratios.into_iter());

@@ -162,9 +162,9 @@ pub fn measure(
     (0..threads).into_par_iter().try_for_each(measure_groups)?;
     let none = sum.lock().unwrap_or_else(PoisonError::into_inner).0 == 0;
     if none && !limit.is_zero() {
-        let mut own = Cases::new(study.problem.schema());
-        own.push(like);
-        compute(shortened(study, own, most))?;
+        let mut one_case = Cases::new(study.problem.schema());
+        one_case.push(like);
+        compute(shortened(study, one_case, most))?;
     }
     let used = before
         .zip(processor_time())
@@ -213,15 +213,17 @@ fn shortened(study: &Study, cases: Cases, most: f64) -> Cases {
 
 /// Cases that need the sampled signals of `like`, evenly spaced; only `like` if the study has no such signals.
 fn with_signals_of(study: &Study, like: &Case) -> Vec<Case> {
-    let own = study.samples(like);
-    if own.key.is_empty() {
+    let samples = study.samples(like);
+    if samples.key.is_empty() {
         return vec![like.clone()];
     }
     let raw = study.raw_len();
     let stride = raw.div_ceil(MOST_SUMMED);
     let cases = (0..raw).step_by(stride as usize);
     let cases = cases.filter_map(|raw| study.combination(raw));
-    let found: Vec<Case> = cases.filter(|case| study.samples(case) == own).collect();
+    let found: Vec<Case> = cases
+        .filter(|case| study.samples(case) == samples)
+        .collect();
     let every = found.len().div_ceil(MOST_ALIKE).max(1);
     match found.is_empty() {
         true => vec![like.clone()],
@@ -232,18 +234,18 @@ fn with_signals_of(study: &Study, like: &Case) -> Vec<Case> {
 /// The cases that need no other sampled signals than those of `like`; in the places of the others those of `instead` with the most of
 /// their values, or nothing.
 fn alike(study: &Study, like: &Case, cases: &Cases, instead: &[Case]) -> Cases {
-    let own = study.samples(like);
+    let samples = study.samples(like);
     let rows = solvable_rows(cases);
     let (mut found, mut shown) = (Cases::new(study.problem.schema()), cases.shown());
     for row in rows {
         let case = shown.at(row as usize);
-        if study.samples(case) == own {
+        if study.samples(case) == samples {
             found.push(case);
             continue;
         }
         let differing = |other: &&Case| {
             let values = other.values.iter().zip(&case.values);
-            values.filter(|(own, other)| own != other).count()
+            values.filter(|(value, other)| value != other).count()
         };
         let nearest = instead.iter().min_by_key(differing);
         nearest.into_iter().for_each(|other| found.push(other));
@@ -314,10 +316,10 @@ mod tests {
         let like = study.case(0).unwrap();
         let within =
             |limit| measure(&study, work, &RunOptions::METRICS, (&like, limit, u64::MAX)).unwrap();
-        let all = within(Duration::MAX);
-        assert_eq!((all.cases, all.work), (300, 9000.0));
+        let estimate = within(Duration::MAX);
+        assert_eq!((estimate.cases, estimate.work), (300, 9000.0));
         // A sweep of one slice uses one thread.
-        assert_eq!(all.threads, 1);
+        assert_eq!(estimate.threads, 1);
         let none = within(Duration::ZERO);
         assert_eq!((none.cases, none.work), (0, 0.0));
     }
@@ -350,7 +352,12 @@ mod tests {
         let (_, cases) = study.columns(0, study.raw_len());
         let cases = alike(&study, &like, &cases, &instead);
         let schema = study.problem.schema();
-        let row = |name: &str| schema.parameters.iter().position(|own| own.name == name);
+        let row = |name: &str| {
+            schema
+                .parameters
+                .iter()
+                .position(|parameter| parameter.name == name)
+        };
         let (law, seed) = (row("law").unwrap(), row("seed").unwrap());
         let mut shown = cases.shown();
         let mut laws = [0; 3];

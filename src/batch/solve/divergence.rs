@@ -138,9 +138,9 @@ mod tests {
     #[test]
     fn the_cases_looked_at_are_evenly_spaced_and_fewer_if_they_are_much_work() {
         assert_eq!(numbers(3, MOST, 1.0), [0, 1, 2]);
-        let all = numbers(6400, MOST, 1.0);
-        assert!(all.iter().enumerate().all(|(i, n)| *n == 100 * i as u64));
-        assert_eq!(all.len(), 64);
+        let chosen = numbers(6400, MOST, 1.0);
+        assert!(chosen.iter().enumerate().all(|(i, n)| *n == 100 * i as u64));
+        assert_eq!(chosen.len(), 64);
         // 10 of 100 cases are 1e8.
         assert_eq!(
             numbers(100, MOST, 1e9),

@@ -162,8 +162,8 @@ impl<'a> Missing<'a> {
         };
         let (mut metrics, solutions) =
             compute::compute_rows(study, first, (cases, rows, computed), &tick, options)?;
-        for (row, from, place) in &self.reused {
-            metrics.copy(*row as usize, from, *place);
+        for (row, from, position) in &self.reused {
+            metrics.copy(*row as usize, from, *position);
         }
         Ok((metrics, solutions))
     }

@@ -61,7 +61,7 @@ impl WarnedCases {
         };
         let parameters = self.parameters.iter();
         let parameters: Map<String, Json> = parameters
-            .map(|(name, own)| (name.clone(), value(own)))
+            .map(|(name, given)| (name.clone(), value(given)))
             .collect();
         json!({
             "kind": self.kind.name(),
@@ -94,10 +94,10 @@ impl Default for WarningCounts {
 impl WarningCounts {
     /// Counts a case with a warning; cases may come in any order.
     pub fn add(&mut self, kind: Warning, case: u64) {
-        let place = WARNINGS.iter().position(|own| *own == kind);
-        if let Some(place) = place {
-            let (count, first) = self.0[place].unwrap_or((0, case));
-            self.0[place] = Some((count + 1, first.min(case)));
+        let index = WARNINGS.iter().position(|known| *known == kind);
+        if let Some(index) = index {
+            let (count, first) = self.0[index].unwrap_or((0, case));
+            self.0[index] = Some((count + 1, first.min(case)));
         }
     }
 
@@ -111,11 +111,11 @@ impl WarningCounts {
             of,
             case,
             is_note: kind.is_note(),
-            parameters: study
-                .case(case)
-                .map_or(Vec::new(), |own| varying(study, case, &own)),
-            detail: study.case(case).and_then(|own| {
-                let mut doubts = study.problem.doubts(&own).into_iter();
+            parameters: study.case(case).map_or(Vec::new(), |case_of_warning| {
+                varying(study, case, &case_of_warning)
+            }),
+            detail: study.case(case).and_then(|case_of_warning| {
+                let mut doubts = study.problem.doubts(&case_of_warning).into_iter();
                 doubts.find(|doubt| doubt.0 == kind).map(|doubt| doubt.1)
             }),
         });

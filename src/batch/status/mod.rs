@@ -83,8 +83,8 @@ pub fn study_status(
                 let (count, _) = status.outdated.get_or_insert((0, *difference));
                 *count += 1;
             }
-            let own = of.map(|of| &mut shards[shard_of(number, of) as usize - 1]);
-            for progress in own.into_iter().chain([&mut status.all]) {
+            let of_shard = of.map(|of| &mut shards[shard_of(number, of) as usize - 1]);
+            for progress in of_shard.into_iter().chain([&mut status.all]) {
                 progress.part(cases, work, found.as_ref().ok());
             }
         }
@@ -93,8 +93,8 @@ pub fn study_status(
     let latest = shards.iter().chain([&status.all]).filter_map(|p| p.latest);
     let now = latest.max().max(Some(SystemTime::now()));
     let now = now.unwrap_or(SystemTime::UNIX_EPOCH);
-    let all = shards.iter_mut().chain([&mut status.all]);
-    all.for_each(|progress| progress.finish(now));
+    let progresses = shards.iter_mut().chain([&mut status.all]);
+    progresses.for_each(|progress| progress.finish(now));
     status.shards = Shard::all(of.unwrap_or(0)).zip(shards).collect();
     Ok(status)
 }

@@ -23,19 +23,19 @@ impl ConstantColumns {
     /// The column at `place`, with `value` in `len` rows.
     pub fn column(
         &self,
-        place: usize,
+        index: usize,
         value: Option<Value>,
         len: usize,
         encode: impl FnOnce() -> Result<EncodedColumn>,
     ) -> Result<EncodedColumn> {
         let mut columns = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        match columns.get(&place) {
+        match columns.get(&index) {
             Some((last, rows, column)) if *rows == len && Value::identical(*last, value) => {
                 Ok(column.clone())
             }
             _ => {
                 let column = encode()?;
-                columns.insert(place, (value, len, column.clone()));
+                columns.insert(index, (value, len, column.clone()));
                 Ok(column)
             }
         }

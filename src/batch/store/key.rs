@@ -115,11 +115,11 @@ impl Key {
     /// The difference of two `columns`, which begin with the identity of the problem: that of a structure ends with a hash of its
     /// records behind a point.
     fn difference_of_columns(&self, stored: &Key) -> Difference {
-        let [own, other] = [self, stored].map(|key| {
+        let [this_columns, other] = [self, stored].map(|key| {
             let (problem, rest) = key.columns.split_once(' ').unwrap_or((&key.columns, ""));
             (problem.rsplit_once('.'), rest)
         });
-        match (own, other) {
+        match (this_columns, other) {
             ((Some((one, _)), rest), (Some((two, _)), of_other)) if rest == of_other => {
                 match one == two {
                     true => Difference::Records,
@@ -207,8 +207,8 @@ fn push_cells(bytes: &mut Vec<u8>, cells: &Cells) {
             }
         }
         Cells::Names { names, places } => {
-            for place in places {
-                let known = (*place != NO_NAME).then(|| names[*place as usize]);
+            for index in places {
+                let known = (*index != NO_NAME).then(|| names[*index as usize]);
                 push_value(bytes, known.map(Value::Name));
             }
         }
@@ -222,9 +222,9 @@ const WHOLE: u8 = 2;
 const NAME: u8 = 3;
 
 fn push_bits(bytes: &mut Vec<u8>, kind: u8, bits: u64) {
-    let mut all = [kind; 9];
-    all[1..].copy_from_slice(&bits.to_le_bytes());
-    bytes.extend_from_slice(&all);
+    let mut with_kind = [kind; 9];
+    with_kind[1..].copy_from_slice(&bits.to_le_bytes());
+    bytes.extend_from_slice(&with_kind);
 }
 
 /// The checksum of bytes in pieces, as 32 hexadecimal digits.
@@ -255,8 +255,8 @@ mod tests {
     fn a_key_contains_the_version_and_the_sources_of_the_solver() {
         // From the build scripts. Without them, results of other code would be used again.
         assert!(CODE.concat().iter().all(|hash| hash.len() == 16));
-        let own = key("").solver;
-        let mut hashes = own.split(' ').skip(1);
+        let solver = key("").solver;
+        let mut hashes = solver.split(' ').skip(1);
         assert!(
             CODE.concat()
                 .into_iter()
@@ -266,21 +266,21 @@ mod tests {
 
     #[test]
     fn every_field_of_a_key_makes_a_difference() {
-        let (own, changed) = (key(""), |change: fn(&mut Key)| {
+        let (given, changed) = (key(""), |change: fn(&mut Key)| {
             let mut other = key("");
             change(&mut other);
             other
         });
-        assert_eq!(own.difference(&key("")), None);
+        assert_eq!(given.difference(&key("")), None);
         let other = changed(|key| key.solver.push('0'));
-        assert_eq!(own.difference(&other), Some(Difference::Solver));
+        assert_eq!(given.difference(&other), Some(Difference::Solver));
         let other = changed(|key| key.columns.push('0'));
-        assert_eq!(own.difference(&other), Some(Difference::Columns));
+        assert_eq!(given.difference(&other), Some(Difference::Columns));
         let other = changed(|key| key.cases.push('0'));
-        assert_eq!(own.difference(&other), Some(Difference::Parameters));
+        assert_eq!(given.difference(&other), Some(Difference::Parameters));
         // Without iteration the same columns have other results.
         let once = key(r#", "iteration": "once""#);
-        assert_eq!(own.difference(&once), Some(Difference::Columns));
+        assert_eq!(given.difference(&once), Some(Difference::Columns));
     }
 
     #[test]

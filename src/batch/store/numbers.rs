@@ -30,10 +30,10 @@ pub fn repeat(numbers: &[f64]) -> bool {
     if 16 * changes < bits.len() || bits.is_sorted() || bits.iter().rev().is_sorted() {
         return false;
     }
-    let all = bits.len();
+    let count = bits.len();
     bits.sort_unstable();
     bits.dedup();
-    2 * bits.len() <= all
+    2 * bits.len() <= count
 }
 
 /// The column of these numbers, of which those that `has` selects are cells with a value. `bytes` is memory that the next column
@@ -46,8 +46,8 @@ pub fn encode(
 ) -> Result<EncodedColumn> {
     let mut values = Cow::Borrowed(numbers);
     // In blocks without branches, several numbers at a time.
-    let all = |block: &[f64]| block.iter().fold(true, |all, x| all & has(*x));
-    let levels = match numbers.chunks(64).all(all) {
+    let has_value = |block: &[f64]| block.iter().fold(true, |so_far, x| so_far & has(*x));
+    let levels = match numbers.chunks(64).all(has_value) {
         true => levels(&[true], numbers.len()),
         false => {
             values.to_mut().retain(|x| has(*x));
@@ -94,12 +94,12 @@ pub fn encode(
 }
 
 /// The numbers of a column of so many, if [`encode`] has made it of cells that all have a value: faster than by its readers.
-pub fn decode(group: &dyn RowGroupReader, place: usize, count: usize) -> Result<Option<Vec<f64>>> {
-    let mut encodings = group.metadata().column(place).encodings();
+pub fn decode(group: &dyn RowGroupReader, column: usize, count: usize) -> Result<Option<Vec<f64>>> {
+    let mut encodings = group.metadata().column(column).encodings();
     if !encodings.any(|encoding| encoding == Encoding::BYTE_STREAM_SPLIT) {
         return Ok(None);
     }
-    let mut pages = group.get_column_page_reader(place)?;
+    let mut pages = group.get_column_page_reader(column)?;
     let (page, end) = (pages.get_next_page()?, pages.get_next_page()?);
     let levels = levels(&[true], count);
     Ok(match (&page, end) {

@@ -55,8 +55,10 @@ pub fn folders(store: &Path) -> Result<Vec<PathBuf>, Error> {
 /// The parts of a store, in order, with the starts in their names.
 pub fn all_in(store: &Path) -> Result<Vec<(u64, PathBuf)>, Error> {
     let start = |path: &PathBuf| parse_name(path).map(|(start, _)| start);
-    let all = similar_in(store)?.into_iter();
-    let mut parts: Vec<_> = all.filter_map(|path| Some((start(&path)?, path))).collect();
+    let paths = similar_in(store)?.into_iter();
+    let mut parts: Vec<_> = paths
+        .filter_map(|path| Some((start(&path)?, path)))
+        .collect();
     parts.sort();
     Ok(parts)
 }

@@ -65,8 +65,8 @@ pub fn failures<R: ChunkReader + 'static>(
         return Ok(Err(difference));
     }
     let group = file.metadata().row_group(0);
-    let place = group.num_columns().checked_sub(OWN_TEXTS);
-    let column = place.map(|place| group.column(place).statistics());
+    let first_text = group.num_columns().checked_sub(OWN_TEXTS);
+    let column = first_text.map(|first_text| group.column(first_text).statistics());
     let empty = column.flatten().and_then(|column| column.null_count_opt());
     let failed = empty.and_then(|empty| (cases as u64).checked_sub(empty));
     failed
@@ -130,12 +130,12 @@ fn values(
     file: &SerializedFileReader<Bytes>,
     count: usize,
 ) -> Result<Vec<Option<Value>>> {
-    let place = place(file, parameter.column_name())?;
+    let column = place(file, parameter.column_name())?;
     let other = || general("a parameter has the wrong type");
     Ok(
         match (
             parameter.kind,
-            file.get_row_group(0)?.get_column_reader(place)?,
+            file.get_row_group(0)?.get_column_reader(column)?,
         ) {
             (Kind::Number(_), ColumnReader::DoubleColumnReader(reader)) => {
                 let numbers = cells(reader, count)?.into_iter();
@@ -182,8 +182,8 @@ fn stored_key<R: ChunkReader + 'static>(file: &SerializedFileReader<R>) -> Key {
 /// The place of a column.
 fn place(file: &SerializedFileReader<Bytes>, name: &str) -> Result<usize> {
     let columns = file.metadata().file_metadata().schema_descr().columns();
-    let place = columns.iter().position(|column| column.name() == name);
-    place.ok_or_else(|| general("a column is missing"))
+    let index = columns.iter().position(|column| column.name() == name);
+    index.ok_or_else(|| general("a column is missing"))
 }
 
 /// The metrics of a part.
@@ -192,10 +192,10 @@ fn metrics(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> R
     let names = study.problem.metrics();
     let (mut columns, mut width) = (Vec::new(), 0);
     for &metric in &study.metrics {
-        let place = place(file, &names[metric].name)?;
+        let column = place(file, &names[metric].name)?;
         let numbers = match (
-            numbers::decode(&*group, place, count)?,
-            group.get_column_reader(place)?,
+            numbers::decode(&*group, column, count)?,
+            group.get_column_reader(column)?,
         ) {
             (Some(numbers), ColumnReader::DoubleColumnReader(_)) => numbers,
             (None, ColumnReader::DoubleColumnReader(reader)) => {
@@ -208,13 +208,13 @@ fn metrics(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> R
         width = width.max(metric + 1);
     }
     // By their places: a parameter may have the same name.
-    let own = group.num_columns().checked_sub(OWN_TEXTS);
-    let own = own.ok_or_else(|| general("a column is missing"))?;
-    let texts = |place: usize| match group.get_column_reader(place)? {
+    let first_text = group.num_columns().checked_sub(OWN_TEXTS);
+    let first_text = first_text.ok_or_else(|| general("a column is missing"))?;
+    let texts = |column: usize| match group.get_column_reader(column)? {
         ColumnReader::ByteArrayColumnReader(reader) => filled(reader, count),
         _ => Err(general("a column is not text")),
     };
-    let (failures, warned) = (texts(own)?, texts(own + 1)?);
+    let (failures, warned) = (texts(first_text)?, texts(first_text + 1)?);
     let mut table = MetricTable::new(count, width);
     for (metric, numbers) in columns {
         table.set_column(metric, numbers.into_iter());
@@ -240,8 +240,8 @@ pub fn read_text(bytes: Vec<u8>) -> Result<Rows> {
         .truncate(text.columns.len().saturating_sub(OWN_TEXTS));
     let group = file.get_row_group(0)?;
     text.rows.resize(count, Vec::new());
-    for place in 0..text.columns.len() {
-        let cells: Vec<Option<String>> = match group.get_column_reader(place)? {
+    for column in 0..text.columns.len() {
+        let cells: Vec<Option<String>> = match group.get_column_reader(column)? {
             ColumnReader::DoubleColumnReader(reader) => {
                 let numbers = cells(reader, count)?.into_iter();
                 numbers.map(|x| x.map(real)).collect()

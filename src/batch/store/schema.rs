@@ -78,12 +78,12 @@ pub fn metadata(study: &Study, key: &Key) -> Vec<KeyValue> {
         .map(|p| (p.column_name(), &*p.unit, &*p.meaning));
     let metrics = study.metrics.iter().map(|m| &study.problem.metrics()[*m]);
     let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning));
-    let own = [
+    let own_columns = [
         ("case", "1", "number of the case, from 0"),
         (FAILURE, "", "why the case could not be solved"),
         (WARNED, "", "names of the warnings of the case"),
     ];
-    let described = own.into_iter().chain(parameters).chain(metrics);
+    let described = own_columns.into_iter().chain(parameters).chain(metrics);
     let columns: serde_json::Map<String, serde_json::Value> = described
         .map(|(name, unit, meaning)| (name.into(), json!({ "unit": unit, "description": meaning })))
         .collect();

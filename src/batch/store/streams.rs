@@ -108,13 +108,13 @@ pub fn packed(bytes: &[u8], start: usize, length: usize) -> Vec<u8> {
 
 /// Whether a byte is mostly that before it, in samples from the start and the middle.
 fn has_runs(stream: &[u8]) -> bool {
-    let (mut changes, mut all) = (0, 0);
+    let (mut changes, mut count) = (0, 0);
     for start in [0, stream.len() / 2] {
         let sample = &stream[start..stream.len().min(start + SAMPLE)];
         changes += sample.windows(2).filter(|pair| pair[0] != pair[1]).count();
-        all += sample.len();
+        count += sample.len();
     }
-    changes * MEAN < all
+    changes * MEAN < count
 }
 
 /// How many bytes at the start are the same.
@@ -173,8 +173,8 @@ mod tests {
 
     /// The streams of the numbers, one byte at a time.
     fn streams(numbers: &[f64]) -> Vec<u8> {
-        let place = |place: usize| numbers.iter().map(move |x| x.to_le_bytes()[place]);
-        (0..WIDTH).flat_map(place).collect()
+        let stream = |byte: usize| numbers.iter().map(move |x| x.to_le_bytes()[byte]);
+        (0..WIDTH).flat_map(stream).collect()
     }
 
     /// What a reader of the format makes of packed bytes.

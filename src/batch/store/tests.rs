@@ -226,8 +226,8 @@ fn parts_of_a_large_study_are_in_sub_folders() {
     assert_eq!(names(&path.join("000000")).len(), 2);
     assert!(names(&path.join("000001"))[0].starts_with("part-000033554432-"));
     // As one table, in order.
-    let all = rows(folder.path()).unwrap();
-    let numbers: Vec<&str> = all.rows.iter().map(|row| &*row[0]).collect();
+    let table = rows(folder.path()).unwrap();
+    let numbers: Vec<&str> = table.rows.iter().map(|row| &*row[0]).collect();
     assert_eq!(
         (numbers.len(), numbers[10], numbers[29]),
         (30, "33521664", "33554441")

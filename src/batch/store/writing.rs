@@ -75,11 +75,15 @@ pub fn encode(
         .metrics
         .iter()
         .map(|metric| Source::Metric(numbers(metric)));
-    let all = once(Source::Cases).chain(parameters).chain(values);
-    let all: Vec<Source> = all.chain([Source::Failures, Source::Warnings]).collect();
-    let columns = all.par_iter().enumerate();
-    let columns = columns.map_init(Vec::new, |memory, (place, source)| {
-        encoder.column(place, source, memory)
+    let last = [Source::Failures, Source::Warnings];
+    let sources = once(Source::Cases)
+        .chain(parameters)
+        .chain(values)
+        .chain(last);
+    let sources: Vec<Source> = sources.collect();
+    let columns = sources.par_iter().enumerate();
+    let columns = columns.map_init(Vec::new, |memory, (index, source)| {
+        encoder.column(index, source, memory)
     });
     encoder.file(metadata(study, key), columns.collect::<Result<_>>()?)
 }
@@ -90,7 +94,7 @@ impl Encoder<'_> {
         let (rows, mut offset) = (self.cases.len() as i64, MAGIC.len() as i64);
         let placed = |(pieces, column): &EncodedColumn| {
             let column = column.metadata.clone();
-            let dictionary = column.dictionary_page_offset().map(|own| own + offset);
+            let dictionary = column.dictionary_page_offset().map(|page| page + offset);
             let data = column.data_page_offset() + offset;
             offset += pieces.iter().map(Bytes::len).sum::<usize>() as i64;
             let column = column.into_builder().set_data_page_offset(data);
@@ -116,40 +120,45 @@ impl Encoder<'_> {
             None,
         );
         let mut footer = Vec::new();
-        let all = ParquetMetaData::new(file, vec![group]);
-        ParquetMetaDataWriter::new(&mut footer, &all).finish()?;
+        let metadata = ParquetMetaData::new(file, vec![group]);
+        ParquetMetaDataWriter::new(&mut footer, &metadata).finish()?;
         let columns = columns.into_iter().flat_map(|(pieces, _)| pieces);
-        let all = once(Bytes::from_static(MAGIC)).chain(columns);
-        Ok(all.chain(once(footer.into())).collect())
+        let chunks = once(Bytes::from_static(MAGIC)).chain(columns);
+        Ok(chunks.chain(once(footer.into())).collect())
     }
 
-    fn column(&self, place: usize, source: &Source, memory: &mut Vec<u8>) -> Result<EncodedColumn> {
+    fn column(
+        &self,
+        column: usize,
+        source: &Source,
+        memory: &mut Vec<u8>,
+    ) -> Result<EncodedColumn> {
         let len = self.cases.len();
         match source {
             Source::Cases => {
                 let number = |row| (self.first + self.cases.offset(row)) as i64;
                 let numbers: Vec<i64> = (0..len).map(number).collect();
-                self.written(place, |writer| write_all::<Int64Type>(writer, &numbers))
+                self.written(column, |writer| write_all::<Int64Type>(writer, &numbers))
             }
             Source::Parameter(_, Column::Each(Cells::Numbers(numbers))) => {
                 match numbers::repeat(numbers) {
-                    true => self.written(place, |writer| write_numbers(writer, numbers)),
-                    false => self.numbers(place, numbers, applies, memory),
+                    true => self.written(column, |writer| write_numbers(writer, numbers)),
+                    false => self.numbers(column, numbers, applies, memory),
                 }
             }
             Source::Parameter(_, Column::Each(cells)) => {
-                self.written(place, |writer| write_cells_of(writer, cells))
+                self.written(column, |writer| write_cells_of(writer, cells))
             }
-            Source::Parameter(kind, Column::Same(value)) => self.same(place, *kind, *value),
-            Source::Metric(numbers) => self.numbers(place, numbers, |x| !x.is_nan(), memory),
+            Source::Parameter(kind, Column::Same(value)) => self.same(column, *kind, *value),
+            Source::Metric(numbers) => self.numbers(column, numbers, |x| !x.is_nan(), memory),
             // Most parts have no failures and no warnings.
-            Source::Failures if self.metrics.failures().next().is_none() => self.empty(place),
-            Source::Failures => self.text(place, |case| {
+            Source::Failures if self.metrics.failures().next().is_none() => self.empty(column),
+            Source::Failures => self.text(column, |case| {
                 let why = self.metrics.failure(case)?.to_string();
                 Some(ByteArray::from(why.as_str()))
             }),
-            Source::Warnings if self.metrics.warned().next().is_none() => self.empty(place),
-            Source::Warnings => self.text(place, |case| {
+            Source::Warnings if self.metrics.warned().next().is_none() => self.empty(column),
+            Source::Warnings => self.text(column, |case| {
                 let warnings = self.metrics.warnings(case);
                 (!warnings.is_empty()).then(|| ByteArray::from(warnings.names().as_str()))
             }),
@@ -159,7 +168,7 @@ impl Encoder<'_> {
     /// A column of numbers, of which those that `has` selects are cells with a value.
     fn numbers(
         &self,
-        place: usize,
+        column: usize,
         numbers: &[f64],
         has: impl Fn(f64) -> bool,
         memory: &mut Vec<u8>,
@@ -167,16 +176,16 @@ impl Encoder<'_> {
         let cell = |x: &f64| Some(Value::Number(*x)).filter(|_| has(*x));
         let first = numbers.first().and_then(cell);
         match numbers.iter().all(|x| Value::identical(cell(x), first)) {
-            true => self.same(place, Kind::Number(Range::Any), first),
-            false => numbers::encode(&self.schema.columns()[place], numbers, has, memory),
+            true => self.same(column, Kind::Number(Range::Any), first),
+            false => numbers::encode(&self.schema.columns()[column], numbers, has, memory),
         }
     }
 
     /// A column with one value of this kind in all rows.
-    fn same(&self, place: usize, kind: Kind, value: Option<Value>) -> Result<EncodedColumn> {
+    fn same(&self, column: usize, kind: Kind, value: Option<Value>) -> Result<EncodedColumn> {
         let len = self.cases.len();
-        self.constant_columns.column(place, value, len, || {
-            self.written(place, |writer| {
+        self.constant_columns.column(column, value, len, || {
+            self.written(column, |writer| {
                 let values = repeat_n(value, len);
                 match kind {
                     Kind::Number(_) => {
@@ -194,18 +203,18 @@ impl Encoder<'_> {
     }
 
     /// A column of text without any.
-    fn empty(&self, place: usize) -> Result<EncodedColumn> {
-        self.same(place, Kind::Choice(&[]), None)
+    fn empty(&self, column: usize) -> Result<EncodedColumn> {
+        self.same(column, Kind::Choice(&[]), None)
     }
 
     /// A column with the text of each case, if it has one.
     fn text(
         &self,
-        place: usize,
+        column: usize,
         text: impl Fn(usize) -> Option<ByteArray>,
     ) -> Result<EncodedColumn> {
         let len = self.cases.len();
-        self.written(place, |writer| {
+        self.written(column, |writer| {
             write_cells::<ByteArrayType>(writer, len, (0..len).map(text))
         })
     }
@@ -252,7 +261,7 @@ fn write_cells_of(writer: &mut ColumnWriter, cells: &Cells) -> Result<()> {
                 .iter()
                 .map(|name| Bytes::from_static(name.as_bytes()).into());
             let names: Vec<ByteArray> = names.collect();
-            let name = |place: &u32| (*place != NO_NAME).then(|| names[*place as usize].clone());
+            let name = |index: &u32| (*index != NO_NAME).then(|| names[*index as usize].clone());
             write_cells::<ByteArrayType>(writer, places.len(), places.iter().map(name))
         }
     }

@@ -128,14 +128,17 @@ fn a_new_parameter_that_is_given_has_its_column() {
     };
     for (before, after) in tables(&before).into_iter().zip(tables(&after)) {
         let (before, after) = (columns(&before), columns(&after));
-        let place = after[0].iter().position(|name| name == "zeta").unwrap();
+        let zeta_column = after[0].iter().position(|name| name == "zeta").unwrap();
         assert!(!before[0].contains(&"zeta".to_owned()));
-        let zeta: Vec<&str> = after[1..].iter().map(|row| row[place].as_str()).collect();
+        let zeta: Vec<&str> = after[1..]
+            .iter()
+            .map(|row| row[zeta_column].as_str())
+            .collect();
         assert_eq!(zeta, ["0.0", "0.25", "0.0", "0.25"]);
         // The rest of a row, without its number, is the row of the study before.
         for (i, row) in after.iter().enumerate().skip(1) {
             let mut rest = row.clone();
-            rest.remove(place);
+            rest.remove(zeta_column);
             assert_eq!(rest[1..], before[1 + (i - 1) / 2][1..]);
         }
     }

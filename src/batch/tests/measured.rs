@@ -59,8 +59,8 @@ fn a_table_has_measured_columns_at_the_steps() {
             // The displacement is a straight line, so that it is this between the points, too.
             true => {
                 inside += 1;
-                let own: f64 = row[place].parse().unwrap();
-                assert!((own - 1e-3 * at(t + DELAY)[0]).abs() < 1e-14);
+                let measured: f64 = row[place].parse().unwrap();
+                assert!((measured - 1e-3 * at(t + DELAY)[0]).abs() < 1e-14);
             }
             false => assert_eq!(row[place], "", "{t}"),
         }

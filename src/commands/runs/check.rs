@@ -42,7 +42,7 @@ struct Tested<'a> {
 
 /// Runs the studies without writing files and prints the verdicts; returns the exit code.
 fn check(sources: &[Source]) -> Result<u8, Error> {
-    let (mut all, mut all_solved) = (Vec::new(), true);
+    let (mut studies, mut all_solved) = (Vec::new(), true);
     for source in sources {
         let results = Path::new(RESULTS).join(&source.name);
         let differences = differences(&results, &source.study);
@@ -50,18 +50,18 @@ fn check(sources: &[Source]) -> Result<u8, Error> {
             note(&source.line(&of_others(&results, &differences)));
         }
         let (checked, solved) = run_study(source)?;
-        all.push(checked);
+        studies.push(checked);
         all_solved &= solved;
     }
     let header = ["study", "case", "metric", "value", "limits", "verdict"];
     print_all(table_lines(|| {
-        let rows = all.iter().flat_map(|checked| {
+        let rows = studies.iter().flat_map(|checked| {
             let name = &checked.source.name;
             checked.verdicts().map(move |verdict| row(name, &verdict))
         });
         std::iter::once(header.map(String::from).to_vec()).chain(rows)
     }))?;
-    let verdicts = || all.iter().flat_map(Tested::verdicts);
+    let verdicts = || studies.iter().flat_map(Tested::verdicts);
     let failed = verdicts().filter(|verdict| !verdict.holds()).count();
     let checks = match verdicts().count() {
         1 => "1 check".to_owned(),
@@ -95,8 +95,8 @@ fn run_study(source: &Source) -> Result<(Tested<'_>, bool), Error> {
     })?;
     progress::finish(&bar, &source.name, &cases_run(cases));
     unsolved.lines().for_each(|line| note(&line));
-    for own in &study.notes() {
-        note(&source.line(own));
+    for message in &study.notes() {
+        note(&source.line(message));
     }
     for warning in warnings.list() {
         note(&source.line(&warning.to_string()));

@@ -65,7 +65,7 @@ fn status(sources: &[Source], out: &Path, shards: Option<u64>, as_json: bool) ->
             continue;
         }
         let shards = status.shards.iter();
-        let shards = shards.map(|(shard, own)| row(source, shard.to_string(), own));
+        let shards = shards.map(|(shard, progress)| row(source, shard.to_string(), progress));
         rows.extend(shards.chain([row(source, "all".into(), &status.all)]));
     }
     print(&if as_json { lines } else { table(&rows) })

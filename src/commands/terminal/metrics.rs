@@ -81,9 +81,9 @@ fn varying(source: &Source) -> Vec<usize> {
     let study = &source.study;
     let axes = || study.blocks.iter().flat_map(|block| block.axes());
     let several = |row: &usize| {
-        let mut own = axes().filter(|axis| axis.parameter == *row);
-        let values = own.next().map(|axis| axis.values.len() > 1);
-        values == Some(true) || own.next().is_some()
+        let mut axes_of_row = axes().filter(|axis| axis.parameter == *row);
+        let values = axes_of_row.next().map(|axis| axis.values.len() > 1);
+        values == Some(true) || axes_of_row.next().is_some()
     };
     (0..study.problem.parameters().len())
         .filter(several)

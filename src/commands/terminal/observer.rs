@@ -42,8 +42,10 @@ impl Observer for Terminal {
     fn begin_cases(&mut self, source: &Source) -> (ProgressBar, Arc<WorkProgress>) {
         self.studies.begin(source);
         let (studies, study) = (&self.studies, &source.study);
-        let all = studies.estimate().map(|all| (all, studies.outputs()));
-        let (bar, work) = progress::bar_with_store(&studies.name(source), study, all);
+        let rest = studies
+            .estimate()
+            .map(|estimate| (estimate, studies.outputs()));
+        let (bar, work) = progress::bar_with_store(&studies.name(source), study, rest);
         self.work = work.clone();
         self.metrics = match stdout().is_terminal() {
             true => Metrics::of(source),

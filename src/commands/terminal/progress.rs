@@ -48,7 +48,7 @@ pub fn counter(name: &str) -> ProgressBar {
 pub fn bar_with_store(
     name: &str,
     study: &Study,
-    all: Option<(Estimate, usize)>,
+    of_studies: Option<(Estimate, usize)>,
 ) -> (ProgressBar, Arc<WorkProgress>) {
     let bar = bar(name, study.len());
     if bar.is_hidden() {
@@ -58,11 +58,15 @@ pub fn bar_with_store(
     let shown = work.clone();
     let time_left = move |_: &ProgressState, out: &mut dyn Write| {
         let left = shown.time_left();
-        let own = left.map_or("?".into(), |left| duration(left.as_secs_f64()));
-        let _ = match &all {
-            None => write!(out, "{own} left"),
-            Some((all, outputs)) => {
-                write!(out, "{own} left, all {}", all.text(left, *outputs))
+        let time_left = left.map_or("?".into(), |left| duration(left.as_secs_f64()));
+        let _ = match &of_studies {
+            None => write!(out, "{time_left} left"),
+            Some((estimate, outputs)) => {
+                write!(
+                    out,
+                    "{time_left} left, all {}",
+                    estimate.text(left, *outputs)
+                )
             }
         };
     };
@@ -75,14 +79,15 @@ pub fn bar_with_store(
 }
 
 /// The progress bar of the figures of a study; hidden without a terminal. `all` is the estimate of all studies.
-pub fn figures(name: &str, figures: usize, all: Option<Estimate>) -> ProgressBar {
+pub fn figures(name: &str, figures: usize, estimate: Option<Estimate>) -> ProgressBar {
     if figures == 0 || !stderr().is_terminal() {
         return ProgressBar::hidden();
     }
     let time_left = move |state: &ProgressState, out: &mut dyn Write| {
         let drawn = usize::try_from(state.pos()).unwrap_or(figures);
-        let left = all.as_ref();
-        let left = left.map(|all| all.text(Some(Duration::ZERO), figures.saturating_sub(drawn)));
+        let left = estimate.as_ref();
+        let left =
+            left.map(|estimate| estimate.text(Some(Duration::ZERO), figures.saturating_sub(drawn)));
         let _ = write!(
             out,
             "{}",

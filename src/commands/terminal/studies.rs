@@ -62,11 +62,11 @@ impl Rate {
 
 impl Left {
     /// The time left, if the current study needs `own` seconds for its cases and has these outputs left.
-    fn seconds(&self, own: f64, outputs: usize) -> Option<f64> {
+    fn seconds(&self, own_seconds: f64, outputs: usize) -> Option<f64> {
         let computed = self.computed.seconds_for(self.work);
         let cases = computed.or_else(|| self.stored.seconds_for(self.work))?;
         let outputs = (self.outputs + outputs) as f64;
-        Some(own + cases + self.written.seconds_for(outputs)?)
+        Some(own_seconds + cases + self.written.seconds_for(outputs)?)
     }
 }
 
@@ -76,8 +76,8 @@ pub struct Estimate(Arc<Mutex<Left>>);
 
 impl Estimate {
     /// The time left as text, if the current study needs `own` for its cases and has these outputs left.
-    pub fn text(&self, own: Option<Duration>, outputs: usize) -> String {
-        let seconds = own.and_then(|own| lock(&self.0).seconds(own.as_secs_f64(), outputs));
+    pub fn text(&self, left: Option<Duration>, outputs: usize) -> String {
+        let seconds = left.and_then(|left| lock(&self.0).seconds(left.as_secs_f64(), outputs));
         seconds.map_or("?".into(), duration)
     }
 }

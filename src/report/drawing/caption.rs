@@ -176,7 +176,7 @@ fn list(items: &[String], last: &str) -> String {
     match items {
         [] => String::new(),
         [one] => one.clone(),
-        [all @ .., end] => format!("{} {last} {end}", all.join(", ")),
+        [others @ .., end] => format!("{} {last} {end}", others.join(", ")),
     }
 }
 

@@ -57,7 +57,7 @@ impl Indices {
 
 /// An index and its interval, in three columns from `column` on; nothing if the cells are empty.
 fn index(row: &csv::StringRecord, column: usize) -> String {
-    let number = |place: usize| row.get(column + place)?.parse::<f64>().ok();
+    let number = |offset: usize| row.get(column + offset)?.parse::<f64>().ok();
     match (number(0), number(1), number(2)) {
         (Some(value), Some(low), Some(high)) => format!("{value:.3} ({low:.3} to {high:.3})"),
         _ => String::new(),

@@ -111,14 +111,14 @@ impl<'a> Results<'a> {
         let shown = self.shown(detail);
         if detail == Detail::Overview {
             let left_out = self.columns.len() - shown.len();
-            let all = match left_out {
+            let words = match left_out {
                 0 => String::new(),
                 1 => " and one metric more".to_owned(),
                 more => format!(" and {more} metrics more"),
             };
             writeln!(
                 out,
-                "<p class=\"facts\">Metrics have six significant digits here; results.csv of the study has all digits{all}.</p>"
+                "<p class=\"facts\">Metrics have six significant digits here; results.csv of the study has all digits{words}.</p>"
             )?;
         }
         out.write_all(
@@ -133,8 +133,8 @@ impl<'a> Results<'a> {
         let mut bytes = Vec::new();
         for index in shown {
             let rounded = detail == Detail::Overview && index >= self.parameters.len();
-            let own = rounded.then(|| self.columns[index].rounded());
-            let column = own.as_ref().unwrap_or(&self.columns[index]);
+            let rounded_column = rounded.then(|| self.columns[index].rounded());
+            let column = rounded_column.as_ref().unwrap_or(&self.columns[index]);
             column.encode(rounded, &mut bytes);
             columns.push(self.description(index, column, rounded));
         }
@@ -145,14 +145,14 @@ impl<'a> Results<'a> {
 
     /// The columns on the page: of an overview those of parameters and of metrics that the study uses.
     fn shown(&self, detail: Detail) -> Vec<usize> {
-        let all = 0..self.columns.len();
+        let columns = 0..self.columns.len();
         let first = self.parameters.len();
         let used = super::used::metrics(self.study);
         let is_shown =
             |index: &usize| *index < first || used.contains(&self.study.columns[*index - first]);
         match detail {
-            Detail::Overview if !used.is_empty() => all.filter(is_shown).collect(),
-            Detail::Whole | Detail::Overview => all.collect(),
+            Detail::Overview if !used.is_empty() => columns.filter(is_shown).collect(),
+            Detail::Whole | Detail::Overview => columns.collect(),
         }
     }
 
@@ -215,8 +215,8 @@ fn names(kind: Kind) -> Vec<&'static str> {
 fn number(kind: Kind, value: Option<Value>) -> f64 {
     match value {
         Some(Value::Name(name)) => {
-            let place = names(kind).iter().position(|known| *known == name);
-            place.map_or(f64::NAN, |place| place as f64)
+            let index = names(kind).iter().position(|known| *known == name);
+            index.map_or(f64::NAN, |index| index as f64)
         }
         Some(value) => value.as_f64().unwrap_or(f64::NAN),
         None => f64::NAN,

@@ -20,10 +20,10 @@ pub fn metrics(study: &Study) -> BTreeSet<usize> {
         }));
     }
     let reduced = |row: &usize| {
-        let own = &study.measures[*row];
+        let measure = &study.measures[*row];
         let alike = |column: &&usize| {
             let column = &study.measures[**column];
-            (column.metric, column.dimension) == (own.metric, own.dimension)
+            (column.metric, column.dimension) == (measure.metric, measure.dimension)
         };
         let column = study.columns.iter().find(alike);
         column.copied().unwrap_or(*row)

@@ -74,8 +74,8 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
         if let Some(at) = studies.iter().position(|s| s.file == file) {
             return Some(at);
         }
-        let place = file.strip_prefix(&folder).unwrap_or(&file);
-        let name = slashes(&place.with_extension(""));
+        let relative = file.strip_prefix(&folder).unwrap_or(&file);
+        let name = slashes(&relative.with_extension(""));
         match study::read(&file) {
             Ok(study) => {
                 studies.push(LedgerStudy { name, file, study });
@@ -128,12 +128,12 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
 
 /// The file of the study `name` in the folder of the studies or a folder in it, or why there is not one.
 fn study_file(folder: &Path, name: &str) -> Result<Result<PathBuf, String>, Error> {
-    let own = PathBuf::from(format!("{name}.json"));
-    let file = folder.join(&own);
+    let study_path = PathBuf::from(format!("{name}.json"));
+    let file = folder.join(&study_path);
     if file.is_file() {
         return Ok(Ok(file));
     }
-    let mut files = named(folder, &own)?;
+    let mut files = named(folder, &study_path)?;
     Ok(match (files.pop(), &files[..]) {
         (Some(file), []) => Ok(file),
         (None, _) => Err(format!("no study {}", file.display())),
@@ -158,7 +158,7 @@ fn claim(
         markdown(node, &object.path(key), faults)
     };
     let id = string("id", "a short name");
-    let place = string("where", "its place in the paper, or its source");
+    let place_in_paper = string("where", "its place in the paper, or its source");
     let statement = string("says", "the statement");
     let quantity = string("quantity", "the quantity that decides");
     let because = object.get("because");
@@ -177,7 +177,7 @@ fn claim(
     }
     (faults.count() == before).then_some(Claim {
         id: id?,
-        place: place?,
+        place: place_in_paper?,
         statement: statement?,
         quantity: quantity?,
         readings,

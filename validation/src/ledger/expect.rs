@@ -35,8 +35,8 @@ pub(super) fn expect(
     };
     let subject = match ["metric", "profile", "later"].map(|key| object.get(key)) {
         [Some(node), None, None] => {
-            let all = scope.metrics();
-            let row = name(node, &object.path("metric"), "metric", &all, faults)?;
+            let metrics = scope.metrics();
+            let row = name(node, &object.path("metric"), "metric", &metrics, faults)?;
             let reduced = scope.measures[row].reduction.is_some();
             if !columns.contains(&row) && !reduced {
                 faults.add(

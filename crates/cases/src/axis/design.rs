@@ -80,9 +80,10 @@ impl Design {
 
     fn sobol(&self, dimension: usize) -> ShiftedSobol {
         let parameters = JoeKuoD6::minimal();
-        let mut all = Sobol::<f64>::init_direction_vals(dimension + 1, RESOLUTION, &parameters);
+        let mut directions =
+            Sobol::<f64>::init_direction_vals(dimension + 1, RESOLUTION, &parameters);
         ShiftedSobol {
-            directions: all.pop().unwrap_or_default().into(),
+            directions: directions.pop().unwrap_or_default().into(),
             shift: self.random(dimension).next_u64() >> 12,
         }
     }
@@ -112,11 +113,16 @@ impl Coordinates {
     /// The coordinate of a point, in 0 < u < 1.
     pub fn at(&self, point: u64) -> f64 {
         match self {
-            Coordinates::Listed(all) => all[point as usize],
+            Coordinates::Listed(points) => points[point as usize],
             Coordinates::Sobol(sequence) => sequence.at(point),
-            Coordinates::Saltelli { a, b, rows, own } => {
+            Coordinates::Saltelli {
+                a,
+                b,
+                rows,
+                own: own_column,
+            } => {
                 let (base, row) = (point / rows, point % rows);
-                let of_b = row == *own || row + 1 == *rows;
+                let of_b = row == *own_column || row + 1 == *rows;
                 if of_b { b.at(base) } else { a.at(base) }
             }
         }

@@ -286,11 +286,11 @@ pub trait OneLaw: Law + Copy {
 // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
 #[inline(always)]
 fn own_laws<W: OneLaw, const L: usize>(laws: &[ContactLaw; L], first: W) -> [W; L] {
-    let mut all = [first; L];
-    for (slot, law) in all.iter_mut().zip(laws) {
+    let mut filled = [first; L];
+    for (slot, law) in filled.iter_mut().zip(laws) {
         if let Some(law) = W::of(law) {
             *slot = *law;
         }
     }
-    all
+    filled
 }

@@ -137,8 +137,8 @@ mod tests {
                         assert!(next >= z - 8.0 * f64::EPSILON * (z + w));
                         z = next;
                         if far == 0.0 {
-                            let [own] = root(Lane([c]), Lane([d]), Lane([w])).0;
-                            assert_eq!(own, m);
+                            let [found] = root(Lane([c]), Lane([d]), Lane([w])).0;
+                            assert_eq!(found, m);
                             let residual = z + c * m / (1.0 + d - d * m) - w;
                             assert!(
                                 residual.abs() <= 8.0 * f64::EPSILON * w,

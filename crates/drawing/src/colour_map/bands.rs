@@ -37,12 +37,12 @@ pub fn levels(colours: &Axis) -> Vec<f64> {
     let (first, last) = (libm::log10(low) as i32 - 2, libm::log10(high) as i32 + 1);
     let decades = |digits: &[f64], every: i32| -> Vec<f64> {
         let powers = (first..=last).filter(|k| k.rem_euclid(every) == 0);
-        let all = powers.flat_map(|k| {
+        let numbers = powers.flat_map(|k| {
             digits
                 .iter()
                 .map(move |d| d * libm::pow(10.0, f64::from(k)))
         });
-        all.filter(inside).collect()
+        numbers.filter(inside).collect()
     };
     let series: [(&[f64], i32); 7] = [
         (&[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0], 1),
@@ -69,8 +69,8 @@ pub fn limited(colours: Axis, height: f64) -> Axis {
     let [low, high] = colours.range;
     let levels = levels(&colours);
     let digits = number::digits([low, high].into_iter());
-    let place = |x: f64| height * colours.fraction(x);
-    let mut numbered = vec![place(low), place(high)];
+    let height_of = |x: f64| height * colours.fraction(x);
+    let mut numbered = vec![height_of(low), height_of(high)];
     let unit = libm::pow(10.0, f64::from(colours.power));
     let end = |at: f64| Tick {
         at,
@@ -80,9 +80,9 @@ pub fn limited(colours: Axis, height: f64) -> Axis {
     for at in levels {
         let free = numbered
             .iter()
-            .all(|other| (place(at) - other).abs() >= style::LABEL);
+            .all(|other| (height_of(at) - other).abs() >= style::LABEL);
         let label = if free {
-            numbered.push(place(at));
+            numbered.push(height_of(at));
             number::short(at / unit)
         } else {
             String::new()
@@ -180,7 +180,7 @@ fn line(ring: &Ring) -> Vec<[f64; 2]> {
 
 /// Markers without a line, with the label of the legend in markup.
 pub fn marks(label: &str, at: &[[f64; 2]]) -> Series {
-    let apart = at.iter().flat_map(|place| [*place, [f64::NAN; 2]]);
+    let apart = at.iter().flat_map(|point| [*point, [f64::NAN; 2]]);
     Series {
         label: label.to_owned(),
         points: apart.collect(),

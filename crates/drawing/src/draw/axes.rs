@@ -56,26 +56,32 @@ impl<B: DrawingBackend> Canvas<B> {
         }
         for tick in panel.y.ticks.iter().filter(|_| panel.y.numbered) {
             let y = frame.bottom() - frame.height * panel.y.fraction(tick.at);
-            let place = [
+            let at_label = [
                 frame.left - style::LABEL_GAP,
                 y + style::CAP_HEIGHT * size / 2.0,
             ];
-            self.text(&tick.label, size, place, Anchor::End, false)?;
+            self.text(&tick.label, size, at_label, Anchor::End, false)?;
         }
         if panel.y.numbered {
             let gap = style::LABEL_GAP;
-            let place = [frame.left - gap, frame.top - gap - 1.0];
-            self.text(&panel.y.power_label(), size, place, Anchor::End, false)?;
+            let at_power = [frame.left - gap, frame.top - gap - 1.0];
+            self.text(&panel.y.power_label(), size, at_power, Anchor::End, false)?;
         }
         let middle = frame.top + frame.height / 2.0;
         let x = frame.left - panel.margin + style::TITLE * 0.75;
         let lines = vertical_title(&panel.y.title, frame.height);
         for (i, text) in lines.iter().enumerate() {
-            let place = [x + i as f64 * TITLE_LINE, middle];
-            self.text(text, style::TITLE, place, Anchor::Middle, true)?;
+            let at_line = [x + i as f64 * TITLE_LINE, middle];
+            self.text(text, style::TITLE, at_line, Anchor::Middle, true)?;
         }
-        let place = [frame.left, frame.top - style::LABEL_GAP];
-        self.text(&panel.caption, style::TITLE, place, Anchor::Start, false)?;
+        let at_caption = [frame.left, frame.top - style::LABEL_GAP];
+        self.text(
+            &panel.caption,
+            style::TITLE,
+            at_caption,
+            Anchor::Start,
+            false,
+        )?;
         panel
             .notes
             .iter()

@@ -9,11 +9,11 @@ pub fn text(bytes: &[u8]) -> String {
         let byte = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
         let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
         for letter in 0..4 {
-            let place = (bits >> (18 - 6 * letter) & 63) as usize;
+            let letter_index = (bits >> (18 - 6 * letter) & 63) as usize;
             text.push(if letter > three.len() {
                 '='
             } else {
-                char::from(LETTERS[place])
+                char::from(LETTERS[letter_index])
             });
         }
     }

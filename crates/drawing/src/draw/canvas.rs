@@ -140,10 +140,10 @@ impl<B: DrawingBackend> Canvas<B> {
     }
 
     /// A point of a curve without a line.
-    pub fn dot(&mut self, place: [f64; 2], [r, g, b]: [u8; 3]) -> DrawResult<B> {
+    pub fn dot(&mut self, centre: [f64; 2], [r, g, b]: [u8; 3]) -> DrawResult<B> {
         let fill = RGBColor(r, g, b).filled();
         self.area
-            .draw(&Circle::new(at(place), unit(style::DOT), fill))
+            .draw(&Circle::new(at(centre), unit(style::DOT), fill))
     }
 
     /// A marker, white inside, with an outline in the colour of its curve.
@@ -242,13 +242,13 @@ impl<B: DrawingBackend> Canvas<B> {
         };
         for run in runs {
             let (along, above) = (start + run.x, run.rise);
-            let place = if upwards {
+            let corner = if upwards {
                 at([x - above, y - along])
             } else {
                 at([x + along, y - above])
             };
             self.area.draw(&Lettering {
-                place,
+                place: corner,
                 run,
                 upwards,
             })?;

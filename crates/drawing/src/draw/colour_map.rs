@@ -24,7 +24,7 @@ impl<B: DrawingBackend> Canvas<B> {
             _ => self.bands(panel, map)?,
         }
         for [from, to] in &map.hatched {
-            let [[left, bottom], [right, top]] = [*from, *to].map(|place| panel.place(place));
+            let [[left, bottom], [right, top]] = [*from, *to].map(|corner| panel.place(corner));
             let frame = &panel.frame;
             let [left, right] = [left, right].map(|x| x.clamp(frame.left, frame.right()));
             let [top, bottom] = [top, bottom].map(|y| y.clamp(frame.top, frame.bottom()));
@@ -141,15 +141,15 @@ impl<B: DrawingBackend> Canvas<B> {
             let edge = bar.right();
             let length = tick_length(&tick.label);
             self.path(&[[edge, y], [edge - length, y]], style::FRAME_LINE)?;
-            let place = [edge + style::LABEL_GAP, y + style::CAP_HEIGHT * size / 2.0];
-            self.text(&tick.label, size, place, Anchor::Start, false)?;
+            let at_label = [edge + style::LABEL_GAP, y + style::CAP_HEIGHT * size / 2.0];
+            self.text(&tick.label, size, at_label, Anchor::Start, false)?;
         }
         let above = bar.top - style::LABEL_GAP - 1.0;
-        let place = [bar.right() + style::LABEL_GAP, above];
-        self.text(&colours.power_label(), size, place, Anchor::Start, false)?;
+        let at_power = [bar.right() + style::LABEL_GAP, above];
+        self.text(&colours.power_label(), size, at_power, Anchor::Start, false)?;
         for (i, line) in title.iter().rev().enumerate() {
-            let place = [bar.right(), above - i as f64 * TITLE_LINE];
-            self.text(line, style::TITLE, place, Anchor::End, false)?;
+            let at_line = [bar.right(), above - i as f64 * TITLE_LINE];
+            self.text(line, style::TITLE, at_line, Anchor::End, false)?;
         }
         Ok(())
     }

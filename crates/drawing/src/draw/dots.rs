@@ -46,8 +46,12 @@ pub fn image(panel: &Panel, dpi: u32) -> Result<Option<Image>, DrawingError> {
         }
     }
     let (size, bytes) = raster.borrow().rgb();
-    let place = [left, top];
-    Ok(Some(Image { place, size, bytes }))
+    let corner = [left, top];
+    Ok(Some(Image {
+        place: corner,
+        size,
+        bytes,
+    }))
 }
 
 impl<B: DrawingBackend> Canvas<B> {
@@ -98,7 +102,7 @@ impl<B: DrawingBackend> Drawable<B> for Pixels<'_> {
         _: (u32, u32),
     ) -> Result<(), DrawingErrorKind<B::ErrorType>> {
         match places.next() {
-            Some(place) => backend.blit_bitmap(place, self.image.size, &self.image.bytes),
+            Some(corner) => backend.blit_bitmap(corner, self.image.size, &self.image.bytes),
             None => Ok(()),
         }
     }

@@ -36,7 +36,7 @@ impl<B: DrawingBackend> Drawable<B> for Lettering {
         _: (u32, u32),
     ) -> Result<(), DrawingErrorKind<B::ErrorType>> {
         match places.next() {
-            Some(place) => backend.draw_text(&self.run.text, self, place),
+            Some(at) => backend.draw_text(&self.run.text, self, at),
             None => Ok(()),
         }
     }

@@ -80,10 +80,10 @@ impl<B: DrawingBackend> Canvas<B> {
         if let Some(marker) = entry.marker {
             self.marker(marker, [x + style::SAMPLE / 2.0, y], entry.stroke.colour())?;
         }
-        let place = [
+        let at_label = [
             x + style::SAMPLE + style::SAMPLE_GAP,
             y + style::CAP_HEIGHT * style::LABEL / 2.0,
         ];
-        self.text(&entry.label, style::LABEL, place, Anchor::Start, false)
+        self.text(&entry.label, style::LABEL, at_label, Anchor::Start, false)
     }
 }

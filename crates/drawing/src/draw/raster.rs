@@ -114,9 +114,9 @@ impl Raster {
     fn fill(&mut self, path: Option<Path>, colour: BackendColor, smooth: bool) {
         if let Some(path) = path {
             let paint = paint(colour, smooth);
-            let place = Transform::identity();
+            let transform = Transform::identity();
             self.pixels
-                .fill_path(&path, &paint, FillRule::Winding, place, None);
+                .fill_path(&path, &paint, FillRule::Winding, transform, None);
         }
     }
 }
@@ -195,8 +195,9 @@ impl DrawingBackend for Raster {
                 width: (width * self.scale) as f32,
                 ..Stroke::default()
             };
-            let (paint, place) = (paint(style.color(), true), Transform::identity());
-            self.pixels.stroke_path(&path, &paint, &stroke, place, None);
+            let (paint, transform) = (paint(style.color(), true), Transform::identity());
+            self.pixels
+                .stroke_path(&path, &paint, &stroke, transform, None);
         }
         Ok(())
     }
@@ -242,8 +243,9 @@ impl DrawingBackend for Raster {
                 width: (f64::from(style.stroke_width()) * self.scale) as f32,
                 ..Stroke::default()
             };
-            let (paint, place) = (paint(style.color(), true), Transform::identity());
-            self.pixels.stroke_path(&path, &paint, &stroke, place, None);
+            let (paint, transform) = (paint(style.color(), true), Transform::identity());
+            self.pixels
+                .stroke_path(&path, &paint, &stroke, transform, None);
         }
         Ok(())
     }

@@ -276,8 +276,8 @@ mod tests {
     #[test]
     fn every_text_is_well_formed_xml() {
         // XML 1.0, section 2.2: Char ::= #x9 | #xA | #xD | [#x20-#xD7FF] | [#xE000-#xFFFD] | [#x10000-#x10FFFF].
-        let all: String = ('\0'..=char::MAX).collect();
-        let escaped = escape(&all);
+        let characters: String = ('\0'..=char::MAX).collect();
+        let escaped = escape(&characters);
         let is_char = |c: char| matches!(u32::from(c), 0x9 | 0xa | 0xd | 0x20..=0xd7ff | 0xe000..=0xfffd | 0x1_0000..=0x10_ffff);
         assert!(escaped.chars().all(is_char));
         assert!(!escaped.contains(['<', '>', '"']));

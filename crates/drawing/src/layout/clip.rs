@@ -59,11 +59,11 @@ pub fn polygon(corners: &[[f64; 2]], frame: &Rect) -> Line {
     ];
     let mut kept = corners.to_vec();
     for (k, at, sign) in sides {
-        let all = std::mem::take(&mut kept);
-        let Some(mut before) = all.last().copied() else {
+        let corners = std::mem::take(&mut kept);
+        let Some(mut before) = corners.last().copied() else {
             break;
         };
-        for corner in all {
+        for corner in corners {
             let [a, b] = [before, corner].map(|p: [f64; 2]| sign * (p[k] - at));
             if (a < 0.0) != (b < 0.0) {
                 let t = a / (a - b);

@@ -130,8 +130,8 @@ fn free_corner(panel: &Panel, keys: &[Key]) -> Option<Rect> {
         })
     });
     places
-        .filter(|place| place.left >= inner.left && place.top >= inner.top)
-        .find(|place| is_free(panel, &place.inflated(3.0)))
+        .filter(|rect| rect.left >= inner.left && rect.top >= inner.top)
+        .find(|rect| is_free(panel, &rect.inflated(3.0)))
 }
 
 /// Whether nothing is drawn in an area of a panel.

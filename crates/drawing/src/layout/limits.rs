@@ -27,10 +27,14 @@ pub fn heights<'a>(
     x: Option<[f64; 2]>,
 ) -> Vec<f64> {
     let inside = |point: &&[f64; 2]| x.is_none_or(|[a, b]| (a..=b).contains(&point[0]));
-    let all = points.clone().map(|point| point[1]);
+    let ordinates = points.clone().map(|point| point[1]);
     let heights: Vec<f64> = points.filter(inside).map(|point| point[1]).collect();
     let known = heights.iter().filter(|height| height.is_finite()).count();
-    if known < 2 { all.collect() } else { heights }
+    if known < 2 {
+        ordinates.collect()
+    } else {
+        heights
+    }
 }
 
 /// The points of several curves.

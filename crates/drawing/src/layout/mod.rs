@@ -244,10 +244,10 @@ fn move_panel(panel: &mut Panel, by: f64) {
 }
 
 /// Adds to the caption of the first panel that only `some` of `all` curves are shown, if they are fewer.
-pub fn left_out(sheet: &mut Sheet, some: usize, all: usize) {
-    if let (true, Some(first)) = (some < all, sheet.panels.first_mut()) {
+pub fn left_out(sheet: &mut Sheet, some: usize, count: usize) {
+    if let (true, Some(first)) = (some < count, sheet.panels.first_mut()) {
         let space = if first.caption.is_empty() { "" } else { "  " };
-        first.caption += &format!("{space}the first {some} of {all} curves");
+        first.caption += &format!("{space}the first {some} of {count} curves");
     }
 }
 

@@ -92,7 +92,10 @@ pub struct Panel {
 impl Sheet {
     /// All panels, then all insets.
     pub fn panels_and_insets(&self) -> impl Iterator<Item = &Panel> {
-        let insets = self.panels.iter().filter_map(|own| own.inset.as_deref());
+        let insets = self
+            .panels
+            .iter()
+            .filter_map(|panel| panel.inset.as_deref());
         self.panels.iter().chain(insets)
     }
 }

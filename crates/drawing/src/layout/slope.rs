@@ -76,7 +76,7 @@ pub fn write(panel: &mut Panel) {
             label => format!("{label}: {slope}"),
         };
         let (width, height) = (text::width(&text, style::LABEL), style::LABEL);
-        let place = |i: usize| panel.place(series.points[i]);
+        let point = |i: usize| panel.place(series.points[i]);
         // From the middle of the stretch to its ends, over and under the line, then farther from it.
         let middle = (stretch.from + stretch.to) / 2;
         let mut order: Vec<usize> = (stretch.from..=stretch.to).collect();
@@ -87,7 +87,7 @@ pub fn write(panel: &mut Panel) {
         let places = beside.flat_map(|[dx, dy]| order.iter().map(move |i| (*i, dx, dy)));
         let free = places
             .map(|(i, dx, dy)| {
-                let [x, y] = place(i);
+                let [x, y] = point(i);
                 Rect {
                     left: x + dx,
                     top: y + dy,
@@ -126,9 +126,9 @@ mod tests {
     #[test]
     fn a_power_law_has_its_slope() {
         for slope in [-1.5, 0.0, 0.5, 2.0] {
-            let all = straight(&curve(|x| 3.0 * x.powf(slope))).unwrap();
-            assert_eq!((all.from, all.to), (0, 11));
-            assert!((all.slope - slope).abs() < 1e-12);
+            let line = straight(&curve(|x| 3.0 * x.powf(slope))).unwrap();
+            assert_eq!((line.from, line.to), (0, 11));
+            assert!((line.slope - slope).abs() < 1e-12);
         }
     }
 

@@ -407,11 +407,11 @@ mod tests {
         // Ends are taken within 1e-6 of the smaller steps; a tick of a short range far from zero is rounded besides.
         let rounding = 2.0 * f64::EPSILON * (low.abs().max(high.abs()) / (high - low));
         let slack = 1e-5 + rounding.min(0.5);
-        let place = |tick: &Tick| axis.fraction(tick.at);
+        let fraction = |tick: &Tick| axis.fraction(tick.at);
         assert!(
             axis.ticks
                 .iter()
-                .all(|t| (-slack..1.0 + slack).contains(&place(t))),
+                .all(|t| (-slack..1.0 + slack).contains(&fraction(t))),
             "{axis:?}"
         );
         let labels = labels(axis);

@@ -63,8 +63,8 @@ impl Stroke {
     /// The stroke of curve `i` of `count` in the order of a number, from dark to light. The
     /// lightest colours are not used, because they do not show on white.
     pub fn graded(i: usize, count: usize) -> Stroke {
-        let place = 0.85 * i as f64 / (count - 1).max(1) as f64;
-        Stroke::Graded((255.0 * place).round() as u8)
+        let grade = 0.85 * i as f64 / (count - 1).max(1) as f64;
+        Stroke::Graded((255.0 * grade).round() as u8)
     }
 
     /// The stroke of a band that black lines cross.
@@ -73,7 +73,7 @@ impl Stroke {
     /// Red, green and blue of the line.
     pub fn colour(self) -> [u8; 3] {
         match self {
-            Stroke::Graded(place) => colour(f64::from(place) / 255.0),
+            Stroke::Graded(grade) => colour(f64::from(grade) / 255.0),
             Stroke::Colour(i) => COLOURS[usize::from(i) % COLOURS.len()],
             Stroke::Grey => GREY,
             Stroke::Solid

@@ -127,7 +127,7 @@ const RESTART: usize = 16 * LANES;
 fn cosines(step: f64, count: usize) -> Vec<f64> {
     let increment = |angle: f64| (2.0 * sin(0.5 * angle) * sin(0.5 * angle), sin(angle));
     let add = |(c, s): (f64, f64), (a, b): (f64, f64)| (c - (a * c + b * s), s - (a * s - b * c));
-    let (one, all) = (increment(step), increment(LANES as f64 * step));
+    let (one, by_lanes) = (increment(step), increment(LANES as f64 * step));
     let mut cosines = Vec::with_capacity(count + LANES);
     while cosines.len() < count {
         let (mut lanes, angle) = ([(1.0, 0.0); LANES], cosines.len() as f64 * step);
@@ -138,7 +138,7 @@ fn cosines(step: f64, count: usize) -> Vec<f64> {
         let until = (cosines.len() + RESTART).min(count);
         while cosines.len() < until {
             cosines.extend(lanes.map(|(c, _)| c));
-            lanes = lanes.map(|lane| add(lane, all));
+            lanes = lanes.map(|lane| add(lane, by_lanes));
         }
     }
     cosines.truncate(count);

@@ -46,7 +46,7 @@ impl EachMethod for Method {
         ) -> [bool; L] {
             advance_by::<L, D::Lanes<L, M>, T, P, S>(cases, motion)
         }
-        slipgap_system::each_method!(&cases[0].system().method, own => of::<L, M, T, P, S, _>(own, cases, motion))
+        slipgap_system::each_method!(&cases[0].system().method, method => of::<L, M, T, P, S, _>(method, cases, motion))
     }
 }
 
@@ -116,12 +116,12 @@ fn step_all<const L: usize, N: Recursion<L>, T: Track<L>, W: ContactResponse<L> 
     track: &mut T,
     rows: Range<usize>,
 ) -> Lane<L> {
-    let (mut own, mut own_law) = (stepper.take(), *law);
+    let (mut next_stepper, mut own_law) = (stepper.take(), *law);
     let mut work = Lane::splat(0.0);
-    let form = ContactWork::new(N::Scheme::FORCE_AT_END, own.flexibilities()[0].dt);
+    let form = ContactWork::new(N::Scheme::FORCE_AT_END, next_stepper.flexibilities()[0].dt);
     for row in track.rows(rows.start, rows.len()) {
-        let before = own.contact();
-        let after = own.step(&mut own_law);
+        let before = next_stepper.contact();
+        let after = next_stepper.step(&mut own_law);
         T::write(row, &after);
         if !N::Scheme::CONSERVES {
             let force = form.force([before.force, after.force]);
@@ -129,6 +129,6 @@ fn step_all<const L: usize, N: Recursion<L>, T: Track<L>, W: ContactResponse<L> 
             work = work + force * form.displacement(r, [before.velocity, after.velocity]);
         }
     }
-    (*stepper, *law) = (own, own_law);
+    (*stepper, *law) = (next_stepper, own_law);
     work
 }

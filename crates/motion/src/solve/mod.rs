@@ -115,10 +115,10 @@ pub(super) fn stepper<const L: usize, N: Recursion<L>, S: ToSystem>(cases: &[S; 
         };
         for l in 0..L {
             if !same[l] {
-                let own = cases[l].system().linear.mode(j);
-                start.mode[l] = own.mode;
-                start.displacement.0[l] = own.displacement;
-                start.velocity.0[l] = own.velocity;
+                let mode_start = cases[l].system().linear.mode(j);
+                start.mode[l] = mode_start.mode;
+                start.displacement.0[l] = mode_start.displacement;
+                start.velocity.0[l] = mode_start.velocity;
             }
         }
         start

@@ -64,7 +64,9 @@ pub fn sweep<const L: usize, C: LaneCase<L>>(cases: &[(usize, C)], table: &mut M
     // Mostly all cases are of one kind and have one exact solution.
     let first = cases.first().map(|(_, case)| (case, kind(&case.system())));
     let similar = |(_, case): &(usize, C)| {
-        first.is_some_and(|(first, own)| alike(first, case) && kind(&case.system()) == own)
+        first.is_some_and(|(first, first_kind)| {
+            alike(first, case) && kind(&case.system()) == first_kind
+        })
     };
     if cases.iter().all(similar) {
         for group in cases.chunks(L) {
@@ -155,10 +157,10 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
             }
             let solved = range.clone().filter(|l| finite[*l]);
             if range.len() >= SHARED {
-                let all = C::metrics(&lanes, &self.motion, reference);
-                table.set_lanes(&rows, range, all.as_ref(), &finite);
+                let values = C::metrics(&lanes, &self.motion, reference);
+                table.set_lanes(&rows, range, values.as_ref(), &finite);
                 for l in solved {
-                    table.warn(rows[l], lanes[l].warnings(|i| all.as_ref()[i].0[l]));
+                    table.warn(rows[l], lanes[l].warnings(|i| values.as_ref()[i].0[l]));
                 }
             } else {
                 for l in solved {

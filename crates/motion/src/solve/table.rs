@@ -91,8 +91,8 @@ impl MetricTable {
 
     /// The cases with warnings, in increasing order.
     pub fn warned(&self) -> impl Iterator<Item = (usize, Warnings)> + '_ {
-        let all = self.warnings.iter().copied().enumerate();
-        all.filter(|(_, warnings)| !warnings.is_empty())
+        let by_row = self.warnings.iter().copied().enumerate();
+        by_row.filter(|(_, warnings)| !warnings.is_empty())
     }
 
     /// Number of cases that were solved and do not have a metric.
@@ -246,12 +246,12 @@ mod tests {
         with.warn(0, Warnings::NONE);
         assert_eq!(with.warned().count(), 0);
         with.warn(1, gain);
-        for (tables, place) in [
+        for (tables, row) in [
             (vec![without.clone(), with.clone()], 3),
             (vec![with.clone(), without], 1),
         ] {
             let joined = MetricTable::joined(tables);
-            assert_eq!(joined.warned().collect::<Vec<_>>(), [(place, gain)]);
+            assert_eq!(joined.warned().collect::<Vec<_>>(), [(row, gain)]);
         }
         let mut copy = MetricTable::new(1, 1);
         copy.copy(0, &with, 1);

@@ -33,7 +33,7 @@ pub fn flexibilities(system: &System) -> Option<[StepFlexibility<1>; 2]> {
     fn of<D: Scheme>(_: &D, system: &System) -> Option<[StepFlexibility<1>; 2]> {
         Some(stepper::<1, D::Lanes<1, ManyModes>, _>(&[*system])?.flexibilities())
     }
-    slipgap_system::each_method!(&system.method, own => of(own, system))
+    slipgap_system::each_method!(&system.method, method => of(method, system))
 }
 
 /// Integrates one system to its last step; `visit` gets the number of each step, from 0 on, and the state of the structure.
@@ -41,7 +41,7 @@ pub fn visit(system: &System, visit: impl FnMut(u64, &dyn State)) {
     fn of<D: Scheme>(_: &D, system: &System, visit: impl FnMut(u64, &dyn State)) {
         visit_by::<D::Lanes<1, ManyModes>>(system, visit);
     }
-    slipgap_system::each_method!(&system.method, own => of(own, system, visit));
+    slipgap_system::each_method!(&system.method, method => of(method, system, visit));
 }
 
 /// The same with one method.

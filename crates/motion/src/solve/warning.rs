@@ -252,10 +252,13 @@ mod tests {
             Warnings::NONE.with(Warning::RecordPeak, true)
         );
         assert!(Warnings::parse("").is_empty());
-        let all = WARNINGS
+        let every_warning = WARNINGS
             .iter()
-            .fold(Warnings::NONE, |all, kind| all.with(*kind, true));
-        assert_eq!(Warnings::parse(&all.names()).iter().count(), WARNINGS.len());
+            .fold(Warnings::NONE, |warnings, kind| warnings.with(*kind, true));
+        assert_eq!(
+            Warnings::parse(&every_warning.names()).iter().count(),
+            WARNINGS.len()
+        );
     }
 
     #[test]

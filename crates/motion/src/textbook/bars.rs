@@ -51,14 +51,14 @@ pub fn assemble_bars(left: Bar, right: Option<Bar>, gap: f64) -> Assembly {
         let m = bar.mass / n;
         let rate = 2.0 * n / bar.travel_time; // C0/h
         let k = m * rate * rate; // EA/h
-        let (own, other) = match bar.kind {
+        let (diagonal, other) = match bar.kind {
             Mass::Lumped | Mass::MasslessContact => (m / 2.0, 0.0),
             Mass::Consistent => (m / 3.0, m / 6.0),
         };
         for i in start..start + bar.elements as usize {
             for (row, column, m, k) in [
-                (i, i, own, k),
-                (i + 1, i + 1, own, k),
+                (i, i, diagonal, k),
+                (i + 1, i + 1, diagonal, k),
                 (i, i + 1, other, -k),
                 (i + 1, i, other, -k),
             ] {
@@ -70,7 +70,7 @@ pub fn assemble_bars(left: Bar, right: Option<Bar>, gap: f64) -> Assembly {
             // The contact node is the last one of the left bar and the first one of the right bar.
             let contact = if start == 0 { first - 1 } else { first };
             let neighbour = if start == 0 { first - 2 } else { first + 1 };
-            mass[(neighbour, neighbour)] += own;
+            mass[(neighbour, neighbour)] += diagonal;
             mass[(contact, contact)] = 0.0;
         }
     }

@@ -51,31 +51,31 @@ fn all() -> BTreeMap<String, String> {
     let files = files.map(|file| file.expect("a file").file_name());
     let files = files.map(|file| file.into_string().expect("a name"));
     let files: Vec<String> = files.filter(|file| file != "laws.rs").collect();
-    let mut all: BTreeMap<_, _> = files.iter().flat_map(|file| names(&source(file))).collect();
-    all.insert("laws".to_owned(), source("laws.rs"));
-    all
+    let mut sources: BTreeMap<_, _> = files.iter().flat_map(|file| names(&source(file))).collect();
+    sources.insert("laws".to_owned(), source("laws.rs"));
+    sources
 }
 
 #[test]
 fn the_names_of_the_crate_are_the_reviewed_ones() {
-    let mut own: Vec<String> = all().into_keys().collect();
-    own.extend(laws().iter().map(|law| format!("laws::{law}")));
-    own.sort();
+    let mut public: Vec<String> = all().into_keys().collect();
+    public.extend(laws().iter().map(|law| format!("laws::{law}")));
+    public.sort();
     let reviewed = include_str!("names.txt").split_whitespace();
     let reviewed: Vec<String> = reviewed.map(str::to_owned).collect();
     assert_eq!(
-        own,
+        public,
         reviewed,
         "if each difference is right, names.txt becomes:\n{}",
-        own.join("\n")
+        public.join("\n")
     );
 }
 
 #[test]
 fn every_name_has_an_example() {
-    let all = all();
-    assert!(all.len() > 30);
-    for (name, documentation) in all {
+    let documented = all();
+    assert!(documented.len() > 30);
+    for (name, documentation) in documented {
         assert!(
             documentation.matches("```").count() >= 2,
             "{name} has no example"

@@ -131,18 +131,18 @@ fn own_impacts_and_own_friction_step_as_the_same_laws_of_the_list() {
         mass.contacts[0].gap = if impact { 0.1 } else { 0.0 };
         run(&mass, method, 0.01, 1000).unwrap()
     };
-    for (own, of_the_list) in [
+    for (own_law, of_the_list) in [
         (Own::new(&SOFT), ContactLaw::KelvinVoigt(BUMPER)),
         (Own::new(&SMOOTH), ContactLaw::Tanh(smooth)),
     ] {
         for method in [AverageAcceleration.into(), Bathe.into()] {
-            let [a, b] = [ContactLaw::Own(own), of_the_list].map(|law| moved(law, &method));
+            let [a, b] = [ContactLaw::Own(own_law), of_the_list].map(|law| moved(law, &method));
             assert!(
                 difference(&a.displacement, &b.displacement) < 1e-12,
-                "{own:?}"
+                "{own_law:?}"
             );
-            assert!(difference(&a.force, &b.force) < 1e-10, "{own:?}");
-            assert!(a.force.iter().any(|s| s[0].abs() > 0.5), "{own:?}");
+            assert!(difference(&a.force, &b.force) < 1e-10, "{own_law:?}");
+            assert!(a.force.iter().any(|s| s[0].abs() > 0.5), "{own_law:?}");
         }
     }
 }
@@ -205,11 +205,11 @@ impl OwnLaw for Odd {
             "no slope" => f64::NAN,
             _ => 4.0,
         };
-        let own = if self.0 == "lost" { f64::NAN } else { 0.0 };
+        let failure = if self.0 == "lost" { f64::NAN } else { 0.0 };
         OwnAnswer {
             force,
             slopes: [slope, 0.0],
-            state: [state[0] + own; 8],
+            state: [state[0] + failure; 8],
         }
     }
 
@@ -301,9 +301,9 @@ fn the_force_of_an_own_law_is_its_answer_or_the_step_is_refused() {
                     dt,
                     limit: 0.0,
                 };
-                let own = law.answer(&step, &OwnState::default()).force;
+                let force = law.answer(&step, &OwnState::default()).force;
                 // The search for the forces of two contacts ends at 1e-12 of them.
-                assert!((own - s[0]).abs() < 1e-11, "{own} {}", s[0]);
+                assert!((force - s[0]).abs() < 1e-11, "{force} {}", s[0]);
                 most = f64::max(most, r[0].abs());
             }
             assert!(most > 0.6);
@@ -316,10 +316,10 @@ fn slopes_do_not_change_the_root() {
     for masses in [1, 2] {
         let right = odd("", masses, 0.01).unwrap();
         for name in ["steep", "flat", "negative", "no slope"] {
-            let own = odd(name, masses, 0.01).unwrap();
+            let moved_by_own = odd(name, masses, 0.01).unwrap();
             // Bisection ends at round-off of S, which 400 steps carry on.
             assert!(
-                difference(&own.displacement, &right.displacement) < 1e-12,
+                difference(&moved_by_own.displacement, &right.displacement) < 1e-12,
                 "{name}"
             );
         }

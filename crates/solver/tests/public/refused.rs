@@ -24,37 +24,37 @@ fn refused(structure: &Structure) -> String {
 
 #[test]
 fn lists_of_another_length_are_refused() {
-    let mut own = mass();
-    own.velocity.push(1.0);
-    assert!(refused(&own).contains("velocity must have the size 1, got 2"));
-    let mut own = mass();
-    own.stiffness = Symmetric::zeros(3);
-    assert!(refused(&own).contains("stiffness must have the size 1, got 3"));
-    let mut own = mass();
-    own.preload.load = vec![1.0; 2];
-    assert!(refused(&own).contains("preload.load"));
+    let mut structure = mass();
+    structure.velocity.push(1.0);
+    assert!(refused(&structure).contains("velocity must have the size 1, got 2"));
+    let mut structure = mass();
+    structure.stiffness = Symmetric::zeros(3);
+    assert!(refused(&structure).contains("stiffness must have the size 1, got 3"));
+    let mut structure = mass();
+    structure.preload.load = vec![1.0; 2];
+    assert!(refused(&structure).contains("preload.load"));
 }
 
 #[test]
 fn nodes_that_are_none_are_refused() {
-    let mut own = mass();
-    own.loads.push(Load {
+    let mut structure = mass();
+    structure.loads.push(Load {
         pattern: vec![(4, 1.0)],
         signal: Signal::constant(1.0).into(),
     });
-    assert!(refused(&own).contains("a node must be below 1, got 4"));
-    let mut own = mass();
+    assert!(refused(&structure).contains("a node must be below 1, got 4"));
+    let mut structure = mass();
     let damper = Viscous {
         viscosity: 1.0,
         exponent: 1.0,
     };
-    own.contacts.push(Contact {
+    structure.contacts.push(Contact {
         name: "damper".into(),
         along: vec![(1, 1.0)],
         gap: 0.0,
         law: StructureLaw::new(slipgap_solver::ContactLaw::Viscous(damper), None),
     });
-    assert!(refused(&own).contains("a node must be below 1, got 1"));
+    assert!(refused(&structure).contains("a node must be below 1, got 1"));
 }
 
 #[test]

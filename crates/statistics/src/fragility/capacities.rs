@@ -34,8 +34,8 @@ impl Capacities {
             (0, before, _) if before > 0 => return Err(NoFit::Before(before)),
             _ => {}
         }
-        let mut all = reached.iter().chain(beyond).chain(before);
-        if all.any(|x| x.is_nan() || *x <= 0.0) {
+        let mut capacities = reached.iter().chain(beyond).chain(before);
+        if capacities.any(|x| x.is_nan() || *x <= 0.0) {
             return Err(NoFit::NoLogarithm);
         }
         if reached.len() < 2 {

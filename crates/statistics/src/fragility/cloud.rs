@@ -34,11 +34,11 @@ impl Cloud {
 
     /// Several clouds as one.
     pub fn together<'a>(clouds: impl Iterator<Item = &'a Cloud>) -> Cloud {
-        clouds.fold(Cloud::default(), |mut all, own| {
-            all.points.extend(&own.points);
-            all.beyond.extend(&own.beyond);
-            all.lacks_logarithm |= own.lacks_logarithm;
-            all
+        clouds.fold(Cloud::default(), |mut joined, cloud| {
+            joined.points.extend(&cloud.points);
+            joined.beyond.extend(&cloud.beyond);
+            joined.lacks_logarithm |= cloud.lacks_logarithm;
+            joined
         })
     }
 
@@ -215,14 +215,14 @@ mod tests {
             ),
         ] {
             let beyond = beyond.iter().map(|x| [*x, f64::INFINITY]);
-            let all: Vec<[f64; 2]> = points().into_iter().chain(beyond).collect();
-            let fit = Cloud::new(&all).fit(0.07, 0.07).unwrap();
+            let every_point: Vec<[f64; 2]> = points().into_iter().chain(beyond).collect();
+            let fit = Cloud::new(&every_point).fit(0.07, 0.07).unwrap();
             // Rounding of the likelihood, whose square root is that of its place; the last full step is far closer.
             compare(&fit, expected, 1e-11);
-            let own = fit.line.unwrap();
+            let line_of_fit = fit.line.unwrap();
             let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-11, "{a} {b}");
-            close(own.slope, line[0]);
-            close(own.deviation, line[1]);
+            close(line_of_fit.slope, line[0]);
+            close(line_of_fit.deviation, line[1]);
         }
     }
 
@@ -230,8 +230,8 @@ mod tests {
     fn a_limit_below_the_bound_has_the_median_of_the_line() {
         // The same program; two of the cases are at 0.11 or above, and their y is not known.
         let known = |[x, y]: [f64; 2]| [x, if y < 0.11 { y } else { f64::INFINITY }];
-        let all: Vec<[f64; 2]> = points().into_iter().map(known).collect();
-        let fit = Cloud::new(&all).fit(0.07, 0.11).unwrap();
+        let every_point: Vec<[f64; 2]> = points().into_iter().map(known).collect();
+        let fit = Cloud::new(&every_point).fit(0.07, 0.11).unwrap();
         let expected = [
             0.541368669562324,
             0.1435351624881833,

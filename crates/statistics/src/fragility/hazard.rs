@@ -59,9 +59,9 @@ impl Hazard {
             }
             let k = self.steepness(i);
             let [at, height] = self.points[i];
-            let place = |z: f64| (z - median) / beta + k * beta;
+            let normal = |z: f64| (z - median) / beta + k * beta;
             let factor = height - k * (median - at) + 0.5 * k * k * beta * beta;
-            normal_between(factor, place(from), place(to))
+            normal_between(factor, normal(from), normal(to))
         };
         (0..=last).map(part).sum()
     }
@@ -92,8 +92,8 @@ impl Hazard {
         if low == high {
             return self.frequency(low);
         }
-        let place = |x: f64| (log(x) - log(function.median)) / function.dispersion;
-        self.between(function, low, high) / normal_between(0.0, place(low), place(high))
+        let normal = |x: f64| (log(x) - log(function.median)) / function.dispersion;
+        self.between(function, low, high) / normal_between(0.0, normal(low), normal(high))
     }
 }
 
@@ -128,7 +128,7 @@ mod tests {
             [2.0, 5e-6],
         ];
         let hazard = Hazard::new(&curve).unwrap();
-        for (median, dispersion, all, outside, closed) in [
+        for (median, dispersion, annual, outside, closed) in [
             (
                 0.9,
                 0.45,
@@ -152,7 +152,7 @@ mod tests {
             ),
         ] {
             let function = Fragility { median, dispersion };
-            close(hazard.annual(&function), all);
+            close(hazard.annual(&function), annual);
             close(hazard.outside(&function), outside);
             close(hazard.closed_form(&function), closed);
         }

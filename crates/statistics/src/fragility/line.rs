@@ -81,9 +81,12 @@ mod tests {
         let line = Line::through(&points).unwrap();
         // scipy.stats.linregress: sums of eight terms, and a continued fraction.
         let expected = [0.2501563477173235, 0.15621537380998599];
-        let own = [line.slope, line.p_of_slope()];
-        for (own, expected) in own.into_iter().zip(expected) {
-            assert!((own / expected - 1.0).abs() < 1e-12, "{own} {expected}");
+        let found = [line.slope, line.p_of_slope()];
+        for (number, expected) in found.into_iter().zip(expected) {
+            assert!(
+                (number / expected - 1.0).abs() < 1e-12,
+                "{number} {expected}"
+            );
         }
         assert_eq!(Line::through(&points[..2]), None);
         assert_eq!(Line::through(&[[1.0, 2.0], [1.0, 3.0], [1.0, 4.0]]), None);

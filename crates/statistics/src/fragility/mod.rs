@@ -66,10 +66,15 @@ mod tests {
 
     /// Compares a fit with median, dispersion and the ends of their intervals.
     pub(super) fn compare(fit: &Fit, expected: [f64; 6], tolerance: f64) {
-        let own = [fit.function.median, fit.function.dispersion];
-        let own = own.into_iter().chain(fit.intervals().into_iter().flatten());
-        for (own, expected) in own.zip(expected) {
-            assert!((own / expected - 1.0).abs() < tolerance, "{own} {expected}");
+        let parameters = [fit.function.median, fit.function.dispersion];
+        let numbers = parameters
+            .into_iter()
+            .chain(fit.intervals().into_iter().flatten());
+        for (number, expected) in numbers.zip(expected) {
+            assert!(
+                (number / expected - 1.0).abs() < tolerance,
+                "{number} {expected}"
+            );
         }
     }
 }

@@ -52,8 +52,8 @@ fn solvable(trials: &[Trials]) -> Result<(), NoFit> {
         return Err(NoFit::NotPositive);
     }
     let range = |of: &dyn Fn(&Trials) -> bool| {
-        let own = trials.iter().filter(|t| of(t)).map(|t| t.at);
-        own.fold(None, |range: Option<[f64; 2]>, x| {
+        let measures = trials.iter().filter(|t| of(t)).map(|t| t.at);
+        measures.fold(None, |range: Option<[f64; 2]>, x| {
             let [low, high] = range.unwrap_or([x, x]);
             Some([low.min(x), high.max(x)])
         })

@@ -42,8 +42,8 @@ impl AverageAcceleration {
 
 impl From<AverageAcceleration> for Method {
     #[inline(always)]
-    fn from(own: AverageAcceleration) -> Method {
-        Method::AverageAcceleration(own)
+    fn from(method: AverageAcceleration) -> Method {
+        Method::AverageAcceleration(method)
     }
 }
 
@@ -181,15 +181,15 @@ impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
     fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self> {
         let dt = start.dt;
         let modes = M::collect(modes.map(|start| ModeState::new(dt, &start)))?;
-        let all = modes.as_ref();
+        let every_mode = modes.as_ref();
         let rate = dt.map(|dt| 1.0 / dt);
-        let increment = sum(all, |mode| mode.state()[0]);
+        let increment = sum(every_mode, |mode| mode.state()[0]);
         Some(Lanes {
             rate,
-            compliance: sum(all, |mode| mode.compliance),
-            predictor: sum(all, |mode| mode.predictor),
+            compliance: sum(every_mode, |mode| mode.compliance),
+            predictor: sum(every_mode, |mode| mode.predictor),
             contact: ContactState {
-                displacement: start.gap + sum(all, |mode| mode.state()[1]),
+                displacement: start.gap + sum(every_mode, |mode| mode.state()[1]),
                 velocity: increment * rate,
                 force: start.force,
             },

@@ -46,8 +46,8 @@ impl Bathe {
 }
 
 impl From<Bathe> for Method {
-    fn from(own: Bathe) -> Method {
-        Method::Bathe(own)
+    fn from(method: Bathe) -> Method {
+        Method::Bathe(method)
     }
 }
 

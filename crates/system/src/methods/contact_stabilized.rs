@@ -40,8 +40,8 @@ const MEAN: MoreauJean = MoreauJean { theta: 0.5 };
 pub struct ContactStabilized;
 
 impl From<ContactStabilized> for Method {
-    fn from(own: ContactStabilized) -> Method {
-        Method::ContactStabilized(own)
+    fn from(method: ContactStabilized) -> Method {
+        Method::ContactStabilized(method)
     }
 }
 

@@ -39,13 +39,13 @@ pub enum Method {
 #[macro_export]
 #[doc(hidden)]
 macro_rules! each_method {
-    ($method:expr, $own:ident => $result:expr) => {
+    ($method:expr, $chosen:ident => $result:expr) => {
         match $method {
-            $crate::methods::Method::AverageAcceleration($own) => $result,
-            $crate::methods::Method::Family($own) => $result,
-            $crate::methods::Method::Bathe($own) => $result,
-            $crate::methods::Method::MoreauJean($own) => $result,
-            $crate::methods::Method::ContactStabilized($own) => $result,
+            $crate::methods::Method::AverageAcceleration($chosen) => $result,
+            $crate::methods::Method::Family($chosen) => $result,
+            $crate::methods::Method::Bathe($chosen) => $result,
+            $crate::methods::Method::MoreauJean($chosen) => $result,
+            $crate::methods::Method::ContactStabilized($chosen) => $result,
         }
     };
 }
@@ -76,10 +76,10 @@ pub trait Scheme: Copy + Into<Method> {
     /// Weights of the loads at the start of a step, after a jump there, and at the ends of its sub-steps, before a jump there, in the
     /// impulse that they give a free mass, in this step and in those after it. From v' and a' of a sub-step for K = C = 0.
     fn load_weights(&self) -> Vec<f64> {
-        let own = self.sub_steps(1.0);
-        let weights = own.iter().flat_map(|own| {
-            let [[w0, w1], [m0, m1]] = [own.weights, own.inertia];
-            [w0 - m0 + own.v_a, w1 - m1 + own.d1]
+        let sub_steps = self.sub_steps(1.0);
+        let weights = sub_steps.iter().flat_map(|sub_step| {
+            let [[w0, w1], [m0, m1]] = [sub_step.weights, sub_step.inertia];
+            [w0 - m0 + sub_step.v_a, w1 - m1 + sub_step.d1]
         });
         weights.collect()
     }
@@ -113,12 +113,12 @@ impl Method {
         fn of<S: Scheme>(_: &S) -> u64 {
             S::SUB_STEPS
         }
-        each_method!(self, own => of(own))
+        each_method!(self, chosen => of(chosen))
     }
 
     /// See [`Scheme::load_weights`].
     pub fn load_weights(&self) -> Vec<f64> {
-        each_method!(self, own => own.load_weights())
+        each_method!(self, chosen => chosen.load_weights())
     }
 
     /// See [`Scheme::HAS_IMPULSES`].
@@ -126,7 +126,7 @@ impl Method {
         fn of<S: Scheme>(_: &S) -> bool {
             S::HAS_IMPULSES
         }
-        each_method!(self, own => of(own))
+        each_method!(self, chosen => of(chosen))
     }
 
     /// See [`Scheme::FORCE_AT_END`].
@@ -134,7 +134,7 @@ impl Method {
         fn of<S: Scheme>(_: &S) -> bool {
             S::FORCE_AT_END
         }
-        each_method!(self, own => of(own))
+        each_method!(self, chosen => of(chosen))
     }
 
     /// See [`Scheme::CORRECTS`].
@@ -142,7 +142,7 @@ impl Method {
         fn of<S: Scheme>(_: &S) -> bool {
             S::CORRECTS
         }
-        each_method!(self, own => of(own))
+        each_method!(self, chosen => of(chosen))
     }
 
     /// See [`Scheme::CONSERVES`].
@@ -150,22 +150,22 @@ impl Method {
         fn of<S: Scheme>(_: &S) -> bool {
             S::CONSERVES
         }
-        each_method!(self, own => of(own))
+        each_method!(self, chosen => of(chosen))
     }
 
     /// See [`Scheme::sub_steps`].
     pub fn sub_steps(&self, dt: f64) -> Vec<SubStep> {
-        each_method!(self, own => own.sub_steps(dt))
+        each_method!(self, chosen => chosen.sub_steps(dt))
     }
 
     /// See [`Scheme::order`].
     pub fn order(&self) -> u32 {
-        each_method!(self, own => own.order())
+        each_method!(self, chosen => chosen.order())
     }
 
     /// See [`Scheme::stability_limit`].
     pub fn stability_limit(&self) -> f64 {
-        each_method!(self, own => own.stability_limit())
+        each_method!(self, chosen => chosen.stability_limit())
     }
 
     /// Whether free modes grow at steps above a critical one.
@@ -185,6 +185,6 @@ impl Method {
     /// assert!((step.spectral_radius - 1.0).abs() < 1e-15);
     /// ```
     pub fn amplification(&self, omega_dt: f64) -> Amplification {
-        each_method!(self, own => own.amplification(omega_dt))
+        each_method!(self, chosen => chosen.amplification(omega_dt))
     }
 }

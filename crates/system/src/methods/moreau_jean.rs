@@ -59,8 +59,8 @@ impl MoreauJean {
 }
 
 impl From<MoreauJean> for Method {
-    fn from(own: MoreauJean) -> Method {
-        Method::MoreauJean(own)
+    fn from(method: MoreauJean) -> Method {
+        Method::MoreauJean(method)
     }
 }
 
@@ -169,10 +169,10 @@ impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
     fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self> {
         let mut theta = Lane::splat(0.5);
         for l in 0..L {
-            let Method::MoreauJean(own) = start.method[l] else {
+            let Method::MoreauJean(moreau_jean) = start.method[l] else {
                 return None;
             };
-            theta.0[l] = own.theta;
+            theta.0[l] = moreau_jean.theta;
         }
         let dt = start.dt;
         let mut modes = M::collect(modes.map(|mode| ModeState::new(theta, dt, &mode)))?;

@@ -122,7 +122,7 @@ mod tests {
         let element = bar.mass / n as f64;
         // EA/h = (EA/C0) (C0/h) with EA/C0 = mass C0/L = 2 mass/travel_time.
         let stiffness = 2.0 * bar.mass / bar.travel_time * (2.0 * n as f64 / bar.travel_time);
-        let (own, other) = match bar.kind {
+        let (diagonal, other) = match bar.kind {
             Mass::Lumped | Mass::MasslessContact => (element / 2.0, 0.0),
             Mass::Consistent => (element / 3.0, element / 6.0),
         };
@@ -133,7 +133,7 @@ mod tests {
                 (i, i + 1, -1.0),
                 (i + 1, i, -1.0),
             ] {
-                m[(row, column)] += if row == column { own } else { other };
+                m[(row, column)] += if row == column { diagonal } else { other };
                 k[(row, column)] += sign * stiffness;
             }
         }
@@ -195,11 +195,11 @@ mod tests {
                 shapes.transpose() * k * &shapes,
             );
             let highest = stiffnesses.amax();
-            for (i, own) in bar.modes().enumerate() {
+            for (i, mode) in bar.modes().enumerate() {
                 assert!((shapes[(0, i)] - 1.0).abs() < ROUND_OFF);
                 for j in 0..size {
                     let (mass, stiffness) = if i == j {
-                        (1.0 / own.phi2, own.omega2 / own.phi2)
+                        (1.0 / mode.phi2, mode.omega2 / mode.phi2)
                     } else {
                         (0.0, 0.0)
                     };

@@ -27,10 +27,10 @@ impl BarPair {
 
     /// Number of modes, see [`BarPair::mode`].
     pub fn len(&self) -> usize {
-        let own = self.left.mode_count() as usize;
+        let left = self.left.mode_count() as usize;
         match self.right {
-            Some(right) if right != self.left => own + right.mode_count() as usize - 1,
-            Some(_) | None => own,
+            Some(right) if right != self.left => left + right.mode_count() as usize - 1,
+            Some(_) | None => left,
         }
     }
 
@@ -103,10 +103,14 @@ impl BarPair {
             modes.iter().map(|mode| mode.map(|x| share * x)).collect()
         };
         let first = self.left.mode_count() as usize;
-        let (own, rest) = together.split_at(first);
-        let rest = if self.equal() { &own[1..] } else { rest };
+        let (first_modes, rest) = together.split_at(first);
+        let rest = if self.equal() {
+            &first_modes[1..]
+        } else {
+            rest
+        };
         let mut modes = vec![rigid(other / (left + other))];
-        modes.extend(elastic(&own[1..]));
+        modes.extend(elastic(&first_modes[1..]));
         modes.push(rigid(left / (left + other)));
         modes.extend(elastic(rest));
         modes

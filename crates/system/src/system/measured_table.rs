@@ -114,9 +114,9 @@ impl MeasuredTable {
 
     /// The numbers of a column with the indices of their lines.
     fn numbers(&self, name: &str) -> Result<Vec<(usize, f64)>, RecordFault> {
-        let mut places = (0..self.names.len()).filter(|place| self.names[*place] == name);
-        let place = match (places.next(), places.next()) {
-            (Some(place), None) => place,
+        let mut places = (0..self.names.len()).filter(|column| self.names[*column] == name);
+        let column = match (places.next(), places.next()) {
+            (Some(column), None) => column,
             (found, _) => {
                 let names = || self.names.iter().map(|name| Shown::new(name)).collect();
                 let cause = match found {
@@ -127,7 +127,7 @@ impl MeasuredTable {
             }
         };
         let rows = self.rows.iter().map(|(line, row)| {
-            let text = cells(row, self.by).get(place).copied().unwrap_or_default();
+            let text = cells(row, self.by).get(column).copied().unwrap_or_default();
             let x = cell(text).map_err(|cause| {
                 let cause = RecordCause::InColumn(Shown::new(name), Box::new(cause));
                 fault(&self.file, *line, cause)

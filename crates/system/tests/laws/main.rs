@@ -42,16 +42,16 @@ fn made(law: &Offered) -> Option<ContactLaw> {
 
 /// The law with these values of its numbers in structures, with the friction limit 2.
 fn made_with(law: &Offered, value: impl Fn(&Number) -> f64) -> Option<ContactLaw> {
-    let own = law.offer.structure?;
+    let in_structure = law.offer.structure?;
     // A study gives one of two numbers that take each other's place.
     let given = |number: &&Number| {
         let first = number.instead_of.is_none_or(|other| !law.has(other));
         first.then(|| value(number))
     };
-    let values: Vec<Option<f64>> = own.numbers.iter().map(given).collect();
+    let values: Vec<Option<f64>> = in_structure.numbers.iter().map(given).collect();
     let given = GivenNumbers {
         law: law.offer.name,
-        numbers: own.numbers,
+        numbers: in_structure.numbers,
         values: &values,
         table: &[[0.5, 1.0], [1.5, 2.0], [4.0, 2.5]],
         others: &[("limit", 2.0), ("nu", 2.0)],
@@ -85,10 +85,10 @@ fn every_law_has_names_numbers_units_and_meanings() {
         let places = [Place::Oscillator, Place::Bars, Place::Structure];
         let offers: Vec<_> = places.iter().filter_map(|place| law.at(*place)).collect();
         assert!(!offers.is_empty(), "{name} is offered nowhere");
-        for own in offers {
-            assert!(own.meaning.len() > 10, "{name}");
-            assert!(own.numbers.len() <= 25, "{name}");
-            for number in own.numbers {
+        for offer in offers {
+            assert!(offer.meaning.len() > 10, "{name}");
+            assert!(offer.numbers.len() <= 25, "{name}");
+            for number in offer.numbers {
                 let Number {
                     key,
                     symbol,
@@ -129,7 +129,7 @@ fn the_name_in_text_is_a_name_of_studies() {
         );
         let shown = made.properties().shown();
         assert!(
-            !shown.is_empty() && shown.iter().all(|own| !own.0.is_empty()),
+            !shown.is_empty() && shown.iter().all(|pair| !pair.0.is_empty()),
             "{made:?}"
         );
     }
@@ -251,7 +251,7 @@ fn by_steps(law: &ContactLaw, mass: f64, speed: f64) -> Collided {
     };
     let energy = 0.5 * mass * speed * speed;
     let overlap = (-60..60).map(|i| libm::exp2(f64::from(i) * 0.5));
-    let overlap = overlap.into_iter().find(|own| stored(*own) > energy);
+    let overlap = overlap.into_iter().find(|depth| stored(*depth) > energy);
     let dt = overlap.expect("an overlap that stores the energy") / speed / 20_000.0;
     let half = Flexibility {
         h: Lane([0.25 * dt * dt / mass]),

@@ -35,7 +35,7 @@ fn yes(is: bool) -> String {
 
 /// Every property with its name, at an overlap of 0.1 or under a force of -0.3.
 fn properties(law: &ContactLaw) -> Vec<(&'static str, String)> {
-    let own = law.properties();
+    let properties = law.properties();
     let end = Flexibility {
         h: Lane([0.4]),
         h_rate: Lane([8.0]),
@@ -46,15 +46,20 @@ fn properties(law: &ContactLaw) -> Vec<(&'static str, String)> {
         dt: Lane([0.1]),
         by_impulse: false,
     };
-    let shown = own.shown().into_iter();
+    let shown = properties.shown().into_iter();
     let shown: Vec<String> = shown
         .map(|(name, x)| format!("{} {}", name.trim_end_matches(" ="), number(x)))
         .collect();
     let [r, rdot, s] = [-0.1, 0.7, -0.3];
     let evolution = law.evolution();
-    let evolution = evolution.map(|own| {
-        let z = own.state(s, r);
-        [z, own.rate(z, rdot), own.force(z, r, rdot), own.bound()]
+    let evolution = evolution.map(|evolution| {
+        let z = evolution.state(s, r);
+        [
+            z,
+            evolution.rate(z, rdot),
+            evolution.force(z, r, rdot),
+            evolution.bound(),
+        ]
     });
     let deflection = law.deflection(s);
     vec![
@@ -63,51 +68,69 @@ fn properties(law: &ContactLaw) -> Vec<(&'static str, String)> {
         ("kind", format!("{:?}", law.kind())),
         ("of velocity", yes(law.of_velocity())),
         ("shown", shown.join(", ")),
-        ("largest stiffness", number(own.largest_stiffness(0.1))),
-        ("initial stiffness", number(own.initial_stiffness(0.1))),
-        ("open", number(own.initial_stiffness(0.0))),
-        ("reach", number(own.reach())),
-        ("bounds", all(&own.bounds())),
-        ("over velocity", yes(own.over_velocity())),
-        ("falls", yes(own.falls())),
-        ("one root", yes(own.has_one_root(&on))),
-        ("rigid form", yes(own.has_rigid_form())),
-        ("by closing speed", yes(own.divides_by_closing_speed())),
-        ("unbent force", option(own.unbent_force(rdot))),
-        ("touching time", option(own.touching_time(2.0, Some(0.1)))),
+        (
+            "largest stiffness",
+            number(properties.largest_stiffness(0.1)),
+        ),
+        (
+            "initial stiffness",
+            number(properties.initial_stiffness(0.1)),
+        ),
+        ("open", number(properties.initial_stiffness(0.0))),
+        ("reach", number(properties.reach())),
+        ("bounds", all(&properties.bounds())),
+        ("over velocity", yes(properties.over_velocity())),
+        ("falls", yes(properties.falls())),
+        ("one root", yes(properties.has_one_root(&on))),
+        ("rigid form", yes(properties.has_rigid_form())),
+        (
+            "by closing speed",
+            yes(properties.divides_by_closing_speed()),
+        ),
+        ("unbent force", option(properties.unbent_force(rdot))),
+        (
+            "touching time",
+            option(properties.touching_time(2.0, Some(0.1))),
+        ),
         ("stored energy", number(law.stored_energy(r, s))),
         ("conservative force", number(law.conservative_force(r, s))),
         (
             "deflection and slope",
-            deflection.map_or("-".to_owned(), |own| all(&[own.r, own.slope])),
+            deflection.map_or("-".to_owned(), |deflection| {
+                all(&[deflection.r, deflection.slope])
+            }),
         ),
         (
             "z, dz/dt, S, bound",
-            evolution.map_or("-".to_owned(), |own| all(&own)),
+            evolution.map_or("-".to_owned(), |numbers| all(&numbers)),
         ),
-        ("corner", number(own.corner(rdot))),
+        ("corner", number(properties.corner(rdot))),
         (
             "only in steps",
-            own.only_in_steps().unwrap_or("-").to_owned(),
+            properties.only_in_steps().unwrap_or("-").to_owned(),
         ),
-        ("printed", yes(own.element(r, s).is_some())),
+        ("printed", yes(properties.element(r, s).is_some())),
         ("driven", option(law.driven(0.6, 0.5))),
         (
             "restitution",
-            option(law.collision(0.5, 1.0).map(|own| own.restitution)),
+            option(
+                law.collision(0.5, 1.0)
+                    .map(|collision| collision.restitution),
+            ),
         ),
         ("at limit 1", all(&law.at_limit(1.0).properties().bounds())),
-        ("vertical", yes(own.is_vertical())),
+        ("vertical", yes(properties.is_vertical())),
         (
             "without damper",
             law.without_damper()
-                .map_or("-".to_owned(), |own| own.name().to_owned()),
+                .map_or("-".to_owned(), |undamped| undamped.name().to_owned()),
         ),
         ("in a plane", yes(slides_in_plane(law))),
-        ("straight lines", yes(own.straight().is_some())),
+        ("straight lines", yes(properties.straight().is_some())),
         (
             "clipped line",
-            own.line()
+            properties
+                .line()
                 .map_or("-".to_owned(), |line| format!("{line:?}").replace(' ', "")),
         ),
     ]

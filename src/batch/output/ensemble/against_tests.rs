@@ -51,10 +51,14 @@ impl EnsembleMetrics<'_> {
                 continue;
             };
             let samples = self.samples(column);
-            let cells = samples.par_iter().map(|own| cells(&tests, &own.rising));
+            let cells = samples
+                .par_iter()
+                .map(|sample| cells(&tests, &sample.rising));
             let cells: Vec<_> = cells.collect();
             for (values, cells) in self.ensembles.iter().zip(cells) {
-                let values = varying.iter().map(|place| text(values[*place]));
+                let values = varying
+                    .iter()
+                    .map(|column_index| text(values[*column_index]));
                 let names = std::iter::once(self.metric(column).to_owned()).chain(values);
                 writer.write_record(names.chain(cells))?;
             }
@@ -69,14 +73,14 @@ fn cells(tests: &[f64], cases: &[f64]) -> [String; NUMBERS.len()] {
     let number = |x: Option<f64>| x.map(real).unwrap_or_default();
     let end = |ends: Option<[f64; 2]>, end: usize| number(ends.map(|ends| ends[end]));
     let (ends, median) = (interval(tests, cases), median::interval(tests));
-    let verdict = found.map(|own| VERDICTS[usize::from(own.p < LEVEL)]);
+    let verdict = found.map(|comparison| VERDICTS[usize::from(comparison.p < LEVEL)]);
     [
         tests.len().to_string(),
         cases.len().to_string(),
-        number(found.map(|own| own.distance)),
+        number(found.map(|comparison| comparison.distance)),
         end(ends, 0),
         end(ends, 1),
-        number(found.map(|own| own.p)),
+        number(found.map(|comparison| comparison.p)),
         verdict.unwrap_or_default().to_owned(),
         number(quantile(tests, 0.5)),
         end(median, 0),

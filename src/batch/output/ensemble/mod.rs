@@ -105,8 +105,8 @@ impl<'a> EnsembleMetrics<'a> {
 
     /// The places in `outside` of the parameters that differ between ensembles: the columns of both tables.
     fn varying(&self) -> Vec<usize> {
-        let differs = |place: &usize| {
-            let mut values = self.ensembles.iter().map(|values| values[*place]);
+        let differs = |column: &usize| {
+            let mut values = self.ensembles.iter().map(|values| values[*column]);
             let first = values.next().flatten();
             values.any(|value| !Value::identical(value, first))
         };
@@ -114,8 +114,8 @@ impl<'a> EnsembleMetrics<'a> {
     }
 
     /// The column of the parameter at a place in `outside`.
-    fn column_name(&self, place: usize) -> &str {
-        self.study.problem.parameters()[self.outside[place]].column_name()
+    fn column_name(&self, column: usize) -> &str {
+        self.study.problem.parameters()[self.outside[column]].column_name()
     }
 
     /// The name of the metric of a column.

@@ -23,10 +23,10 @@ impl EnsembleMetrics<'_> {
     pub(super) fn pairs(&self) -> Vec<Pair> {
         let mut before: Vec<Vec<usize>> = Vec::new();
         let mut pairs = Vec::new();
-        for place in self.varying() {
-            let equal = self.equal_beside(place);
+        for column in self.varying() {
+            let equal = self.equal_beside(column);
             if !before.contains(&equal) {
-                pairs.extend(self.pairs_of(place, &equal));
+                pairs.extend(self.pairs_of(column, &equal));
                 before.push(equal);
             }
         }
@@ -35,13 +35,13 @@ impl EnsembleMetrics<'_> {
 
     /// The places of the parameters that must be equal where ensembles are compared by the parameter at `place`: not those
     /// that change with it, nor those that apply only to some of its names.
-    fn equal_beside(&self, place: usize) -> Vec<usize> {
+    fn equal_beside(&self, column: usize) -> Vec<usize> {
         let table = self.study.problem.parameters();
-        let own = &table[self.outside[place]].name;
-        let others = self.study.outside_ensemble(&[self.outside[place]]);
+        let parameter = &table[self.outside[column]].name;
+        let others = self.study.outside_ensemble(&[self.outside[column]]);
         let depends = |row: usize| {
             let applies = table[row].applies.as_ref();
-            applies.is_some_and(|on| on.governor == own)
+            applies.is_some_and(|on| on.governor == parameter)
         };
         let equal = |other: &usize| {
             let row = self.outside[*other];

@@ -57,7 +57,7 @@ impl EnsembleMetrics<'_> {
     /// The first columns of quantiles.csv: the metric, and the parameters that differ between ensembles.
     pub fn name_columns(&self) -> Vec<String> {
         let varying = self.varying().into_iter();
-        let names = varying.map(|place| self.column_name(place));
+        let names = varying.map(|column| self.column_name(column));
         ["metric"]
             .into_iter()
             .chain(names)
@@ -84,7 +84,7 @@ impl EnsembleMetrics<'_> {
             let samples = self.samples(column);
             let found: Vec<Distribution> = samples.par_iter().map(Distribution::of).collect();
             for (values, distribution) in self.ensembles.iter().zip(found) {
-                let values = varying.iter().map(|place| text(values[*place]));
+                let values = varying.iter().map(|column| text(values[*column]));
                 let names = std::iter::once(self.metric(column).to_owned());
                 take(names.chain(values).collect(), distribution)?;
             }

@@ -37,10 +37,10 @@ fn tables(study: &Study, size: usize, value: impl Fn(u64) -> f64) -> [String; 2]
 /// The header and the rows of the first metric.
 fn of_first(study: &Study, table: &str) -> Vec<String> {
     let first = &study.measures[study.columns[0]].name;
-    let own = |line: &&str| line.starts_with(&format!("{first},"));
+    let of_first = |line: &&str| line.starts_with(&format!("{first},"));
     let header = table.lines().take(1);
     header
-        .chain(table.lines().filter(own))
+        .chain(table.lines().filter(of_first))
         .map(String::from)
         .collect()
 }

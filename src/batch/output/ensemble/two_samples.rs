@@ -23,7 +23,7 @@ impl EnsembleMetrics<'_> {
         let is_name = |pair: &Pair| matches!(value(pair), Some(Value::Name(_)));
         pairs.sort_by_key(|pair| !is_name(pair));
         let mut writer = csv::Writer::from_writer(out);
-        let names = varying.iter().map(|place| self.column_name(*place));
+        let names = varying.iter().map(|column| self.column_name(*column));
         let header = ["metric", "parameter", "value_1", "value_2"].into_iter();
         writer.write_record(header.chain(names).chain(["n_1", "n_2", "D", "p"]))?;
         for column in 0..self.columns.len() {
@@ -54,7 +54,7 @@ impl EnsembleMetrics<'_> {
             Some(Value::Whole(n)) if !whole => text(Some(Value::Number(n as f64))),
             value => text(value),
         });
-        let shared = varying.iter().map(|place| match (a[*place], b[*place]) {
+        let shared = varying.iter().map(|column| match (a[*column], b[*column]) {
             (Some(a), Some(b)) if !Value::identical(Some(a), Some(b)) => String::new(),
             (a, b) => text(a.or(b)),
         });

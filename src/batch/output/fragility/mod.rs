@@ -87,8 +87,13 @@ impl<'a> FragilityTable<'a> {
             .chain(last.iter().map(|name| &**name));
         writer.write_record(header).map_err(failed)?;
         let mut members = csv::Writer::from_writer(Vec::new());
-        let own = study.ensemble.iter().map(|row| table[*row].column_name());
-        let header = COLUMNS.0.into_iter().chain(names).chain(own).chain(SHARES);
+        let ensemble_names = study.ensemble.iter().map(|row| table[*row].column_name());
+        let header = COLUMNS
+            .0
+            .into_iter()
+            .chain(names)
+            .chain(ensemble_names)
+            .chain(SHARES);
         members.write_record(header).map_err(failed)?;
         Ok(Some(FragilityTable {
             study,
@@ -118,7 +123,7 @@ impl<'a> FragilityTable<'a> {
             for point in &curve.points {
                 let at = self.place(figure, point.at);
                 let values = self.values(figure, curve, &at);
-                let place = |row: &usize| match figure.x == ColumnRef::Metric(*row) {
+                let cell = |row: &usize| match figure.x == ColumnRef::Metric(*row) {
                     true => at.clone(),
                     false => String::new(),
                 };
@@ -126,7 +131,7 @@ impl<'a> FragilityTable<'a> {
                     .iter()
                     .cloned()
                     .chain(values)
-                    .chain(self.measures.iter().map(place))
+                    .chain(self.measures.iter().map(cell))
                     .chain(cells(curve, point))
                     .chain(last.iter().cloned());
                 self.writer.write_record(row).map_err(failed)?;

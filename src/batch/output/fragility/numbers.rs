@@ -83,43 +83,43 @@ impl Numbers {
         let ends = [curve.intervals(), curve.bootstrap];
         let ends =
             ends.map(|ends| ends.map_or([None; 4], |[[a, b], [c, d]]| [a, b, c, d].map(Some)));
-        let mut all: Vec<String> = ends.concat().into_iter().map(cell).collect();
+        let mut cells: Vec<String> = ends.concat().into_iter().map(cell).collect();
         let count = |count: usize, has: bool| match has {
             true => count.to_string(),
             false => String::new(),
         };
         if self.bounded {
-            let own = figure.fit == Fit::Incremental;
-            all.extend(curve.bounded.map(|members| count(members, own)));
+            let is_incremental = figure.fit == Fit::Incremental;
+            cells.extend(curve.bounded.map(|members| count(members, is_incremental)));
         }
         if self.cloud {
             let line = curve.fit.as_ref().ok().and_then(|fit| fit.line);
             let line = [line.map(|line| line.slope), line.map(|line| line.deviation)];
-            all.extend(line.map(cell));
+            cells.extend(line.map(cell));
         }
         if self.collapsed {
-            all.push(count(curve.collapsed, figure.collapse.is_some()));
+            cells.push(count(curve.collapsed, figure.collapse.is_some()));
         }
         for column in &self.against {
-            let place = figure.against.iter().position(|own| own == column);
-            let line = place.and_then(|i| curve.trends[i]);
+            let index = figure.against.iter().position(|known| known == column);
+            let line = index.and_then(|i| curve.trends[i]);
             let trend = [
                 line.map(|line| line.slope),
                 line.map(|line| line.p_of_slope()),
             ];
-            all.extend(trend.map(cell));
+            cells.extend(trend.map(cell));
         }
         if self.annual {
             let annual = curve.annual.as_ref();
             let annual = [
-                annual.map(|own| own.frequency),
-                annual.and_then(|own| Some(own.interval?[0])),
-                annual.and_then(|own| Some(own.interval?[1])),
-                annual.map(|own| own.outside),
-                annual.map(|own| own.closed_form),
+                annual.map(|annual| annual.frequency),
+                annual.and_then(|annual| Some(annual.interval?[0])),
+                annual.and_then(|annual| Some(annual.interval?[1])),
+                annual.map(|annual| annual.outside),
+                annual.map(|annual| annual.closed_form),
             ];
-            all.extend(annual.map(cell));
+            cells.extend(annual.map(cell));
         }
-        all
+        cells
     }
 }

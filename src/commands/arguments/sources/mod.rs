@@ -71,35 +71,35 @@ fn read_arguments(
     }
     let files = distinct(files)?;
     let several = files.len() > 1;
-    let inputs = files::read_all(files, |own| {
-        let (file, input) = match own.file == Path::new(DASH) {
+    let inputs = files::read_all(files, |study_file| {
+        let (file, input) = match study_file.file == Path::new(DASH) {
             true => (PathBuf::from(study::STDIN), Input::of_stdin()?),
             false => {
-                let input = Input::of_file(&own.file)?;
-                (own.file, input)
+                let input = Input::of_file(&study_file.file)?;
+                (study_file.file, input)
             }
         };
-        let own = StudyFile { file, ..own };
-        Ok((own, input.with(settings)))
+        let study_file = StudyFile { file, ..study_file };
+        Ok((study_file, input.with(settings)))
     })?;
     let left_out = |input: &Input| several && !input.uses_settings();
     let some = inputs.iter().any(|(_, input)| !left_out(input));
     let (without, inputs): (Vec<_>, Vec<_>) = inputs
         .into_iter()
         .partition(|(_, input)| some && left_out(input));
-    for (own, _) in &without {
+    for (study_file, _) in &without {
         note(&format!(
             "{}: left out: it has no parameter record, and no synthetic motions with a list of seeds that records could replace",
-            own.file.display()
+            study_file.file.display()
         ));
     }
-    files::read_all(inputs, |(own, input)| {
-        let source = Source::of_input(own.file.clone(), own.name, input, limit);
+    files::read_all(inputs, |(study_file, input)| {
+        let source = Source::of_input(study_file.file.clone(), study_file.name, input, limit);
         let source = source.map_err(|error| match several {
-            true => with_file_name(error, &own.file),
+            true => with_file_name(error, &study_file.file),
             false => error,
         })?;
-        Ok((own.argument, source))
+        Ok((study_file.argument, source))
     })
 }
 
@@ -146,10 +146,10 @@ fn find_named(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
         files::is_json(entry) && !hidden && !output::is_manifest(entry.path())
     };
     let files = files::find(path, "studies (*.json)", wanted)?.into_iter();
-    let place = place_in_studies(path).unwrap_or_default();
+    let folder = place_in_studies(path).unwrap_or_default();
     let named = files.map(|file| {
         let relative = file.strip_prefix(path).unwrap_or(&file).with_extension("");
-        let name = slashes(&Path::new(&place).join(relative));
+        let name = slashes(&Path::new(&folder).join(relative));
         (file, name)
     });
     Ok(named.collect())
@@ -159,19 +159,19 @@ fn find_named(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
 fn distinct(files: Vec<StudyFile>) -> Result<Vec<StudyFile>, Error> {
     let mut by_name: BTreeMap<String, PathBuf> = BTreeMap::new();
     let mut distinct = Vec::new();
-    for own in files {
-        match by_name.get(&own.name) {
+    for study_file in files {
+        match by_name.get(&study_file.name) {
             None => {
-                by_name.insert(own.name.clone(), own.file.clone());
-                distinct.push(own);
+                by_name.insert(study_file.name.clone(), study_file.file.clone());
+                distinct.push(study_file);
             }
-            Some(first) if same(first, &own.file) => {}
+            Some(first) if same(first, &study_file.file) => {}
             Some(first) => {
                 return Err(Error::Usage(format!(
                     "{} and {} would both write to folder {}; rename one or run them separately",
                     first.display(),
-                    own.file.display(),
-                    own.name
+                    study_file.file.display(),
+                    study_file.name
                 )));
             }
         }

@@ -63,7 +63,10 @@ fn the_values_are_at_the_beginning_and_bash_accepts_the_script() {
             "options=('--time=01:00:00' '--partition=main')",
         ];
         for line in lines {
-            assert!(script.lines().any(|own| own == line), "{line}\n{script}");
+            assert!(
+                script.lines().any(|script_line| script_line == line),
+                "{line}\n{script}"
+            );
         }
         assert_eq!(script.contains("--signal=B:USR1@60"), requeue);
         let checked = Command::new("bash").args(["-n", "-c", &script]).output();

@@ -44,8 +44,8 @@ impl Matrix {
     }
 
     /// Changes the entries of two neighbouring rows among each other: A_ii, A_ij and A_jj, j = i + 1.
-    pub(super) fn set_pair(&mut self, i: usize, [own, between, next]: [f64; 3]) {
-        self.set_diagonal(i, own);
+    pub(super) fn set_pair(&mut self, i: usize, [first, between, next]: [f64; 3]) {
+        self.set_diagonal(i, first);
         self.set_diagonal(i + 1, next);
         self.entries[i * self.width + i + 1] = between;
         self.entries[(i + 1) * self.width + i] = between;

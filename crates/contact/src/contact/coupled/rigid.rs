@@ -40,9 +40,9 @@ impl RigidForces {
         match self {
             RigidForces::Intervals(forces) => forces.solve(d, low, high, size, force),
             RigidForces::Discs(forces, firsts) => {
-                let own = (0..firsts.len()).map(|i| forces.flexibility(i)).collect();
+                let flexibilities = (0..firsts.len()).map(|i| forces.flexibility(i)).collect();
                 let laws = Bounded {
-                    own,
+                    own: flexibilities,
                     low,
                     high,
                     firsts,
@@ -90,11 +90,11 @@ impl Laws for Bounded<'_> {
     }
 
     fn directions(&self, contact: usize, y: Pair, _: Pair) -> Directions {
-        let (limit, own, size) = (self.high[contact], self.own[contact], length(y));
-        match size > limit * own {
+        let (limit, flexibility, size) = (self.high[contact], self.own[contact], length(y));
+        match size > limit * flexibility {
             true => Directions {
                 along: y.map(|y| y / size),
-                slopes: [f64::INFINITY, size / limit - own],
+                slopes: [f64::INFINITY, size / limit - flexibility],
             },
             false => Directions {
                 along: [1.0, 0.0],

@@ -14,8 +14,12 @@ impl<T: 'static> Shared<T> {
     }
 
     /// The same numbers as before, if there were such; `all` are those that tell them from others.
-    pub(in crate::contact) fn get(&self, all: impl Iterator<Item = f64>, numbers: T) -> &'static T {
-        let key: Vec<u64> = all.map(f64::to_bits).collect();
+    pub(in crate::contact) fn get(
+        &self,
+        values: impl Iterator<Item = f64>,
+        numbers: T,
+    ) -> &'static T {
+        let key: Vec<u64> = values.map(f64::to_bits).collect();
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         known
             .entry(key)

@@ -21,10 +21,11 @@ pub struct GivenNumbers<'a> {
 impl GivenNumbers<'_> {
     /// A number; `None` if it is not given.
     pub(in crate::contact) fn given(&self, key: &str) -> Option<f64> {
-        let own = self.numbers.iter().zip(self.values);
-        let own = own.filter(|(number, _)| number.key == key);
+        let pairs = self.numbers.iter().zip(self.values);
+        let with_key = pairs.filter(|(number, _)| number.key == key);
         let others = self.others.iter().filter(|other| other.0 == key);
-        own.filter_map(|(_, value)| *value)
+        with_key
+            .filter_map(|(_, value)| *value)
             .chain(others.map(|other| other.1))
             .next()
     }

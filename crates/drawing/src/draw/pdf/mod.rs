@@ -284,14 +284,14 @@ impl DrawingBackend for Page {
             let mut shown = self.content.show_positioned();
             let mut items = shown.items();
             let mut end = *start;
-            for ((glyph, place), c) in piece {
+            for ((glyph, from), c) in piece {
                 // In thousandths, to the left.
-                let closer = (1000.0 * (end - place)).round();
+                let closer = (1000.0 * (end - from)).round();
                 if closer != 0.0 {
                     items.adjust(closer as f32);
                 }
                 items.show(Str(&self.fonts.code(*glyph, *c).to_be_bytes()));
-                end = place + glyph.advance();
+                end = from + glyph.advance();
             }
         }
         self.content.end_text();

@@ -45,17 +45,17 @@ pub struct Opacities(Vec<f64>);
 impl Opacities {
     /// The name of an opacity on the page.
     pub fn name(&mut self, alpha: f64) -> String {
-        let known = self.0.iter().position(|own| *own == alpha);
-        let place = known.unwrap_or_else(|| {
+        let known = self.0.iter().position(|known_alpha| *known_alpha == alpha);
+        let index = known.unwrap_or_else(|| {
             self.0.push(alpha);
             self.0.len() - 1
         });
-        opacity_name(place)
+        opacity_name(index)
     }
 }
 
-fn opacity_name(place: usize) -> String {
-    format!("G{place}")
+fn opacity_name(index: usize) -> String {
+    format!("G{index}")
 }
 
 /// The file of one page with its size in points.
@@ -103,9 +103,9 @@ pub fn file(
     }
     named.finish();
     let mut named = resources.ext_g_states();
-    for (place, alpha) in opacities.0.iter().enumerate() {
+    for (index, alpha) in opacities.0.iter().enumerate() {
         named
-            .insert(Name(opacity_name(place).as_bytes()))
+            .insert(Name(opacity_name(index).as_bytes()))
             .start::<ExtGraphicsState>()
             .non_stroking_alpha(*alpha as f32);
     }

@@ -108,8 +108,11 @@ impl Cells {
         if path.length <= least {
             return None;
         }
-        let own = self.visited(path).into_iter().filter(|own| *own);
-        let extent = own.count() as f64 * CELL;
+        let visited = self
+            .visited(path)
+            .into_iter()
+            .filter(|is_visited| *is_visited);
+        let extent = visited.count() as f64 * CELL;
         (extent > least).then_some(extent)
     }
 
@@ -129,8 +132,8 @@ impl Cells {
         for row in 0..self.rows {
             for column in 0..self.columns {
                 let at = row * width + column;
-                let own = usize::from(visited[row * self.columns + column]);
-                sums[at + width + 1] = sums[at + width] + sums[at + 1] + own - sums[at];
+                let cell = usize::from(visited[row * self.columns + column]);
+                sums[at + width + 1] = sums[at + width] + sums[at + 1] + cell - sums[at];
             }
         }
         let is_full = |cell: usize| {
@@ -142,7 +145,9 @@ impl Cells {
             sum(bottom, right) + sum(top, left) - sum(top, right) - sum(bottom, left) >= FULL
         };
         let cells = covered.iter().enumerate();
-        cells.map(|(cell, own)| *own && !is_full(cell)).collect()
+        cells
+            .map(|(cell, is_covered)| *is_covered && !is_full(cell))
+            .collect()
     }
 
     /// The parts of a path that other lines show instead, as lengths along it: where it coincides with some `under` and some `over` it

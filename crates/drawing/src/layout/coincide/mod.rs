@@ -25,9 +25,9 @@ pub fn find(sheet: &mut Sheet) {
             inset.gaps = gaps(inset, &curves);
         }
         for (label, marker) in mark(panel) {
-            let own = sheet.legend.iter_mut();
-            let own = own.filter(|entry| entry.label == label);
-            own.for_each(|entry| entry.marker = Some(marker));
+            let entries = sheet.legend.iter_mut();
+            let with_label = entries.filter(|entry| entry.label == label);
+            with_label.for_each(|entry| entry.marker = Some(marker));
         }
     }
     if let Some(meaning) = meaning(sheet) {
@@ -59,20 +59,20 @@ pub fn order(panel: &Panel) -> Vec<usize> {
 
 /// The dashes of the visible lines of a curve: its own, and those in turn where it coincides with others.
 pub fn dashes(panel: &Panel, series: usize, lines: &[Line]) -> Vec<Line> {
-    let own: Vec<&Gap> = panel
+    let gaps: Vec<&Gap> = panel
         .gaps
         .iter()
-        .filter(|own| own.series == series)
+        .filter(|gap| gap.series == series)
         .collect();
     let pattern = panel.series[series].stroke.pattern();
     let banded = panel.envelopes.iter().any(|band| band.series == series);
-    if own.is_empty() || banded {
+    if gaps.is_empty() || banded {
         return lines
             .iter()
             .flat_map(|line| clip::dashes(line, pattern))
             .collect();
     }
-    let ends = own.iter().map(|own| own.ends);
+    let ends = gaps.iter().map(|gap| gap.ends);
     let starts = std::iter::once(0.0).chain(ends.clone().map(|[_, to]| to));
     let ends = ends.map(|[from, _]| from).chain([f64::INFINITY]);
     let parts: Vec<[f64; 2]> = starts.zip(ends).map(|(from, to)| [from, to]).collect();
@@ -159,25 +159,29 @@ fn covering(panel: &Panel, curves: &[bool]) -> Vec<Covering> {
 
 /// The parts of the curves of a panel that are not drawn, because curves under them show there.
 fn gaps(panel: &Panel, curves: &[bool]) -> Vec<Gap> {
-    let (cells, all) = (Cells::of(panel), covering(panel, curves));
+    let (cells, coverings) = (Cells::of(panel), covering(panel, curves));
     // Whether dashes in turn can tell two curves apart.
     let alternate = |under: &Covering, over: &Covering| {
-        let [a, b] = [under, over].map(|own| &panel.series[own.series]);
+        let [a, b] = [under, over].map(|covering| &panel.series[covering.series]);
         let open = b.stroke.pattern().is_empty() && a.width < 2.0 * b.width;
         let apart = a.stroke.colour() != b.stroke.colour();
         open && apart
     };
     let mut gaps = Vec::new();
-    for (j, own) in all.iter().enumerate() {
-        let under = all[..j].iter().filter(|under| alternate(under, own));
-        let under: Vec<&[bool]> = under.map(|under| under.cells(own)).collect();
-        let over = all[j + 1..].iter().filter(|over| alternate(own, over));
-        let over: Vec<&[bool]> = over.map(|over| over.cells(own)).collect();
+    for (j, covering) in coverings.iter().enumerate() {
+        let under = coverings[..j]
+            .iter()
+            .filter(|under| alternate(under, covering));
+        let under: Vec<&[bool]> = under.map(|under| under.cells(covering)).collect();
+        let over = coverings[j + 1..]
+            .iter()
+            .filter(|over| alternate(covering, over));
+        let over: Vec<&[bool]> = over.map(|over| over.cells(covering)).collect();
         if under.is_empty() {
             continue;
         }
-        let ends = cells.shown_by_others(&own.path, [&under, &over]);
-        let series = own.series;
+        let ends = cells.shown_by_others(&covering.path, [&under, &over]);
+        let series = covering.series;
         gaps.extend(ends.into_iter().map(|ends| Gap { series, ends }));
     }
     gaps
@@ -189,17 +193,19 @@ fn mark(panel: &mut Panel) -> Vec<(String, Marker)> {
         is_curve(series) && series.marker.is_none() && series.stroke.colour() == [0; 3]
     };
     let bare: Vec<bool> = panel.series.iter().map(bare).collect();
-    let all = covering(panel, &bare);
+    let coverings = covering(panel, &bare);
     let coincide = |a: &Covering, b: &Covering| {
-        let widths = [a, b].map(|own| panel.series[own.series].width);
+        let widths = [a, b].map(|covering| panel.series[covering.series].width);
         widths[0] == widths[1] && a.path.length >= LEAST && a.path.is_in(&b.covered)
     };
-    let others = |(i, own): (usize, &Covering)| {
-        let under = all[..i].iter().any(|under| coincide(under, own));
-        let over = all[i + 1..].iter().any(|over| coincide(own, over));
-        (under || over).then_some(own.series)
+    let others = |(i, covering): (usize, &Covering)| {
+        let under = coverings[..i].iter().any(|under| coincide(under, covering));
+        let over = coverings[i + 1..]
+            .iter()
+            .any(|over| coincide(covering, over));
+        (under || over).then_some(covering.series)
     };
-    let group: Vec<usize> = all.iter().enumerate().filter_map(others).collect();
+    let group: Vec<usize> = coverings.iter().enumerate().filter_map(others).collect();
     let mut given = Vec::new();
     for (turn, k) in group.iter().enumerate() {
         let series = &panel.series[*k];

@@ -73,7 +73,11 @@ fn pixels(sheet: &Sheet, colours: u8) -> Vec<usize> {
     let raster = Rc::new(RefCell::new(raster));
     draw(sheet, &raster, 600).unwrap();
     let (_, rgb) = raster.borrow().rgb();
-    let count = |colour: [u8; 3]| rgb.chunks_exact(3).filter(|own| **own == colour).count();
+    let count = |colour: [u8; 3]| {
+        rgb.chunks_exact(3)
+            .filter(|pixel| **pixel == colour)
+            .count()
+    };
     (0..colours)
         .map(|i| count(Stroke::Colour(i).colour()))
         .collect()
@@ -85,7 +89,7 @@ fn curves_that_coincide_have_equal_parts_of_the_line() {
         let parts = |of: fn(f64) -> f64| {
             let curves = (0..count).map(|i| curve(true, i, of)).collect();
             let sheet = sheet(panel(curves));
-            assert!(sheet.panels[0].gaps.iter().all(|own| own.series > 0));
+            assert!(sheet.panels[0].gaps.iter().all(|gap| gap.series > 0));
             assert_eq!(sheet.small_print[0].text, MEANING);
             pixels(&sheet, count as u8)
         };
@@ -96,7 +100,9 @@ fn curves_that_coincide_have_equal_parts_of_the_line() {
         // A wave crosses fields at their corners: parts are between half and twice as long as equal ones.
         let wave = parts(wave);
         let equal = wave.iter().sum::<usize>() as f64 / count as f64;
-        let off = wave.iter().map(|own| *own as f64 / equal);
+        let off = wave
+            .iter()
+            .map(|length_of_part| *length_of_part as f64 / equal);
         assert!(
             off.clone().all(|part| (0.5..2.0).contains(&part)),
             "{wave:?}"
@@ -139,32 +145,32 @@ fn only_the_stretch_in_which_curves_coincide_is_dashed() {
         let sheet = sheet(panel(curves));
         let panel = &sheet.panels[0];
         // Some 8 of 17 fields of 6 points: those of the curve under it.
-        let own: Vec<[f64; 2]> = panel.gaps.iter().map(|own| own.ends).collect();
-        assert!(panel.gaps.iter().all(|own| own.series == 1));
-        assert!((7..=9).contains(&own.len()), "{own:?}");
+        let ends: Vec<[f64; 2]> = panel.gaps.iter().map(|gap| gap.ends).collect();
+        assert!(panel.gaps.iter().all(|gap| gap.series == 1));
+        assert!((7..=9).contains(&ends.len()), "{ends:?}");
         // A field ends in a cell of 0.45 points.
-        let inside = &own[1..own.len() - 1];
+        let inside = &ends[1..ends.len() - 1];
         assert!(
             inside
                 .iter()
                 .all(|[from, to]| (to - from - 6.0).abs() < 0.5),
-            "{own:?}"
+            "{ends:?}"
         );
-        let apart = own.windows(2).map(|pair| pair[1][0] - pair[0][0]);
+        let apart = ends.windows(2).map(|pair| pair[1][0] - pair[0][0]);
         assert!(
             apart.map(|d| (d - 12.0).abs()).all(|off| off < 1.0),
-            "{own:?}"
+            "{ends:?}"
         );
-        assert!(own[own.len() - 1][1] < 103.0);
+        assert!(ends[ends.len() - 1][1] < 103.0);
         let over = &panel.series[1];
         let places: Vec<[f64; 2]> = over.points.iter().map(|p| panel.place(*p)).collect();
         let drawn = dashes(panel, 1, std::slice::from_ref(&places));
         let length = |line: &[[f64; 2]]| -> f64 {
             line.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
         };
-        let all: f64 = drawn.iter().map(|line| length(line)).sum();
-        let gaps: f64 = own.iter().map(|[from, to]| to - from).sum();
-        assert!((all + gaps - length(&places)).abs() < 1e-6);
+        let drawn_length: f64 = drawn.iter().map(|line| length(line)).sum();
+        let gaps: f64 = ends.iter().map(|[from, to]| to - from).sum();
+        assert!((drawn_length + gaps - length(&places)).abs() < 1e-6);
     }
 }
 
@@ -245,9 +251,9 @@ fn a_line_among_an_oscillation_does_not_coincide_with_it() {
     let panel_of = &drawn.panels[0];
     assert_eq!(order(panel_of), [1, 0]);
     // Only after the oscillation, and half a square of 5.4 points later, the two are one line.
-    let own = &panel_of.gaps;
-    assert!(own.len() >= 7 && own.iter().all(|own| own.series == 0));
-    assert!(own[0].ends[0] > 99.0, "{:?}", own[0]);
+    let gaps = &panel_of.gaps;
+    assert!(gaps.len() >= 7 && gaps.iter().all(|gap| gap.series == 0));
+    assert!(gaps[0].ends[0] > 99.0, "{:?}", gaps[0]);
     // A loop that is run many times is long and not dense.
     let mut again = curve(true, 0, wave);
     let there = again.points.clone();

@@ -106,8 +106,8 @@ fn of(panel: &Panel, pixel: f64) -> Vec<Envelope> {
 
 /// The parts of a curve that no band replaces: all of it where there is none.
 pub fn drawn(envelopes: &[Envelope], series: usize, places: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
-    let own = envelopes.iter().filter(|band| band.series == series);
-    let mut hidden: Vec<(usize, usize)> = own
+    let bands = envelopes.iter().filter(|band| band.series == series);
+    let mut hidden: Vec<(usize, usize)> = bands
         .filter_map(|band| Some((*band.upper.first()?, *band.upper.last()?)))
         .collect();
     hidden.sort_unstable();
@@ -122,9 +122,9 @@ pub fn drawn(envelopes: &[Envelope], series: usize, places: &[[f64; 2]]) -> Vec<
 fn runs(places: &[[f64; 2]]) -> Vec<(usize, usize)> {
     let has_place = |p: &[f64; 2]| p.iter().all(|v| v.is_finite());
     let mut runs: Vec<(usize, usize)> = Vec::new();
-    for (i, place) in places.iter().enumerate().filter(|(_, p)| has_place(p)) {
+    for (i, point) in places.iter().enumerate().filter(|(_, p)| has_place(p)) {
         match runs.last_mut() {
-            Some((_, last)) if *last + 1 == i && places[*last][0] <= place[0] => *last = i,
+            Some((_, last)) if *last + 1 == i && places[*last][0] <= point[0] => *last = i,
             _ => runs.push((i, i)),
         }
     }

@@ -119,9 +119,9 @@ fn a_band_contains_every_point_and_touches_every_peak() {
         assert!(low <= y + 1e-12 && *y <= high + 1e-12, "{low} {y} {high}");
     }
     let extreme = |pick: fn(f64, f64) -> f64, edge: &[usize]| {
-        let all = points[first..=last].iter().map(|p| p[1]).reduce(pick);
+        let extreme = points[first..=last].iter().map(|p| p[1]).reduce(pick);
         let touched = edge.iter().map(|i| points[*i][1]).reduce(pick);
-        (all, touched)
+        (extreme, touched)
     };
     let ((top, upper), (bottom, lower)) = (
         extreme(f64::max, &band.upper),

@@ -62,7 +62,7 @@ impl Flow for Periods {
         let mut watched = std::mem::take(&mut self.watched);
         watched.clear();
         let mut free = vec![0.0; y.len()];
-        self.motions(y, |i, [own, ..]| free[i] = own);
+        self.motions(y, |i, [r, ..]| free[i] = r);
         for (i, contact) in self.contacts.iter().enumerate() {
             contact.watch([y[i], free[i]], None, None, &mut watched);
         }
@@ -73,7 +73,7 @@ impl Flow for Periods {
 
     fn commit(&mut self, _: f64, y: &mut [f64]) {
         let mut free = vec![0.0; y.len()];
-        self.motions(y, |i, [own, ..]| free[i] = own);
+        self.motions(y, |i, [r, ..]| free[i] = r);
         for (i, contact) in self.contacts.iter_mut().enumerate() {
             let values = [y[i], free[i]];
             let sizes = values.map(f64::abs);

@@ -95,7 +95,9 @@ impl Contact {
     pub fn force(&self, [r, rdot]: [f64; 2], z: Option<f64>, limit: Option<LimitAt>) -> f64 {
         let law = self.law(limit);
         match (law.evolution(), z) {
-            (Some(own), Some(z)) => own.force(self.within(z, own.bound()), r, rdot),
+            (Some(evolution), Some(z)) => {
+                evolution.force(self.within(z, evolution.bound()), r, rdot)
+            }
             _ => self.answer(&mut self.running.clone(), law.law, [r, rdot], limit),
         }
     }
@@ -124,7 +126,9 @@ impl Contact {
     /// dz/dt.
     pub fn rate(&self, z: f64, rdot: f64, limit: Option<LimitAt>) -> f64 {
         match self.law(limit).evolution() {
-            Some(own) if self.bound.is_none() => own.rate(self.within(z, own.bound()), rdot),
+            Some(evolution) if self.bound.is_none() => {
+                evolution.rate(self.within(z, evolution.bound()), rdot)
+            }
             _ => 0.0,
         }
     }
@@ -141,8 +145,9 @@ impl Contact {
     fn pressure(&self, side: f64, rdot: f64, limit: Option<LimitAt>) -> f64 {
         let rate = limit.map_or(0.0, |limit| limit.rate);
         let law = self.law(limit);
-        law.evolution()
-            .map_or(0.0, |own| side * own.rate(side * own.bound(), rdot) - rate)
+        law.evolution().map_or(0.0, |evolution| {
+            side * evolution.rate(side * evolution.bound(), rdot) - rate
+        })
     }
 
     /// What is watched at a state.
@@ -177,8 +182,8 @@ impl Contact {
         }
         let law = self.law(limit);
         match (law.evolution(), z) {
-            (Some(own), Some(z)) => {
-                let bound = own.bound();
+            (Some(evolution), Some(z)) => {
+                let bound = evolution.bound();
                 to.push(match self.bound {
                     Some(0.0) => Watched {
                         value: -bound,
@@ -235,9 +240,9 @@ impl Contact {
     /// The size of z below which it is round-off of r over the tolerance: the force of an elastic contact for an r as large as its terms,
     /// or as an r that does not matter, up to the bound.
     pub fn least_state(&self, least: f64) -> f64 {
-        let size = |own: &dyn Evolution| {
-            let elastic = own.rate(0.0, 1.0).abs() * self.largest[0].max(least);
-            elastic.min(own.bound())
+        let size = |evolution: &dyn Evolution| {
+            let elastic = evolution.rate(0.0, 1.0).abs() * self.largest[0].max(least);
+            elastic.min(evolution.bound())
         };
         self.law(None).evolution().map_or(0.0, size)
     }
@@ -255,8 +260,8 @@ impl Contact {
         } = motion;
         self.largest = [0, 1].map(|i| self.largest[i].max(sizes[i]));
         let law = self.law(limit);
-        if let (Some(own), Some(z)) = (law.evolution(), z) {
-            let bound = own.bound();
+        if let (Some(evolution), Some(z)) = (law.evolution(), z) {
+            let bound = evolution.bound();
             let z = self.within(z, bound);
             self.bound = match self.bound {
                 _ if bound <= 0.0 => Some(0.0),

@@ -146,13 +146,13 @@ impl<'a, F: Flow> Drive<'a, F> {
             }
         };
         let groups = self.flow.groups();
-        let mut own = self.largest.clone();
+        let mut sizes = self.largest.clone();
         for (group, y) in groups.iter().zip(&self.step.end) {
-            own[*group] = own[*group].max(y.abs());
+            sizes[*group] = sizes[*group].max(y.abs());
         }
-        self.flow.raise(h, &mut own);
+        self.flow.raise(h, &mut sizes);
         for (scale, group) in self.scales.iter_mut().zip(groups) {
-            *scale = self.tolerance * own[*group];
+            *scale = self.tolerance * sizes[*group];
         }
         Ok(match begins {
             true => {

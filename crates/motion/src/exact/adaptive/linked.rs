@@ -38,10 +38,12 @@ impl Linked {
         for chain in given.chains() {
             elastic.extend(of_chain(given, &chain)?);
         }
-        for own in &elastic {
-            structure.stiffness.add_along(&own.along, own.stiffness);
-            structure.contacts[own.contact].along.clear();
-            if let Some(force) = structure.preload.forces.get_mut(own.contact) {
+        for spring in &elastic {
+            structure
+                .stiffness
+                .add_along(&spring.along, spring.stiffness);
+            structure.contacts[spring.contact].along.clear();
+            if let Some(force) = structure.preload.forces.get_mut(spring.contact) {
                 *force = None;
             }
         }
@@ -57,26 +59,26 @@ impl Linked {
 
     /// The nodes of what was elastic, of which a state must have the rates.
     pub fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
-        let along = self.elastic.iter().flat_map(|own| &own.along);
+        let along = self.elastic.iter().flat_map(|spring| &spring.along);
         along.map(|(node, _)| *node)
     }
 
     /// A state with the contacts that were given.
     pub fn given<'a>(&'a mut self, state: &'a State) -> State<'a> {
-        let all = [state.r, state.rate, state.force, state.slip];
-        for (values, all) in self.values.iter_mut().zip(all) {
-            values.copy_from_slice(all);
+        let quantities = [state.r, state.rate, state.force, state.slip];
+        for (values, quantity) in self.values.iter_mut().zip(quantities) {
+            values.copy_from_slice(quantity);
         }
         let [r, rate, force, slip] = &mut self.values;
-        for own in &self.elastic {
-            let (damper, factor) = own.damper;
+        for spring in &self.elastic {
+            let (damper, factor) = spring.damper;
             let s = factor * state.force[damper];
-            if s.abs() >= own.limit {
-                self.slides.get_or_insert_with(|| own.name.clone());
+            if s.abs() >= spring.limit {
+                self.slides.get_or_insert_with(|| spring.name.clone());
             }
-            let rates = own.along.iter().map(|(node, by)| by * state.v[*node]);
-            (r[own.contact], rate[own.contact]) = (s / own.stiffness, rates.sum());
-            (force[own.contact], slip[own.contact]) = (s, 0.0);
+            let rates = spring.along.iter().map(|(node, by)| by * state.v[*node]);
+            (r[spring.contact], rate[spring.contact]) = (s / spring.stiffness, rates.sum());
+            (force[spring.contact], slip[spring.contact]) = (s, 0.0);
         }
         State {
             u: state.u,
@@ -107,28 +109,30 @@ fn of_chain(given: &Structure, chain: &Chain) -> Option<Vec<Elastic>> {
     let law = |contact: usize| &given.contacts[contact].law;
     let mut dampers = chain
         .members()
-        .filter(|own| may_be_braced(law(own.contact)));
+        .filter(|member| may_be_braced(law(member.contact)));
     let (Some(damper), None) = (dampers.next(), dampers.next()) else {
         return None;
     };
-    let others = chain.members().filter(|own| own.contact != damper.contact);
-    let elastic = others.map(|own| {
-        let contact = &given.contacts[own.contact];
+    let others = chain
+        .members()
+        .filter(|member| member.contact != damper.contact);
+    let elastic = others.map(|member| {
+        let contact = &given.contacts[member.contact];
         let Some(ClippedLine::Elastic { stiffness }) = contact.law.line() else {
             return None;
         };
         let limit = contact.law.limit()?;
         let is_constant = limit.varying.is_none() && limit.pressed_by.is_none();
-        let r = given.relative(own.contact, &given.displacement);
-        let s = given.preload.force(own.contact).unwrap_or(0.0);
+        let r = given.relative(member.contact, &given.displacement);
+        let s = given.preload.force(member.contact).unwrap_or(0.0);
         let is_unbent = (stiffness * r - s).abs() <= ROUND_OFF * s.abs();
         (is_constant && is_unbent && contact.gap == 0.0).then(|| Elastic {
-            contact: own.contact,
+            contact: member.contact,
             name: contact.name.clone(),
             along: contact.along.clone(),
             stiffness,
             limit: limit.at(0.0),
-            damper: (damper.contact, own.sign * damper.sign),
+            damper: (damper.contact, member.sign * damper.sign),
         })
     });
     elastic.collect()

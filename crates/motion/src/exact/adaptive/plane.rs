@@ -113,8 +113,8 @@ impl PlaneContact {
 
     /// The limit of a rigid contact.
     pub fn limit(&self, limit: Option<LimitAt>) -> f64 {
-        let [_, own] = self.law.properties().bounds();
-        limit.map_or(own, |limit| limit.value)
+        let [_, bound] = self.law.properties().bounds();
+        limit.map_or(bound, |limit| limit.value)
     }
 
     /// z at its bound, or not beyond it.
@@ -168,10 +168,10 @@ impl PlaneContact {
             // z turns with the motion, and its length is the limit.
             let size = length(z);
             if size > 0.0 {
-                let own = dot(z, rate) / size;
+                let along_z = dot(z, rate) / size;
                 let wanted = limit.map_or(0.0, |limit| limit.rate);
                 for (rate, z) in rate.iter_mut().zip(z) {
-                    *rate += (wanted - own) * z / size;
+                    *rate += (wanted - along_z) * z / size;
                 }
             }
         }
@@ -196,11 +196,11 @@ impl PlaneContact {
             one_sided: true,
         };
         if let Some(phase) = self.phase {
-            let own = self.limit(limit);
+            let bound = self.limit(limit);
             to.push(match phase {
-                Phase::Sticks => one_sided(own - length(state.held), BEGINS * own),
+                Phase::Sticks => one_sided(bound - length(state.held), BEGINS * bound),
                 Phase::Begins { .. } => one_sided(1.0, 0.0),
-                Phase::Slides if own > 0.0 => match self.line(state) {
+                Phase::Slides if bound > 0.0 => match self.line(state) {
                     Some(line) => line.least_velocity(state.t, [state.r[0], state.rdot[0]]),
                     None => one_sided(length(state.rdot) - STOPS * self.speed, 0.0),
                 },

@@ -31,32 +31,32 @@ impl Widened {
         // Of each contact, the one that was given; none of second directions.
         let mut of = Vec::new();
         let mut nodes = given.nodes.clone();
-        for (i, own) in given.contacts.iter().enumerate() {
+        for (i, contact) in given.contacts.iter().enumerate() {
             of.push(Some(i));
-            let Some([first, second]) = in_plane(&own.law) else {
-                contacts.push(own.clone());
+            let Some([first, second]) = in_plane(&contact.law) else {
+                contacts.push(contact.clone());
                 continue;
             };
             let first_way = Contact {
                 law: first,
-                ..own.clone()
+                ..contact.clone()
             };
             let second_way = Contact {
                 along: vec![(nodes.len(), 1.0)],
                 gap: 0.0,
                 law: second,
-                ..own.clone()
+                ..contact.clone()
             };
             contacts.extend([first_way, second_way]);
             of.push(None);
-            let masses = own
+            let masses = contact
                 .along
                 .iter()
                 .map(|(node, by)| (by, given.nodes[*node].mass));
             let moved = masses.filter(|(_, mass)| *mass > 0.0);
             let flexibility: f64 = moved.map(|(by, mass)| by * by / mass).sum();
             nodes.push(Node {
-                name: own.name.clone(),
+                name: contact.name.clone(),
                 // As flexible as the first direction, whatever the units.
                 mass: if flexibility > 0.0 {
                     1.0 / flexibility
@@ -69,18 +69,20 @@ impl Widened {
         if nodes.len() == given.len() {
             return None;
         }
-        let places: Vec<usize> = (0..of.len()).filter(|place| of[*place].is_some()).collect();
-        let pressed = contacts.iter_mut().filter_map(|own| own.law.limit_mut());
+        let places: Vec<usize> = (0..of.len()).filter(|index| of[*index].is_some()).collect();
+        let pressed = contacts
+            .iter_mut()
+            .filter_map(|contact| contact.law.limit_mut());
         for pressed in pressed.filter_map(|limit| limit.pressed_by.as_mut()) {
             pressed.contacts.iter_mut().for_each(|c| *c = places[*c]);
         }
         let mut structure = Structure::new(nodes);
         let size = structure.len();
         let grown = |matrix: &Symmetric| {
-            let mut all = Symmetric::zeros(size);
+            let mut widened = Symmetric::zeros(size);
             let entries = matrix.entries();
-            entries.for_each(|((i, j), value)| all.add(i, j, value));
-            all
+            entries.for_each(|((i, j), value)| widened.add(i, j, value));
+            widened
         };
         structure.coupled_mass = grown(&given.coupled_mass);
         structure.stiffness = grown(&given.stiffness);
@@ -91,22 +93,25 @@ impl Widened {
         structure.velocity[..given.len()].copy_from_slice(&given.velocity);
         structure.supports.clone_from(&given.supports);
         for support in &mut structure.supports {
-            let gap = |own: &Option<usize>| own.map_or(0.0, |own| support.gaps[own]);
+            let gap = |given_contact: &Option<usize>| {
+                given_contact.map_or(0.0, |given_contact| support.gaps[given_contact])
+            };
             support.gaps = of.iter().map(gap).collect();
             support.carried.resize(size, 0.0);
         }
         let preload = &given.preload;
         if !preload.forces.is_empty() {
             // A second direction is at rest as its first one is.
-            let force = |(place, own): (usize, &Option<usize>)| match own {
-                Some(own) => preload.force(*own),
-                None => of[place - 1]
+            let force = |(index, given_contact): (usize, &Option<usize>)| match given_contact {
+                Some(given_contact) => preload.force(*given_contact),
+                None => of[index - 1]
                     .and_then(|first| preload.force(first))
                     .map(|_| 0.0),
             };
             structure.preload.forces = of.iter().enumerate().map(force).collect();
         }
-        let law = |own: &Option<usize>| preload.laws.get((*own)?).copied().flatten();
+        let law =
+            |given_contact: &Option<usize>| preload.laws.get((*given_contact)?).copied().flatten();
         structure.preload.laws = of.iter().map(law).collect();
         let values = [(); 4].map(|()| vec![0.0; places.len()]);
         Some((
@@ -121,10 +126,10 @@ impl Widened {
 
     /// A state with the nodes and contacts that were given.
     pub fn given<'a>(&'a mut self, state: &'a State) -> State<'a> {
-        let all = [state.r, state.rate, state.force, state.slip];
-        for (values, all) in self.values.iter_mut().zip(all) {
-            for (value, place) in values.iter_mut().zip(&self.places) {
-                *value = all[*place];
+        let quantities = [state.r, state.rate, state.force, state.slip];
+        for (values, quantity) in self.values.iter_mut().zip(quantities) {
+            for (value, index) in values.iter_mut().zip(&self.places) {
+                *value = quantity[*index];
             }
         }
         let [r, rate, force, slip] = &self.values;

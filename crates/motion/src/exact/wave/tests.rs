@@ -215,7 +215,7 @@ fn fronts_are_at_an_end_when_they_reach_it() {
         gap: 0.0,
     };
     let wave = equal.solve(1.5);
-    for (t, place) in [
+    for (t, front) in [
         (0.0, Some(0.0)),
         (0.125, Some(0.25)),
         (0.49, Some(0.98)),
@@ -227,9 +227,9 @@ fn fronts_are_at_an_end_when_they_reach_it() {
     ] {
         for i in [0, 1] {
             let fronts = wave.fronts(i, t);
-            match place {
-                Some(place) => assert!(
-                    !fronts.is_empty() && fronts.iter().all(|s| (s - place).abs() < ROUND_OFF),
+            match front {
+                Some(front) => assert!(
+                    !fronts.is_empty() && fronts.iter().all(|s| (s - front).abs() < ROUND_OFF),
                     "t = {t}: {fronts:?}"
                 ),
                 None => assert!(fronts.is_empty(), "t = {t}: {fronts:?}"),
@@ -251,7 +251,7 @@ fn jumps_of_profiles_and_fronts_inside_are_the_same() {
                 .map(|pair| pair[0][0])
                 .collect();
             let fronts = wave.fronts(i, t);
-            let near = |all: &[f64], s: f64| all.iter().any(|x| (x - s).abs() < 1e-9);
+            let near = |positions: &[f64], s: f64| positions.iter().any(|x| (x - s).abs() < 1e-9);
             for s in &jumps {
                 assert!(near(&fronts, *s), "t = {t}, s = {s}: {fronts:?}");
             }

@@ -91,8 +91,8 @@ impl Coefficients {
 
 impl From<Coefficients> for Method {
     #[inline(always)]
-    fn from(own: Coefficients) -> Method {
-        Method::Family(own)
+    fn from(coefficients: Coefficients) -> Method {
+        Method::Family(coefficients)
     }
 }
 
@@ -209,24 +209,33 @@ mod tests {
             for alpha_f in [0.0, 0.2, 0.45, 0.6] {
                 for beta in [0.0, 0.1, 0.3, 0.7] {
                     for gamma in [0.35, 0.55, 0.8, 1.3] {
-                        let own = Coefficients {
+                        let coefficients = Coefficients {
                             alpha_m,
                             alpha_f,
                             beta,
                             gamma,
                         };
-                        let radius = |w| own.amplification(w).spectral_radius;
-                        let limit = own.stability_limit();
+                        let radius = |w| coefficients.amplification(w).spectral_radius;
+                        let limit = coefficients.stability_limit();
                         let largest = limit.min(1e3);
                         // Near the limit roots can be double: round-off of 1e-8.
                         for share in [0.001, 0.01, 0.1, 0.5, 0.9, 0.999] {
-                            assert!(radius(share * largest) < 1.0 + 1e-7, "{own:?} {share}");
+                            assert!(
+                                radius(share * largest) < 1.0 + 1e-7,
+                                "{coefficients:?} {share}"
+                            );
                         }
                         if limit == 0.0 {
-                            assert!([1e-3, 0.1, 1.0].iter().any(|w| radius(*w) > 1.0), "{own:?}");
+                            assert!(
+                                [1e-3, 0.1, 1.0].iter().any(|w| radius(*w) > 1.0),
+                                "{coefficients:?}"
+                            );
                         } else if limit < f64::INFINITY {
                             finite += 1;
-                            assert!(radius(1.001 * limit) > 1.0 + 1e-7, "{own:?} {limit}");
+                            assert!(
+                                radius(1.001 * limit) > 1.0 + 1e-7,
+                                "{coefficients:?} {limit}"
+                            );
                         }
                     }
                 }

@@ -87,14 +87,14 @@ impl<const L: usize> Weights<L> {
             shift: zero,
         };
         for (l, method) in methods.iter().enumerate() {
-            let Method::Family(own) = *method else {
+            let Method::Family(coefficients) = *method else {
                 return None;
             };
-            weights.alpha_m.0[l] = own.alpha_m;
-            weights.alpha_f.0[l] = own.alpha_f;
-            weights.beta.0[l] = own.beta;
-            weights.gamma.0[l] = own.gamma;
-            weights.shift.0[l] = 0.5 + own.alpha_f - own.gamma;
+            weights.alpha_m.0[l] = coefficients.alpha_m;
+            weights.alpha_f.0[l] = coefficients.alpha_f;
+            weights.beta.0[l] = coefficients.beta;
+            weights.gamma.0[l] = coefficients.gamma;
+            weights.shift.0[l] = 0.5 + coefficients.alpha_f - coefficients.gamma;
         }
         Some(weights)
     }

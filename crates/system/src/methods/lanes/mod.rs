@@ -109,8 +109,8 @@ pub struct ContactState<const L: usize> {
 impl<const L: usize> ContactState<L> {
     /// Whether the motion of each lane is finite. A motion that is not finite at a step is not finite at any later step.
     pub fn finite(&self) -> [bool; L] {
-        let all = [self.displacement, self.velocity, self.force];
-        std::array::from_fn(|l| all.iter().all(|x| x.0[l].is_finite()))
+        let numbers = [self.displacement, self.velocity, self.force];
+        std::array::from_fn(|l| numbers.iter().all(|x| x.0[l].is_finite()))
     }
 }
 

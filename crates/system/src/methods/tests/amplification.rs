@@ -14,7 +14,7 @@ const ROUND_OFF: f64 = 1e-13;
 /// The three eigenvalues of a generalised-alpha method approach each other as 1/W, which multiplies round-off by W2.
 fn round_off(choice: Method, w: f64) -> f64 {
     match choice {
-        Method::Family(own) if own.alpha_f > 0.0 => ROUND_OFF * (1.0 + w * w),
+        Method::Family(family) if family.alpha_f > 0.0 => ROUND_OFF * (1.0 + w * w),
         Method::AverageAcceleration(_)
         | Method::Family(_)
         | Method::Bathe(_)
@@ -223,14 +223,17 @@ impl WithMethod for Steps {
 
 /// A - I of a method.
 fn change(choice: Method, w: f64) -> DMatrix<f64> {
-    let three = |own: Coefficients| DMatrix::from_column_slice(3, 3, own.change(w).as_slice());
+    let three =
+        |family: Coefficients| DMatrix::from_column_slice(3, 3, family.change(w).as_slice());
     match choice {
         Method::Bathe(Bathe) => DMatrix::from_column_slice(2, 2, Bathe::change(w).as_slice()),
-        Method::MoreauJean(own) => DMatrix::from_column_slice(2, 2, own.change(w).as_slice()),
+        Method::MoreauJean(moreau_jean) => {
+            DMatrix::from_column_slice(2, 2, moreau_jean.change(w).as_slice())
+        }
         Method::ContactStabilized(ContactStabilized) => {
             change(Method::MoreauJean(MoreauJean { theta: 0.5 }), w)
         }
-        Method::Family(own) => three(own),
+        Method::Family(family) => three(family),
         Method::AverageAcceleration(AverageAcceleration) => three(Coefficients::newmark(0.25, 0.5)),
     }
 }

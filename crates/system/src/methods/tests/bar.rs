@@ -15,11 +15,16 @@ fn nodes(elements: u32, velocity: &dyn Fn(u32) -> f64, force: f64, steps: u32) -
     let mass = |i: u32| if i == 0 || i == elements { 0.5 } else { 1.0 };
     let modes: Vec<_> = (0..=elements)
         .map(|j| {
-            let own = bar.mode(j);
+            let mode_of_bar = bar.mode(j);
             let momentum: f64 = (0..=elements)
                 .map(|i| mass(i) * bar.shape(j, i) * velocity(i))
                 .sum();
-            mode(own.omega2, own.phi2, 0.0, momentum * own.phi2)
+            mode(
+                mode_of_bar.omega2,
+                mode_of_bar.phi2,
+                0.0,
+                momentum * mode_of_bar.phi2,
+            )
         })
         .collect();
     let choice = Method::Family(Coefficients::central_difference());
@@ -34,12 +39,12 @@ fn nodes(elements: u32, velocity: &dyn Fn(u32) -> f64, force: f64, steps: u32) -
         }
         u
     };
-    let mut all = vec![state(&method)];
+    let mut states = vec![state(&method)];
     for _ in 0..steps {
         method.step(&mut Prescribed([force; 2]));
-        all.push(state(&method));
+        states.push(state(&method));
     }
-    all
+    states
 }
 
 /// Round-off: the highest mode has a double root at Courant 1, so that errors of a few eps grow with the steps.

@@ -5,29 +5,29 @@ use crate::methods::METHODS;
 
 /// Every method with the default of each parameter, and with both ends of its range as far as they are finite.
 fn described() -> Vec<(&'static str, Method)> {
-    let mut all = Vec::new();
-    for own in METHODS {
-        let defaults: Vec<f64> = own.parameters.iter().map(|p| p.default).collect();
-        all.push((own.name, (own.method)(&defaults).unwrap()));
-        for (i, parameter) in own.parameters.iter().enumerate() {
+    let mut methods = Vec::new();
+    for description in METHODS {
+        let defaults: Vec<f64> = description.parameters.iter().map(|p| p.default).collect();
+        methods.push((description.name, (description.method)(&defaults).unwrap()));
+        for (i, parameter) in description.parameters.iter().enumerate() {
             let ends = [-1.0 / 3.0, 0.0, 0.5, 1.0];
             for end in ends.into_iter().filter(|x| parameter.range.contains(*x)) {
                 let mut numbers = defaults.clone();
                 numbers[i] = end;
-                all.push((own.name, (own.method)(&numbers).unwrap()));
+                methods.push((description.name, (description.method)(&numbers).unwrap()));
             }
         }
     }
-    all
+    methods
 }
 
 #[test]
 fn names_are_distinct_and_defaults_are_in_their_ranges() {
-    let mut names: Vec<&str> = METHODS.iter().map(|own| own.name).collect();
-    for own in METHODS {
-        let parameters = own.parameters;
+    let mut names: Vec<&str> = METHODS.iter().map(|description| description.name).collect();
+    for description in METHODS {
+        let parameters = description.parameters;
         names.extend(parameters.iter().map(|parameter| parameter.name));
-        assert!(!own.meaning.is_empty(), "{}", own.name);
+        assert!(!description.meaning.is_empty(), "{}", description.name);
         for parameter in parameters {
             assert!(
                 parameter.range.contains(parameter.default),
@@ -42,8 +42,13 @@ fn names_are_distinct_and_defaults_are_in_their_ranges() {
         }
         // Another count of numbers gives no method.
         if !parameters.is_empty() {
-            assert_eq!((own.method)(&[]), None, "{}", own.name);
-            assert_eq!((own.method)(&[0.5; 9]), None, "{}", own.name);
+            assert_eq!((description.method)(&[]), None, "{}", description.name);
+            assert_eq!(
+                (description.method)(&[0.5; 9]),
+                None,
+                "{}",
+                description.name
+            );
         }
     }
     let count = names.len();

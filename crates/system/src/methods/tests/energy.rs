@@ -131,7 +131,7 @@ impl WithMethod for Work<'_> {
         let energy = |method: &N| -> f64 {
             let states = method.modes().zip(self.0);
             states
-                .map(|((x, v), own)| own.mode[0].energy(x.0[0], v.0[0]))
+                .map(|((x, v), mode_start)| mode_start.mode[0].energy(x.0[0], v.0[0]))
                 .sum()
         };
         let (first, form) = (

@@ -129,10 +129,10 @@ fn energies(theta: f64, e: f64, dt: f64, gap: f64, bar: &[ModeStart<1>]) -> (Vec
         let after = method.step(&mut stop);
         least = least.min(after.displacement.0[0]);
         let states = Recursion::modes(&method).zip(bar);
-        let own = |((x, v), start): ((Lane<1>, Lane<1>), &ModeStart<1>)| {
+        let energy_and_displacement = |((x, v), start): ((Lane<1>, Lane<1>), &ModeStart<1>)| {
             (start.mode[0].energy(x.0[0], v.0[0]), x.0[0])
         };
-        let (energy, sum): (Vec<f64>, Vec<f64>) = states.map(own).unzip();
+        let (energy, sum): (Vec<f64>, Vec<f64>) = states.map(energy_and_displacement).unzip();
         rows.push(energy.iter().sum::<f64>() / 0.5);
         // The modes agree with r: sums of 41 terms.
         let r = gap + sum.iter().sum::<f64>();

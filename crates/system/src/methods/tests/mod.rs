@@ -18,33 +18,33 @@ use crate::lane::Lane;
 
 /// Methods of the family, each with its largest omega dt.
 fn family() -> Vec<(Coefficients, f64)> {
-    let mut all = vec![
+    let mut members = vec![
         (Coefficients::linear_acceleration(), f64::sqrt(12.0)),
         (Coefficients::central_difference(), 2.0),
         (Coefficients::newmark(0.25, 0.5), f64::INFINITY),
         (Coefficients::newmark(0.3025, 0.6), f64::INFINITY),
     ];
     for alpha in [-0.05, -0.1, -0.2, -1.0 / 3.0] {
-        all.push((Coefficients::hht(alpha), f64::INFINITY));
+        members.push((Coefficients::hht(alpha), f64::INFINITY));
     }
     for rho in [0.0, 0.3, 0.8, 1.0] {
-        all.push((Coefficients::generalized_alpha(rho), f64::INFINITY));
+        members.push((Coefficients::generalized_alpha(rho), f64::INFINITY));
     }
-    all
+    members
 }
 
 /// All methods with a file here, each with its largest omega dt.
 fn all() -> Vec<(Method, f64)> {
     let family = family().into_iter();
-    let mut all: Vec<_> = family
-        .map(|(own, limit)| (Method::Family(own), limit))
+    let mut methods: Vec<_> = family
+        .map(|(member, limit)| (Method::Family(member), limit))
         .collect();
-    all.push((Method::Bathe(Bathe), f64::INFINITY));
+    methods.push((Method::Bathe(Bathe), f64::INFINITY));
     for theta in [0.5, 0.7, 1.0] {
-        all.push((Method::MoreauJean(MoreauJean { theta }), f64::INFINITY));
+        methods.push((Method::MoreauJean(MoreauJean { theta }), f64::INFINITY));
     }
-    all.push((Method::ContactStabilized(ContactStabilized), f64::INFINITY));
-    all
+    methods.push((Method::ContactStabilized(ContactStabilized), f64::INFINITY));
+    methods
 }
 
 /// A mode at t = 0.
@@ -80,7 +80,7 @@ fn with<W: WithMethod>(start: &Start<1>, modes: &[ModeStart<1>], work: W) -> W::
     ) -> W::Output {
         work.run(Lanes::<S, 1>::new(start, modes.iter().copied()).unwrap())
     }
-    crate::each_method!(start.method[0], own => of(own, start, modes, work))
+    crate::each_method!(start.method[0], method => of(method, start, modes, work))
 }
 
 /// The recursion of a scheme for L structures.
@@ -178,15 +178,18 @@ fn lanes_are_the_same_alone_and_together() {
             .map(|l| A::new(&of(l), starts[l].iter().copied()).unwrap())
             .collect();
         for i in 0..200 {
-            let all = four.step(&mut Own(force, i));
+            let together = four.step(&mut Own(force, i));
             for (l, one) in alone.iter_mut().enumerate() {
                 let shifted = |_: usize, i: u32| force(l, i);
-                let own = one.step(&mut Own(&shifted, i));
+                let alone = one.step(&mut Own(&shifted, i));
                 assert_eq!(
-                    own.displacement.0[0].to_bits(),
-                    all.displacement.0[l].to_bits()
+                    alone.displacement.0[0].to_bits(),
+                    together.displacement.0[l].to_bits()
                 );
-                assert_eq!(own.velocity.0[0].to_bits(), all.velocity.0[l].to_bits());
+                assert_eq!(
+                    alone.velocity.0[0].to_bits(),
+                    together.velocity.0[l].to_bits()
+                );
             }
         }
     }

@@ -101,8 +101,8 @@ fn a_closed_contact_does_not_change_the_order() {
     let phi: Vec<f64> = modes.iter().map(|m| m.mode[0].phi2.sqrt()).collect();
     let k = 3.0;
     let matrix = DMatrix::from_fn(3, 3, |i, j| {
-        let own = if i == j { modes[i].mode[0].omega2 } else { 0.0 };
-        own + k * phi[i] * phi[j]
+        let modal = if i == j { modes[i].mode[0].omega2 } else { 0.0 };
+        modal + k * phi[i] * phi[j]
     });
     let eigen = SymmetricEigen::new(matrix);
     let exact = |t: f64| {

@@ -94,9 +94,9 @@ impl Compare<'_> {
     fn next(&self, forces: [f64; 2]) -> State {
         let [first, second] = forces;
         match &self.choice {
-            Method::Family(own) => {
+            Method::Family(coefficients) => {
                 self.structure
-                    .family(own, self.dt, &self.state, [self.force, first])
+                    .family(coefficients, self.dt, &self.state, [self.force, first])
             }
             Method::Bathe(Bathe) => self.structure.bathe(self.dt, &self.state, [first, second]),
             Method::MoreauJean(MoreauJean { theta }) => {
@@ -151,14 +151,14 @@ impl WithMethod for Compare<'_> {
             );
             // Modes sum to r and have the structure's energy.
             let energy = self.modal.energy(&next[0], &next[1]);
-            let (mut sum, mut own) = (0.0, 0.0);
+            let (mut sum, mut modal) = (0.0, 0.0);
             for (mode, (x, v)) in self.modal.modes(0).iter().zip(method.modes()) {
                 sum += x.0[0];
-                own += mode.energy(x.0[0], v.0[0]);
+                modal += mode.energy(x.0[0], v.0[0]);
             }
             assert!((sum + self.gap - contact.displacement.0[0]).abs() < tolerance);
             assert!(
-                (own - energy).abs() < 10.0 * tolerance * (1.0 + energy),
+                (modal - energy).abs() < 10.0 * tolerance * (1.0 + energy),
                 "{choice:?} {dt}"
             );
             self.force = forces[last];
@@ -189,8 +189,8 @@ fn modes_under_a_force_follow_the_equations_of_the_papers() {
     let (x, xdot) = (modal.shares(0, &u), modal.shares(0, &v));
     let modes: Vec<_> = (0..3)
         .map(|i| {
-            let own = modal.modes(0)[i];
-            mode(own.omega2, own.phi2, x[i], xdot[i])
+            let lane_mode = modal.modes(0)[i];
+            mode(lane_mode.omega2, lane_mode.phi2, x[i], xdot[i])
         })
         .collect();
     for (choice, limit) in all() {

@@ -8,8 +8,8 @@ use nalgebra::{DMatrix, SymmetricEigen};
 /// omega_max of q'' + (diag(omega2) + k phi phi^T) q = 0 by a dense eigensolver.
 fn dense(modes: &[Mode], k: f64) -> f64 {
     let matrix = DMatrix::from_fn(modes.len(), modes.len(), |i, j| {
-        let own = if i == j { modes[i].omega2 } else { 0.0 };
-        own + k * (modes[i].phi2 * modes[j].phi2).sqrt()
+        let modal = if i == j { modes[i].omega2 } else { 0.0 };
+        modal + k * (modes[i].phi2 * modes[j].phi2).sqrt()
     });
     SymmetricEigen::new(matrix).eigenvalues.max().sqrt()
 }
@@ -73,24 +73,24 @@ fn motions_grow_just_above_the_critical_step_only() {
     };
     for k in [0.0, 50.0, 1000.0] {
         let modes: Vec<Mode> = bar.modes().collect();
-        for own in [
+        for coefficients in [
             Coefficients::central_difference(),
             Coefficients::linear_acceleration(),
             Coefficients::newmark(0.1, 0.55),
             Coefficients::hht(-0.6),
         ] {
-            let critical = Method::from(own).critical_step(modes.iter().copied(), k);
+            let critical = Method::from(coefficients).critical_step(modes.iter().copied(), k);
             let growth = |dt: f64| {
                 let modes: Vec<_> = modes
                     .iter()
                     .enumerate()
                     .map(|(j, m)| mode(m.omega2, m.phi2, if j > 0 { 0.01 } else { 0.0 }, 0.0))
                     .collect();
-                let at = start(Method::Family(own), dt, 0.0, k * 0.06);
+                let at = start(Method::Family(coefficients), dt, 0.0, k * 0.06);
                 with(&at, &modes, Growth(k))
             };
-            assert!(growth(0.999 * critical) < 10.0, "{own:?} {k}");
-            assert!(growth(1.01 * critical) > 1e3, "{own:?} {k}");
+            assert!(growth(0.999 * critical) < 10.0, "{coefficients:?} {k}");
+            assert!(growth(1.01 * critical) > 1e3, "{coefficients:?} {k}");
         }
         let always = Method::from(Coefficients::hht(-0.1));
         assert_eq!(

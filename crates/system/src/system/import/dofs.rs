@@ -47,30 +47,30 @@ impl Dofs {
         let header: Vec<&str> = lines
             .first()
             .map_or(Vec::new(), |line| cells(line).collect());
-        let place = |name: &str| header.iter().position(|own| *own == name);
+        let column_of = |name: &str| header.iter().position(|heading| *heading == name);
         let known = header.iter().all(|name| COLUMNS.contains(name));
         let once = header
             .iter()
             .enumerate()
-            .all(|(i, name)| place(name) == Some(i));
+            .all(|(i, name)| column_of(name) == Some(i));
         let (Some(of_node), Some(direction), true, true) =
-            (place("node"), place("direction"), known, once)
+            (column_of("node"), column_of("direction"), known, once)
         else {
             let message = "the header must be node,direction and, if wanted, support and X,Y,Z";
             return Err(fault(0, message));
         };
-        let at = [place("X"), place("Y"), place("Z")];
-        let support = place("support");
+        let at = [column_of("X"), column_of("Y"), column_of("Z")];
+        let support = column_of("support");
         let mut dofs = Dofs::default();
         let mut supported: HashMap<Arc<str>, Option<usize>> = HashMap::new();
         let rows = lines.iter().enumerate().skip(1);
         for (index, line) in rows.filter(|(_, line)| !line.trim().is_empty()) {
-            let own: Vec<&str> = cells(line).collect();
-            if own.len() != header.len() {
-                let message = format!("must have {} cells, got {}", header.len(), own.len());
+            let row_cells: Vec<&str> = cells(line).collect();
+            if row_cells.len() != header.len() {
+                let message = format!("must have {} cells, got {}", header.len(), row_cells.len());
                 return Err(fault(index, message));
             }
-            let name = own[of_node];
+            let name = row_cells[of_node];
             if name.is_empty() || !is_plain(name) {
                 let message = format!(
                     "a node is named by letters, digits and _, got {}",
@@ -78,14 +78,14 @@ impl Dofs {
                 );
                 return Err(fault(index, message));
             }
-            let Some(direction) = Direction::named(own[direction]) else {
+            let Some(direction) = Direction::named(row_cells[direction]) else {
                 let message = format!(
                     "a direction is x, y, z, rx, ry or rz, got {}",
-                    shown(own[direction])
+                    shown(row_cells[direction])
                 );
                 return Err(fault(index, message));
             };
-            let of_support = match support.map(|column| own[column]) {
+            let of_support = match support.map(|column| row_cells[column]) {
                 None | Some("") => None,
                 Some(support) if is_plain(support) => Some(dofs.support(support)),
                 Some(support) => {
@@ -101,7 +101,7 @@ impl Dofs {
             let before = supported.entry(node.clone()).or_insert(of_support);
             match (*before, of_support) {
                 (Some(one), Some(two)) if one != two => {
-                    let [one, two] = [one, two].map(|place| &dofs.supports[place]);
+                    let [one, two] = [one, two].map(|index| &dofs.supports[index]);
                     let message = format!("node {name} has two supports, {one} and {two}");
                     return Err(fault(index, message));
                 }
@@ -113,7 +113,7 @@ impl Dofs {
                 let mut point = [0.0; 3];
                 for (x, column) in point.iter_mut().zip(at) {
                     if let Some(column) = column {
-                        *x = number(own[column]).map_err(|message| fault(index, message))?;
+                        *x = number(row_cells[column]).map_err(|message| fault(index, message))?;
                     }
                 }
                 coordinates = Some(point);
@@ -144,7 +144,7 @@ impl Dofs {
 
     /// The place of a support by its name.
     fn support(&mut self, name: &str) -> usize {
-        let known = self.supports.iter().position(|own| own == name);
+        let known = self.supports.iter().position(|support| support == name);
         known.unwrap_or_else(|| {
             self.supports.push(name.to_owned());
             self.supports.len() - 1

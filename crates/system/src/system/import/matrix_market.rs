@@ -66,12 +66,12 @@ impl Matrix {
                 let message = format!("more entries than the {count} announced");
                 return Err(fault(line, message));
             }
-            let (place, value) = match form.coordinate {
+            let (position, value) = match form.coordinate {
                 true => entry(text, n),
                 false => number(text.trim()).map(|value| (next, value)),
             }
             .map_err(|message| fault(line, message))?;
-            let (i, j) = place;
+            let (i, j) = position;
             next = match (i + 1 < n, form.symmetric) {
                 (true, _) => (i + 1, j),
                 (false, true) => (j + 1, j + 1),
@@ -93,7 +93,7 @@ impl Matrix {
         let pairs = entries.windows(2);
         let twice = pairs.filter(|pair| pair[0].place == pair[1].place);
         if let Some(entry) = twice.map(|pair| pair[1]).min_by_key(|entry| entry.line) {
-            let [i, j] = entry.place.map(|place| place + 1);
+            let [i, j] = entry.place.map(|index| index + 1);
             let message = format!("row {i} and column {j} are there twice");
             return Err(fault(entry.line as usize, message));
         }
@@ -118,10 +118,10 @@ impl Matrix {
 
     /// The fault of a matrix that should have `rows` rows, as its list of degrees of freedom has.
     pub fn wrong_size(&self, rows: usize) -> ImportFault {
-        let own = self.len();
+        let rows_of_matrix = self.len();
         fault(
             self.size,
-            format!("the matrix has {own} rows, but the file under \"dofs\" has {rows}"),
+            format!("the matrix has {rows_of_matrix} rows, but the file under \"dofs\" has {rows}"),
         )
     }
 
@@ -230,9 +230,9 @@ fn symmetric(
 ) -> Result<Matrix, ImportFault> {
     let values = entries.iter().map(|entry| entry.value);
     let largest = values.fold(0.0, |a: f64, x| a.max(x.abs()));
-    let at = |place: [u32; 2]| {
-        let found = entries.binary_search_by_key(&place, |entry| entry.place);
-        found.ok().map(|place| entries[place].value)
+    let at = |position: [u32; 2]| {
+        let found = entries.binary_search_by_key(&position, |entry| entry.place);
+        found.ok().map(|entry| entries[entry].value)
     };
     let mut counts = vec![0; n];
     let below = entries.iter().map(|entry| entry.place);
@@ -242,7 +242,7 @@ fn symmetric(
     let mut matrix = Symmetric::with_room(&counts);
     let mut diagonal = vec![size; n];
     for Entry { place, value, line } in entries {
-        let [i, j] = place.map(|place| place as usize);
+        let [i, j] = place.map(|index| index as usize);
         if i == j {
             diagonal[i] = *line as usize;
             matrix.add(i, i, *value);

@@ -19,10 +19,10 @@ pub struct Pair {
 /// The first line that is wrong.
 pub fn pairs(bytes: &[u8]) -> Result<Vec<Pair>, ImportFault> {
     let lines = lines(bytes)?;
-    let mut all: Vec<Pair> = Vec::new();
+    let mut pairs: Vec<Pair> = Vec::new();
     for (index, line) in lines.iter().enumerate() {
-        let mut own = cells(line).filter(|cell| !cell.is_empty());
-        let Some(name) = own.next() else {
+        let mut row = cells(line).filter(|cell| !cell.is_empty());
+        let Some(name) = row.next() else {
             continue;
         };
         if index == 0 && name == "name" {
@@ -35,12 +35,12 @@ pub fn pairs(bytes: &[u8]) -> Result<Vec<Pair>, ImportFault> {
             );
             return Err(fault(index, message));
         }
-        if let Some(first) = all.iter().find(|pair| pair.name == name) {
+        if let Some(first) = pairs.iter().find(|pair| pair.name == name) {
             let message = format!("{name} is there twice, first in line {}", first.line);
             return Err(fault(index, message));
         }
         let mut along: Vec<(String, f64)> = Vec::new();
-        for cell in own {
+        for cell in row {
             let Some((dof, factor)) = cell.rsplit_once(':') else {
                 let message = format!("must be dof:factor, got {}", shown(cell));
                 return Err(fault(index, message));
@@ -54,17 +54,17 @@ pub fn pairs(bytes: &[u8]) -> Result<Vec<Pair>, ImportFault> {
         if along.is_empty() {
             return Err(fault(index, format!("contact {name} has no dof:factor")));
         }
-        all.push(Pair {
+        pairs.push(Pair {
             name: name.to_owned(),
             along,
             line: index + 1,
         });
     }
-    match all.is_empty() {
+    match pairs.is_empty() {
         true => Err(fault(
             lines.len().saturating_sub(1),
             "the file has no contacts",
         )),
-        false => Ok(all),
+        false => Ok(pairs),
     }
 }

@@ -57,7 +57,7 @@ impl Dofs {
     pub fn tie(&self, name: &str) -> Option<&Tie> {
         let (node, direction) = name.rsplit_once('.')?;
         let key = (node.to_owned(), Direction::named(direction)?);
-        self.tied.get(&key).map(|place| &self.ties[*place])
+        self.tied.get(&key).map(|tie| &self.ties[*tie])
     }
 
     /// The rows of which a dof is the sum, each with its factor: of a tied dof, or one row.
@@ -69,8 +69,8 @@ impl Dofs {
 
     /// The node and the tie of a line.
     fn tie_of(&self, line: &str, index: usize) -> Result<(String, Tie), ImportFault> {
-        let mut own = cells(line);
-        let name = own.next().unwrap_or_default();
+        let mut line_cells = cells(line);
+        let name = line_cells.next().unwrap_or_default();
         if name.is_empty() || !is_plain(name) {
             let message = format!(
                 "a node is named by letters, digits and _, got {}",
@@ -78,7 +78,7 @@ impl Dofs {
             );
             return Err(fault(index, message));
         }
-        let direction = own.next().unwrap_or_default();
+        let direction = line_cells.next().unwrap_or_default();
         let Some(direction) = Direction::named(direction) else {
             let message = format!(
                 "a direction is x, y, z, rx, ry or rz, got {}",
@@ -87,7 +87,7 @@ impl Dofs {
             return Err(fault(index, message));
         };
         let mut along: Vec<(usize, f64)> = Vec::new();
-        for cell in own.filter(|cell| !cell.is_empty()) {
+        for cell in line_cells.filter(|cell| !cell.is_empty()) {
             let Some((dof, factor)) = cell.rsplit_once(':') else {
                 let message = format!("must be dof:factor, got {}", shown(cell));
                 return Err(fault(index, message));

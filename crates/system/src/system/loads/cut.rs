@@ -16,7 +16,7 @@ pub fn cut(acceleration: &Table, start: Option<f64>, end: Option<f64>) -> Option
     }
     // The value before a jump at the end is that of the points.
     let at_end = match times.iter().position(|t| *t == to) {
-        Some(place) => values[place],
+        Some(index) => values[index],
         None => acceleration.at(to),
     };
     let inner = times.iter().zip(values);
@@ -49,9 +49,9 @@ pub fn delayed(acceleration: &Table, delay: f64) -> Option<Table> {
     }
     // What is before t = 0 does not act.
     let times = acceleration.times().iter().zip(acceleration.values());
-    let own = times.filter(|(t, _)| **t > 0.0);
+    let after_start = times.filter(|(t, _)| **t > 0.0);
     let points = std::iter::once((0.0, acceleration.at(0.0)));
-    let points = points.chain(own.map(|(t, a)| (*t, *a)));
+    let points = points.chain(after_start.map(|(t, a)| (*t, *a)));
     let (mut times, mut values): (Vec<f64>, Vec<f64>) = points.map(|(t, a)| (t + delay, a)).unzip();
     if values.first().is_some_and(|first| *first != 0.0) {
         times.insert(0, delay);

@@ -81,17 +81,17 @@ fn from_rest(acceleration: &Table) -> [f64; 2] {
         let (a, step) = (values[i - 1], values[i] - values[i - 1]);
         // tau from 0 to 1.
         let speed = |tau: f64| v + h * tau * (a + 0.5 * tau * step);
-        let place = |tau: f64| u + h * tau * (v + h * tau * (0.5 * a + tau * step / 6.0));
+        let displacement = |tau: f64| u + h * tau * (v + h * tau * (0.5 * a + tau * step / 6.0));
         let turn = -a / step;
         if turn > 0.0 && turn < 1.0 {
             top_v = top_v.max(speed(turn).abs());
         }
         for tau in zeros([v, h * a, 0.5 * h * step]) {
             if tau > 0.0 && tau < 1.0 {
-                top_u = top_u.max(place(tau).abs());
+                top_u = top_u.max(displacement(tau).abs());
             }
         }
-        [u, v] = [place(1.0), speed(1.0)];
+        [u, v] = [displacement(1.0), speed(1.0)];
         [top_u, top_v] = [top_u.max(u.abs()), top_v.max(v.abs())];
     }
     [top_v, top_u]
@@ -159,17 +159,17 @@ fn power(t: &[f64], a: &[f64], widths: &[f64], omega: f64) -> f64 {
     let mut turn = [1.0, 0.0];
     let mut width = f64::NAN;
     let mut unit = [1.0, 0.0];
-    for (i, (a, own)) in a.iter().zip(widths).enumerate() {
+    for (i, (a, piece_width)) in a.iter().zip(widths).enumerate() {
         // Round-off of products is lost now and then.
         if i % 256 == 0 {
             let angle = omega * (t[i] - t[0]);
             unit = [cos(angle), sin(angle)];
         }
-        re += a * own * unit[0];
-        im += a * own * unit[1];
-        if own.to_bits() != width.to_bits() {
-            width = *own;
-            turn = [cos(omega * own), sin(omega * own)];
+        re += a * piece_width * unit[0];
+        im += a * piece_width * unit[1];
+        if piece_width.to_bits() != width.to_bits() {
+            width = *piece_width;
+            turn = [cos(omega * piece_width), sin(omega * piece_width)];
         }
         unit = [
             unit[0] * turn[0] - unit[1] * turn[1],

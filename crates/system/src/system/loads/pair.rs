@@ -46,8 +46,8 @@ impl Component {
             let one = |table: &Table| match measure {
                 Measure::PeakAcceleration => Some(peak(table.values().iter().copied())),
                 Measure::Spectral { period, ratio } => {
-                    let all = spectrum(table, &[period], ratio)?;
-                    Some(all.first()?.pseudo_acceleration())
+                    let ordinates = spectrum(table, &[period], ratio)?;
+                    Some(ordinates.first()?.pseudo_acceleration())
                 }
                 Measure::PeakVelocity
                 | Measure::PeakDisplacement
@@ -73,7 +73,7 @@ fn turned(pair: [&Table; 2], measure: Measure) -> Option<Vec<f64>> {
     match measure {
         Measure::PeakAcceleration => {
             let mut peaks = vec![0.0_f64; ANGLES];
-            let ends = pieces.iter().flat_map(|own| own.accelerations);
+            let ends = pieces.iter().flat_map(|piece| piece.accelerations);
             for [a, b] in ends {
                 for (peak, [c, s]) in peaks.iter_mut().zip(directions()) {
                     *peak = peak.max((c * a + s * b).abs());
@@ -179,10 +179,10 @@ mod tests {
     #[test]
     fn equal_components_have_closed_forms() {
         // u (cos a + sin a) = sqrt(2) u cos(a - 45): largest sqrt(2) Sa, the SRSS, and the median of |cos| is cos 45, so Sa.
-        let own = motion(0.01, 0.4);
-        let of = both([&own, &own]);
+        let record = motion(0.01, 0.4);
+        let of = both([&record, &record]);
         for measure in [spectral(0.3), spectral(2.0), Measure::PeakAcceleration] {
-            let alone = measure.of(&own, 9.81).unwrap();
+            let alone = measure.of(&record, 9.81).unwrap();
             // Round-off of cosine and sine.
             near(
                 of(Component::RotD100, measure),
@@ -197,13 +197,13 @@ mod tests {
 
     #[test]
     fn one_component_alone_is_the_largest_one_at_its_own_angle() {
-        let (own, still) = (
+        let (moving, still) = (
             motion(0.01, 1.0),
             table([(0.0, 0.0), (9.0, 0.0)].into_iter()),
         );
-        for pair in [[&own, &still], [&still, &own]] {
+        for pair in [[&moving, &still], [&still, &moving]] {
             let of = both(pair);
-            let alone = spectral(0.7).of(&own, 9.81).unwrap();
+            let alone = spectral(0.7).of(&moving, 9.81).unwrap();
             near(of(Component::RotD100, spectral(0.7)), alone, 1e-14);
             near(
                 of(Component::RotD50, spectral(0.7)),
@@ -238,7 +238,7 @@ mod tests {
             ratio: 0.2,
         };
         let [median, most] =
-            [Component::RotD50, Component::RotD100].map(|own| of(own, at_resonance));
+            [Component::RotD50, Component::RotD100].map(|component| of(component, at_resonance));
         near(median, most, 1e-8);
         // 1/(2 zeta), and straight lines between points x apart have the amplitude (sin(x/2)/(x/2))^2; their other frequencies are from
         // 359 on, with 1e-5 of the amplitude and 1e-5 of the response.
@@ -249,9 +249,9 @@ mod tests {
     #[test]
     fn the_peaks_are_those_of_the_turned_motions() {
         // The second component begins later, with a jump, and has points of its own.
-        let own = motion(0.013, 0.7);
-        let late = own.times().iter().map(|t| t + 0.5);
-        let late = late.zip(own.values().iter().copied());
+        let early = motion(0.013, 0.7);
+        let late = early.times().iter().map(|t| t + 0.5);
+        let late = late.zip(early.values().iter().copied());
         let pair = [
             &motion(0.01, 0.0),
             &table([(0.5, 0.0)].into_iter().chain(late)),
@@ -261,9 +261,9 @@ mod tests {
             let [c, s] = directions().nth(degrees).unwrap();
             let pieces = pieces(pair);
             let sum = |[a, b]: [f64; 2]| c * a + s * b;
-            let points = pieces.iter().flat_map(|own| {
-                let [from, to] = own.accelerations.map(sum);
-                [(own.times[0], from), (own.times[1], to)]
+            let points = pieces.iter().flat_map(|piece| {
+                let [from, to] = piece.accelerations.map(sum);
+                [(piece.times[0], from), (piece.times[1], to)]
             });
             let mut points: Vec<(f64, f64)> = points.collect();
             points.dedup();
@@ -275,10 +275,10 @@ mod tests {
             near(turned_peaks[degrees], alone, 1e-9);
         }
         // The values of the pieces are those of the tables.
-        for own in pieces(pair) {
-            let middle = 0.5 * (own.times[0] + own.times[1]);
+        for piece in pieces(pair) {
+            let middle = 0.5 * (piece.times[0] + piece.times[1]);
             for (i, table) in pair.into_iter().enumerate() {
-                let mean = 0.5 * (own.accelerations[0][i] + own.accelerations[1][i]);
+                let mean = 0.5 * (piece.accelerations[0][i] + piece.accelerations[1][i]);
                 assert!((mean - table.at(middle)).abs() < 1e-12);
             }
         }
@@ -286,10 +286,10 @@ mod tests {
 
     #[test]
     fn other_measures_and_oscillators_have_none() {
-        let own = motion(0.01, 0.0);
+        let record = motion(0.01, 0.0);
         for component in Component::ALL {
-            assert_eq!(component.of([&own, &own], Measure::Arias), None);
-            assert_eq!(component.of([&own, &own], spectral(-1.0)), None);
+            assert_eq!(component.of([&record, &record], Measure::Arias), None);
+            assert_eq!(component.of([&record, &record], spectral(-1.0)), None);
         }
     }
 
@@ -302,8 +302,8 @@ mod tests {
     #[test]
     fn rotd50_is_the_mean_of_the_two_middle_peaks() {
         let cos = |degrees: f64| libm::cos(degrees * PI / 180.0);
-        let own = |x: f64| points(&[0.0, 1.0], &[x, x]);
-        let pair = [own(cos(0.3)), own(cos(89.7))];
+        let constant = |x: f64| points(&[0.0, 1.0], &[x, x]);
+        let pair = [constant(cos(0.3)), constant(cos(89.7))];
         let found = both([&pair[0], &pair[1]])(Component::RotD50, Measure::PeakAcceleration);
         near(found, 0.5 * (cos(44.7) + cos(45.3)), 1e-14);
     }

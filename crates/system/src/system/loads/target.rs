@@ -39,7 +39,7 @@ impl Target {
     pub fn at(&self, period: f64) -> f64 {
         match self {
             Target::Table { periods, ordinates } => {
-                let next = periods.partition_point(|own| *own <= period);
+                let next = periods.partition_point(|known| *known <= period);
                 match (next.checked_sub(1), periods.get(next)) {
                     (None, _) => ordinates.first().copied().unwrap_or_default(),
                     (Some(before), None) => ordinates[before],
@@ -123,16 +123,20 @@ impl Fit {
     }
 
     /// The factor of `own` with the smallest sum of squares.
-    pub fn nearest(self, own: &[f64], wanted: &[f64]) -> f64 {
-        let both = own.iter().zip(wanted);
+    pub fn nearest(self, ordinates: &[f64], wanted: &[f64]) -> f64 {
+        let both = ordinates.iter().zip(wanted);
         match self {
             Fit::Linear => {
-                let products = both.map(|(own, wanted)| own * wanted);
-                products.sum::<f64>() / own.iter().map(|own| own * own).sum::<f64>()
+                let products = both.map(|(ordinate, wanted)| ordinate * wanted);
+                products.sum::<f64>()
+                    / ordinates
+                        .iter()
+                        .map(|ordinate| ordinate * ordinate)
+                        .sum::<f64>()
             }
             Fit::Logarithmic => {
-                let logarithms = both.map(|(own, wanted)| log(wanted / own));
-                exp(logarithms.sum::<f64>() / own.len() as f64)
+                let logarithms = both.map(|(ordinate, wanted)| log(wanted / ordinate));
+                exp(logarithms.sum::<f64>() / ordinates.len() as f64)
             }
         }
     }
@@ -200,22 +204,22 @@ mod tests {
 
     #[test]
     fn the_nearest_factor_has_the_smallest_squares() {
-        let (own, wanted) = ([1.0, 2.0, 4.0], [3.0, 3.0, 9.0]);
+        let (ordinates, wanted) = ([1.0, 2.0, 4.0], [3.0, 3.0, 9.0]);
         let squares = |f: f64| -> f64 {
-            let both = own.iter().zip(wanted);
-            both.map(|(own, wanted)| (f * own - wanted) * (f * own - wanted))
+            let both = ordinates.iter().zip(wanted);
+            both.map(|(ordinate, wanted)| (f * ordinate - wanted) * (f * ordinate - wanted))
                 .sum()
         };
-        let best = Fit::Linear.nearest(&own, &wanted);
+        let best = Fit::Linear.nearest(&ordinates, &wanted);
         assert!((best - 45.0 / 21.0).abs() < 1e-15);
         assert!(squares(best) < squares(best + 1e-3) && squares(best) < squares(best - 1e-3));
         for fit in Fit::ALL {
-            let all = fit.periods([0.2, 2.0]);
-            assert_eq!((all[0], all[100], all.len()), (0.2, 2.0, 101));
+            let periods = fit.periods([0.2, 2.0]);
+            assert_eq!((periods[0], periods[100], periods.len()), (0.2, 2.0, 101));
         }
         // sqrt(0.2 2) is in the middle of the logarithms, and the geometric mean of 3, 1.5 and 2.25 the factor.
         assert!((Fit::Logarithmic.periods([0.2, 2.0])[50] - 0.4_f64.sqrt()).abs() < 1e-15);
-        let best = Fit::Logarithmic.nearest(&own, &wanted);
+        let best = Fit::Logarithmic.nearest(&ordinates, &wanted);
         assert!((best - (3.0 * 1.5 * 2.25_f64).cbrt()).abs() < 1e-14);
     }
 }

@@ -72,20 +72,20 @@ impl Basis {
         let with_mass: Vec<&[f64]> = columns
             .iter()
             .enumerate()
-            .filter(|(place, _)| !(held..held + loose).contains(place))
+            .filter(|(row, _)| !(held..held + loose).contains(row))
             .map(|(_, column)| &column[..])
             .collect();
-        let all: Vec<&[f64]> = columns.iter().map(|column| &column[..]).collect();
+        let vectors: Vec<&[f64]> = columns.iter().map(|column| &column[..]).collect();
         let mass = projected(&imported.mass, &with_mass, &with_mass[..held]);
-        let stiffness = projected(&imported.stiffness, &all[..held], &all[..held]);
+        let stiffness = projected(&imported.stiffness, &vectors[..held], &vectors[..held]);
         let damping = imported.damping.as_ref().map(|c| {
             match rayleigh(c, &imported.mass, &imported.stiffness) {
                 Some(factors) => Damping::Rayleigh(factors),
-                None => Damping::Full(projected(c, &all, &all)),
+                None => Damping::Full(projected(c, &vectors, &vectors)),
             }
         });
         let shapes: Vec<&[f64]> = modes.iter().map(|mode| &mode.shape[..]).collect();
-        let constrained: Vec<&[f64]> = of.constrained.iter().map(|own| &own[..]).collect();
+        let constrained: Vec<&[f64]> = of.constrained.iter().map(|column| &column[..]).collect();
         let coupling = projected(&of.mass, &shapes, &constrained);
         let loose_displacement = DMatrix::from_fn(loose, columns.len(), |row, column| {
             columns[column][of.free[of.loose[row]]]
@@ -100,13 +100,13 @@ impl Basis {
             let mut of_free = vec![0.0; free.len()];
             of.mass.add_product(&free, &mut of_free);
             let products =
-                |of: &[&[f64]], with: &[f64]| of.iter().map(|own| dot(own, with)).collect();
+                |of: &[&[f64]], with: &[f64]| of.iter().map(|vector| dot(vector, with)).collect();
             let forces = imported.dofs.forces(direction);
             let is_there = forces.iter().any(|force| *force != 0.0);
             is_there.then(|| OfDirection {
                 direction,
-                unit: products(&all, &forces),
-                inertia: products(&all, &inertia),
+                unit: products(&vectors, &forces),
+                inertia: products(&vectors, &inertia),
                 modal: products(&shapes, &of_free),
             })
         });
@@ -115,7 +115,7 @@ impl Basis {
             omega2: modes.iter().map(|mode| mode.omega2).collect(),
             all: of.massive.len(),
             held: of.held.clone(),
-            loose: of.loose.iter().map(|place| of.free[*place]).collect(),
+            loose: of.loose.iter().map(|row| of.free[*row]).collect(),
             mass,
             stiffness,
             damping,
@@ -127,19 +127,23 @@ impl Basis {
 
 /// The columns of Y over all rows.
 fn columns(of: &Held, modes: &[Mode]) -> Vec<Vec<f64>> {
-    let whole = |own: &[f64]| {
+    let whole = |free_values: &[f64]| {
         let mut column = vec![0.0; of.size];
-        for (row, x) in of.free.iter().zip(own) {
+        for (row, x) in of.free.iter().zip(free_values) {
             column[*row] = *x;
         }
         column
     };
-    let held = of.held.iter().zip(&of.constrained).map(|(row, own)| {
-        let mut column = whole(own);
-        column[*row] = 1.0;
-        column
-    });
-    let attached = of.attached.iter().map(|own| whole(own));
+    let held = of
+        .held
+        .iter()
+        .zip(&of.constrained)
+        .map(|(row, free_shape)| {
+            let mut column = whole(free_shape);
+            column[*row] = 1.0;
+            column
+        });
+    let attached = of.attached.iter().map(|free_shape| whole(free_shape));
     let modes = modes.iter().map(|mode| whole(&mode.shape));
     held.chain(attached).chain(modes).collect()
 }

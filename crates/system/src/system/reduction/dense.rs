@@ -45,10 +45,10 @@ pub(super) fn all_modes(of: &Held) -> Result<Vec<Mode>, ReductionFault> {
         .ok_or_else(no_mass)?;
     let modes = eigen.eigenvalues.iter().zip(shapes.column_iter());
     let mut modes: Vec<Mode> = modes
-        .map(|(omega2, own)| {
+        .map(|(omega2, massive_shape)| {
             let mut shape = vec![0.0; of.free.len()];
-            for ((place, x), follower) in massive.iter().zip(own.iter()).zip(&following) {
-                shape[*place] = *x;
+            for ((row, x), follower) in massive.iter().zip(massive_shape.iter()).zip(&following) {
+                shape[*row] = *x;
                 for (massless, factor) in massless.iter().zip(follower) {
                     shape[*massless] += factor * x;
                 }
@@ -71,8 +71,8 @@ fn following(of: &Held) -> Result<Vec<Vec<f64>>, ReductionFault> {
         return Ok(columns);
     }
     // K_ff is positive definite, so that K_ss is.
-    let own = of.stiffness.block(massless);
-    let factor = Factor::new(&own, &vec![false; own.size()]);
+    let of_massless = of.stiffness.block(massless);
+    let factor = Factor::new(&of_massless, &vec![false; of_massless.size()]);
     let factor = factor.map_err(|_| ReductionFault::Mass)?;
     for ((i, j), k) in of.stiffness.entries() {
         for (row, column) in [(i, j), (j, i)] {

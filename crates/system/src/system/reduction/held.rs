@@ -53,7 +53,7 @@ impl Held {
         let (held, free): (Vec<usize>, Vec<usize>) = (0..size).partition(is_held);
         let places_where = |is: &dyn Fn(&usize) -> bool| -> Vec<usize> {
             let places = free.iter().enumerate().filter(|(_, row)| is(row));
-            places.map(|(place, _)| place).collect()
+            places.map(|(index, _)| index).collect()
         };
         let stiffness = imported.stiffness.block(&free);
         let factor = Factor::regular(&stiffness, SINGULAR).map_err(|why| {
@@ -74,9 +74,9 @@ impl Held {
             .iter_mut()
             .for_each(|column| factor.solve(column));
         let loose = places_where(&is_kept);
-        let attached = loose.iter().map(|place| {
+        let attached = loose.iter().map(|index| {
             let mut force = vec![0.0; free.len()];
-            force[*place] = 1.0;
+            force[*index] = 1.0;
             factor.solve(&mut force);
             force
         });

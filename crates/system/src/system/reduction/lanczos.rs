@@ -62,13 +62,13 @@ pub(super) fn lowest(of: &Held, wanted: usize) -> Result<Vec<Mode>, ReductionFau
         images: Vec::new(),
         scattered: Scattered::new(),
     };
-    let all = of.massive.len();
+    let most = of.massive.len();
     let step = (wanted / 4).max(4 * BAND);
     let mut known: Option<Vec<f64>> = None;
     space.start();
     let mut target = 2 * wanted + 4 * BAND;
     loop {
-        let is_whole = !space.grow(target.min(all));
+        let is_whole = !space.grow(target.min(most));
         let ritz = space.ritz(wanted);
         let unchanged = |values: &Vec<f64>| {
             let mut pairs = values.iter().zip(&ritz.values);
@@ -77,7 +77,7 @@ pub(super) fn lowest(of: &Held, wanted: usize) -> Result<Vec<Mode>, ReductionFau
         if is_whole || ritz.converged && known.as_ref().is_some_and(unchanged) {
             return space.modes(&ritz, wanted);
         }
-        if space.images.len() >= all {
+        if space.images.len() >= most {
             return Err(ReductionFault::NotConverged);
         }
         target += step;
@@ -192,7 +192,10 @@ impl Space<'_> {
         let converged = order.len() == wanted
             && columns.all(|column| residual(*column) <= TOLERANCE * eigen.eigenvalues[*column]);
         Ritz {
-            values: order.iter().map(|own| eigen.eigenvalues[*own]).collect(),
+            values: order
+                .iter()
+                .map(|column| eigen.eigenvalues[*column])
+                .collect(),
             combinations: eigen.eigenvectors,
             order,
             converged,

@@ -114,18 +114,18 @@ impl Reduction {
             .held
             .get_or_init(|| Held::new(&self.imported, &self.kept));
         let held = held.as_ref().map_err(Clone::clone)?;
-        let all = held.massive.len();
+        let most_modes = held.massive.len();
         let (basis, modes) = match wanted {
             Wanted::Modes(modes) => {
-                let modes = modes.min(all);
+                let modes = modes.min(most_modes);
                 if modes > MOST_MODES {
                     return Err(ReductionFault::TooMany);
                 }
-                (self.basis(held, stage(modes, all))?, modes)
+                (self.basis(held, stage(modes, most_modes))?, modes)
             }
             Wanted::UpTo(frequency) => {
                 let most = (2.0 * PI * frequency) * (2.0 * PI * frequency);
-                let mut size = stage(0, all);
+                let mut size = stage(0, most_modes);
                 loop {
                     let basis = self.basis(held, size)?;
                     let modes = basis
@@ -133,13 +133,13 @@ impl Reduction {
                         .iter()
                         .filter(|omega2| **omega2 <= most)
                         .count();
-                    if modes < basis.omega2.len() || modes == all {
+                    if modes < basis.omega2.len() || modes == most_modes {
                         break (basis, modes);
                     }
                     if modes > MOST_MODES {
                         return Err(ReductionFault::TooMany);
                     }
-                    size = stage(size, all);
+                    size = stage(size, most_modes);
                 }
             }
         };

@@ -16,23 +16,23 @@ pub const MOST_MODES: usize = 1000;
 /// How many modes are computed at once where `wanted` and the next one are needed, of `all`.
 ///
 /// It depends on nothing else, so that the modes of a case do not depend on other cases.
-pub(super) fn stage(wanted: usize, all: usize) -> usize {
-    if all <= SMALL || wanted >= all {
-        return all;
+pub(super) fn stage(wanted: usize, most: usize) -> usize {
+    if most <= SMALL || wanted >= most {
+        return most;
     }
     let mut stage = FEWEST;
     while stage <= wanted {
         stage *= 2;
     }
-    match is_dense(stage, all) {
-        true => all,
+    match is_dense(stage, most) {
+        true => most,
         false => stage,
     }
 }
 
 /// Whether full matrices are faster than a subspace of about twice the number of modes.
-fn is_dense(modes: usize, all: usize) -> bool {
-    all <= SMALL || 2 * modes + 100 > all
+fn is_dense(modes: usize, most: usize) -> bool {
+    most <= SMALL || 2 * modes + 100 > most
 }
 
 /// The first modes in the order of their frequencies, as many as [`stage`] says.

@@ -12,13 +12,15 @@ const ROUND_OFF: f64 = 1e-13;
 pub(super) fn rayleigh(c: &Symmetric, m: &Symmetric, k: &Symmetric) -> Option<[f64; 2]> {
     let mut entries: BTreeMap<(usize, usize), [f64; 3]> = BTreeMap::new();
     for (which, matrix) in [c, m, k].into_iter().enumerate() {
-        for (place, value) in matrix.entries() {
-            entries.entry(place).or_default()[which] += value;
+        for (entry, value) in matrix.entries() {
+            entries.entry(entry).or_default()[which] += value;
         }
     }
     // The factor of K from the entry without mass in which K is largest; that of M from the largest mass.
     let largest = |of: &dyn Fn(&[f64; 3]) -> f64| {
-        let numbers = entries.values().filter(|own| of(own) > 0.0);
+        let numbers = entries
+            .values()
+            .filter(|numbers_of_entry| of(numbers_of_entry) > 0.0);
         numbers.max_by(|a, b| of(a).total_cmp(&of(b))).copied()
     };
     let [c, _, k] = largest(&|[_, m, k]| if *m == 0.0 { k.abs() } else { 0.0 })?;
@@ -56,8 +58,8 @@ mod tests {
             c.add_matrix(&k, factors[1]);
             let found = rayleigh(&c, &m, &k).unwrap();
             // Round-off of numbers up to 1.
-            for (own, factor) in found.iter().zip(factors) {
-                assert!((own - factor).abs() < 1e-14, "{found:?}");
+            for (found_factor, factor) in found.iter().zip(factors) {
+                assert!((found_factor - factor).abs() < 1e-14, "{found:?}");
             }
             c.add(1, 1, 1e-9);
             assert_eq!(rayleigh(&c, &m, &k), None);

@@ -116,8 +116,8 @@ impl Reduced {
             force,
         }) = &self.loose
         {
-            let own = displacement.transpose() * force;
-            add_lower(own.as_view(), &mut stiffness);
+            let of_held = displacement.transpose() * force;
+            add_lower(of_held.as_view(), &mut stiffness);
         }
         stiffness
     }
@@ -130,13 +130,13 @@ impl Reduced {
                 damping.add_matrix(&self.mass(), *mass);
                 damping.add_matrix(&self.stiffness(), *stiffness);
             }
-            Damping::Full(own) => {
-                let own = own.view((0, 0), (self.len(), self.len()));
+            Damping::Full(matrix) => {
+                let square = matrix.view((0, 0), (self.len(), self.len()));
                 match self.loose {
-                    None => add_lower(own, &mut damping),
+                    None => add_lower(square, &mut damping),
                     Some(_) => {
                         let transformation = self.transformation();
-                        let product = transformation.transpose() * own * &transformation;
+                        let product = transformation.transpose() * square * &transformation;
                         add_lower(product.as_view(), &mut damping);
                     }
                 }
@@ -161,13 +161,14 @@ impl Reduced {
         let held = self.places(&self.basis.held);
         let coordinate = |mode: usize| {
             let followed = held.iter().enumerate();
-            let followed = followed.map(|(i, place)| self.basis.coupling[(mode, i)] * kept[*place]);
+            let followed =
+                followed.map(|(i, column)| self.basis.coupling[(mode, i)] * kept[*column]);
             let others = of_directions.iter().filter_map(|(direction, u)| {
                 let of = self
                     .basis
                     .directions
                     .iter()
-                    .find(|own| own.direction == *direction);
+                    .find(|inertia| inertia.direction == *direction);
                 Some(of?.modal[mode] * u)
             });
             others.sum::<f64>() - followed.sum::<f64>()
@@ -177,55 +178,56 @@ impl Reduced {
 
     /// A vector of the basis in the coordinates of the case.
     fn reduced(&self, direction: Direction, which: impl Fn(&OfDirection) -> &Vec<f64>) -> Vec<f64> {
-        let own = self
+        let inertia = self
             .basis
             .directions
             .iter()
-            .find(|own| own.direction == direction);
-        let Some(own) = own.map(which) else {
+            .find(|known| known.direction == direction);
+        let Some(inertia) = inertia.map(which) else {
             return vec![0.0; self.len()];
         };
         // Without loose rows the coordinates are those of the basis.
         if self.loose.is_none() {
-            return own[..self.len()].to_vec();
+            return inertia[..self.len()].to_vec();
         }
         let transformation = self.transformation();
         let column = |column: usize| {
             let terms = transformation.column(column);
-            terms.iter().zip(own).map(|(a, b)| a * b).sum()
+            terms.iter().zip(inertia).map(|(a, b)| a * b).sum()
         };
         (0..self.len()).map(column).collect()
     }
 
     /// Places of rows among the kept ones.
     fn places(&self, rows: &[usize]) -> Vec<usize> {
-        let place = |row: &usize| self.kept.binary_search(row).ok();
-        rows.iter().filter_map(place).collect()
+        let column = |row: &usize| self.kept.binary_search(row).ok();
+        rows.iter().filter_map(column).collect()
     }
 
     /// The displacements of the basis as combinations for each coordinate.
     fn transformation(&self) -> DMatrix<f64> {
         let (held, loose) = (self.basis.held.len(), self.basis.loose.len());
-        let mut all = DMatrix::zeros(held + loose + self.modes, self.len());
-        for (row, place) in self.places(&self.basis.held).into_iter().enumerate() {
-            all[(row, place)] = 1.0;
+        let mut transformation = DMatrix::zeros(held + loose + self.modes, self.len());
+        for (row, column) in self.places(&self.basis.held).into_iter().enumerate() {
+            transformation[(row, column)] = 1.0;
         }
         for mode in 0..self.modes {
-            all[(held + loose + mode, self.kept.len() + mode)] = 1.0;
+            transformation[(held + loose + mode, self.kept.len() + mode)] = 1.0;
         }
         if let Some(Loose { force, .. }) = &self.loose {
-            all.view_mut((held, 0), (loose, self.len()))
+            transformation
+                .view_mut((held, 0), (loose, self.len()))
                 .copy_from(force);
             // What the modes have of the displacement by the forces.
             for mode in 0..self.modes {
                 for column in 0..self.len() {
                     let terms = (0..loose).map(|i| self.shape(i, mode) * force[(i, column)]);
                     let sum: f64 = terms.sum();
-                    all[(held + loose + mode, column)] -= sum / self.basis.omega2[mode];
+                    transformation[(held + loose + mode, column)] -= sum / self.basis.omega2[mode];
                 }
             }
         }
-        all
+        transformation
     }
 
     /// Displacement of a loose row in a mode.
@@ -239,13 +241,13 @@ impl Reduced {
         let (held, loose) = (self.basis.held.len(), self.basis.loose.len());
         let of = &self.basis.loose_displacement;
         let mut displacement = DMatrix::zeros(loose, self.len());
-        for (column, place) in self.places(&self.basis.held).into_iter().enumerate() {
+        for (column, kept) in self.places(&self.basis.held).into_iter().enumerate() {
             for i in 0..loose {
-                displacement[(i, place)] = -of[(i, column)];
+                displacement[(i, kept)] = -of[(i, column)];
             }
         }
-        for (i, place) in self.places(&self.basis.loose).into_iter().enumerate() {
-            displacement[(i, place)] = 1.0;
+        for (i, column) in self.places(&self.basis.loose).into_iter().enumerate() {
+            displacement[(i, column)] = 1.0;
         }
         for mode in 0..self.modes {
             for i in 0..loose {

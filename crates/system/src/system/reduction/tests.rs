@@ -49,7 +49,7 @@ fn difference(of: &Held, wanted: usize, mut exact: Vec<f64>) -> f64 {
     let modes = lowest(of, wanted).unwrap();
     assert!(modes.len() >= wanted);
     let pairs = modes.iter().zip(&exact).take(wanted);
-    let errors = pairs.map(|(own, exact)| (own.omega2 / exact - 1.0).abs());
+    let errors = pairs.map(|(mode, exact)| (mode.omega2 / exact - 1.0).abs());
     errors.fold(0.0, f64::max)
 }
 
@@ -96,8 +96,8 @@ fn ten_equal_chains_have_each_frequency_ten_times() {
             k.add(chain * n + i, chain * n + j, x);
         }
     }
-    let all = imported(diagonal(vec![1.0; chains * n].into_iter()), k, None);
-    let held = Held::new(&all, &[]).unwrap();
+    let chains_model = imported(diagonal(vec![1.0; chains * n].into_iter()), k, None);
+    let held = Held::new(&chains_model, &[]).unwrap();
     let exact: Vec<f64> = of_chain(n).flat_map(|a| [a; 10]).collect();
     // Round-off of a condition of 4000.
     assert!(difference(&held, 64, exact) < 1e-11);
@@ -115,8 +115,8 @@ fn copies_of_a_mode_beyond_the_start_vectors_are_searched() {
             k.add(chain * n + i, chain * n + j, x);
         }
     }
-    let all = imported(diagonal(vec![1.0; chains * n].into_iter()), k, None);
-    let held = Held::new(&all, &[]).unwrap();
+    let chains_model = imported(diagonal(vec![1.0; chains * n].into_iter()), k, None);
+    let held = Held::new(&chains_model, &[]).unwrap();
     let exact: Vec<f64> = of_chain(n).flat_map(|a| [a; 40]).collect();
     // Round-off of a condition of 200.
     assert!(difference(&held, 16, exact) < 1e-11);
@@ -157,19 +157,19 @@ fn static_displacements_need_no_modes() {
     for modes in [0, 3, 37] {
         let reduced = reduction.reduced(Wanted::Modes(modes)).unwrap();
         assert_eq!(reduced.len(), 3 + modes.min(36));
-        let own = reduced.stiffness().full().try_inverse().unwrap();
+        let flexibility = reduced.stiffness().full().try_inverse().unwrap();
         for (i, row) in [5, 20, 39].into_iter().enumerate() {
             for (j, column) in [5, 20, 39].into_iter().enumerate() {
                 // Flexibilities up to 10, a condition of 700.
-                assert!((own[(i, j)] - inverse[(row, column)]).abs() < 1e-12);
+                assert!((flexibility[(i, j)] - inverse[(row, column)]).abs() < 1e-12);
             }
         }
         // Forces of 1 on all rows.
         let forces = DVector::from_vec(reduced.forces(Direction::X));
-        let (own, exact) = (own * forces, &inverse * DVector::repeat(40, 1.0));
+        let (computed, exact) = (flexibility * forces, &inverse * DVector::repeat(40, 1.0));
         for (i, row) in [5, 20, 39].into_iter().enumerate() {
             // Displacements up to 210.
-            assert!((own[i] - exact[row]).abs() < 1e-11);
+            assert!((computed[i] - exact[row]).abs() < 1e-11);
         }
     }
 }
@@ -204,26 +204,26 @@ fn all_modes_are_the_whole_model() {
         reduced.stiffness(),
     ];
     for s in [0.0, 0.1, 1.0, 5.0] {
-        let (own, exact) = (answer(&own_m, &own_c, &own_k, s), answer(&m, &c, &k, s));
+        let (computed, exact) = (answer(&own_m, &own_c, &own_k, s), answer(&m, &c, &k, s));
         for (i, row) in [3, 20, 29].into_iter().enumerate() {
             for (j, column) in [3, 20, 29].into_iter().enumerate() {
                 // Up to 8, a condition of 1000.
-                assert!((own[(i, j)] - exact[(row, column)]).abs() < 1e-12);
+                assert!((computed[(i, j)] - exact[(row, column)]).abs() < 1e-12);
             }
         }
         // The same for the acceleration of the ground.
         let mut inertia = vec![0.0; 30];
         m.add_product(&[1.0; 30], &mut inertia);
-        let (own, exact) = (
-            own * DVector::from_vec(reduced.inertia(Direction::X)),
+        let (computed, exact) = (
+            computed * DVector::from_vec(reduced.inertia(Direction::X)),
             exact * DVector::from_vec(inertia),
         );
         for (i, row) in [3, 20, 29].into_iter().enumerate() {
             // Up to 300.
             assert!(
-                (own[i] - exact[row]).abs() < 1e-11,
+                (computed[i] - exact[row]).abs() < 1e-11,
                 "{} {}",
-                own[i],
+                computed[i],
                 exact[row]
             );
         }
@@ -261,7 +261,9 @@ fn modes_up_to_a_frequency_are_counted() {
     let limit = (omegas[69] + omegas[70]) / (4.0 * PI);
     let reduced = reduction.reduced(Wanted::UpTo(limit)).unwrap();
     assert_eq!(reduced.modes(), 70);
-    let [last, next] = reduced.frequencies().map(|own| own.unwrap() * 2.0 * PI);
+    let [last, next] = reduced
+        .frequencies()
+        .map(|frequency| frequency.unwrap() * 2.0 * PI);
     // Round-off of a condition of 4e5.
     assert!((last / omegas[69] - 1.0).abs() < 1e-10 && (next / omegas[70] - 1.0).abs() < 1e-10);
     // Nothing depends on what was computed before.
@@ -363,8 +365,8 @@ fn supports_without_mass_hold_the_rows_between_them() {
     // Round-off of stiffnesses of 1.
     assert!(force.iter().all(|x| x.abs() < 1e-14), "{force}");
     // A displacement of one of them moves row 4 by a straight line of 11 springs: 7/11 and 4/11.
-    for (place, share) in [(0, 7.0 / 11.0), (2, 4.0 / 11.0)] {
-        let moved = -full[(1, place)] / full[(1, 1)];
+    for (column, share) in [(0, 7.0 / 11.0), (2, 4.0 / 11.0)] {
+        let moved = -full[(1, column)] / full[(1, 1)];
         assert!((moved - share).abs() < 1e-14, "{moved} {share}");
     }
 }

@@ -155,13 +155,13 @@ impl StructureBuilder {
         unique(self.contacts.iter().map(|contact| contact.0.as_str()))?;
         let mut structure = Structure::new(self.nodes);
         let nodes = structure.nodes.clone();
-        let place = |name: &str| {
+        let index_of = |name: &str| {
             let found = nodes.iter().position(|node| node.name == name);
             found.ok_or_else(|| BuildFault::Unknown(name.to_owned()))
         };
         let end = |name: &String| match name == GROUND {
             true => Ok(None),
-            false => place(name).map(Some),
+            false => index_of(name).map(Some),
         };
         let ends = |[i, j]: &[String; 2]| Ok([end(i)?, end(j)?]);
         for (between, stiffness) in &self.springs {
@@ -180,7 +180,7 @@ impl StructureBuilder {
             });
         }
         for (mass, signal) in self.loads {
-            let pattern = vec![(place(&mass)?, 1.0)];
+            let pattern = vec![(index_of(&mass)?, 1.0)];
             structure.loads.push(Load { pattern, signal });
         }
         for signal in self.ground {
@@ -189,7 +189,7 @@ impl StructureBuilder {
             structure.loads.push(Load { pattern, signal });
         }
         for (mass, [u, v]) in self.starts {
-            let node = place(&mass)?;
+            let node = index_of(&mass)?;
             structure.displacement[node] = u;
             structure.velocity[node] = v;
         }

@@ -60,9 +60,9 @@ impl Structure {
         let members = |link: usize, sign: f64| -> Vec<Member> {
             let members = links[link].iter();
             members
-                .map(|(contact, own)| Member {
+                .map(|(contact, member_sign)| Member {
                     contact: *contact,
-                    sign: sign * own,
+                    sign: sign * member_sign,
                 })
                 .collect()
         };
@@ -82,7 +82,9 @@ impl Structure {
                 let mut nodes = inner(link).into_iter();
                 nodes.find(|(node, _)| Some(*node) != before)
             };
-            while let Some((node, factor)) = next(last, chain.nodes.last().map(|own| own.node)) {
+            while let Some((node, factor)) =
+                next(last, chain.nodes.last().map(|chain_node| chain_node.node))
+            {
                 let Some([a, b]) = free[node] else { break };
                 let other = if a.0 == last { b } else { a };
                 // The forces at the node are in equilibrium.
@@ -131,15 +133,15 @@ impl Structure {
     fn links(&self, is_free: &[bool]) -> Vec<Link> {
         let mut links: Vec<Link> = Vec::new();
         let is_free = |node: usize| is_free.get(node) == Some(&true);
-        for (contact, own) in self.contacts.iter().enumerate() {
-            if !own.along.iter().any(|(node, _)| is_free(*node)) {
+        for (contact, other) in self.contacts.iter().enumerate() {
+            if !other.along.iter().any(|(node, _)| is_free(*node)) {
                 continue;
             }
             // Directions of a plane are no links of a chain.
-            let is_alone = own.law.row().is_some();
+            let is_alone = other.law.row().is_some();
             let beside = links.iter_mut().filter(|_| !is_alone).find_map(|link| {
                 let first = &self.contacts[link[0].0];
-                let sign = sign_beside(&first.along, &own.along)?;
+                let sign = sign_beside(&first.along, &other.along)?;
                 first.law.row().is_none().then_some((link, sign))
             });
             match beside {
@@ -154,10 +156,10 @@ impl Structure {
     fn nodes_of_two(&self, is_free: &[bool], links: &[Link]) -> Vec<Option<[(usize, f64); 2]>> {
         let mut of_node: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.len()];
         for (link, members) in links.iter().enumerate() {
-            let own = &self.contacts[members[0].0];
+            let contact = &self.contacts[members[0].0];
             // More than two nodes would be no chain, nor is a direction of a plane.
-            let is_alone = own.law.row().is_some();
-            let free = own
+            let is_alone = contact.law.row().is_some();
+            let free = contact
                 .along
                 .iter()
                 .filter(|(node, _)| is_free.get(*node) == Some(&true));
@@ -187,10 +189,10 @@ impl Structure {
 
 /// 1 or -1 for columns that are the same but for this sign.
 fn sign_beside(first: &[(usize, f64)], other: &[(usize, f64)]) -> Option<f64> {
-    let factor = |node: usize| other.iter().find(|own| own.0 == node).map(|own| own.1);
+    let factor = |node: usize| other.iter().find(|term| term.0 == node).map(|term| term.1);
     let is = |sign: f64| {
         let mut terms = first.iter();
-        first.len() == other.len() && terms.all(|(node, own)| factor(*node) == Some(sign * own))
+        first.len() == other.len() && terms.all(|(node, value)| factor(*node) == Some(sign * value))
     };
     [1.0, -1.0].into_iter().find(|sign| is(*sign))
 }

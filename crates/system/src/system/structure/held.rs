@@ -41,9 +41,13 @@ impl Structure {
             .zip(&diagonal)
             .map(|(held, diagonal)| held.abs() > 1e-12 * diagonal.max(f64::MIN_POSITIVE))
             .collect();
-        let pressed = |place: usize| self.preload.force(place).is_some_and(|force| force != 0.0);
+        let pressed = |contact: usize| {
+            self.preload
+                .force(contact)
+                .is_some_and(|force| force != 0.0)
+        };
         let contacts = self.contacts.iter().enumerate();
-        let holding = contacts.filter(|(place, own)| own.holds() || pressed(*place));
+        let holding = contacts.filter(|(index, contact)| contact.holds() || pressed(*index));
         for (_, contact) in holding {
             let Some((first, others)) = contact.along.split_first() else {
                 continue;
@@ -62,15 +66,15 @@ impl Structure {
             members.entry(part[i]).or_default().push(i);
             is_held[part[i]] |= grounded[i];
         }
-        members.retain(|own, _| !is_held[*own]);
+        members.retain(|part, _| !is_held[*part]);
         if members.is_empty() {
             return Vec::new();
         }
         let stopped = self.stopped(&part, &is_held);
         // A node between contacts in series is where they have it.
         let is_between = self.chain_nodes();
-        let free = members.into_iter().filter(|(own, members)| {
-            stopped[*own] != [true; 2] && !members.iter().all(|i| is_between[*i])
+        let free = members.into_iter().filter(|(part, members)| {
+            stopped[*part] != [true; 2] && !members.iter().all(|i| is_between[*i])
         });
         free.map(|(_, members)| members).collect()
     }
@@ -92,14 +96,18 @@ impl Structure {
         loop {
             let mut is_new = false;
             for contact in &contacts {
-                for (own, factor) in &contact.parts {
-                    let others = contact.parts.iter().filter(|(other, _)| other != own);
+                for (moved_part, factor) in &contact.parts {
+                    let others = contact
+                        .parts
+                        .iter()
+                        .filter(|(other, _)| other != moved_part);
                     // The force on a part is -S times its factor.
                     let direction = |factor: f64| usize::from(contact.sign * factor > 0.0);
                     let moved = 1 - direction(*factor);
                     let mut others = others.map(|(other, factor)| (*other, direction(*factor)));
-                    if !stopped[*own][moved] && others.all(|(other, to)| stopped[other][to]) {
-                        stopped[*own][moved] = true;
+                    if !stopped[*moved_part][moved] && others.all(|(other, to)| stopped[other][to])
+                    {
+                        stopped[*moved_part][moved] = true;
                         is_new = true;
                     }
                 }
@@ -167,7 +175,7 @@ fn one_sided(contact: &Contact, part: &[usize]) -> Vec<OneSided> {
     for (node, factor) in &contact.along {
         *parts.entry(part[*node]).or_default() += factor;
     }
-    let parts: Vec<(usize, f64)> = parts.into_iter().filter(|own| own.1 != 0.0).collect();
+    let parts: Vec<(usize, f64)> = parts.into_iter().filter(|entry| entry.1 != 0.0).collect();
     let signs = [(low, -1.0), (high, 1.0)].into_iter();
     signs
         .filter(|(acts, _)| *acts)

@@ -88,8 +88,8 @@ impl Structure {
             }
         }
         let mut holding = BTreeMap::new();
-        for ((own, _), force) in forces {
-            let most = holding.entry(own).or_insert(0.0);
+        for ((part, _), force) in forces {
+            let most = holding.entry(part).or_insert(0.0);
             *most = f64::max(*most, f64::abs(force));
         }
         holding
@@ -190,9 +190,9 @@ mod tests {
             // d/dr of 100 (0.04 - r)^1.5 at r = 0.
             (hertz, -0.04, 30.0),
         ] {
-            let own = contact([None, Some(0)], gap, law).initial_stiffness();
+            let stiffness = contact([None, Some(0)], gap, law).initial_stiffness();
             // Round-off of a square root.
-            assert!((own - k).abs() <= 1e-14 * k, "{own} {k}");
+            assert!((stiffness - k).abs() <= 1e-14 * k, "{stiffness} {k}");
         }
     }
 
@@ -224,10 +224,10 @@ mod tests {
                 observed: None,
             }
         };
-        let all = ["a", "b to c", "d"];
-        assert_eq!(structure(Vec::new()).unheld_parts(), all);
+        let names = ["a", "b to c", "d"];
+        assert_eq!(structure(Vec::new()).unheld_parts(), names);
         let open = contact([None, Some(0)], 0.01, gap);
-        assert_eq!(structure(vec![open.clone()]).unheld_parts(), all);
+        assert_eq!(structure(vec![open.clone()]).unheld_parts(), names);
         // d holds on to c by friction, and b to the ground.
         let held = vec![
             open,

@@ -9,6 +9,7 @@ mod direction;
 mod held;
 mod inertia;
 mod initial;
+mod moved;
 mod observed;
 mod preload;
 mod pressed_by;

@@ -55,10 +55,10 @@ impl Structure {
         let limits = self
             .contacts
             .iter_mut()
-            .filter_map(|own| own.law.limit_mut());
+            .filter_map(|contact| contact.law.limit_mut());
         for pressed in limits.filter_map(|limit| limit.pressed_by.as_mut()) {
-            for own in &mut pressed.springs {
-                own.at_start = own.spring.compression(|node| [u[node], v[node]]);
+            for pressing in &mut pressed.springs {
+                pressing.at_start = pressing.spring.compression(|node| [u[node], v[node]]);
             }
         }
     }

@@ -213,7 +213,9 @@ impl Limit {
         let pressed = self.pressed_by.as_ref();
         self.with(
             t,
-            pressed.map_or(0.0, |own| own.limit(force, |spring| spring.at_start)),
+            pressed.map_or(0.0, |pressed_by| {
+                pressed_by.limit(force, |spring| spring.at_start)
+            }),
         )
     }
 
@@ -227,8 +229,8 @@ impl Limit {
         let pressed = self.pressed_by.as_ref();
         self.with(
             t,
-            pressed.map_or(0.0, |own| {
-                own.limit(force, |spring| spring.spring.compression(&motion))
+            pressed.map_or(0.0, |pressed_by| {
+                pressed_by.limit(force, |spring| spring.spring.compression(&motion))
             }),
         )
     }

@@ -52,30 +52,6 @@ const MOST_PINS: usize = 64;
 const ROUND_OFF: f64 = 1e-12;
 
 impl Structure {
-    /// rdot of a contact at t = 0, with the velocities of the supports.
-    pub fn rate_at_start(&self, contact: usize) -> f64 {
-        let supports = self.supports.iter();
-        let terms = supports.map(|support| support.gaps[contact] * support.motion.at(0.0)[1]);
-        self.relative(contact, &self.velocity) + terms.sum::<f64>()
-    }
-
-    /// The acceleration by which supports move the gap of a contact at t = 0.
-    pub fn gap_acceleration(&self, contact: usize) -> f64 {
-        let supports = self.supports.iter();
-        let terms = supports.map(|support| support.gaps[contact] * support.motion.at(0.0)[2]);
-        terms.sum()
-    }
-
-    /// u (`which` = 0) or v (1) at time t of a node with the rest `w`, or of a support, whose numbers follow those of the nodes.
-    pub fn total(&self, node: usize, t: f64, which: usize, w: &[f64]) -> f64 {
-        if let Some(support) = node.checked_sub(self.len()) {
-            return self.supports[support].motion.at(t)[which];
-        }
-        let supports = self.supports.iter();
-        let carried = supports.map(|own| own.motion.at(t)[which] * own.carried[node]);
-        carried.fold(w[node], |sum, x| sum + x)
-    }
-
     /// Adds a C that acts on the motion beside R u_s, K R = -K_fs, also if the equations have R = 0: then C R v_s is a load.
     pub fn damp_beside_supports(&mut self, damping: &Symmetric) {
         self.damping.add_matrix(damping, 1.0);
@@ -113,8 +89,8 @@ impl Structure {
         }
         let n = self.len();
         let count = motions.len();
-        let [mass, damping, stiffness] =
-            [&self.coupled_mass, &self.damping, &self.stiffness].map(|all| Split::new(all, n));
+        let [mass, damping, stiffness] = [&self.coupled_mass, &self.damping, &self.stiffness]
+            .map(|matrix| Split::new(matrix, n));
         let mut carried = carried(self, &stiffness, count);
         for (r, (_, motion)) in carried.iter_mut().zip(&motions) {
             if !motion.carries() {
@@ -140,7 +116,7 @@ impl Structure {
                 (Quantity::Velocity, &self.damping, &damping.columns),
                 (Quantity::Displacement, &self.stiffness, &stiffness.columns),
             ] {
-                let pattern = pattern(matrix, r, column.get(s).map_or(&[], |own| &own[..]));
+                let pattern = pattern(matrix, r, column.get(s).map_or(&[], |factors| &factors[..]));
                 if !pattern.is_empty() {
                     let signal = Arc::new(Signal::Motion(motion.clone(), quantity));
                     self.loads.push(Load { pattern, signal });
@@ -173,24 +149,28 @@ struct Split {
 }
 
 impl Split {
-    fn new(all: &Symmetric, n: usize) -> Split {
+    fn new(matrix: &Symmetric, n: usize) -> Split {
         let mut free = Symmetric::zeros(n);
-        let count = all.size().saturating_sub(n);
-        let (mut columns, mut own) = (vec![Vec::new(); count], vec![Vec::new(); count]);
-        for ((i, j), value) in all.entries() {
+        let count = matrix.size().saturating_sub(n);
+        let (mut columns, mut among_supports) = (vec![Vec::new(); count], vec![Vec::new(); count]);
+        for ((i, j), value) in matrix.entries() {
             // i >= j.
             if i < n {
                 free.add(i, j, value);
             } else if j < n {
                 columns[i - n].push((j, value));
             } else {
-                own[i - n].push((j - n, value));
+                among_supports[i - n].push((j - n, value));
                 if i != j {
-                    own[j - n].push((i - n, value));
+                    among_supports[j - n].push((i - n, value));
                 }
             }
         }
-        Split { free, columns, own }
+        Split {
+            free,
+            columns,
+            own: among_supports,
+        }
     }
 }
 
@@ -211,16 +191,16 @@ fn pattern(matrix: &Symmetric, r: &[f64], column: &[(usize, f64)]) -> Along {
     for (row, value) in column {
         add(*row, *value);
     }
-    let all = sums.into_iter().zip(sizes).enumerate();
-    let kept = all.filter(|(_, (sum, size))| sum.abs() > ROUND_OFF * size);
+    let sums_and_sizes = sums.into_iter().zip(sizes).enumerate();
+    let kept = sums_and_sizes.filter(|(_, (sum, size))| sum.abs() > ROUND_OFF * size);
     kept.map(|(row, (sum, _))| (row, sum)).collect()
 }
 
 /// The factor of a place in r of each contact that has one.
-fn own_factors(contacts: &[Contact], place: usize) -> Along {
+fn own_factors(contacts: &[Contact], row: usize) -> Along {
     let factors = contacts.iter().enumerate().filter_map(|(c, contact)| {
-        let own = contact.along.iter().find(|(at, _)| *at == place)?;
-        Some((c, own.1))
+        let entry = contact.along.iter().find(|(at, _)| *at == row)?;
+        Some((c, entry.1))
     });
     factors.collect()
 }
@@ -231,7 +211,7 @@ fn gap(along: &[(usize, f64)], r: &[f64], n: usize, s: usize) -> f64 {
         .iter()
         .map(|(node, factor)| match node.checked_sub(n) {
             None => factor * r[*node],
-            Some(own) if own == s => *factor,
+            Some(support) if support == s => *factor,
             Some(_) => 0.0,
         });
     let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), x| (sum + x, size + f64::abs(x)));
@@ -246,9 +226,11 @@ fn gap(along: &[(usize, f64)], r: &[f64], n: usize, s: usize) -> f64 {
 fn carried(structure: &Structure, stiffness: &Split, count: usize) -> Vec<Vec<f64>> {
     let n = structure.len();
     let columns = |columns: &[Along]| -> Vec<Vec<f64>> {
-        let dense = |own: &Along| {
+        let dense = |column_of: &Along| {
             let mut column = vec![0.0; n];
-            own.iter().for_each(|(row, value)| column[*row] -= value);
+            column_of
+                .iter()
+                .for_each(|(row, value)| column[*row] -= value);
             column
         };
         columns.iter().map(dense).collect()
@@ -263,15 +245,19 @@ fn carried(structure: &Structure, stiffness: &Split, count: usize) -> Vec<Vec<f6
         columns: stiffness.columns.clone(),
         own: Vec::new(),
     };
-    for all in [false, true] {
+    for holds_none in [false, true] {
         let mut springs = Symmetric::zeros(n + count);
-        for contact in structure.contacts.iter().filter(|c| c.holds() != all) {
+        for contact in structure
+            .contacts
+            .iter()
+            .filter(|c| c.holds() != holds_none)
+        {
             springs.add_along(&contact.along, weak);
         }
         let springs = Split::new(&springs, n);
         with_contacts.free.add_matrix(&springs.free, 1.0);
-        for (own, more) in with_contacts.columns.iter_mut().zip(springs.columns) {
-            own.extend(more);
+        for (list, more) in with_contacts.columns.iter_mut().zip(springs.columns) {
+            list.extend(more);
         }
         if let Ok(factor) = Factor::regular(&with_contacts.free, SINGULAR) {
             return solved(&factor, columns(&with_contacts.columns));
@@ -354,7 +340,9 @@ mod tests {
         ];
         assert_eq!(structure.loads.len(), expected.len());
         for (load, (quantity, force)) in structure.loads.iter().zip(expected) {
-            assert!(matches!(&*load.signal, Signal::Motion(_, own) if *own == quantity));
+            assert!(
+                matches!(&*load.signal, Signal::Motion(_, quantity_of) if *quantity_of == quantity)
+            );
             let [(0, found)] = load.pattern[..] else {
                 panic!("{load:?}");
             };

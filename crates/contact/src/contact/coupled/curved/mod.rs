@@ -114,29 +114,30 @@ impl CurvedForces {
             let part = |j: usize| h(i, j).abs() * (h(i, i) / h(j, j)).sqrt();
             EXCESS * others.map(part).sum::<f64>()
         };
-        let mut own: Vec<f64> = (0..m).map(|i| h(i, i) + excess(i)).collect();
+        let mut flexibilities: Vec<f64> = (0..m).map(|i| h(i, i) + excess(i)).collect();
         // One a for both components, so that the answer has no preferred direction.
         for i in planes {
-            let most = own[*i].max(own[i + 1]);
-            own[*i..i + 2].fill(most);
+            let most = flexibilities[*i].max(flexibilities[i + 1]);
+            flexibilities[*i..i + 2].fill(most);
         }
         let mut coupling: Vec<f64> = flexibility.iter().map(|h| -h).collect();
         let mut regular = flexibility.clone();
         for i in 0..m {
             coupling[i * m + i] = match planes.iter().any(|p| *p == i || p + 1 == i) {
-                true => own[i] - h(i, i),
+                true => flexibilities[i] - h(i, i),
                 false => excess(i),
             };
-            regular[i * m + i] += own[i];
+            regular[i * m + i] += flexibilities[i];
         }
-        let all = Vec::from_iter(0..m);
-        let singular = !Factor::new(m).compute(&Matrix::new(flexibility.clone(), m), &all);
+        let every_contact = Vec::from_iter(0..m);
+        let singular =
+            !Factor::new(m).compute(&Matrix::new(flexibility.clone(), m), &every_contact);
         let point = Point::new(m);
         let tangents = Tangents::new(regular, m);
         CurvedForces {
             contacts,
             flexibility,
-            own,
+            own: flexibilities,
             coupling,
             singular,
             now: point.clone(),
@@ -202,9 +203,9 @@ impl CurvedForces {
                 return Err(Unsolved::TooManyRounds);
             }
             self.steps += 1;
-            let (own, flexibility) = (&self.own, &self.flexibility);
+            let (own_flexibilities, flexibility) = (&self.own, &self.flexibility);
             let steps = self.steps;
-            if !(self.tangents).solve(step, &self.now, own, flexibility, steps) {
+            if !(self.tangents).solve(step, &self.now, own_flexibilities, flexibility, steps) {
                 self.average(step);
                 continue;
             }

@@ -33,8 +33,8 @@ impl Point {
     }
 
     /// y, J and the residual of the forces.
-    pub(super) fn evaluate(&mut self, step: Numbers, coupling: &[f64], own: &[f64]) {
-        let m = own.len();
+    pub(super) fn evaluate(&mut self, step: Numbers, coupling: &[f64], flexibilities: &[f64]) {
+        let m = flexibilities.len();
         for i in 0..m {
             let [mut y, mut terms] = [step.d[i], step.size[i]];
             for (m, s) in coupling[i * m..(i + 1) * m].iter().zip(&self.force) {
@@ -44,7 +44,7 @@ impl Point {
             self.y[i] = y;
             self.terms[i] = terms;
         }
-        self.answer(step.laws, own);
+        self.answer(step.laws, flexibilities);
         self.residual = 0.0;
         for i in 0..m {
             let row = coupling[i * m..(i + 1) * m].iter();
@@ -59,14 +59,14 @@ impl Point {
     }
 
     /// J(y), and its part of the terms.
-    fn answer(&mut self, laws: &dyn Laws, own: &[f64]) {
+    fn answer(&mut self, laws: &dyn Laws, flexibilities: &[f64]) {
         let mut i = 0;
-        while i < own.len() {
+        while i < flexibilities.len() {
             if laws.is_plane(i) {
                 let answer = laws.answer_plane(i, [self.y[i], self.y[i + 1]]);
                 self.answer[i..i + 2].copy_from_slice(&answer);
                 // A direction that turns mixes both components.
-                let size = own[i] * (answer[0].abs() + answer[1].abs());
+                let size = flexibilities[i] * (answer[0].abs() + answer[1].abs());
                 let terms = self.terms[i] + self.terms[i + 1] + size;
                 self.terms[i..i + 2].fill(terms);
                 i += 2;
@@ -74,7 +74,7 @@ impl Point {
             }
             let answer = laws.answer(i, self.y[i]);
             self.answer[i] = answer;
-            self.terms[i] += own[i] * answer.abs();
+            self.terms[i] += flexibilities[i] * answer.abs();
             i += 1;
         }
     }

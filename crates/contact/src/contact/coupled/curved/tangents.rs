@@ -49,13 +49,13 @@ impl Tangents {
     }
 
     /// The tangent of a contact in a plane, whose force has no bounds of its own in the step.
-    fn plane(&mut self, laws: &dyn Laws, point: &Point, i: usize, own: f64) {
+    fn plane(&mut self, laws: &dyn Laws, point: &Point, i: usize, flexibility: f64) {
         let y = [point.y[i], point.y[i + 1]];
         let force = [point.answer[i], point.answer[i + 1]];
         let directions = laws.directions(i, y, force);
         // A force that does not follow in a direction is as good as held by a large 1/f'.
-        self.planes[i] = directions.matrix(HELD * own);
-        let least = directions.slopes.map(|g| g.clamp(0.0, HELD * own));
+        self.planes[i] = directions.matrix(HELD * flexibility);
+        let least = directions.slopes.map(|g| g.clamp(0.0, HELD * flexibility));
         let least = least[0].min(least[1]);
         for row in i..i + 2 {
             self.compliance[row] = least;
@@ -68,32 +68,32 @@ impl Tangents {
         &mut self,
         step: Numbers,
         point: &Point,
-        own: &[f64],
+        flexibilities: &[f64],
         flexibility: &[f64],
         steps: usize,
     ) -> bool {
-        let m = own.len();
+        let m = flexibilities.len();
         let least = if steps > WITH_WIDE { NARROW } else { WIDE };
         let mut second = false;
-        for (i, own) in own.iter().enumerate() {
+        for (i, flexibility) in flexibilities.iter().enumerate() {
             self.size[i] = point.rest[i].abs();
             if std::mem::take(&mut second) {
                 continue;
             }
             if step.laws.is_plane(i) {
-                self.plane(step.laws, point, i, *own);
+                self.plane(step.laws, point, i, *flexibility);
                 second = true;
                 continue;
             }
             let (y, s) = (point.y[i], point.answer[i]);
-            let scale = y.abs() + own * s.abs();
+            let scale = y.abs() + flexibility * s.abs();
             // A chord is to be short beside the step.
-            let rest = own * (s - point.force[i]).abs();
+            let rest = flexibility * (s - point.force[i]).abs();
             let width = f64::max(1e-3 * rest, least * scale);
             let g = step.compliance(i, y, s, width);
             self.compliance[i] = g;
             let [low, high] = step.laws.bounds(i);
-            let follows = g < LEVEL * own;
+            let follows = g < LEVEL * flexibility;
             [self.low[i], self.high[i]] = match follows {
                 true => [low - s, high - s],
                 false => [0.0; 2],
@@ -109,7 +109,7 @@ impl Tangents {
                 if step.laws.is_plane(i) {
                     let [own_g, between, next] = self.planes[i];
                     let h = |i: usize, j: usize| flexibility[i * m + j];
-                    let more = soft * own[i];
+                    let more = soft * flexibilities[i];
                     self.problem.set_pair(
                         i,
                         [
@@ -121,8 +121,12 @@ impl Tangents {
                     second = true;
                     continue;
                 }
-                let g = self.compliance[i].max(soft * own[i]);
-                let g = if g < LEVEL * own[i] { g } else { own[i] };
+                let g = self.compliance[i].max(soft * flexibilities[i]);
+                let g = if g < LEVEL * flexibilities[i] {
+                    g
+                } else {
+                    flexibilities[i]
+                };
                 self.problem.set_diagonal(i, flexibility[i * m + i] + g);
             }
             let Tangents {

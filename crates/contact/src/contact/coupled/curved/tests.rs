@@ -152,8 +152,8 @@ struct Shapes<'a>(&'a [Shape], Vec<f64>);
 
 impl<'a> Shapes<'a> {
     fn new(shapes: &'a [Shape], forces: &CurvedForces) -> Shapes<'a> {
-        let own = (0..shapes.len()).map(|i| forces.flexibility(i));
-        Shapes(shapes, own.collect())
+        let flexibilities = (0..shapes.len()).map(|i| forces.flexibility(i));
+        Shapes(shapes, flexibilities.collect())
     }
 }
 
@@ -340,8 +340,8 @@ fn clipped_lines_have_the_forces_of_the_other_search() {
         let m = 1 + random.below(6);
         let problem = Problem::chain(&mut random);
         let (m, h) = (problem.g.len().min(m), problem.h.as_slice());
-        let all = problem.g.len();
-        let h: Vec<f64> = (0..m * m).map(|k| h[k / m * all + k % m]).collect();
+        let contacts = problem.g.len();
+        let h: Vec<f64> = (0..m * m).map(|k| h[k / m * contacts + k % m]).collect();
         let g: Vec<f64> = (0..m).map(|i| h[i * m + i] * random.decades(3.0)).collect();
         let shapes: Vec<Shape> = (0..m)
             .map(|i| match random.below(2) {

@@ -133,8 +133,8 @@ impl<const L: usize> StepLaw<L> for Step<L> {
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
         let zero = Lane::splat(0.0);
-        let Step(own) = self;
-        let motion = own.motion(trial);
+        let Step(step) = self;
+        let motion = step.motion(trial);
         // u + c (z(u) - z(0)) = w, elastic up to z = 0.
         let Motion { along: z, w, c, .. } = motion;
         let below = (-z).larger(zero);
@@ -143,8 +143,8 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         let w = w.zip(c, |w, _| w) - below - c * below;
         let w = w.larger(zero);
         let mut grown = zero;
-        if own.closed[0] {
-            let one = own.exponent.map(|n| if n == 1.0 { 1.0 } else { 2.0 });
+        if step.closed[0] {
+            let one = step.exponent.map(|n| if n == 1.0 { 1.0 } else { 2.0 });
             let far = z.map(|z| 1.0 - z);
             // For n = 2: tanh is a quotient in exp(-2 u).
             let d = z.zip(one, |z, one| {
@@ -157,9 +157,9 @@ impl<const L: usize> StepLaw<L> for Step<L> {
             let m = saturation::root(one * c * far, d, one * w);
             grown = far * m.zip(d, |m, d| m / (1.0 + d - d * m));
         }
-        if !own.closed[1] {
+        if !step.closed[1] {
             for l in 0..L {
-                let n = own.exponent.0[l];
+                let n = step.exponent.0[l];
                 if n != 1.0 && n != 2.0 {
                     grown.0[l] = midpoint(n, z.0[l], c.0[l], w.0[l]);
                 }

@@ -126,18 +126,18 @@ impl<const L: usize> StepLaw<L> for Step<L> {
 
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
-        let Step(own) = self;
-        let motion = own.motion(trial);
+        let Step(step) = self;
+        let motion = step.motion(trial);
         // z + c (q(0) - q(z)) = w
         let Motion { along, w, c, .. } = motion;
         let q = along.map(|along| 1.0 - along);
         let mut less = Lane::splat(0.0);
-        if own.closed[0] {
+        if step.closed[0] {
             less = q * saturation::root(c * q, less, w);
         }
-        if !own.closed[1] {
+        if !step.closed[1] {
             for l in 0..L {
-                let n = own.exponent.0[l];
+                let n = step.exponent.0[l];
                 if n != 1.0 {
                     less.0[l] = power_step(n, q.0[l], c.0[l], w.0[l]);
                 }

@@ -237,8 +237,8 @@ impl<const L: usize> StepLaw<L> for Step<L> {
             let force = sticking
                 .smaller((line + limit) * self.share[1])
                 .larger((line - limit) * self.share[1]);
-            let own = force - surface * (free - self.h[1] * force);
-            friction.0 = (own * part.map(|x| 1.0 / x)).cut(self.limit);
+            let friction_free = force - surface * (free - self.h[1] * force);
+            friction.0 = (friction_free * part.map(|x| 1.0 / x)).cut(self.limit);
             return force;
         }
         let sticking = (friction.0 + k * change + line) * self.share[0];

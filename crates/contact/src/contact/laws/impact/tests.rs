@@ -118,8 +118,8 @@ fn decades(range: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
 }
 
 fn numbers() -> impl Strategy<Value = Numbers> {
-    let all = (decades(-3.0..6.0), 0.05..1.0_f64, decades(-2.0..2.0));
-    all.prop_map(|(stiffness, restitution, mass)| Numbers {
+    let ranges = (decades(-3.0..6.0), 0.05..1.0_f64, decades(-2.0..2.0));
+    ranges.prop_map(|(stiffness, restitution, mass)| Numbers {
         stiffness,
         restitution,
         mass,

@@ -198,19 +198,19 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         let mut force = trial.force;
         for l in 0..L {
             let [start, end] =
-                [&self.on.start, &self.on.end].map(|own| [own.h.0[l], own.h_rate.0[l]]);
+                [&self.on.start, &self.on.end].map(|point| [point.h.0[l], point.h_rate.0[l]]);
             let from = [trial.displacement.0[l], trial.velocity.0[l]];
             let free = [
                 from[0] + trial.change.0[l] - start[0] * trial.force.0[l],
                 trial.rate.0[l] - start[1] * trial.force.0[l],
             ];
             let (state, _) = memory.0[l];
-            let own = self.laws[l];
+            let given_law = self.laws[l];
             let step = |s: f64| OwnStep {
                 from,
                 to: [0, 1].map(|i| free[i] - end[i] * s),
                 dt: self.on.dt.0[l],
-                limit: own.limit,
+                limit: given_law.limit,
             };
             // Of S = (r* - r)/h, where r is small beside its terms.
             let terms =
@@ -219,10 +219,10 @@ impl<const L: usize> StepLaw<L> for Step<L> {
                 true => 4.0 * f64::EPSILON * terms / end[0],
                 false => 0.0,
             };
-            let answer = |s: f64| own.law.answer(&step(s), &state);
-            let (s, is_root) = own.root(end, round_off, answer);
+            let answer = |s: f64| given_law.law.answer(&step(s), &state);
+            let (s, is_root) = given_law.root(end, round_off, answer);
             let last = answer(s);
-            let fault = own.fault(step(s).to[0], &last, &answer(s));
+            let fault = given_law.fault(step(s).to[0], &last, &answer(s));
             let fault = fault.or((!is_root).then_some(OwnFault::NoAnswer));
             memory.0[l] = (last.state, fault);
             force.0[l] = s;
@@ -252,10 +252,10 @@ impl Own {
         }
         let root = |with_slopes: bool| {
             roots::rising_once(low, high, most, |s| {
-                let own = answer(s);
-                let slope = end[0] * own.slopes[0] + end[1] * own.slopes[1];
+                let answered = answer(s);
+                let slope = end[0] * answered.slopes[0] + end[1] * answered.slopes[1];
                 [
-                    s - own.force,
+                    s - answered.force,
                     if with_slopes { 1.0 + slope } else { f64::NAN },
                 ]
             })
@@ -270,7 +270,8 @@ impl Own {
 
     /// Why the law's answer to a step that ends at r is not taken; `again` is a second one.
     fn fault(&self, r: f64, answer: &OwnAnswer, again: &OwnAnswer) -> Option<OwnFault> {
-        let bits = |own: &OwnAnswer| (own.force.to_bits(), own.state.map(f64::to_bits));
+        let bits =
+            |answer_of: &OwnAnswer| (answer_of.force.to_bits(), answer_of.state.map(f64::to_bits));
         let is_finite = answer.force.is_finite() && answer.state.iter().all(|x| x.is_finite());
         let pulls = answer.force > 0.0 || (r > 0.0 && answer.force < 0.0);
         match self.kind() {

@@ -135,11 +135,11 @@ impl<const L: usize> Step<L> {
     #[inline(always)]
     fn push(&self, d: Lane<L>, force: Lane<L>, change: Lane<L>, set: &mut Set<L>) -> Lane<L> {
         for l in 0..L {
-            let own = &mut set.0.0[l];
+            let set_of_lane = &mut set.0.0[l];
             if force.0[l] > 0.0 {
-                *own = d.0[l] - force.0[l] / self.stiffness[0].0[l];
+                *set_of_lane = d.0[l] - force.0[l] / self.stiffness[0].0[l];
             } else if self.returns[l] {
-                *own = own.min(d.0[l]).max(0.0);
+                *set_of_lane = set_of_lane.min(d.0[l]).max(0.0);
             }
         }
         let free = d + change;

@@ -172,12 +172,12 @@ impl Offered {
 
     /// Its numbers in structures, those of the limit of friction included.
     pub fn structure_numbers(&self) -> impl Iterator<Item = &'static Number> {
-        let own = self.offer.structure.map_or(&[][..], |own| own.numbers);
+        let numbers = self.offer.structure.map_or(&[][..], |offer| offer.numbers);
         let limit = match self.kind {
             ContactKind::Friction => &structure::OF_LIMIT[..],
             ContactKind::Impact | ContactKind::Link => &[],
         };
-        own.iter().chain(limit).copied()
+        numbers.iter().chain(limit).copied()
     }
 
     /// Whether it has this number in structures.

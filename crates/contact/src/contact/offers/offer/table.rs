@@ -5,13 +5,13 @@ use crate::contact::number::Number;
 use crate::contact::{ContactKind, WhichLaw};
 
 /// The most numbers that a law has in a problem.
-pub const fn most_numbers(all: &[Offered], place: Place) -> usize {
+pub const fn most_numbers(offers: &[Offered], place: Place) -> usize {
     let (mut most, mut i) = (0, 0);
-    while i < all.len() {
-        if let Some(own) = all[i].at(place)
-            && own.numbers.len() > most
+    while i < offers.len() {
+        if let Some(offer) = offers[i].at(place)
+            && offer.numbers.len() > most
         {
-            most = own.numbers.len();
+            most = offer.numbers.len();
         }
         i += 1;
     }
@@ -39,17 +39,17 @@ pub(in crate::contact) const fn collect<const N: usize>(
     laws: &Laws,
     none: Offered,
 ) -> [Offered; N] {
-    let mut all = [none; N];
+    let mut table = [none; N];
     let (mut next, mut kind) = (0, 0);
     while kind < 3 {
         let mut i = 0;
         while i < laws.len() {
-            let (law, own, [of_velocity, in_plane], offers) = laws[i];
+            let (law, law_kind, [of_velocity, in_plane], offers) = laws[i];
             let mut j = 0;
-            while own as usize == kind && j < offers.len() {
-                all[next] = Offered {
+            while law_kind as usize == kind && j < offers.len() {
+                table[next] = Offered {
                     law,
-                    kind: own,
+                    kind: law_kind,
                     of_velocity,
                     in_plane,
                     offer: &offers[j],
@@ -61,7 +61,7 @@ pub(in crate::contact) const fn collect<const N: usize>(
         }
         kind += 1;
     }
-    all
+    table
 }
 
 /// Which of the offers in a problem a list is of.
@@ -76,10 +76,10 @@ pub enum Which {
 }
 
 impl Which {
-    const fn takes(self, offered: &Offered, own: &In) -> bool {
+    const fn takes(self, offered: &Offered, offer: &In) -> bool {
         match self {
             Which::All => true,
-            Which::With(number) => number.is_in(own.numbers),
+            Which::With(number) => number.is_in(offer.numbers),
             Which::Hysteretic => {
                 matches!(offered.kind, ContactKind::Friction) && !offered.of_velocity
             }
@@ -91,8 +91,8 @@ impl Which {
 pub const fn number_of(offers: &[Offered], place: Place, which: Which) -> usize {
     let (mut i, mut sum) = (0, 0);
     while i < offers.len() {
-        if let Some(own) = offers[i].at(place)
-            && which.takes(&offers[i], &own)
+        if let Some(offer) = offers[i].at(place)
+            && which.takes(&offers[i], &offer)
         {
             sum += 1;
         }
@@ -110,10 +110,10 @@ pub const fn names<const N: usize>(
     let mut names = [("", ""); N];
     let (mut i, mut next) = (0, 0);
     while i < offers.len() {
-        if let Some(own) = offers[i].at(place)
-            && which.takes(&offers[i], &own)
+        if let Some(offer) = offers[i].at(place)
+            && which.takes(&offers[i], &offer)
         {
-            names[next] = (offers[i].offer.name, own.meaning);
+            names[next] = (offers[i].offer.name, offer.meaning);
             next += 1;
         }
         i += 1;

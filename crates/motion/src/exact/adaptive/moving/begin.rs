@@ -148,8 +148,8 @@ impl Moving<'_> {
                         largest = f64::max(largest, rest[row].abs() / limit.max(f64::MIN_POSITIVE));
                         // nu N (I - n n^T)/|rdot| times the change of rdot with all forces.
                         let turn: Pair = std::array::from_fn(|b| {
-                            let own = if a == b { 1.0 } else { 0.0 };
-                            limit / speed * (own - unit[a] * unit[b])
+                            let identity = if a == b { 1.0 } else { 0.0 };
+                            limit / speed * (identity - unit[a] * unit[b])
                         });
                         for (j, weight) in weights[i].iter().enumerate() {
                             for other in 0..2 * p {
@@ -200,7 +200,7 @@ impl Moving<'_> {
             forces: vec![vec![[0.0; 2]; firsts.len()]; POINTS],
         };
         let rates = |moving: &mut Self, points: &mut Points, imposed: bool| {
-            let mut all = vec![vec![0.0; y.len()]; POINTS];
+            let mut stage_rates = vec![vec![0.0; y.len()]; POINTS];
             for i in 0..POINTS {
                 if imposed {
                     moving.impose(firsts, |_| Some(Imposed::AlongHeld));
@@ -210,13 +210,13 @@ impl Moving<'_> {
                 for (c, first) in firsts.iter().enumerate() {
                     points.forces[i][c] = [forces[*first], forces[first + 1]];
                 }
-                moving.rates(times[i], state, &mut all[i]);
+                moving.rates(times[i], state, &mut stage_rates[i]);
             }
-            all
+            stage_rates
         };
         for _ in 0..SUBSTITUTIONS {
-            let all = rates(self, &mut points, true);
-            combine(&mut points.states, y, h, weights, &all);
+            let stage_rates = rates(self, &mut points, true);
+            combine(&mut points.states, y, h, weights, &stage_rates);
         }
         points
     }
@@ -227,7 +227,7 @@ impl Moving<'_> {
         for (c, first) in firsts.iter().enumerate() {
             let start = self.in_plane(*first, t, y, [0.0; 2]).rdot;
             let speed = length(start);
-            let phase = self.planes[*first].as_ref().and_then(|own| own.phase);
+            let phase = self.planes[*first].as_ref().and_then(|plane| plane.phase);
             if matches!(phase, Some(Phase::Begins { since }) if t > since) && speed > 0.0 {
                 any = true;
                 for forces in &mut points.forces {

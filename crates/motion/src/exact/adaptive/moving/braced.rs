@@ -25,9 +25,9 @@ pub fn may_be_braced(law: &StructureLaw) -> bool {
 /// # Errors
 /// The nodes of such a contact have others, or loads, or nothing else holds them.
 pub fn compliances(model: &Model) -> Result<Vec<Option<f64>>, AdaptiveFault> {
-    let mut all = vec![None; model.columns.len()];
+    let mut flexibilities = vec![None; model.columns.len()];
     let Some(flexible) = &model.flexible else {
-        return Ok(all);
+        return Ok(flexibilities);
     };
     for i in &flexible.contacts {
         let f = &flexible.compliance;
@@ -42,7 +42,7 @@ pub fn compliances(model: &Model) -> Result<Vec<Option<f64>>, AdaptiveFault> {
             let (name, what) = (contact.name.clone(), MASSLESS);
             return Err(AdaptiveFault::Contact { name, what });
         }
-        all[*i] = Some(f[(*i, *i)]);
+        flexibilities[*i] = Some(f[(*i, *i)]);
     }
-    Ok(all)
+    Ok(flexibilities)
 }

@@ -26,8 +26,8 @@ const ROUND_OFF: f64 = 1e-15;
 impl Moving<'_> {
     /// The dampers that creep.
     pub(crate) fn creeping(&self) -> Vec<usize> {
-        let all = self.creeps.iter().enumerate();
-        let creeping = all.filter(|(_, own)| own.as_ref().is_some_and(|own| own.creeps));
+        let creeps = self.creeps.iter().enumerate();
+        let creeping = creeps.filter(|(_, creep)| creep.as_ref().is_some_and(|creep| creep.creeps));
         creeping.map(|(contact, _)| contact).collect()
     }
 
@@ -58,11 +58,11 @@ impl Moving<'_> {
         for (c, contact) in contacts.iter().enumerate() {
             let Motion { sizes, .. } = self.motion(*contact, t + h, end);
             let flexibility = self.model.own_flexibility(*contact);
-            let Some(own) = &mut self.creeps[*contact] else {
+            let Some(creep) = &mut self.creeps[*contact] else {
                 continue;
             };
-            own.tried = two[c];
-            let fastest = own.fastest.max(sizes[1]).max(self.least[1]);
+            creep.tried = two[c];
+            let fastest = creep.fastest.max(sizes[1]).max(self.least[1]);
             let by_force = h * flexibility * (one[c] - two[c]).abs();
             error = f64::max(error, by_force / fastest.max(f64::MIN_POSITIVE));
             round_off = f64::max(round_off, ROUND_OFF * sizes[1] / fastest);
@@ -74,7 +74,9 @@ impl Moving<'_> {
         let forces = contacts
             .iter()
             .map(|contact| self.creeps[*contact].as_ref());
-        forces.map(|own| own.map_or(0.0, |own| own.force)).collect()
+        forces
+            .map(|creep| creep.map_or(0.0, |creep| creep.force))
+            .collect()
     }
 
     /// The end of a step from these forces, and those at the end; `None` if no forces are found.
@@ -127,8 +129,8 @@ impl Moving<'_> {
             for (row, change) in rest.into_iter().enumerate() {
                 let (force, contact) = (&mut forces[row / p][row % p], contacts[row % p]);
                 *force += change;
-                let own = self.creeps[contact].as_ref();
-                let largest = own.map_or(0.0, |own| own.largest).max(force.abs());
+                let creep = self.creeps[contact].as_ref();
+                let largest = creep.map_or(0.0, |creep| creep.largest).max(force.abs());
                 is_near &= is_small[row] || change.abs() <= TARGET * largest;
             }
             good = if is_near { good + 1 } else { 0 };
@@ -151,25 +153,25 @@ impl Moving<'_> {
             let flexibility = self.model.own_flexibility(contact);
             let law = self.model.structure.contacts[contact].law.as_given();
             let follows = self.contacts[contact].force(values, None, None);
-            let Some(own) = &mut self.creeps[contact] else {
+            let Some(creep) = &mut self.creeps[contact] else {
                 continue;
             };
-            own.force = own.force().unwrap_or(follows);
-            own.tried = own.force;
-            own.largest = own.largest.max(own.force.abs());
-            own.fastest = own.fastest.max(sizes[1]);
-            let slope = law.properties().rate_under(own.force);
+            creep.force = creep.force().unwrap_or(follows);
+            creep.tried = creep.force;
+            creep.largest = creep.largest.max(creep.force.abs());
+            creep.fastest = creep.fastest.max(sizes[1]);
+            let slope = law.properties().rate_under(creep.force);
             let rates = h * flexibility / slope.map_or(0.0, |[_, slope]| slope);
             // Not a number at rest at the start.
-            let most = if own.creeps { FAST } else { STEEP };
-            own.creeps = rates.is_nan() || rates > most;
+            let most = if creep.creeps { FAST } else { STEEP };
+            creep.creeps = rates.is_nan() || rates > most;
         }
     }
 
     fn impose_creep(&mut self, contacts: &[usize], force: impl Fn(usize) -> Option<f64>) {
         for (c, contact) in contacts.iter().enumerate() {
-            if let Some(own) = &mut self.creeps[*contact] {
-                own.imposed = force(c);
+            if let Some(creep) = &mut self.creeps[*contact] {
+                creep.imposed = force(c);
             }
         }
     }

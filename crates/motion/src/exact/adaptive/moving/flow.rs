@@ -26,14 +26,14 @@ impl Flow for Moving<'_> {
         if self.last.is_some() {
             largest[0] = largest[0].max(h * largest[1]);
         }
-        for (i, (contact, place)) in self.contacts.iter().zip(&self.places).enumerate() {
-            if let Some(place) = *place {
+        for (i, (contact, index)) in self.contacts.iter().zip(&self.places).enumerate() {
+            if let Some(index) = *index {
                 let least = match &self.planes[i] {
                     // From rest, a state may have the same shape at all times, as u and u'.
                     Some(plane) => plane.least_state(self.least[0]),
                     None => contact.least_state(self.least[0]),
                 };
-                let largest = &mut largest[self.groups[place]];
+                let largest = &mut largest[self.groups[index]];
                 *largest = largest.max(least);
             }
         }
@@ -60,17 +60,17 @@ impl Flow for Moving<'_> {
         let a = &mut rest[..n];
         rates.copy_from_slice(&y[n..2 * n]);
         self.accelerations(t, y, a);
-        for (i, place) in self.places.iter().enumerate() {
-            let Some(place) = *place else {
+        for (i, index) in self.places.iter().enumerate() {
+            let Some(index) = *index else {
                 continue;
             };
             if let Some(plane) = &self.planes[i] {
                 let state = self.in_plane(i, t, y, [0.0; 2]);
                 let rate = plane.rate(&state, self.moving_limit(i, t, y));
-                to[place..place + 2].copy_from_slice(&rate);
+                to[index..index + 2].copy_from_slice(&rate);
             } else {
                 let [_, rdot] = self.relative(i, t, y);
-                to[place] = self.contacts[i].rate(y[place], rdot, self.moving_limit(i, t, y));
+                to[index] = self.contacts[i].rate(y[index], rdot, self.moving_limit(i, t, y));
             }
         }
     }
@@ -124,8 +124,8 @@ impl Flow for Moving<'_> {
             motion.sizes[1] = motion.sizes[1].max(self.acceleration_terms * t);
             let (z, limit) = (self.state_of(i, y), self.moving_limit(i, t, y));
             let z = self.contacts[i].commit(motion, z, limit);
-            if let (Some(place), Some(z)) = (self.places[i], z) {
-                y[place] = z;
+            if let (Some(index), Some(z)) = (self.places[i], z) {
+                y[index] = z;
             }
         }
     }

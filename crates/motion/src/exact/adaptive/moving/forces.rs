@@ -52,7 +52,7 @@ impl Moving<'_> {
     }
 
     pub(crate) fn state_of(&self, contact: usize, y: &[f64]) -> Option<f64> {
-        self.places[contact].map(|place| y[place])
+        self.places[contact].map(|index| y[index])
     }
 
     /// S of a damper that creeps, where S is an unknown of its own.
@@ -64,9 +64,9 @@ impl Moving<'_> {
         if let Some(force) = self.own_force(contact) {
             return force;
         }
-        let own = &self.contacts[contact];
+        let contact_law = &self.contacts[contact];
         let motion = self.relative(contact, t, y);
-        own.force(motion, self.state_of(contact, y), self.limit(contact, t, y))
+        contact_law.force(motion, self.state_of(contact, y), self.limit(contact, t, y))
     }
 
     pub(crate) fn limit_value(&self, limit: &Limit, t: f64, y: &[f64]) -> f64 {
@@ -118,7 +118,7 @@ impl Moving<'_> {
         let mut a = vec![0.0; n];
         let [forces, _] = self.sums(t, y, &mut a);
         let mut force_rates = vec![0.0; forces.len()];
-        for (i, own) in self.model.structure.contacts.iter().enumerate() {
+        for (i, given_contact) in self.model.structure.contacts.iter().enumerate() {
             [room.r[i], room.rate[i]] = self.relative(i, t, y);
             room.force[i] = forces[i];
             if let (Some(compliance), Some(force)) = (self.braces[i], self.state_of(i, y)) {
@@ -128,7 +128,7 @@ impl Moving<'_> {
                 room.rate[i] -= compliance * force_rates[i];
             }
             room.slip[i] = room.r[i];
-            if let Some(ClippedLine::Elastic { stiffness }) = own.law.line() {
+            if let Some(ClippedLine::Elastic { stiffness }) = given_contact.law.line() {
                 room.slip[i] -= room.force[i] / stiffness;
             }
         }

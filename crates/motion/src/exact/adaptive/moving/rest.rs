@@ -53,8 +53,8 @@ impl Moving<'_> {
             for first in firsts {
                 if let Some(plane) = &self.planes[*first] {
                     let state = self.in_plane(*first, t, y, [held[*first], held[first + 1]]);
-                    let own = plane.force(&state, self.limit(*first, t, y));
-                    for (row, force) in [*first, first + 1].into_iter().zip(own) {
+                    let plane_forces = plane.force(&state, self.limit(*first, t, y));
+                    for (row, force) in [*first, first + 1].into_iter().zip(plane_forces) {
                         forces[row] = force;
                         self.model.columns[row].add(-force, sums);
                     }
@@ -91,15 +91,15 @@ impl Moving<'_> {
             }
             let state = self.in_plane(first, t, y, [0.0; 2]);
             let motions = [first, first + 1].map(|row| self.motion(row, t, y));
-            let size = |which: usize| length(motions.map(|own| own.sizes[which]));
+            let size = |which: usize| length(motions.map(|motion| motion.sizes[which]));
             let sizes = [size(0), size(1).max(self.acceleration_terms * t)];
             let limit = self.moving_limit(first, t, y);
             let Some(plane) = &mut self.planes[first] else {
                 continue;
             };
             let z = plane.commit(&state, sizes, limit);
-            if let Some(place) = self.places[first] {
-                y[place..place + 2].copy_from_slice(&z);
+            if let Some(index) = self.places[first] {
+                y[index..index + 2].copy_from_slice(&z);
             }
             if plane.stops(&state, limit) {
                 plane.phase = Some(Phase::Sticks);
@@ -122,9 +122,9 @@ impl Moving<'_> {
         let [_, held] = self.sums(t, y, &mut vec![0.0; self.model.len()]);
         let rows = Self::rows(rests);
         let limits = self.limits(rests, t, y);
-        let own = |i: usize| length([held[rows[2 * i]], held[rows[2 * i + 1]]]);
+        let held_size = |i: usize| length([held[rows[2 * i]], held[rows[2 * i + 1]]]);
         let m = rows.len();
-        if (0..rests.len()).all(|i| own(i) < limits[2 * i]) {
+        if (0..rests.len()).all(|i| held_size(i) < limits[2 * i]) {
             return false;
         }
         let matrix = self.model.flexibility(&rows);
@@ -136,7 +136,7 @@ impl Moving<'_> {
         let [d, sizes] = [product(|x| x), product(f64::abs)];
         let low: Vec<f64> = limits.iter().map(|limit| -limit).collect();
         let mut forces: Vec<f64> = (0..m)
-            .map(|i| held[i] * (limits[i] / own(i / 2)).min(1.0))
+            .map(|i| held[i] * (limits[i] / held_size(i / 2)).min(1.0))
             .collect();
         let firsts = (0..m).map(|i| i % 2 == 0).collect();
         // Forces that are not unique move the bodies alike.

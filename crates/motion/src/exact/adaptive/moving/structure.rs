@@ -56,24 +56,24 @@ impl<'a> Moving<'a> {
         let mut groups: Vec<usize> = (0..2 * n).map(|i| i / n.max(1)).collect();
         let (mut contacts, mut places) = (Vec::new(), Vec::new());
         let mut planes = Vec::new();
-        for (i, own) in structure.contacts.iter().enumerate() {
-            let limit = own.law.limit().map_or(0.0, |limit| limit.at(0.0));
-            let law = own.law.law(limit);
+        for (i, given) in structure.contacts.iter().enumerate() {
+            let limit = given.law.limit().map_or(0.0, |limit| limit.at(0.0));
+            let law = given.law.law(limit);
             let [gap, of_gap] = moved_gap(structure, i, 0.0);
-            let r = model.columns[i].dot(u) + own.gap + gap;
+            let r = model.columns[i].dot(u) + given.gap + gap;
             let rdot = model.columns[i].dot(v) + of_gap;
             let memory = structure.preload.laws.get(i).copied().flatten();
             let at_rest = structure.preload.force(i);
             let contact = Contact::new(law, 0.0, [r, rdot], (at_rest, memory)).behind(braces[i]);
             contacts.push(contact.clone());
-            if own.law.row() == Some(PlaneRow::First) {
+            if given.law.row() == Some(PlaneRow::First) {
                 let [gap, of_gap] = moved_gap(structure, i + 1, 0.0);
                 let other = structure.contacts[i + 1].gap + gap;
                 let r = [r, model.columns[i + 1].dot(u) + other];
                 let rdot = [rdot, model.columns[i + 1].dot(v) + of_gap];
                 let at_rest = at_rest.zip(structure.preload.force(i + 1));
                 let at_rest = at_rest.map(|(first, second)| [first, second]);
-                let plane = PlaneContact::new(law, own.law.is_rigid(), at_rest, rdot);
+                let plane = PlaneContact::new(law, given.law.is_rigid(), at_rest, rdot);
                 let state = plane.state(r).filter(|_| plane.phase.is_none());
                 places.push(state.map(|z| {
                     y.extend(z);
@@ -84,7 +84,7 @@ impl<'a> Moving<'a> {
                 continue;
             }
             planes.push(None);
-            if own.law.row() == Some(PlaneRow::Second) {
+            if given.law.row() == Some(PlaneRow::Second) {
                 places.push(None);
                 continue;
             }
@@ -99,10 +99,10 @@ impl<'a> Moving<'a> {
         let columns: usize = model.columns.iter().map(|row| row.entries()).sum();
         let signals = model.patterns.iter().map(|row| 20 + row.entries());
         let once = entries + 3 * columns + 50 * contacts.len() + signals.sum::<usize>();
-        let has_rigid = planes.iter().flatten().any(|own| own.phase.is_some());
-        let creep = |own: usize| {
-            let law = &structure.contacts[own].law;
-            let is_alone = !has_rigid && law.row().is_none() && braces[own].is_none();
+        let has_rigid = planes.iter().flatten().any(|plane| plane.phase.is_some());
+        let creep = |contact: usize| {
+            let law = &structure.contacts[contact].law;
+            let is_alone = !has_rigid && law.row().is_none() && braces[contact].is_none();
             Creep::of(&law.as_given()).filter(|_| is_alone)
         };
         let creeps = (0..contacts.len()).map(creep).collect();
@@ -242,7 +242,7 @@ impl<'a> Moving<'a> {
             t,
             r: [a[0], b[0]],
             rdot: [a[1], b[1]],
-            z: self.places[first].map_or([0.0; 2], |place| [y[place], y[place + 1]]),
+            z: self.places[first].map_or([0.0; 2], |index| [y[index], y[index + 1]]),
             held,
         }
     }
@@ -259,14 +259,19 @@ impl<'a> Moving<'a> {
         }
         let mut forces = vec![0.0; self.contacts.len()];
         let mut held = forces.clone();
-        let laws = self.model.structure.contacts.iter().map(|own| &own.law);
+        let laws = self
+            .model
+            .structure
+            .contacts
+            .iter()
+            .map(|contact| &contact.law);
         for (i, (plane, law)) in self.planes.iter().zip(laws).enumerate() {
             match plane {
                 _ if law.row().is_none() => forces[i] = self.force(i, t, y),
                 Some(plane) if plane.phase.is_none() => {
                     let state = self.in_plane(i, t, y, [0.0; 2]);
-                    let own = plane.force(&state, self.limit(i, t, y));
-                    forces[i..i + 2].copy_from_slice(&own);
+                    let plane_forces = plane.force(&state, self.limit(i, t, y));
+                    forces[i..i + 2].copy_from_slice(&plane_forces);
                 }
                 _ => {}
             }

@@ -14,17 +14,21 @@ fn a_damper_behind_a_spring_has_its_force_as_a_state() {
             viscosity: c,
             exponent,
         });
-        let mut own = one(0.0, StructureLaw::new(law, None), 0.0);
-        own.nodes.push(own.nodes[0].clone());
-        own.nodes[0].mass = m;
-        own.nodes[1].mass = 0.0;
-        [own.stiffness, own.damping, own.coupled_mass] = [(); 3].map(|()| Symmetric::zeros(2));
-        own.stiffness.add(0, 0, k);
-        own.stiffness.add(1, 1, brace);
-        own.contacts[0].along = vec![(1, -1.0), (0, 1.0)];
-        (own.displacement, own.velocity) = (vec![0.3, 0.05], vec![-1.0, 0.0]);
+        let mut structure = one(0.0, StructureLaw::new(law, None), 0.0);
+        structure.nodes.push(structure.nodes[0].clone());
+        structure.nodes[0].mass = m;
+        structure.nodes[1].mass = 0.0;
+        [
+            structure.stiffness,
+            structure.damping,
+            structure.coupled_mass,
+        ] = [(); 3].map(|()| Symmetric::zeros(2));
+        structure.stiffness.add(0, 0, k);
+        structure.stiffness.add(1, 1, brace);
+        structure.contacts[0].along = vec![(1, -1.0), (0, 1.0)];
+        (structure.displacement, structure.velocity) = (vec![0.3, 0.05], vec![-1.0, 0.0]);
         // As the assembly of a study finds it.
-        own.preload.forces = vec![Some(brace * 0.05)];
+        structure.preload.forces = vec![Some(brace * 0.05)];
         let g = |s: f64| libm::pow(s.abs() / c, 1.0 / exponent).copysign(s);
         let rate = |[u, v, s]: [f64; 3]| [v, (-k * u - s) / m, brace * (v - g(s))];
         let mut z = [0.3, -1.0, brace * 0.05];
@@ -41,7 +45,7 @@ fn a_damper_behind_a_spring_has_its_force_as_a_state() {
         }
         let end = h * f64::from(count);
         let mut found = [0.0; 6];
-        run_of(&own, &[0, 1], &[end], TOLERANCE, |_, state| {
+        run_of(&structure, &[0, 1], &[end], TOLERANCE, |_, state| {
             found = [
                 state.u[0],
                 state.v[0],
@@ -99,28 +103,41 @@ fn behind_a_spring([k, c, l, w]: [f64; 4], end: f64) -> f64 {
 fn friction_of_velocity_behind_a_spring_stays_within_its_limit() {
     let [k, c, l, w] = [8.0, 2.0, 1.1, 1.3];
     let law = StructureLaw::new(ClippedLine::Viscous { viscosity: c }, Limit::constant(l));
-    let mut own = one(0.0, law, 0.0);
-    own.nodes.push(own.nodes[0].clone());
+    let mut structure = one(0.0, law, 0.0);
+    structure.nodes.push(structure.nodes[0].clone());
     // So heavy that the friction does not move it.
-    own.nodes[0].mass = 1e14;
-    own.nodes[1].mass = 0.0;
-    [own.stiffness, own.damping, own.coupled_mass] = [(); 3].map(|()| Symmetric::zeros(2));
-    own.stiffness.add(0, 0, 1e14 * w * w);
-    own.stiffness.add(1, 1, k);
-    own.contacts[0].along = vec![(1, -1.0), (0, 1.0)];
-    (own.displacement, own.velocity) = (vec![0.0, 0.0], vec![w, 0.0]);
+    structure.nodes[0].mass = 1e14;
+    structure.nodes[1].mass = 0.0;
+    [
+        structure.stiffness,
+        structure.damping,
+        structure.coupled_mass,
+    ] = [(); 3].map(|()| Symmetric::zeros(2));
+    structure.stiffness.add(0, 0, 1e14 * w * w);
+    structure.stiffness.add(1, 1, k);
+    structure.contacts[0].along = vec![(1, -1.0), (0, 1.0)];
+    (structure.displacement, structure.velocity) = (vec![0.0, 0.0], vec![w, 0.0]);
     let times = times(8.0, 160);
     let mut found = Vec::new();
-    run_of(&own, &[1], &times, TOLERANCE, |_, state| {
+    run_of(&structure, &[1], &times, TOLERANCE, |_, state| {
         found.push([state.force[0], k * state.u[1]]);
     })
     .unwrap();
     for (time, found) in times.iter().zip(&found) {
         let known = behind_a_spring([k, c, l, w], *time);
-        for own in found {
+        for displacement in found {
             // Some 1e3 steps, each with the tolerance.
-            assert!((own - known).abs() < 1e-10, "{time}: {found:?} {known}");
+            assert!(
+                (displacement - known).abs() < 1e-10,
+                "{time}: {found:?} {known}"
+            );
         }
     }
-    assert!(found.iter().filter(|own| own[0].abs() == l).count() > 20);
+    assert!(
+        found
+            .iter()
+            .filter(|displacements| displacements[0].abs() == l)
+            .count()
+            > 20
+    );
 }

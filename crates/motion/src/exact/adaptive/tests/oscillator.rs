@@ -18,7 +18,7 @@ fn the_laws_of_the_papers_move_as_their_closed_forms() {
             compliance: width,
             limit: 1.0,
         };
-        let own = at(
+        let computed = at(
             &friction(ContactLaw::DisplacementControl(law)),
             &times,
             TOLERANCE,
@@ -27,15 +27,15 @@ fn the_laws_of_the_papers_move_as_their_closed_forms() {
         let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
         // 1e-12 of x0 in a step, of some hundred steps.
         assert!(
-            distance(&own, &exact, 0) < 1.2e-11,
+            distance(&computed, &exact, 0) < 1.2e-11,
             "{width} {}",
-            distance(&own, &exact, 0)
+            distance(&computed, &exact, 0)
         );
         let law = VelocityControl {
             compliance: width,
             limit: 1.0,
         };
-        let own = at(
+        let computed = at(
             &friction(ContactLaw::VelocityControl(law)),
             &times,
             TOLERANCE,
@@ -43,9 +43,9 @@ fn the_laws_of_the_papers_move_as_their_closed_forms() {
         let mut exact = Regularised::velocity(12.0, width);
         let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
         assert!(
-            distance(&own, &exact, 0) < 1.2e-11,
+            distance(&computed, &exact, 0) < 1.2e-11,
             "{width} {}",
-            distance(&own, &exact, 0)
+            distance(&computed, &exact, 0)
         );
     }
 }
@@ -97,15 +97,15 @@ fn the_difference_of_two_tolerances_bounds_the_error_of_the_finer_one() {
         // The estimate of a study, and the same at a coarser pair.
         for [fine, coarse] in [[TOLERANCE, COARSE], [1e-9, 1e-7]] {
             let some = coarse_times(&times);
-            let own = at(&structure, &some, fine);
-            let estimate = distance(&own, &at(&structure, &some, coarse), 0);
+            let computed = at(&structure, &some, fine);
+            let estimate = distance(&computed, &at(&structure, &some, coarse), 0);
             let chosen: Vec<[f64; 3]> = best
                 .iter()
                 .zip(&times)
                 .filter(|(_, t)| some.contains(t))
                 .map(|(state, _)| *state)
                 .collect();
-            let own_error = distance(&own, &chosen, 0);
+            let own_error = distance(&computed, &chosen, 0);
             assert!(
                 own_error <= estimate,
                 "{law:?} {fine}: {own_error} {estimate}"
@@ -127,8 +127,8 @@ fn elastoplastic_laws_are_one() {
     });
     let mut exact = Regularised::displacement(12.0, compliance, 0.0);
     let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
-    let own = at(&friction(dahl), &times, TOLERANCE);
-    assert!(distance(&own, &exact, 0) < 1.2e-11);
+    let computed = at(&friction(dahl), &times, TOLERANCE);
+    assert!(distance(&computed, &exact, 0) < 1.2e-11);
 }
 
 #[test]

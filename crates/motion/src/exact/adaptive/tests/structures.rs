@@ -63,13 +63,13 @@ fn laws_of_lines_move_as_by_events() {
     let elastic = |limit| StructureLaw::new(ClippedLine::Elastic { stiffness: 20.0 }, limit);
     let viscous = |limit| StructureLaw::new(ClippedLine::Viscous { viscosity: 5.0 }, limit);
     for structure in [chain(elastic), chain(viscous)] {
-        let [own, exact] = [
+        let [computed, exact] = [
             at(&structure, &times, TOLERANCE),
             by_events(&structure, &times),
         ];
         // Events err by 1e-12 of the largest value, too; impacts make errors grow.
         for component in 0..3 {
-            let error = distance(&own, &exact, component);
+            let error = distance(&computed, &exact, component);
             println!("{component} {error:e}");
             assert!(error < 1e-9, "{component}: {error}");
         }
@@ -97,8 +97,8 @@ fn laws_with_a_state_follow_a_limit_that_changes() {
     });
     for law in [dahl, pendulum] {
         let structure = chain(|limit| StructureLaw::new(law, limit).from_its_answer());
-        let own = at(&structure, &times, TOLERANCE);
-        let error = distance(&own, &exact, 0);
+        let computed = at(&structure, &times, TOLERANCE);
+        let error = distance(&computed, &exact, 0);
         println!("{error:e}");
         assert!(error < 1e-9, "{law:?}: {error}");
     }
@@ -129,23 +129,23 @@ fn friction_without_compliance_moves_as_by_events() {
     for structure in [chain(coulomb), between, beside, moved, reversed] {
         let times = times(8.0, 80);
         let nodes = [0, 1, 2];
-        let mut all: [Vec<[Vec<f64>; 4]>; 2] = Default::default();
+        let mut histories: [Vec<[Vec<f64>; 4]>; 2] = Default::default();
         let keep = |state: &State| [state.u, state.v, state.r, state.force].map(<[f64]>::to_vec);
-        let visit = |_: usize, state: &State| all[0].push(keep(state));
+        let visit = |_: usize, state: &State| histories[0].push(keep(state));
         run_of(&structure, &nodes, &times, TOLERANCE, visit).unwrap();
-        let visit = |_: usize, state: &State| all[1].push(keep(state));
+        let visit = |_: usize, state: &State| histories[1].push(keep(state));
         events::run_of(&structure, &nodes, &times, visit).unwrap();
-        let [own, exact] = all;
-        for (own, exact) in own.iter().zip(&exact) {
+        let [computed, exact] = histories;
+        for (computed, exact) in computed.iter().zip(&exact) {
             let sum = |force: &[f64]| force.iter().sum::<f64>();
             for which in 0..3 {
-                for (a, b) in own[which].iter().zip(&exact[which]) {
+                for (a, b) in computed[which].iter().zip(&exact[which]) {
                     // The tolerance of a step, which collisions make larger.
                     assert!((a - b).abs() < 1e-9, "{a} {b}");
                 }
             }
             // How contacts beside each other share a force is not determined. The impact has 400 times an error of r.
-            let [a, b] = [sum(&own[3]), sum(&exact[3])];
+            let [a, b] = [sum(&computed[3]), sum(&exact[3])];
             assert!((a - b).abs() < 4e-9, "{a} {b}");
         }
     }
@@ -219,10 +219,10 @@ fn a_contact_far_from_the_load_leaves_rest() {
     }];
     (far.displacement, far.velocity) = (vec![0.0; 3], vec![0.0; 3]);
     let times = times(8.0, 100);
-    let [own, exact] = [at(&far, &times, TOLERANCE), by_events(&far, &times)];
+    let [computed, exact] = [at(&far, &times, TOLERANCE), by_events(&far, &times)];
     assert!(exact.iter().any(|[_, _, force]| *force == 0.05));
     for component in 0..3 {
-        let error = distance(&own, &exact, component);
+        let error = distance(&computed, &exact, component);
         assert!(error < 1e-9, "{component}: {error}");
     }
 }

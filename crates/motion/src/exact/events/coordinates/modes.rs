@@ -14,8 +14,8 @@ pub struct Modes {
 impl Modes {
     /// u of a node for u of the modes, signals of the loads, forces and u of the plates; or the rates.
     pub fn at(&self, node: usize, modes: &[f64], others: [&[f64]; 3]) -> f64 {
-        let own = dot(&self.shapes[node], modes);
+        let of_modes = dot(&self.shapes[node], modes);
         let parts = self.massless[node].iter().flatten().zip(others);
-        parts.fold(own, |sum, (row, values)| sum + dot(row, values))
+        parts.fold(of_modes, |sum, (row, values)| sum + dot(row, values))
     }
 }

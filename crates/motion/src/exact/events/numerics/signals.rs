@@ -74,8 +74,8 @@ pub fn points(structure: &Structure) -> Vec<f64> {
     });
     let of_supports = structure.supports.iter();
     let of_supports = of_supports.flat_map(|support| support.motion.points());
-    let all = tables.flatten().copied().chain(of_supports);
-    let mut times: Vec<f64> = all.filter(|t| *t > 0.0).collect();
+    let ends = tables.flatten().copied().chain(of_supports);
+    let mut times: Vec<f64> = ends.filter(|t| *t > 0.0).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
     times

@@ -47,9 +47,10 @@ impl StateBuffers {
             .flexible
             .as_ref()
             .map_or(&[][..], |flexible| &flexible.plates);
-        let all = [&series.loads[..], &forces, plates];
-        let values = all.map(|list| list.iter().map(|p| value(p, s)).collect::<Vec<f64>>());
-        let rates = all.map(|list| {
+        let series_lists = [&series.loads[..], &forces, plates];
+        let values =
+            series_lists.map(|list| list.iter().map(|p| value(p, s)).collect::<Vec<f64>>());
+        let rates = series_lists.map(|list| {
             list.iter()
                 .map(|p| slope(p, s) / series.length)
                 .collect::<Vec<f64>>()

@@ -10,9 +10,9 @@ use crate::system::bar::{Bar, Mass};
 fn row(rates: &[f64], n: usize, stiffness: f64) -> Structure {
     let (m, k) = (0.5 / n as f64, 2.0 * n as f64);
     let end = |i: usize| if i == 0 || i == n { 0.5 * m } else { m };
-    let all: Vec<f64> = rates.iter().flat_map(|_| (0..=n).map(end)).collect();
+    let element_masses: Vec<f64> = rates.iter().flat_map(|_| (0..=n).map(end)).collect();
     let v: Vec<f64> = rates.iter().flat_map(|v| vec![*v; n + 1]).collect();
-    let mut s = masses(&all).moving(&vec![0.0; all.len()], &v);
+    let mut s = masses(&element_masses).moving(&vec![0.0; element_masses.len()], &v);
     for bar in 0..rates.len() {
         let first = bar * (n + 1);
         for i in first..first + n {

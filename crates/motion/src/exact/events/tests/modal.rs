@@ -99,9 +99,9 @@ fn lasting(summary: &Summary) -> Vec<Event> {
         .map(|event| event.contact)
         .max()
         .unwrap_or(0);
-    let mut all: Vec<Event> = Vec::new();
+    let mut events: Vec<Event> = Vec::new();
     for contact in 0..=contacts {
-        let mut own: Vec<Event> = Vec::new();
+        let mut of_contact: Vec<Event> = Vec::new();
         for event in summary
             .events
             .iter()
@@ -109,16 +109,20 @@ fn lasting(summary: &Summary) -> Vec<Event> {
         {
             let at_once = |before: &Event| event.time - before.time < 1e-7;
             if matches!(event.kind, EventKind::Phase(_)) {
-                own.pop_if(|before| at_once(before) && matches!(before.kind, EventKind::Phase(_)));
+                of_contact
+                    .pop_if(|before| at_once(before) && matches!(before.kind, EventKind::Phase(_)));
             }
-            if own.last().is_none_or(|before| before.kind != event.kind) {
-                own.push(*event);
+            if of_contact
+                .last()
+                .is_none_or(|before| before.kind != event.kind)
+            {
+                of_contact.push(*event);
             }
         }
-        all.extend(own);
+        events.extend(of_contact);
     }
-    all.sort_by(|a, b| a.time.total_cmp(&b.time));
-    all
+    events.sort_by(|a, b| a.time.total_cmp(&b.time));
+    events
 }
 
 #[test]

@@ -5,11 +5,11 @@ use crate::contact::ClippedLine;
 
 /// The phases of a contact, without their times.
 fn phases(summary: &Summary, contact: usize) -> Vec<EventKind> {
-    let own = summary
+    let of_pair = summary
         .events
         .iter()
         .filter(|event| event.contact == contact);
-    own.map(|event| event.kind).collect()
+    of_pair.map(|event| event.kind).collect()
 }
 
 /// Node 0 with a load at its limit of 1, and `more` nodes on springs behind it, the last one with a load.

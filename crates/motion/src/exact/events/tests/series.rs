@@ -46,9 +46,9 @@ fn structure() -> Structure {
     );
     let mut s = masses(&MASSES);
     s.coupled_mass = Symmetric::zeros(4);
-    [s.stiffness, s.damping] = [SPRINGS, DAMPERS].map(|all| {
+    [s.stiffness, s.damping] = [SPRINGS, DAMPERS].map(|entries| {
         let mut matrix = Symmetric::zeros(4);
-        for (i, j, k) in all {
+        for (i, j, k) in entries {
             matrix.add_spring([Some(i), Some(j)], k);
         }
         matrix
@@ -130,21 +130,21 @@ fn a_piece_satisfies_the_equations_of_motion() {
     let carried = &structure.supports[0].carried;
     for s in [0.0, 0.1, 0.37, 0.72, 1.0] {
         let t = start + s * length;
-        let own = support(t);
+        let ground = support(t);
         // u, v and a of the nodes and of the support.
         let mut motion = vec![];
         for (i, polynomial) in nodes.iter().enumerate() {
             let rate = derivative(polynomial, length);
             let second = derivative(&rate, length);
             let of_node = [at(polynomial, s), at(&rate, s), at(&second, s)];
-            motion.push([0, 1, 2].map(|q| of_node[q] + carried[i] * own[q]));
+            motion.push([0, 1, 2].map(|q| of_node[q] + carried[i] * ground[q]));
         }
-        motion.push(own);
+        motion.push(ground);
         let force = |i: usize| at(&series.contacts[i].force, s);
         let [sine_load, sine_limit] = [LOAD, [LIMIT[2], LIMIT[3], LIMIT[4]]]
             .map(|[amplitude, omega, phase]| amplitude * (omega * t + phase).sin());
         let expected = [
-            STIFFNESS * (motion[0][0] - own[0] + GAP),
+            STIFFNESS * (motion[0][0] - ground[0] + GAP),
             VISCOSITY * (motion[1][1] - motion[0][1]),
             -(LIMIT[0] + LIMIT[1] * sine_limit),
         ];
@@ -157,13 +157,13 @@ fn a_piece_satisfies_the_equations_of_motion() {
             );
         }
         // It sticks to the support: the difference of the velocities stays.
-        let stuck = motion[2][1] - own[1] - (v[2] + (carried[2] - 1.0) * vs);
+        let stuck = motion[2][1] - ground[1] - (v[2] + (carried[2] - 1.0) * vs);
         assert!(stuck.abs() < 1e-13, "{s} {stuck}");
         let mut sums = [0.0; 4];
         sums[0] += sine_load;
         sums[1] += 2.0 * (1.0 - 0.5 * t) - GROUND * motion[1][0];
-        for (all, quantity) in [(SPRINGS, 0), (DAMPERS, 1)] {
-            for (i, j, k) in all {
+        for (entries, quantity) in [(SPRINGS, 0), (DAMPERS, 1)] {
+            for (i, j, k) in entries {
                 let pull = k * (motion[j][quantity] - motion[i][quantity]);
                 sums[i] += pull;
                 sums[j] -= pull;
@@ -179,14 +179,14 @@ fn a_piece_satisfies_the_equations_of_motion() {
             assert!(residual.abs() < 1e-11, "{s} {i}: {residual}");
         }
         let r = series.contacts[0].r;
-        assert!((at(&r, s) - (motion[0][0] - own[0] + GAP)).abs() < 1e-14);
+        assert!((at(&r, s) - (motion[0][0] - ground[0] + GAP)).abs() < 1e-14);
         let rate = at(&series.rate(0), s);
-        assert!((rate - (motion[0][1] - own[1])).abs() < 1e-13);
+        assert!((rate - (motion[0][1] - ground[1])).abs() < 1e-13);
         let (mut u, mut v) = ([0.0; 3], [0.0; 3]);
         series.motion_at(s, &mut u, &mut v);
         for i in 0..3 {
-            assert!((u[i] + carried[i] * own[0] - motion[i][0]).abs() < 1e-14);
-            assert!((v[i] + carried[i] * own[1] - motion[i][1]).abs() < 1e-13);
+            assert!((u[i] + carried[i] * ground[0] - motion[i][0]).abs() < 1e-14);
+            assert!((v[i] + carried[i] * ground[1] - motion[i][1]).abs() < 1e-13);
         }
     }
     assert!((series.contacts[0].r[0] - (w[0] + (carried[0] - 1.0) * us + GAP)).abs() < 1e-15);

@@ -88,10 +88,10 @@ fn a_damper_and_a_sine_have_the_closed_form() {
 #[test]
 fn the_motion_does_not_depend_on_the_times() {
     let s = softened();
-    let mut all = Vec::new();
+    let mut displacements = Vec::new();
     run(&s, &steps(0.01, 1000), |i, state| {
         if i % 100 == 0 {
-            all.push(state.u.to_vec());
+            displacements.push(state.u.to_vec());
         }
     })
     .unwrap();
@@ -108,7 +108,7 @@ fn the_motion_does_not_depend_on_the_times() {
         },
     )
     .unwrap();
-    assert_eq!(all, few);
+    assert_eq!(displacements, few);
 }
 
 /// Three bars of 11 elements on friction bearings, with dampers and a record: 36 nodes and 5 contacts.

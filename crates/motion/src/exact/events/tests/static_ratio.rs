@@ -41,7 +41,7 @@ fn the_published_numbers_of_two_masses_are_met() {
         .find(|(_, phase)| *phase == Phase::Sliding(1.0));
     let stops = events.iter().skip_while(|(time, _)| *time < 0.2);
     let stops = stops.copied().next().unwrap();
-    let own = [loose.unwrap().0, u[0][0], u[0][1], stops.0, u[1][1]];
+    let computed = [loose.unwrap().0, u[0][0], u[0][1], stops.0, u[1][1]];
     let published = [0.03512, 1.35332, 1.80751, 0.31492, 3.96813];
     // DOP853 with restarts (scipy, tolerances 1e-12).
     let integrated = [
@@ -51,14 +51,14 @@ fn the_published_numbers_of_two_masses_are_met() {
         0.31492327548,
         3.96812463,
     ];
-    for ((own, published), integrated) in own.iter().zip(published).zip(integrated) {
+    for ((number, published), integrated) in computed.iter().zip(published).zip(integrated) {
         // Five digits; the sixth one that is printed of two displacements is 2 too small.
-        assert!((own - published).abs() <= 2.3e-5, "{own} {published}");
-        assert!((own - integrated).abs() <= 1e-8, "{own} {integrated}");
+        assert!((number - published).abs() <= 2.3e-5, "{number} {published}");
+        assert!((number - integrated).abs() <= 1e-8, "{number} {integrated}");
     }
     // The spring has to hold 3000 = 1.5 2000 N.
     let omega = f64::sqrt(2000.0);
-    assert!((own[0] - 0.5 * std::f64::consts::PI / omega).abs() < 1e-13);
+    assert!((computed[0] - 0.5 * std::f64::consts::PI / omega).abs() < 1e-13);
     assert!(summary.book.residual < 1e-13 * summary.book.largest);
 }
 
@@ -83,13 +83,13 @@ fn a_rising_load_moves_a_mass_in_equal_slips() {
     assert!(events.len() > 10, "{events:?}");
     for (i, (time, phase)) in events.iter().enumerate() {
         let start = ratio * limit / a + (i / 2) as f64 * period;
-        let (expected, own) = match i % 2 {
+        let (expected, phase_after) = match i % 2 {
             0 => (start, Phase::Sliding(1.0)),
             _ => (start + slide, Phase::Closed),
         };
         // Tolerance of events, 1e-12 of the largest force, over its slope; some slips.
         assert!(
-            (time - expected).abs() < 1e-10 && *phase == own,
+            (time - expected).abs() < 1e-10 && *phase == phase_after,
             "{i} {time} {expected} {phase:?}"
         );
     }
@@ -98,9 +98,13 @@ fn a_rising_load_moves_a_mass_in_equal_slips() {
         let since = 0.01 * i as f64 - start;
         let slips = (since / period).floor().max(-1.0);
         let t = (since - slips * period).min(slide);
-        let own = a * t / k - a / (k * omega) * libm::sin(omega * t)
+        let elastic = a * t / k - a / (k * omega) * libm::sin(omega * t)
             + drop / k * (1.0 - libm::cos(omega * t));
-        let expected = if since < 0.0 { 0.0 } else { slips * slip + own };
+        let expected = if since < 0.0 {
+            0.0
+        } else {
+            slips * slip + elastic
+        };
         assert!(
             (state.u - expected).abs() < 1e-10,
             "{i} {} {expected}",
@@ -121,14 +125,14 @@ fn a_contact_that_breaks_loose_takes_others_with_it() {
         .contact([None, Some(1)], 0.0, two_limits(3.0, 1.1))
         .load(&[(0, 1.0), (1, 1.0)], table(&[[0.0, 0.0], [10.0, 10.0]]));
     let (_, summary) = last(&s, 9.0);
-    let own: Vec<_> = changes(&summary)
+    let slides: Vec<_> = changes(&summary)
         .into_iter()
         .filter(|(time, _)| *time > 0.0)
         .collect();
     // The first one at 2; the stiff spring then gives its load to the other one, which holds it until 3.3 + 1.
     assert!(
-        (own[0].0 - 2.0).abs() < 1e-9 && own[0].1 == Phase::Sliding(1.0),
-        "{own:?}"
+        (slides[0].0 - 2.0).abs() < 1e-9 && slides[0].1 == Phase::Sliding(1.0),
+        "{slides:?}"
     );
     assert!(summary.book.residual < 1e-12 * summary.book.largest);
     // In the other order of contacts, and mirrored: the same times.
@@ -145,8 +149,11 @@ fn a_contact_that_breaks_loose_takes_others_with_it() {
         let (u, again) = last(&variant, 9.0);
         let (expected, _) = last(&s, 9.0);
         assert_eq!(again.events.len(), summary.events.len());
-        for (own, expected) in u.iter().zip(expected) {
-            assert!((own - expected).abs() < 1e-9, "{own} {expected}");
+        for (displacement, expected) in u.iter().zip(expected) {
+            assert!(
+                (displacement - expected).abs() < 1e-9,
+                "{displacement} {expected}"
+            );
         }
     }
 }

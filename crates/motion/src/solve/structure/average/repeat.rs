@@ -11,8 +11,8 @@ impl<const L: usize> Average<'_, L> {
     pub(super) fn repeat(&mut self, step: usize, mut pressing: Pressing<L>) {
         let mut start = std::mem::take(&mut self.start);
         let lists = [&self.p, &self.w, &self.moved, &self.force];
-        for (kept, own) in start.lists.iter_mut().zip(lists) {
-            kept.clone_from(own);
+        for (kept, now) in start.lists.iter_mut().zip(lists) {
+            kept.clone_from(now);
         }
         start.contacts.clone_from(&self.contacts);
         start.curved.clone_from(&self.curved);
@@ -21,16 +21,16 @@ impl<const L: usize> Average<'_, L> {
         let unsettled = loop {
             self.pressing = Some(pressing);
             self.once(step);
-            let Some(own) = self.pressing.take() else {
+            let Some(rounds) = self.pressing.take() else {
                 return;
             };
-            pressing = own;
+            pressing = rounds;
             if let Some(unsettled) = pressing.follow(|number| self.pressed_limit(number, step)) {
                 break unsettled;
             }
             let lists = [&mut self.p, &mut self.w, &mut self.moved, &mut self.force];
-            for (own, kept) in lists.into_iter().zip(&start.lists) {
-                own.clone_from(kept);
+            for (now, kept) in lists.into_iter().zip(&start.lists) {
+                now.clone_from(kept);
             }
             self.contacts.clone_from(&start.contacts);
             self.curved.clone_from(&start.curved);

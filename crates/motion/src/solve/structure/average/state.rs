@@ -59,17 +59,17 @@ pub(crate) struct Nodes<'a, const L: usize> {
 impl<const L: usize> Nodes<'_, L> {
     #[inline(always)]
     pub(crate) fn displacement(&self, node: usize) -> Lane<L> {
-        let place = self.prepared.place[node];
-        self.p[place] - self.w[place] * 0.5
+        let row = self.prepared.place[node];
+        self.p[row] - self.w[row] * 0.5
     }
 
     #[inline(always)]
     pub(crate) fn velocity(&self, node: usize) -> Lane<L> {
         let dt = self.prepared.dt;
-        let place = self.prepared.place[node];
-        let change = match self.moved.get(place) {
-            None => self.w[place],
-            Some(moved) => self.w[place] + *moved,
+        let row = self.prepared.place[node];
+        let change = match self.moved.get(row) {
+            None => self.w[row],
+            Some(moved) => self.w[row] + *moved,
         };
         change.map(|w| w / dt)
     }
@@ -77,10 +77,10 @@ impl<const L: usize> Nodes<'_, L> {
     /// The same of one lane: u and u'.
     #[inline(always)]
     pub(crate) fn in_lane(&self, node: usize, l: usize) -> [f64; 2] {
-        let place = self.prepared.place[node];
-        let w = self.w[place].0[l];
-        let change = self.moved.get(place).map_or(w, |moved| w + moved.0[l]);
-        [self.p[place].0[l] - w * 0.5, change / self.prepared.dt]
+        let row = self.prepared.place[node];
+        let w = self.w[row].0[l];
+        let change = self.moved.get(row).map_or(w, |moved| w + moved.0[l]);
+        [self.p[row].0[l] - w * 0.5, change / self.prepared.dt]
     }
 }
 
@@ -188,10 +188,10 @@ impl<'a, const L: usize> Average<'a, L> {
         let (n, m) = (prepared.nodes(), prepared.contacts());
         let (dt, zero) = (prepared.dt, Lane::splat(0.0));
         let (mut p, mut w) = (vec![zero; n + 1], vec![zero; n + 1]);
-        for (node, place) in prepared.place.iter().enumerate() {
+        for (node, row) in prepared.place.iter().enumerate() {
             for (l, case) in cases.iter().enumerate() {
-                w[*place].0[l] = dt * case.velocity[node];
-                p[*place].0[l] = case.displacement[node] + 0.5 * w[*place].0[l];
+                w[*row].0[l] = dt * case.velocity[node];
+                p[*row].0[l] = case.displacement[node] + 0.5 * w[*row].0[l];
             }
         }
         for node in &prepared.massless {

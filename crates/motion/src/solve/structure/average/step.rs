@@ -77,9 +77,9 @@ impl<const L: usize> Average<'_, L> {
         let Some(friction) = &mut self.two_limits else {
             return;
         };
-        for own in friction.all() {
-            let (c, l) = (own.contact, own.lane);
-            let bounds = own.begin(Some(self.contacts[c].force.0[l]));
+        for limits in friction.all() {
+            let (c, l) = (limits.contact, limits.lane);
+            let bounds = limits.begin(Some(self.contacts[c].force.0[l]));
             self.forces.bound_lane([c, l], bounds);
             if let Some(Some(curved)) = self.curved.get_mut(l) {
                 curved.bound(c, bounds);
@@ -114,9 +114,9 @@ impl<const L: usize> Average<'_, L> {
     /// The mean forces of contacts with two limits, which the next step starts with.
     #[cold]
     fn end_friction(&mut self) {
-        for own in self.two_limits.iter_mut().flat_map(StaticFriction::all) {
-            let force = &mut self.contacts[own.contact].force.0[own.lane];
-            *force = own.end(*force);
+        for limits in self.two_limits.iter_mut().flat_map(StaticFriction::all) {
+            let force = &mut self.contacts[limits.contact].force.0[limits.lane];
+            *force = limits.end(*force);
         }
     }
 

@@ -41,8 +41,8 @@ impl Curved {
         pace: f64,
         dt: f64,
     ) -> Option<Curved> {
-        let all = || Curved::of_all(structure, &structure.chains(), flexibility, pace, dt);
-        has_curved(structure).then(all)
+        let lists = || Curved::of_all(structure, &structure.chains(), flexibility, pace, dt);
+        has_curved(structure).then(lists)
     }
 
     /// The contacts of a structure with this H, also if all its laws are clipped lines. Those in `chains` answer together.
@@ -65,19 +65,21 @@ impl Curved {
         let planes = (0..groups.len()).filter(|g| is_first(&groups[*g]));
         let planes: Vec<usize> = planes.collect();
         let forces = CurvedBlocks::new(grouped(flexibility, &groups), &planes);
-        let mut own = vec![0.0; m];
+        let mut flexibilities = vec![0.0; m];
         for (g, group) in groups.iter().enumerate() {
             let flexibility = match forces.flexibility(g) {
                 0.0 if group.is_chain() => of_masses(structure, group, dt),
                 flexibility => flexibility,
             };
-            group.contacts().for_each(|i| own[i] = flexibility);
+            group
+                .contacts()
+                .for_each(|i| flexibilities[i] = flexibility);
         }
         let massless = structure.massless();
         let contact = |(i, contact): (usize, &crate::system::structure::Contact)| {
             let relation = contact.law.clone();
             let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
-            let own = own[i];
+            let flexibility = flexibilities[i];
             // Both directions of a plane have one rate.
             let mut nodes = structure
                 .directions_of(i)
@@ -89,7 +91,7 @@ impl Curved {
                 is_massless,
             };
             let law = relation.law(limit);
-            let steps = scale.steps(own);
+            let steps = scale.steps(flexibility);
             let running = match structure.preload.laws.get(i) {
                 Some(Some(remembers)) => {
                     let mut running = *remembers;
@@ -101,7 +103,7 @@ impl Curved {
             Contact {
                 law: running,
                 now: law,
-                own,
+                own: flexibility,
                 line: match scale.is_explicit() {
                     true => explicit_line(&relation),
                     false => line(&relation, scale.pace),
@@ -109,7 +111,7 @@ impl Curved {
                 scale,
                 bounds: law.properties().bounds(),
                 two_limits: false,
-                plane: curved_plane::first(structure, i, limit, scale, own),
+                plane: curved_plane::first(structure, i, limit, scale, flexibility),
                 before: None,
                 relation,
                 motion: Motion::default(),
@@ -182,8 +184,8 @@ impl Curved {
     }
 
     /// Lets the laws remember this, with their present limits and flexibilities.
-    pub(crate) fn recall(&mut self, all: impl Iterator<Item = Memory>) {
-        for (contact, (law, memory, before)) in self.contacts.iter_mut().zip(all) {
+    pub(crate) fn recall(&mut self, memories: impl Iterator<Item = Memory>) {
+        for (contact, (law, memory, before)) in self.contacts.iter_mut().zip(memories) {
             contact.follow_from(before);
             contact.law = law;
             if let (Some(plane), Some(memory)) = (&mut contact.plane, memory) {

@@ -27,13 +27,13 @@ impl CurvedBlocks {
         let blocks = flexibility.blocks.into_iter().enumerate();
         let block = |(b, block): (usize, MatrixBlock)| {
             let m = block.contacts.len();
-            let own = planes.iter().map(|plane| places[*plane]);
-            let own: Vec<usize> = own
-                .filter(|place| place[0] == b)
-                .map(|place| place[1])
+            let in_blocks = planes.iter().map(|plane| places[*plane]);
+            let members: Vec<usize> = in_blocks
+                .filter(|pair| pair[0] == b)
+                .map(|pair| pair[1])
                 .collect();
             CurvedBlock {
-                forces: CurvedForces::with_planes(block.entries, m, &own),
+                forces: CurvedForces::with_planes(block.entries, m, &members),
                 contacts: block.contacts,
                 step: std::array::from_fn(|_| vec![0.0; m]),
             }
@@ -46,14 +46,14 @@ impl CurvedBlocks {
 
     /// The flexibility a with which a contact has to answer.
     pub(crate) fn flexibility(&self, contact: usize) -> f64 {
-        let [block, place] = self.places[contact];
-        self.blocks[block].forces.flexibility(place)
+        let [block, member] = self.places[contact];
+        self.blocks[block].forces.flexibility(member)
     }
 
     /// y of a contact in the last answer.
     pub(crate) fn argument(&self, contact: usize) -> f64 {
-        let [block, place] = self.places[contact];
-        self.blocks[block].forces.argument(place)
+        let [block, member] = self.places[contact];
+        self.blocks[block].forces.argument(member)
     }
 
     /// Forces of a step, as by [`CurvedForces::solve`].
@@ -73,13 +73,12 @@ impl CurvedBlocks {
             step: [ds, sizes, own],
         } in &mut self.blocks
         {
-            for (place, contact) in contacts.iter().enumerate() {
-                (ds[place], sizes[place], own[place]) =
-                    (d[*contact], size[*contact], force[*contact]);
+            for (row, contact) in contacts.iter().enumerate() {
+                (ds[row], sizes[row], own[row]) = (d[*contact], size[*contact], force[*contact]);
             }
             forces.solve(ds, sizes, &OfBlock { laws, contacts }, own)?;
-            for (contact, own) in contacts.iter().zip(own) {
-                force[*contact] = *own;
+            for (contact, solved) in contacts.iter().zip(own) {
+                force[*contact] = *solved;
             }
         }
         Ok(())

@@ -20,7 +20,7 @@ pub(crate) fn groups(contacts: usize, chains: &[Chain]) -> Vec<Group> {
         (0..contacts).map(|i| Some(vec![vec![(i, 1.0)]])).collect();
     for chain in chains {
         let links = chain.links.iter().map(|link| {
-            let members = link.iter().map(|own| (own.contact, own.sign));
+            let members = link.iter().map(|member| (member.contact, member.sign));
             members.collect()
         });
         for member in chain.members() {
@@ -97,7 +97,7 @@ impl Group {
     /// Sets the closing speed of impacts that may begin in this step: that of the ends of the chain, when its gaps are closed. The laws
     /// are those of collisions of the bodies at the ends; how fast each contact closes follows from them.
     pub(crate) fn begin(&self, contacts: &mut [Contact]) {
-        let gap: f64 = self.0.iter().map(|own| link::open(own, contacts)).sum();
+        let gap: f64 = self.0.iter().map(|link| link::open(link, contacts)).sum();
         let change = self.sum(contacts, |contact| contact.motion.change);
         let start = self.sum(contacts, |contact| contact.motion.velocity);
         let terms: f64 = self.contacts().map(|i| contacts[i].terms[1]).sum();
@@ -139,8 +139,8 @@ impl Group {
                 contacts[i].end_in_chain(sign * change, sign * force, round_off);
                 continue;
             }
-            let own = link::forces(members, change, force, contacts);
-            for ((i, sign), force) in members.iter().zip(own) {
+            let member_forces = link::forces(members, change, force, contacts);
+            for ((i, sign), force) in members.iter().zip(member_forces) {
                 contacts[*i].end_in_chain(sign * change, sign * force, round_off);
                 forces[*i] = sign * force;
             }
@@ -166,7 +166,7 @@ impl Group {
     /// The end of the step of both directions of a contact in a plane, of which this is the first one.
     pub(crate) fn end_plane(&self, y: Pair, contacts: &mut [Contact]) {
         let first = self.first();
-        let after = in_plane(contacts, first, y).map(|own| own.1);
+        let after = in_plane(contacts, first, y).map(|force| force.1);
         if let (Some(plane), Some(after)) = (&mut contacts[first].plane, after) {
             plane.memory = after;
         }
@@ -176,7 +176,7 @@ impl Group {
     pub(crate) fn share(
         &self,
         y: f64,
-        own: f64,
+        flexibility: f64,
         contacts: &[Contact],
         last: &LastShares,
     ) -> Shares {
@@ -184,27 +184,27 @@ impl Group {
         match &*last {
             Some((of, shares)) if *of == y => shares.clone(),
             _ => {
-                let shares = self.find(y, own, contacts);
+                let shares = self.find(y, flexibility, contacts);
                 *last = Some((y, shares.clone()));
                 shares
             }
         }
     }
 
-    fn find(&self, y: f64, own: f64, contacts: &[Contact]) -> Shares {
+    fn find(&self, y: f64, flexibility: f64, contacts: &[Contact]) -> Shares {
         let part = |members: &Link| Part {
             own: link::own(members, contacts),
             bounds: link::bounds(members, contacts),
             change: link::change(members, contacts),
         };
         let parts: Vec<Part> = self.0.iter().map(part).collect();
-        let answer = |place: usize, y: f64| link::answer(&self.0[place], y, contacts);
-        let change = |place: usize, force: f64| link::change_under(&self.0[place], force, contacts);
+        let answer = |part: usize, y: f64| link::answer(&self.0[part], y, contacts);
+        let change = |part: usize, force: f64| link::change_under(&self.0[part], force, contacts);
         let series = Series {
             parts: &parts,
             answer: &answer,
             change: &change,
-            own,
+            own: flexibility,
             size: self.size(contacts),
         };
         series.share(y, self.force(contacts))
@@ -227,8 +227,8 @@ pub(crate) struct Groups<'a> {
 
 impl Groups<'_> {
     fn share(&self, group: usize, y: f64) -> Shares {
-        let (own, last) = (self.own[group], &self.shares[group]);
-        self.groups[group].share(y, own, self.contacts, last)
+        let (flexibility, last) = (self.own[group], &self.shares[group]);
+        self.groups[group].share(y, flexibility, self.contacts, last)
     }
 }
 
@@ -262,29 +262,29 @@ impl Laws for Groups<'_> {
     }
 
     fn answer(&self, group: usize, y: f64) -> f64 {
-        let own = &self.groups[group];
-        match own.is_chain() {
-            false => self.contacts[own.first()].answer(y),
+        let members = &self.groups[group];
+        match members.is_chain() {
+            false => self.contacts[members.first()].answer(y),
             true => self.share(group, y).force,
         }
     }
 
     fn compliance(&self, group: usize, y: f64, force: f64, width: f64) -> f64 {
-        let own = &self.groups[group];
-        if !own.is_chain() {
-            return self.contacts[own.first()].compliance(y, force, width);
+        let members = &self.groups[group];
+        if !members.is_chain() {
+            return self.contacts[members.first()].compliance(y, force, width);
         }
         let Shares { force, changes } = self.share(group, y);
-        let links = own.0.iter().zip(changes);
+        let links = members.0.iter().zip(changes);
         links
-            .map(|(own, change)| link::compliance(own, change, force, width, self.contacts))
+            .map(|(link, change)| link::compliance(link, change, force, width, self.contacts))
             .sum()
     }
 
     fn bounds(&self, group: usize) -> [f64; 2] {
         let links = self.groups[group].0.iter();
-        links.fold([f64::NEG_INFINITY, f64::INFINITY], |[low, high], own| {
-            let [l, h] = link::bounds(own, self.contacts);
+        links.fold([f64::NEG_INFINITY, f64::INFINITY], |[low, high], link| {
+            let [l, h] = link::bounds(link, self.contacts);
             [low.max(l), high.min(h)]
         })
     }

@@ -18,8 +18,8 @@ impl Curved {
     /// The first contact whose law is of a user's program and has no answer to the step, or to the motion without forces.
     pub(super) fn own_fault(&mut self, is_solved: bool) -> Option<Unsolved> {
         let contacts = self.contacts.iter_mut().zip(&self.force).enumerate();
-        let mut faults = contacts.filter_map(|(contact, (own, force))| {
-            let why = own.own_fault(is_solved.then_some(*force))?;
+        let mut faults = contacts.filter_map(|(contact, (law, force))| {
+            let why = law.own_fault(is_solved.then_some(*force))?;
             Some(Unsolved::Own { contact, why })
         });
         faults.next()
@@ -39,12 +39,12 @@ impl Curved {
             let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
             let law = contact.relation.law(limit);
             // Another contact in series may be as soft as it likes.
-            let own = if group.is_chain() { SOFT } else { contact.own };
+            let flexibility = if group.is_chain() { SOFT } else { contact.own };
             let later = match has_three_points(&contact.relation, contact.scale) {
                 true => contact.scale.by_three_points(),
                 false => contact.scale,
             };
-            law.properties().has_one_root(&later.steps(own)[0])
+            law.properties().has_one_root(&later.steps(flexibility)[0])
         };
         let mut groups = self.groups.iter();
         !groups.all(|group| group.contacts().all(|i| has_one(group, &self.contacts[i])))
@@ -64,16 +64,16 @@ pub(crate) fn curved_lanes<const L: usize>(
         return Vec::new();
     }
     let of = |case: &&Structure| Curved::new(case, flexibility, pace, dt);
-    let all: Vec<Option<Curved>> = cases.iter().map(of).collect();
+    let laws: Vec<Option<Curved>> = cases.iter().map(of).collect();
     let mut others = [false; L];
-    for (l, (other, curved)) in others.iter_mut().zip(&all).enumerate() {
+    for (l, (other, curved)) in others.iter_mut().zip(&laws).enumerate() {
         *other = curved.is_some();
         if curved.as_ref().is_some_and(Curved::is_ambiguous) {
             forces.fail(l, 0, Unsolved::Falling);
         }
     }
     forces.leave(others);
-    all
+    laws
 }
 
 /// Writes the forces of lane `l` at the end of step `end` to `force`. Without an answer they are NaN and the lane fails. `breaks`
@@ -89,8 +89,8 @@ pub(crate) fn meet_lane<const L: usize>(
     let finite = (0..force.len()).all(|c| motion(c).change.is_finite());
     match curved.solve_until(motion, breaks) {
         Ok(solved) => {
-            for (force, own) in force.iter_mut().zip(solved) {
-                force.0[l] = *own;
+            for (force, value) in force.iter_mut().zip(solved) {
+                force.0[l] = *value;
             }
         }
         Err(why) => {

@@ -164,6 +164,9 @@ pub(crate) fn compliance(
         return of(member, force);
     }
     let forces = forces(link, change, force, contacts);
-    let stiffness = link.iter().zip(forces).map(|(own, s)| 1.0 / of(*own, s));
+    let stiffness = link
+        .iter()
+        .zip(forces)
+        .map(|(member, s)| 1.0 / of(*member, s));
     1.0 / stiffness.sum::<f64>()
 }

@@ -19,9 +19,9 @@ pub(crate) fn first(
     contact: usize,
     limit: f64,
     scale: Scale,
-    own: f64,
+    flexibility: f64,
 ) -> Option<Plane> {
-    let law = plane_law(structure, contact, limit, scale, own)?;
+    let law = plane_law(structure, contact, limit, scale, flexibility)?;
     let remembers = structure.preload.planes.get(contact).copied().flatten();
     Some(Plane {
         law,
@@ -35,19 +35,19 @@ fn plane_law(
     contact: usize,
     limit: f64,
     scale: Scale,
-    own: f64,
+    flexibility: f64,
 ) -> Option<PlaneLaw> {
     let relation = &structure.contacts[contact].law;
     match relation.row()? {
-        PlaneRow::First => PlaneLaw::new(&relation.law(limit), step(scale, own)),
+        PlaneRow::First => PlaneLaw::new(&relation.law(limit), step(scale, flexibility)),
         PlaneRow::Second => None,
     }
 }
 
-pub(crate) fn step(scale: Scale, own: f64) -> PlaneStep {
+pub(crate) fn step(scale: Scale, flexibility: f64) -> PlaneStep {
     let [h, h_rate] = match scale.is_explicit() {
-        true => [0.0, own],
-        false => [own, scale.pace * own],
+        true => [0.0, flexibility],
+        false => [flexibility, scale.pace * flexibility],
     };
     PlaneStep {
         h,

@@ -75,8 +75,8 @@ impl Scale {
 
     /// rdot' of a contact at a node without mass that changes by this; `before` is (r - r(i-1))/dt if three points give it.
     pub(crate) fn massless_rate(self, change: f64, before: Option<f64>) -> f64 {
-        let own = change / self.dt;
-        before.map_or(own, |before| THREE_POINTS * own - 0.5 * before)
+        let mean_rate = change / self.dt;
+        before.map_or(mean_rate, |before| THREE_POINTS * mean_rate - 0.5 * before)
     }
 
     /// The y without forces: r* - r(i), or rdot*.
@@ -88,18 +88,18 @@ impl Scale {
     }
 
     /// The flexibilities of an answer, and of a motion that is given.
-    pub(crate) fn steps(&self, own: f64) -> [StepFlexibility<1>; 2] {
-        let flexibility = |own: f64| {
+    pub(crate) fn steps(&self, of_answer: f64) -> [StepFlexibility<1>; 2] {
+        let flexibility = |h_end: f64| {
             let [h, h_rate] = match self.is_explicit() {
-                true => [0.0, own],
-                false => [own, self.pace * own],
+                true => [0.0, h_end],
+                false => [h_end, self.pace * h_end],
             };
             Flexibility {
                 h: Lane([h]),
                 h_rate: Lane([h_rate]),
             }
         };
-        [own, 0.0].map(|h| StepFlexibility {
+        [of_answer, 0.0].map(|h| StepFlexibility {
             // The motion contains S(i).
             start: flexibility(0.0),
             end: flexibility(h),

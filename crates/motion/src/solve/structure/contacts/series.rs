@@ -260,11 +260,11 @@ mod tests {
     #[test]
     fn shares_are_equal_as_far_as_the_intervals_allow() {
         let infinite = f64::INFINITY;
-        let all = [[0.0, infinite], [-1.0, 2.0], [5.0, 5.0]];
-        assert_eq!(filled(&all, 4.0), [0.0, -1.0, 5.0]);
-        assert_eq!(filled(&all, 4.5), [0.0, -0.5, 5.0]);
-        assert_eq!(filled(&all, 7.0), [1.0, 1.0, 5.0]);
-        assert_eq!(filled(&all, 10.0), [3.0, 2.0, 5.0]);
+        let intervals = [[0.0, infinite], [-1.0, 2.0], [5.0, 5.0]];
+        assert_eq!(filled(&intervals, 4.0), [0.0, -1.0, 5.0]);
+        assert_eq!(filled(&intervals, 4.5), [0.0, -0.5, 5.0]);
+        assert_eq!(filled(&intervals, 7.0), [1.0, 1.0, 5.0]);
+        assert_eq!(filled(&intervals, 10.0), [3.0, 2.0, 5.0]);
         assert_eq!(filled(&[[-infinite, infinite]; 2], 3.0), [1.5, 1.5]);
     }
 
@@ -328,8 +328,13 @@ mod tests {
             let [mut low, mut high] = [-1e6, 1e6];
             for _ in 0..200 {
                 let middle = 0.5 * (low + high);
-                let own = change(i, middle).map_or(0.0, |own| own[0]) + parts[i].own * middle;
-                if own < y { low = middle } else { high = middle }
+                let change_of_part =
+                    change(i, middle).map_or(0.0, |numbers| numbers[0]) + parts[i].own * middle;
+                if change_of_part < y {
+                    low = middle
+                } else {
+                    high = middle
+                }
             }
             0.5 * (low + high)
         };
@@ -345,14 +350,14 @@ mod tests {
                 };
                 series.share(y, 0.7)
             };
-            let [own, known] = [share(closed), share(searched)];
+            let [newton, known] = [share(closed), share(searched)];
             // Round-off of y and of the size over the flexibility.
             assert!(
-                (own.force - known.force).abs() < 1e-10 * known.force.abs(),
-                "{own:?} {known:?}"
+                (newton.force - known.force).abs() < 1e-10 * known.force.abs(),
+                "{newton:?} {known:?}"
             );
-            let sum: f64 = own.changes.iter().sum();
-            assert!((sum + 1e-5 * own.force - y).abs() < 1e-16, "{own:?}");
+            let sum: f64 = newton.changes.iter().sum();
+            assert!((sum + 1e-5 * newton.force - y).abs() < 1e-16, "{newton:?}");
         }
     }
 

@@ -17,17 +17,17 @@ impl Series<'_> {
         let mut force = guess;
         for _ in 0..STEPS {
             let (mut rest, mut slope) = (self.own * force - y, self.own);
-            for (i, own) in changes.iter_mut().enumerate() {
-                *own = (self.change)(i, force)?;
-                rest += own[0];
-                slope += own[1];
+            for (i, numbers) in changes.iter_mut().enumerate() {
+                *numbers = (self.change)(i, force)?;
+                rest += numbers[0];
+                slope += numbers[1];
             }
             let step = rest / slope;
             if step.abs() <= NEAR * (force.abs() + self.size / slope) {
                 // The softest one has what the others leave, as below.
                 let softest =
                     (0..changes.len()).max_by(|i, j| changes[*i][1].total_cmp(&changes[*j][1]))?;
-                let mut changes: Vec<f64> = changes.iter().map(|own| own[0]).collect();
+                let mut changes: Vec<f64> = changes.iter().map(|numbers| numbers[0]).collect();
                 changes[softest] -= rest;
                 return Some(Shares { force, changes });
             }
@@ -40,14 +40,14 @@ impl Series<'_> {
     pub(crate) fn newton(&self, y: f64, guess: f64, [low, high]: [f64; 2]) -> Option<Shares> {
         let places = self.parts.iter().map(|part| part.own * guess + part.change);
         let mut places: Vec<f64> = places.collect();
-        let own: f64 = self.parts.iter().map(|part| part.own).sum();
+        let of_parts: f64 = self.parts.iter().map(|part| part.own).sum();
         let mut answers = vec![[0.0; 2]; places.len()];
         for _ in 0..STEPS {
-            let (mut flexibility, mut sum) = (self.own - own, y);
+            let (mut flexibility, mut sum) = (self.own - of_parts, y);
             let mut steepest = 0.0;
-            for (i, (place, answer)) in places.iter().zip(&mut answers).enumerate() {
-                let width = WIDTH * (self.size + place.abs());
-                let [force, after] = [*place, place + width].map(|y| (self.answer)(i, y));
+            for (i, (start, answer)) in places.iter().zip(&mut answers).enumerate() {
+                let width = WIDTH * (self.size + start.abs());
+                let [force, after] = [*start, start + width].map(|y| (self.answer)(i, y));
                 let slope = (after - force) / width;
                 if slope.is_nan() || slope < 0.0 {
                     return None;
@@ -58,24 +58,24 @@ impl Series<'_> {
             if steepest == 0.0 {
                 return None;
             }
-            for (place, [force, slope]) in places.iter().zip(&mut answers) {
+            for (y, [force, slope]) in places.iter().zip(&mut answers) {
                 *slope = slope.max(LEVEL * steepest);
                 flexibility += 1.0 / *slope;
-                sum += *force / *slope - place;
+                sum += *force / *slope - y;
             }
             let force = sum / flexibility;
             if !(low < force && force < high) {
                 return None;
             }
             let mut is_near = true;
-            for (place, [own, slope]) in places.iter_mut().zip(&answers) {
-                let away = force - own;
-                is_near &= away.abs() <= NEAR * (force.abs() + slope * (self.size + place.abs()));
-                *place += away / slope;
+            for (y, [answered, slope]) in places.iter_mut().zip(&answers) {
+                let away = force - answered;
+                is_near &= away.abs() <= NEAR * (force.abs() + slope * (self.size + y.abs()));
+                *y += away / slope;
             }
             if is_near {
                 let changes = places.iter().zip(self.parts);
-                let changes = changes.map(|(place, part)| place - part.own * force);
+                let changes = changes.map(|(y, part)| y - part.own * force);
                 let mut changes: Vec<f64> = changes.collect();
                 // Round-off of the force is most of the change of the softest one: it has what the others leave, wherever it is.
                 let softest =
@@ -92,20 +92,20 @@ impl Series<'_> {
     /// The change of a contact under a force by Newton's method, where it is the only one and the law is smooth on the way.
     pub(crate) fn only_change(&self, part: usize, force: f64) -> Option<f64> {
         let start = self.parts[part].own * force;
-        let mut place = start;
+        let mut y = start;
         for _ in 0..STEPS {
-            let size = self.size + place.abs();
+            let size = self.size + y.abs();
             let width = WIDTH * size;
-            let [before, own, after] =
-                [place - width, place, place + width].map(|y| (self.answer)(part, y));
+            let [before, answered, after] =
+                [y - width, y, y + width].map(|at| (self.answer)(part, at));
             let slope = (after - before) / (2.0 * width);
-            if !(before < own && own < after) {
+            if !(before < answered && answered < after) {
                 return None;
             }
-            let away = force - own;
-            place += away / slope;
+            let away = force - answered;
+            y += away / slope;
             if away.abs() <= NEAR * (force.abs() + slope * size) {
-                return Some(place - start);
+                return Some(y - start);
             }
         }
         None

@@ -76,11 +76,14 @@ pub(crate) fn filled(intervals: &[[f64; 2]], sum: f64) -> Vec<f64> {
     let below = above.checked_sub(1).map_or(f64::NEG_INFINITY, |i| ends[i]);
     let above = ends.get(above).copied().unwrap_or(f64::INFINITY);
     let is_free = |[low, high]: &[f64; 2]| *low <= below && *high >= above;
-    let count = intervals.iter().filter(|own| is_free(own)).count();
+    let count = intervals
+        .iter()
+        .filter(|interval| is_free(interval))
+        .count();
     if count == 0 {
         return at(if above.is_finite() { above } else { below }).collect();
     }
-    let fixed = intervals.iter().filter(|own| !is_free(own));
+    let fixed = intervals.iter().filter(|interval| !is_free(interval));
     let fixed: f64 = fixed
         .map(|[low, high]| if *high <= below { *high } else { *low })
         .sum();

@@ -42,14 +42,14 @@ pub(crate) struct StaticFriction(Vec<TwoLimits>);
 impl StaticFriction {
     /// `None` if no contact has two limits.
     pub(crate) fn new<const L: usize>(cases: &[&Structure; L]) -> Option<StaticFriction> {
-        let mut all = Vec::new();
+        let mut two_limits = Vec::new();
         for (lane, case) in cases.iter().enumerate() {
-            for (contact, own) in case.contacts.iter().enumerate() {
-                let ratio = own.law.static_ratio();
+            for (contact, given) in case.contacts.iter().enumerate() {
+                let ratio = given.law.static_ratio();
                 if ratio > 1.0 {
-                    let limit = own.law.limit().map_or(0.0, |limit| limit.at(0.0));
+                    let limit = given.law.limit().map_or(0.0, |limit| limit.at(0.0));
                     let rate = case.rate_at_start(contact);
-                    all.push(TwoLimits {
+                    two_limits.push(TwoLimits {
                         contact,
                         lane,
                         ratio,
@@ -61,15 +61,15 @@ impl StaticFriction {
                 }
             }
         }
-        (!all.is_empty()).then_some(StaticFriction(all))
+        (!two_limits.is_empty()).then_some(StaticFriction(two_limits))
     }
 
     /// Takes the limit of a contact at the end of a step.
     pub(crate) fn limit<const L: usize>(&mut self, contact: usize, limit: Lane<L>) {
-        for own in self.0.iter_mut().filter(|own| own.contact == contact) {
-            let limit = limit.0[own.lane];
-            own.mean = 0.5 * (own.limit + limit);
-            own.limit = limit;
+        for limits in self.0.iter_mut().filter(|limits| limits.contact == contact) {
+            let limit = limit.0[limits.lane];
+            limits.mean = 0.5 * (limits.limit + limit);
+            limits.limit = limit;
         }
     }
 
@@ -86,9 +86,9 @@ impl StaticFriction {
         mut bound: impl FnMut(usize, [f64; 2]),
     ) -> bool {
         let mut any = false;
-        for own in self.0.iter_mut().filter(|own| own.lane == lane) {
-            if let Some(bounds) = own.breaks(force(own.contact)) {
-                bound(own.contact, bounds);
+        for limits in self.0.iter_mut().filter(|limits| limits.lane == lane) {
+            if let Some(bounds) = limits.breaks(force(limits.contact)) {
+                bound(limits.contact, bounds);
                 any = true;
             }
         }
@@ -97,17 +97,17 @@ impl StaticFriction {
 
     /// The kinetic limit of a contact, in the lanes where it has two.
     pub(crate) fn show<const L: usize>(&self, contact: usize, limit: &mut Lane<L>) {
-        for own in self.0.iter().filter(|own| own.contact == contact) {
-            limit.0[own.lane] = own.limit;
+        for limits in self.0.iter().filter(|limits| limits.contact == contact) {
+            limit.0[limits.lane] = limits.limit;
         }
     }
 
     /// The part of the static limit that a contact has used, 1 if it slides, in the lanes where it has two limits.
     pub(crate) fn show_share<const L: usize>(&self, contact: usize, share: &mut Lane<L>) {
-        for own in self.0.iter().filter(|own| own.contact == contact) {
-            let l = own.lane;
-            share.0[l] = match own.kinetic {
-                [false, false] => share.0[l] / own.ratio,
+        for limits in self.0.iter().filter(|limits| limits.contact == contact) {
+            let l = limits.lane;
+            share.0[l] = match limits.kinetic {
+                [false, false] => share.0[l] / limits.ratio,
                 _ => 1.0,
             };
         }
@@ -120,8 +120,8 @@ impl StaticFriction {
         force: Lane<L>,
         mean: &mut Lane<L>,
     ) {
-        for own in self.0.iter().filter(|own| own.contact == contact) {
-            mean.0[own.lane] = force.0[own.lane];
+        for limits in self.0.iter().filter(|limits| limits.contact == contact) {
+            mean.0[limits.lane] = force.0[limits.lane];
         }
     }
 }
@@ -204,9 +204,9 @@ pub fn static_ratio_fault(structure: &Structure, method: &Method) -> Option<(usi
         if contact.law.static_ratio() == 1.0 {
             return None;
         }
-        let own = matches!(method, Method::AverageAcceleration(_)) || method.has_impulses();
+        let has_static = matches!(method, Method::AverageAcceleration(_)) || method.has_impulses();
         let has_massless = || structure.column(i).any(|(node, _)| massless[node]);
-        let why = match own {
+        let why = match has_static {
             false => {
                 "static_ratio above 1: the force of a contact that sticks alternates from step to step in this method, and would break it loose; allowed: average-acceleration or moreau-jean"
             }

@@ -41,17 +41,17 @@ impl<const L: usize> General<'_, L> {
                 .iter()
                 .map(|node| node.place)
                 .collect();
-            let moved = |place: usize| {
-                if massless.contains(&place) {
-                    return end.nodes[place][0] - start.nodes[place][0];
+            let moved = |row: usize| {
+                if massless.contains(&row) {
+                    return end.nodes[row][0] - start.nodes[row][0];
                 }
-                let [mut du, _] = predict(sub_step, first.nodes[place], start.nodes[place]);
+                let [mut du, _] = predict(sub_step, first.nodes[row], start.nodes[row]);
                 if let Some(corrections) = &self.corrections {
-                    du = du + corrections.moved[place];
+                    du = du + corrections.moved[row];
                 }
-                du + end.nodes[place][2] * sub_step.d2
+                du + end.nodes[row][2] * sub_step.d2
             };
-            let by = |place: usize, k: usize| end.nodes[place][k] - start.nodes[place][k];
+            let by = |row: usize, k: usize| end.nodes[row][k] - start.nodes[row][k];
             room.fill(zero);
             self.inputs.add_loads(number, room);
             for (at, load) in room.iter().enumerate() {

@@ -21,12 +21,12 @@ pub(super) fn contacts<const L: usize>(
         return Vec::new();
     }
     let of_part = |(linear, forces): (&Linear, &mut Forces<L>)| {
-        let own = &linear.sub_step;
-        let pace = match own.is_explicit() {
+        let sub_step = &linear.sub_step;
+        let pace = match sub_step.is_explicit() {
             true => f64::INFINITY,
-            false => 1.0 / own.of_velocity(),
+            false => 1.0 / sub_step.of_velocity(),
         };
-        curved_lanes(cases, &linear.flexibility, pace, own.length, forces)
+        curved_lanes(cases, &linear.flexibility, pace, sub_step.length, forces)
     };
     parts.iter().zip(forces).map(of_part).collect()
 }

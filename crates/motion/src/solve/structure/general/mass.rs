@@ -31,12 +31,12 @@ impl<const L: usize> General<'_, L> {
         };
         let mut forces = vec![0.0; prepared.nodes()];
         for l in 0..L {
-            for (force, place) in forces.iter_mut().zip(&prepared.place) {
-                *force = self.work[*place].0[l];
+            for (force, row) in forces.iter_mut().zip(&prepared.place) {
+                *force = self.work[*row].0[l];
             }
             inertia.divide(&mut forces);
-            for (force, place) in forces.iter().zip(&prepared.place) {
-                self.work[*place].0[l] = *force;
+            for (force, row) in forces.iter().zip(&prepared.place) {
+                self.work[*row].0[l] = *force;
             }
         }
     }

@@ -28,10 +28,10 @@ impl<const L: usize> General<'_, L> {
         let unsettled = loop {
             self.pressing = Some(pressing);
             self.sub_step(part, end);
-            let Some(own) = self.pressing.take() else {
+            let Some(rounds) = self.pressing.take() else {
                 return;
             };
-            pressing = own;
+            pressing = rounds;
             let at_end = |number: usize| self.pressed_limit(number, [part, end], acts_at);
             if let Some(unsettled) = pressing.follow(at_end) {
                 break unsettled;
@@ -56,13 +56,13 @@ impl<const L: usize> General<'_, L> {
     #[inline(always)]
     fn pressed_limit(&self, number: usize, [part, end_step]: [usize; 2], at: f64) -> Lane<L> {
         let [start, end] = [&self.stages[part], &self.stages[part + 1]];
-        let own = if at > 0.0 { end } else { start };
+        let stage = if at > 0.0 { end } else { start };
         let motion = |node: usize, l: usize| {
-            let place = self.prepared.place[node];
-            let [start, end] = [start.nodes[place], end.nodes[place]];
+            let row = self.prepared.place[node];
+            let [start, end] = [start.nodes[row], end.nodes[row]];
             [0, 1].map(|i| start[i].0[l] + (end[i].0[l] - start[i].0[l]) * at)
         };
-        let force = |contact: usize, l: usize| own.contacts[contact][2].0[l];
+        let force = |contact: usize, l: usize| stage.contacts[contact][2].0[l];
         self.inputs.limit(number, end_step, force, motion)
     }
 }

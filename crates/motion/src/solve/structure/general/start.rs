@@ -79,8 +79,8 @@ impl<'a, const L: usize> General<'a, L> {
                 refused[l] = Some(Unsolvable::Indefinite { node });
                 vec![0.0; n]
             });
-            for (node, place) in prepared.place.iter().enumerate() {
-                let [u, v, a] = &mut stage.nodes[*place];
+            for (node, row) in prepared.place.iter().enumerate() {
+                let [u, v, a] = &mut stage.nodes[*row];
                 u.0[l] = case.displacement[node];
                 v.0[l] = case.velocity[node];
                 a.0[l] = accelerations[node];

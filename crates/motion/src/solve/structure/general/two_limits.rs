@@ -7,10 +7,10 @@ impl<const L: usize> General<'_, L> {
     /// Bounds of contacts with two limits: S' is the mean over the step.
     #[cold]
     pub(super) fn begin_friction(&mut self, part: usize) {
-        for own in self.two_limits.iter_mut().flat_map(StaticFriction::all) {
-            let bounds = own.begin(None);
-            self.contacts[own.contact].bound_lane(own.lane, bounds);
-            self.forces[part].bound_lane([own.contact, own.lane], bounds);
+        for limits in self.two_limits.iter_mut().flat_map(StaticFriction::all) {
+            let bounds = limits.begin(None);
+            self.contacts[limits.contact].bound_lane(limits.lane, bounds);
+            self.forces[part].bound_lane([limits.contact, limits.lane], bounds);
         }
         self.forces[part].hold();
     }
@@ -35,8 +35,8 @@ impl<const L: usize> General<'_, L> {
                 forces.solve_lane([l, end], &self.trial, &size, &mut self.force);
             }
         }
-        for own in friction.all() {
-            own.end(self.force[own.contact].0[own.lane]);
+        for limits in friction.all() {
+            limits.end(self.force[limits.contact].0[limits.lane]);
         }
     }
 }

@@ -89,8 +89,8 @@ impl<const L: usize> Inputs<L> {
                 let ends = std::iter::once(after[start]).chain(before[start + 1..].iter().copied());
                 let of_ends = load_weights.iter().zip(ends);
                 let missed = mean - of_ends.map(|(weight, load)| weight * load).sum::<f64>();
-                let own = &mut weighted[start + 1..=start + parts];
-                own.iter_mut().for_each(|load| *load += missed);
+                let of_step = &mut weighted[start + 1..=start + parts];
+                of_step.iter_mut().for_each(|load| *load += missed);
             }
             inputs.weighted.push(weighted);
         }
@@ -175,8 +175,8 @@ impl<const L: usize> Inputs<L> {
     fn add(&self, series: &[Vec<f64>], step: usize, force: &mut [Lane<L>]) {
         for load in &self.loads {
             let value = load.signal.at(series, step);
-            for (place, factor) in &load.pattern {
-                force[*place] = force[*place] + *factor * value;
+            for (row, factor) in &load.pattern {
+                force[*row] = force[*row] + *factor * value;
             }
         }
     }
@@ -188,7 +188,9 @@ impl<const L: usize> Inputs<L> {
 
     /// The contacts whose limits change, and the lanes that have these limits.
     pub(crate) fn varying(&self) -> impl Iterator<Item = (usize, [bool; L])> {
-        self.limits.iter().map(|own| (own.contact, own.slides))
+        self.limits
+            .iter()
+            .map(|limit| (limit.contact, limit.slides))
     }
 
     /// One of these limits at a step. `force` gives the forces of contacts that press in a lane, `motion` u and u' of nodes.
@@ -207,7 +209,8 @@ impl<const L: usize> Inputs<L> {
         }
         for (l, other) in limit.pressed_by.iter().enumerate() {
             if let Some(other) = other {
-                let spring = |own: &PressingSpring| own.spring.compression(|node| motion(node, l));
+                let spring =
+                    |pressing: &PressingSpring| pressing.spring.compression(|node| motion(node, l));
                 sum.0[l] += other.limit(|contact| force(contact, l), spring);
             }
         }
@@ -221,7 +224,7 @@ impl<const L: usize> Inputs<L> {
 
     /// What the rounds of a step need where other contacts or springs press any contact.
     pub(crate) fn pressing(&self) -> Option<Pressing<L>> {
-        let pressed = self.limits.iter().any(|own| !own.pressed_by.is_empty());
+        let pressed = self.limits.iter().any(|limit| !limit.pressed_by.is_empty());
         pressed.then(|| Pressing::new(self.limits.len()))
     }
 }
@@ -260,9 +263,10 @@ fn limits<'a, const L: usize>(
         }
         let mut signals = [0; L];
         for (l, case) in cases.iter().enumerate() {
-            let own = case.contacts[contact].law.limit();
-            let (constant, varying) =
-                own.map_or((0.0, None), |own| (own.constant, own.varying.as_ref()));
+            let given = case.contacts[contact].law.limit();
+            let (constant, varying) = given.map_or((0.0, None), |given| {
+                (given.constant, given.varying.as_ref())
+            });
             limit.constant.0[l] = constant;
             if let Some((factor, signal)) = varying {
                 limit.factor.0[l] = *factor;

@@ -98,8 +98,8 @@ impl<const L: usize> Pressing<L> {
 /// one round of memory; exact for one limit that depends on itself by a line).
 fn guess_again<const L: usize>(limits: &mut [Guess<L>], l: usize, rounds: usize) {
     let sum = |term: &dyn Fn([f64; 2]) -> f64| -> f64 {
-        let missed = |own: &Guess<L>| [own.missed.0[l], own.before[1].0[l]];
-        limits.iter().map(|own| term(missed(own))).sum()
+        let missed = |guess: &Guess<L>| [guess.missed.0[l], guess.before[1].0[l]];
+        limits.iter().map(|guess| term(missed(guess))).sum()
     };
     let nearer = sum(&|[now, before]| now * now - 0.25 * before * before) < 0.0;
     let squares = sum(&|[now, before]| (now - before).powi(2));
@@ -107,11 +107,11 @@ fn guess_again<const L: usize>(limits: &mut [Guess<L>], l: usize, rounds: usize)
         back if rounds > 1 && back.is_finite() => back,
         _ => 0.0,
     };
-    for own in limits {
-        let [used, missed] = [own.used.0[l], own.missed.0[l]];
-        let [used_before, missed_before] = own.before.map(|lanes| lanes.0[l]);
-        (own.before[0].0[l], own.before[1].0[l]) = (used, missed);
-        own.used.0[l] = match rounds > FREE && !nearer {
+    for guess in limits {
+        let [used, missed] = [guess.used.0[l], guess.missed.0[l]];
+        let [used_before, missed_before] = guess.before.map(|lanes| lanes.0[l]);
+        (guess.before[0].0[l], guess.before[1].0[l]) = (used, missed);
+        guess.used.0[l] = match rounds > FREE && !nearer {
             true => used + 0.5 * missed,
             false => {
                 (used + missed - back * (used - used_before + missed - missed_before)).max(0.0)

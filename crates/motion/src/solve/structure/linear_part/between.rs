@@ -17,22 +17,22 @@ pub(crate) struct Between {
 }
 
 /// The nodes between contacts in series by place, from end to end of each chain.
-pub(crate) fn nodes(structure: &Structure, place: &[usize]) -> Vec<Between> {
+pub(crate) fn nodes(structure: &Structure, row_of: &[usize]) -> Vec<Between> {
     let chains = structure.chains();
     let between = chains.iter().flat_map(|chain| {
         let pairs = chain.links.windows(2).zip(&chain.nodes);
-        pairs.map(|(pair, own)| {
+        pairs.map(|(pair, between_node)| {
             let factor = |contact: usize| {
                 let mut column = structure.column(contact);
-                column.find(|(node, _)| *node == own.node)
+                column.find(|(node, _)| *node == between_node.node)
             };
             let contacts = pair.iter().flatten().filter_map(|member| {
                 let (_, factor) = factor(member.contact)?;
                 Some((member.contact, factor))
             });
             Between {
-                place: place[own.node],
-                first: (pair[0][0].contact, own.factor),
+                place: row_of[between_node.node],
+                first: (pair[0][0].contact, between_node.factor),
                 contacts: contacts.collect(),
             }
         })

@@ -98,10 +98,10 @@ pub(crate) fn blocks<C: Iterator<Item = usize>>(
         }
     }
     for chain in structure.chains() {
-        let members: Vec<usize> = chain.members().map(|own| own.contact).collect();
+        let members: Vec<usize> = chain.members().map(|member| member.contact).collect();
         members
             .windows(2)
-            .for_each(|own| together.join(own[0], own[1]));
+            .for_each(|neighbours| together.join(neighbours[0], neighbours[1]));
     }
     together.sets()
 }
@@ -123,12 +123,12 @@ pub fn sizes_of_blocks(structure: &Structure) -> Vec<usize> {
         together.join(i, j);
     }
     for (i, contact) in structure.contacts.iter().enumerate() {
-        let own = structure.len() + i;
+        let row = structure.len() + i;
         for (node, _) in &contact.along {
-            together.join(own, *node);
+            together.join(row, *node);
         }
         if contact.law.row() == Some(PlaneRow::First) {
-            together.join(own, own + 1);
+            together.join(row, row + 1);
         }
     }
     let is_contact = |i: &&usize| **i >= structure.len();

@@ -42,10 +42,10 @@ impl Linear {
                 m = sub_step.inertia[1],
             ))
         })?;
-        let place = place_of(&factor);
-        let places = places(structure, &place);
+        let row_of = place_of(&factor);
+        let places = places(structure, &row_of);
         let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
-        let [links, couplings] = links(structure, &place, 1.0);
+        let [links, couplings] = links(structure, &row_of, 1.0);
         let linear = Linear {
             elimination: Elimination::new(factor, links),
             couplings,
@@ -53,7 +53,7 @@ impl Linear {
             reduced: Lists::new(&reduced),
             sub_step,
         };
-        Ok((linear, place))
+        Ok((linear, row_of))
     }
 }
 

@@ -34,7 +34,7 @@ pub(crate) struct Link {
 impl Link {
     #[inline(always)]
     fn new([i, j]: [usize; 2], k: f64, c: f64) -> Link {
-        let [from, to] = [i.min(j), i.max(j)].map(|place| place as u32);
+        let [from, to] = [i.min(j), i.max(j)].map(|row| row as u32);
         Link { from, to, k, c }
     }
 
@@ -50,20 +50,20 @@ impl Link {
 ///
 /// Differences of displacements are exact where neighbours move alike, while the terms of a row of K cancel. Between a
 /// displacement and a rotation there is no such difference: their sizes depend on the units.
-pub(crate) fn links(structure: &Structure, place: &[usize], dt: f64) -> [Vec<Link>; 2] {
+pub(crate) fn links(structure: &Structure, row_of: &[usize], dt: f64) -> [Vec<Link>; 2] {
     let n = structure.len();
     let direction = |node: usize| structure.nodes[node].direction;
     // Vectors that grow would take twice the memory.
     let entries = [&structure.stiffness, &structure.damping].map(Symmetric::entries);
     let others = entries.into_iter().flatten().filter(|((i, j), _)| i != j);
-    let [mut own, mut crossing] = [n, 0];
+    let [mut inside, mut crossing] = [n, 0];
     for ((i, j), _) in others {
         match direction(i) == direction(j) {
-            true => own += 1,
+            true => inside += 1,
             false => crossing += 1,
         }
     }
-    let (mut links, mut couplings) = (Vec::with_capacity(own), Vec::with_capacity(crossing));
+    let (mut links, mut couplings) = (Vec::with_capacity(inside), Vec::with_capacity(crossing));
     for (matrix, damps) in [(&structure.stiffness, false), (&structure.damping, true)] {
         let between = |places: [usize; 2], value: f64| match damps {
             false => Link::new(places, value, 0.0),
@@ -72,7 +72,7 @@ pub(crate) fn links(structure: &Structure, place: &[usize], dt: f64) -> [Vec<Lin
         // The sum of a row is the spring to the ground. For a row without ground it is round-off.
         let (mut sums, mut sizes) = (vec![0.0; n], vec![0.0; n]);
         for ((i, j), value) in matrix.entries() {
-            let places = [place[i], place[j]];
+            let places = [row_of[i], row_of[j]];
             if direction(i) != direction(j) {
                 if value != 0.0 {
                     couplings.push(between(places, value));
@@ -89,7 +89,7 @@ pub(crate) fn links(structure: &Structure, place: &[usize], dt: f64) -> [Vec<Lin
         }
         for (i, (sum, size)) in sums.into_iter().zip(sizes).enumerate() {
             if f64::abs(sum) > 4.0 * f64::EPSILON * size {
-                links.push(between([place[i], n], sum));
+                links.push(between([row_of[i], n], sum));
             }
         }
     }
@@ -159,11 +159,11 @@ impl Elimination {
         links.retain(|link| {
             let [from, to] = link.ends();
             let row = &mut rows[from];
-            let own = row.to == to;
-            if own {
+            let is_own = row.to == to;
+            if is_own {
                 (row.k, row.c) = (link.k, link.c);
             }
-            !own
+            !is_own
         });
         Elimination {
             rows,

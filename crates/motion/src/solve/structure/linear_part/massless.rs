@@ -14,7 +14,7 @@ pub(crate) struct Massless {
 }
 
 /// The nodes without mass and damping, by place.
-pub(crate) fn rows(structure: &Structure, place: &[usize]) -> Vec<Massless> {
+pub(crate) fn rows(structure: &Structure, row_of: &[usize]) -> Vec<Massless> {
     let massless = structure.massless();
     if !massless.contains(&true) {
         return Vec::new();
@@ -24,17 +24,17 @@ pub(crate) fn rows(structure: &Structure, place: &[usize]) -> Vec<Massless> {
     for node in (0..structure.len()).filter(|node| massless[*node]) {
         number[node] = Some(rows.len());
         rows.push(Massless {
-            place: place[node],
+            place: row_of[node],
             row: Vec::new(),
             contacts: Vec::new(),
         });
     }
     for ((i, j), k) in structure.stiffness.entries() {
         if let Some(row) = number[i] {
-            rows[row].row.push((place[j], k));
+            rows[row].row.push((row_of[j], k));
         }
         if let (Some(row), true) = (number[j], i != j) {
-            rows[row].row.push((place[i], k));
+            rows[row].row.push((row_of[i], k));
         }
     }
     for (c, contact) in structure.contacts.iter().enumerate() {

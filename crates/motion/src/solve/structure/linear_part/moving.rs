@@ -60,8 +60,8 @@ impl<const L: usize> Moving<L> {
                 .collect(),
         });
         let factors = |contact: usize| -> Vec<(usize, Lane<L>)> {
-            let all = (0..count).map(|s| (s, lanes(&|case| case.supports[s].gaps[contact])));
-            all.filter(|(_, factor)| factor.0 != [0.0; L]).collect()
+            let factors = (0..count).map(|s| (s, lanes(&|case| case.supports[s].gaps[contact])));
+            factors.filter(|(_, factor)| factor.0 != [0.0; L]).collect()
         };
         let zero = [Lane::splat(0.0); 2];
         let mut moving = Moving {

@@ -81,20 +81,20 @@ impl Prepared {
                 }
             },
         )?;
-        let place = place_of(&factor);
-        let places = places(structure, &place);
+        let row_of = place_of(&factor);
+        let places = places(structure, &row_of);
         let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
         let inertia = factor.order().iter().map(|node| inertia(*node)).collect();
-        let [links, couplings] = links(structure, &place, dt);
+        let [links, couplings] = links(structure, &row_of, dt);
         Ok(Prepared {
             dt,
             method: AverageAcceleration.into(),
             sub_steps: Vec::new(),
             mass: Vec::new(),
-            coupled_mass: coupled_mass(structure, &place, 1.0 / (dt * dt)),
+            coupled_mass: coupled_mass(structure, &row_of, 1.0 / (dt * dt)),
             inertia_factor: None,
-            massless: massless::rows(structure, &place),
-            between: between::nodes(structure, &place),
+            massless: massless::rows(structure, &row_of),
+            between: between::nodes(structure, &row_of),
             elimination: Elimination::new(factor, links),
             couplings,
             inertia,
@@ -102,7 +102,7 @@ impl Prepared {
             flexibility: flexibility(structure, &reduced, 0.25),
             along: Lists::new(&places),
             reduced: Lists::new(&reduced),
-            place,
+            place: row_of,
             key: Key::new(structure),
         })
     }
@@ -116,12 +116,12 @@ impl Prepared {
             return Prepared::new(structure, dt);
         }
         let touches = touches(structure);
-        let mut place = Vec::new();
+        let mut row_of = Vec::new();
         let mut linear = Vec::new();
         for sub_step in method.sub_steps(dt) {
             let (next, order) = Linear::new(structure, &touches, sub_step)?;
             linear.push(next);
-            place = order;
+            row_of = order;
         }
         let inertia_factor = match structure.coupled_mass.is_empty() {
             true => None,
@@ -131,25 +131,25 @@ impl Prepared {
             })?),
         };
         let mut mass = vec![0.0; structure.len()];
-        for (node, place) in structure.nodes.iter().zip(&place) {
-            mass[*place] = node.mass;
+        for (node, row) in structure.nodes.iter().zip(&row_of) {
+            mass[*row] = node.mass;
         }
         Ok(Prepared {
             dt,
             method: *method,
             sub_steps: linear,
             mass,
-            coupled_mass: coupled_mass(structure, &place, 1.0),
+            coupled_mass: coupled_mass(structure, &row_of, 1.0),
             inertia_factor,
-            massless: massless::rows(structure, &place),
-            between: between::nodes(structure, &place),
+            massless: massless::rows(structure, &row_of),
+            between: between::nodes(structure, &row_of),
             elimination: Elimination::none(),
             couplings: Vec::new(),
             inertia: Vec::new(),
-            along: Lists::new(&places(structure, &place)),
+            along: Lists::new(&places(structure, &row_of)),
             reduced: Lists::new(&[]),
             flexibility: BlockMatrix::default(),
-            place,
+            place: row_of,
             key: Key::new(structure),
         })
     }
@@ -263,10 +263,10 @@ fn touches(structure: &Structure) -> Vec<bool> {
 }
 
 /// The entries of M below its diagonal by place, times a factor.
-fn coupled_mass(structure: &Structure, place: &[usize], factor: f64) -> Vec<(usize, usize, f64)> {
+fn coupled_mass(structure: &Structure, row_of: &[usize], factor: f64) -> Vec<(usize, usize, f64)> {
     let entries = structure.coupled_mass.entries();
     entries
-        .map(|((i, j), m)| (place[i], place[j], factor * m))
+        .map(|((i, j), m)| (row_of[i], row_of[j], factor * m))
         .collect()
 }
 

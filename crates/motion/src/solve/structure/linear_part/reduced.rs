@@ -15,19 +15,19 @@ pub(crate) struct Reduced {
 
 /// The place of each node in the order of elimination.
 pub(crate) fn place_of(factor: &Factor) -> Vec<usize> {
-    let mut place = vec![0; factor.order().len()];
+    let mut row_of = vec![0; factor.order().len()];
     for (k, node) in factor.order().iter().enumerate() {
-        place[*node] = k;
+        row_of[*node] = k;
     }
-    place
+    row_of
 }
 
 /// Places of each contact with their factors.
-pub(crate) fn places(structure: &Structure, place: &[usize]) -> Vec<Along> {
+pub(crate) fn places(structure: &Structure, row_of: &[usize]) -> Vec<Along> {
     let of = |along: &Along| {
         along
             .iter()
-            .map(|(node, factor)| (place[*node], *factor))
+            .map(|(node, factor)| (row_of[*node], *factor))
             .collect()
     };
     structure
@@ -64,7 +64,7 @@ pub(crate) fn flexibility(
         }
         factor * sum
     };
-    let columns = reduced.iter().map(|own| own.iter().map(|entry| entry.at));
+    let columns = reduced.iter().map(|row| row.iter().map(|entry| entry.at));
     BlockMatrix::new(blocks(structure, columns), |i, j| {
         product(&reduced[i], &reduced[j])
     })

@@ -117,7 +117,7 @@ impl<const L: usize> Books<L> {
             self.nodes[*place][0] = state.moved[*place];
         }
         let mut supplied = self.supplied;
-        let change = |place: usize| self.nodes[place][0];
+        let change = |row: usize| self.nodes[row][0];
         self.loads.fill(Lane::splat(0.0));
         state.inputs.add_loads(state.step, &mut self.loads);
         for (load, [change, _]) in self.loads.iter().zip(&self.nodes) {
@@ -231,7 +231,7 @@ impl<const L: usize> Average<'_, L> {
         mut twice: Lane<L>,
         mut each: impl FnMut([usize; 2], &Link, bool),
     ) -> Lane<L> {
-        let u = |place: usize| self.p[place] - self.w[place] * 0.5;
+        let u = |row: usize| self.p[row] - self.w[row] * 0.5;
         self.prepared.elimination.all_links().for_each(|link| {
             let [from, to] = link.ends();
             let change = u(to) - u(from);

@@ -37,7 +37,7 @@ impl<const L: usize> Runaway<L> {
         // All have the same matrices.
         let first = structures.first()?;
         let softens = |of: &&Structure| {
-            let mut laws = of.contacts.iter().map(|own| own.law.as_given());
+            let mut laws = of.contacts.iter().map(|contact| contact.law.as_given());
             laws.any(|law| law.kind() == ContactKind::Link && law.properties().falls())
         };
         let is_unstable =
@@ -105,9 +105,9 @@ impl<const L: usize> Runaway<L> {
         let [mut work, mut terms] = product(&self.stiffness, &moved);
         for (c, [r, force]) in self.contacts.iter().enumerate() {
             let now = state.contact(c);
-            let own = (now.force - *force) * (now.displacement - *r);
-            work = work + own;
-            terms = terms + own.map(f64::abs);
+            let step_work = (now.force - *force) * (now.displacement - *r);
+            work = work + step_work;
+            terms = terms + step_work.map(f64::abs);
         }
         // The sum of infinite terms is no number.
         let restores = |l: usize| work.0[l] > ROUND_OFF * terms.0[l];

@@ -79,8 +79,8 @@ impl<const L: usize> Watch<L> {
         let zero = Lane::splat(0.0);
         let by_average = matches!(start.0, Kind::Average(_));
         let passive = |c: usize, of: &Structure| by_average && is_passive(&of.contacts[c].law);
-        let all = 0..start.contacts();
-        let watched = all.filter(|c| !structures.iter().all(|of| passive(*c, of)));
+        let numbers = 0..start.contacts();
+        let watched = numbers.filter(|c| !structures.iter().all(|of| passive(*c, of)));
         let contacts = watched.map(|c| {
             let now = start.contact(c);
             let now = [now.displacement, now.force];
@@ -194,7 +194,10 @@ impl<const L: usize> Watch<L> {
             contacts,
             stored: self.stored.0[l],
             energy: self.energy.0[l],
-            runs_away: self.runaway.as_ref().is_some_and(|own| own.of_lane(l)),
+            runs_away: self
+                .runaway
+                .as_ref()
+                .is_some_and(|runaway| runaway.of_lane(l)),
         }
     }
 }

@@ -27,8 +27,8 @@ pub(crate) fn first_force(
     }
     // A contact that leaves its equilibrium with a velocity has the state of the equilibrium.
     let at_rest = structure.preload.force(contact);
-    if let (Some(own), Some(_), true) = (law.evolution(), at_rest, rdot != 0.0) {
-        return Ok(own.force(own.at_start(at_rest, r), r, rdot));
+    if let (Some(evolution), Some(_), true) = (law.evolution(), at_rest, rdot != 0.0) {
+        return Ok(evolution.force(evolution.at_start(at_rest, r), r, rdot));
     }
     let running = || ContactLaw::running(&[law], &scale.steps(0.0));
     let mut law: AnyRunningLaw<1> = remembers.unwrap_or_else(running);

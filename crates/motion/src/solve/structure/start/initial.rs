@@ -47,8 +47,8 @@ pub(crate) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
                     }
                     continue;
                 }
-                let own = first_forces(structure, c, [r, other], [rdot, other_rate], high);
-                let [first, second] = own.map_or([0.0; 2], |(force, _)| force);
+                let pair = first_forces(structure, c, [r, other], [rdot, other_rate], high);
+                let [first, second] = pair.map_or([0.0; 2], |(force, _)| force);
                 forces[c + 1] = second;
                 first
             }
@@ -75,13 +75,17 @@ pub(crate) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
 
 /// The bounds of a contact's force at t = 0, where static loads may press it.
 pub(crate) fn bounds_at_start(structure: &Structure, contact: usize) -> [f64; 2] {
-    let own = &structure.contacts[contact];
-    match own.law.limit().filter(|limit| limit.pressed_by.is_some()) {
+    let contact_of_start = &structure.contacts[contact];
+    match contact_of_start
+        .law
+        .limit()
+        .filter(|limit| limit.pressed_by.is_some())
+    {
         Some(limit) => {
             let force = |other| structure.preload.force(other).unwrap_or_default();
             friction(limit.pressed(0.0, force))
         }
-        None => bounds(own, 0.0),
+        None => bounds(contact_of_start, 0.0),
     }
 }
 
@@ -131,7 +135,7 @@ fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(
     let sizes: Vec<f64> = active.iter().zip(&columns).map(size).collect();
     let mut held = vec![0.0; active.len()];
     loop {
-        let [low, high] = [0, 1].map(|k| bounds.iter().map(|own| own[k]).collect::<Vec<f64>>());
+        let [low, high] = [0, 1].map(|k| bounds.iter().map(|pair| pair[k]).collect::<Vec<f64>>());
         problem.solve(&d, [&low, &high], &sizes, &mut held)?;
         // Those at their static limit break loose together, as in a step.
         let mut breaks = false;

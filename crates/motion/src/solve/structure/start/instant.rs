@@ -36,8 +36,8 @@ fn meet(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
         let mut nodes = contacts.flat_map(|contact| &structure.contacts[contact].along);
         nodes.any(|(node, _)| massless.get(*node) == Some(&true))
     };
-    let own: Vec<usize> = (0..structure.contacts.len()).filter(touches).collect();
-    if own.is_empty() {
+    let touching: Vec<usize> = (0..structure.contacts.len()).filter(touches).collect();
+    if touching.is_empty() {
         return Ok(());
     }
     let nodes: Vec<usize> = (0..structure.len())
@@ -54,57 +54,57 @@ fn meet(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     let column = |contact: &usize| {
         let mut column = vec![0.0; nodes.len()];
         for (node, factor) in structure.column(*contact) {
-            if let Ok(place) = nodes.binary_search(&node) {
-                column[place] += factor;
+            if let Ok(row) = nodes.binary_search(&node) {
+                column[row] += factor;
             }
         }
         factor.solve(&mut column);
         column
     };
-    let columns: Vec<Vec<f64>> = own.iter().map(column).collect();
+    let columns: Vec<Vec<f64>> = touching.iter().map(column).collect();
     let along = |contact: usize, x: &[f64]| -> f64 {
         let terms = structure.column(contact);
         let terms = terms.filter_map(|(node, factor)| {
-            let place = nodes.binary_search(&node).ok()?;
-            Some(factor * x[place])
+            let row = nodes.binary_search(&node).ok()?;
+            Some(factor * x[row])
         });
         terms.sum()
     };
-    let m = own.len();
+    let m = touching.len();
     let mut flexibility = vec![0.0; m * m];
-    for (i, contact) in own.iter().enumerate() {
+    for (i, contact) in touching.iter().enumerate() {
         for j in 0..=i {
             let h = along(*contact, &columns[j]);
             (flexibility[i * m + j], flexibility[j * m + i]) = (h, h);
         }
     }
     let short = SHORT * dt;
-    let among = among_themselves(structure, &own);
+    let among = among_themselves(structure, &touching);
     let chains = structure.chains();
-    let among_chains = numbered(&chains, &own);
+    let among_chains = numbered(&chains, &touching);
     let flexibility = BlockMatrix::dense(flexibility, m);
     let start = || Curved::of_all(&among, &among_chains, &flexibility, 1.0 / short, short);
     let mut curved = start();
-    let mut forces: Vec<f64> = own
+    let mut forces: Vec<f64> = touching
         .iter()
         .map(|c| structure.preload.force(*c).unwrap_or(0.0))
         .collect();
     for _ in 0..ROUNDS {
-        let pressed = |other: usize| match own.binary_search(&other) {
-            Ok(place) => forces[place],
+        let pressed = |other: usize| match touching.binary_search(&other) {
+            Ok(row) => forces[row],
             Err(_) => structure.preload.force(other).unwrap_or(0.0),
         };
         curved = start();
         let mut follows = false;
-        for (place, contact) in own.iter().enumerate() {
+        for (row, contact) in touching.iter().enumerate() {
             let limit = structure.contacts[*contact].law.limit();
-            if let Some(limit) = limit.filter(|own| own.pressed_by.is_some()) {
+            if let Some(limit) = limit.filter(|limit| limit.pressed_by.is_some()) {
                 follows = true;
-                curved.limit(place, limit.pressed(0.0, pressed));
+                curved.limit(row, limit.pressed(0.0, pressed));
             }
         }
-        let motion = |place: usize| {
-            let contact = own[place];
+        let motion = |row: usize| {
+            let contact = touching[row];
             let change = along(contact, &free);
             let displacement = structure.relative(contact, &structure.displacement)
                 + structure.contacts[contact].gap;
@@ -137,12 +137,12 @@ fn meet(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     }
     for chain in &chains {
         for (member, inner) in chain.leaders().zip(&chain.nodes) {
-            let Ok(place) = own.binary_search(&member.contact) else {
+            let Ok(row) = touching.binary_search(&member.contact) else {
                 continue;
             };
             let r = structure.relative(member.contact, &structure.displacement)
                 + structure.contacts[member.contact].gap;
-            let change = curved.displacement(place) - r;
+            let change = curved.displacement(row) - r;
             structure.displacement[inner.node] += inner.factor * change;
         }
     }
@@ -150,12 +150,12 @@ fn meet(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     preload.forces.resize(structure.contacts.len(), None);
     preload.laws.resize(structure.contacts.len(), None);
     preload.planes.resize(structure.contacts.len(), None);
-    for (place, contact) in own.into_iter().enumerate() {
-        preload.forces[contact] = Some(forces[place]);
+    for (row, contact) in touching.into_iter().enumerate() {
+        preload.forces[contact] = Some(forces[row]);
         let law = &structure.contacts[contact].law;
         if law.is_curved() && law.kind() != ContactKind::Impact {
-            preload.laws[contact] = Some(curved.law(place));
-            preload.planes[contact] = curved.plane(place);
+            preload.laws[contact] = Some(curved.law(row));
+            preload.planes[contact] = curved.plane(row);
         }
     }
     Ok(())
@@ -178,24 +178,27 @@ fn free_change(structure: &Structure, nodes: &[usize], factor: &Factor) -> Vec<f
 }
 
 /// The chains with the numbers that their contacts have among these.
-fn numbered(chains: &[Chain], own: &[usize]) -> Vec<Chain> {
+fn numbered(chains: &[Chain], contacts: &[usize]) -> Vec<Chain> {
     let mut chains = chains.to_vec();
     let links = chains.iter_mut().flat_map(|chain| &mut chain.links);
     for member in links.flatten() {
-        member.contact = own.binary_search(&member.contact).unwrap_or_default();
+        member.contact = contacts.binary_search(&member.contact).unwrap_or_default();
     }
     chains
 }
 
 /// The structure with these contacts only. Their rates follow from the short step, as between masses.
-fn among_themselves(structure: &Structure, own: &[usize]) -> Structure {
+fn among_themselves(structure: &Structure, contacts: &[usize]) -> Structure {
     let mut among = structure.clone();
-    among.contacts = own.iter().map(|c| structure.contacts[*c].clone()).collect();
-    among.preload.laws = own
+    among.contacts = contacts
+        .iter()
+        .map(|c| structure.contacts[*c].clone())
+        .collect();
+    among.preload.laws = contacts
         .iter()
         .map(|c| structure.preload.laws.get(*c).copied().flatten())
         .collect();
-    among.preload.planes = own
+    among.preload.planes = contacts
         .iter()
         .map(|c| structure.preload.planes.get(*c).copied().flatten())
         .collect();

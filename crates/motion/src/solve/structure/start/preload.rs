@@ -20,10 +20,11 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
     }
     let remembers = |law: ContactKind| law != ContactKind::Impact;
     let mut contacts = structure.contacts.iter();
-    let parts = match contacts.any(|own| own.law.is_curved() && remembers(own.law.kind())) {
-        true => PARTS,
-        false => 1,
-    };
+    let parts =
+        match contacts.any(|contact| contact.law.is_curved() && remembers(contact.law.kind())) {
+            true => PARTS,
+            false => 1,
+        };
     let still = without_dampers(structure);
     let equilibrium = Equilibrium::of(still.as_ref().unwrap_or(structure), parts)?;
     equilibrium.refuse_loose()?;
@@ -31,9 +32,9 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
         u, forces, curved, ..
     } = equilibrium;
     let laws = structure.contacts.iter().enumerate();
-    let laws = laws.map(|(i, own)| {
-        let loaded = own.law.is_curved() && remembers(own.law.kind());
-        (loaded && at_rest(&own.law).is_none()).then(|| curved.law(i))
+    let laws = laws.map(|(i, contact)| {
+        let loaded = contact.law.is_curved() && remembers(contact.law.kind());
+        (loaded && at_rest(&contact.law).is_none()).then(|| curved.law(i))
     });
     structure.preload.laws = laws.collect();
     let contacts = 0..structure.contacts.len();
@@ -41,8 +42,8 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
     structure.displacement = u;
     // A contact that presses without compliance is closed, not open or overlapping by the round-off of u.
     for (c, force) in forces.iter().enumerate() {
-        let own = &structure.contacts[c];
-        let is_stop = own.law.is_rigid() && own.law.kind() == ContactKind::Impact;
+        let contact = &structure.contacts[c];
+        let is_stop = contact.law.is_rigid() && contact.law.kind() == ContactKind::Impact;
         if is_stop && *force < 0.0 {
             structure.contacts[c].gap = -structure.relative(c, &structure.displacement);
         }
@@ -55,20 +56,22 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
 /// reached.
 fn without_dampers(structure: &Structure) -> Option<Structure> {
     let mut contacts = structure.contacts.iter();
-    contacts.any(|own| at_rest(&own.law).is_some()).then(|| {
-        let mut still = structure.clone();
-        for contact in &mut still.contacts {
-            if let Some(law) = at_rest(&contact.law) {
-                contact.law = law;
+    contacts
+        .any(|contact| at_rest(&contact.law).is_some())
+        .then(|| {
+            let mut still = structure.clone();
+            for contact in &mut still.contacts {
+                if let Some(law) = at_rest(&contact.law) {
+                    contact.law = law;
+                }
             }
-        }
-        still
-    })
+            still
+        })
 }
 
 /// The law without its damper; `None` if it has none.
 fn at_rest(law: &StructureLaw) -> Option<StructureLaw> {
-    let own = law.law(1.0);
-    let still = own.without_damper().filter(|_| law.row().is_none())?;
+    let own_law = law.law(1.0);
+    let still = own_law.without_damper().filter(|_| law.row().is_none())?;
     Some(StructureLaw::new(still, None))
 }

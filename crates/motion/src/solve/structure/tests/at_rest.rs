@@ -70,7 +70,7 @@ fn friction(number: usize, random: &mut Random) -> StructureLaw {
             Some((1.0, Arc::new(Signal::Table(table))))
         }
     };
-    let own = Limit {
+    let given_limit = Limit {
         constant,
         varying,
         ..Limit::constant(0.0)
@@ -82,12 +82,12 @@ fn friction(number: usize, random: &mut Random) -> StructureLaw {
     let compliance = 1.0 / k;
     let law = match number {
         8 => {
-            return StructureLaw::new(ClippedLine::Elastic { stiffness: k }, own);
+            return StructureLaw::new(ClippedLine::Elastic { stiffness: k }, given_limit);
         }
         9 => {
-            return StructureLaw::new(ClippedLine::Viscous { viscosity: c }, own);
+            return StructureLaw::new(ClippedLine::Viscous { viscosity: c }, given_limit);
         }
-        10 => return StructureLaw::new(ClippedLine::Coulomb, own),
+        10 => return StructureLaw::new(ClippedLine::Coulomb, given_limit),
         11 => ContactLaw::Tanh(Tanh {
             compliance: 1.0 / c,
             limit,
@@ -125,7 +125,7 @@ fn friction(number: usize, random: &mut Random) -> StructureLaw {
             stribeck_velocity: 0.5,
         }),
     };
-    StructureLaw::new(law, own).from_its_answer()
+    StructureLaw::new(law, given_limit).from_its_answer()
 }
 
 fn method(number: usize) -> Method {
@@ -149,8 +149,8 @@ const METHODS: usize = 9;
 /// or by a load. The others are at rest.
 fn structure(number: usize, random: &mut Random) -> Structure {
     let n = 2 + random.below(3);
-    let own: Vec<f64> = (0..n).map(|_| random.scale(0.1, 10.0)).collect();
-    let mut structure = masses(&own);
+    let node_masses: Vec<f64> = (0..n).map(|_| random.scale(0.1, 10.0)).collect();
+    let mut structure = masses(&node_masses);
     let node = |i: usize| (i < n).then_some(i);
     for i in 0..n {
         if random.below(4) == 0 {

@@ -262,12 +262,12 @@ fn force(law: &StructureLaw, [r, rdot]: [f64; 2]) -> Option<f64> {
     if let (ContactLaw::KelvinVoigt(law), true) = (given, d > 0.0) {
         return Some(-(law.stiffness * d - law.damping * rdot).max(0.0));
     }
-    let ContactLaw::Tanh(own) = given else {
+    let ContactLaw::Tanh(tanh) = given else {
         return None;
     };
-    let least = (1.0 - own.ratio) * libm::exp(-own.rate * rdot.abs());
+    let least = (1.0 - tanh.ratio) * libm::exp(-tanh.rate * rdot.abs());
     let limit = law.limit()?.constant;
-    Some(limit * (1.0 - least) * libm::tanh(rdot / (own.compliance * limit)))
+    Some(limit * (1.0 - least) * libm::tanh(rdot / (tanh.compliance * limit)))
 }
 
 #[test]
@@ -443,7 +443,7 @@ fn a_limit_that_varies_moves_the_curved_laws_as_the_line() {
         ratio: 1.0,
         rate: 0.0,
     });
-    let own = limit.clone();
+    let lane_limit = limit.clone();
     structure.contacts = vec![contact(
         [None, Some(0)],
         0.0,
@@ -457,7 +457,7 @@ fn a_limit_that_varies_moves_the_curved_laws_as_the_line() {
         let t = dt * step as f64;
         let raw = 0.5 + 2.0 * (1.0 - 0.8 * (1.0 - (t - 1.0).abs()));
         let expected = raw * libm::pow(raw / 2.5, -0.3);
-        assert!((limit - expected).abs() < 1e-13 && (own.at(t) - expected).abs() < 1e-13);
+        assert!((limit - expected).abs() < 1e-13 && (lane_limit.at(t) - expected).abs() < 1e-13);
         let expected = limit * libm::tanh(rdot / (0.5 * limit));
         assert!((s - expected).abs() < 1e-13, "{t} {s} {expected}");
     });

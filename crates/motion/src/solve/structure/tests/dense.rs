@@ -116,22 +116,22 @@ pub(super) fn all_patterns(
     let count = d.len();
     let mut best = (f64::INFINITY, DVector::zeros(count));
     for pattern in 0..3_usize.pow(count as u32) {
-        let place = |i: usize| pattern / 3_usize.pow(i as u32) % 3;
-        if (0..count).any(|i| place(i) == 0 && low[i].is_infinite()) {
+        let digit = |i: usize| pattern / 3_usize.pow(i as u32) % 3;
+        if (0..count).any(|i| digit(i) == 0 && low[i].is_infinite()) {
             continue;
         }
         // Rows of fixed forces say S = bound.
         let (mut matrix, mut right) = (a.clone(), d.clone());
-        for i in (0..count).filter(|i| place(*i) != 1) {
+        for i in (0..count).filter(|i| digit(*i) != 1) {
             matrix.row_mut(i).fill(0.0);
             matrix[(i, i)] = 1.0;
-            right[i] = if place(i) == 0 { low[i] } else { high[i] };
+            right[i] = if digit(i) == 0 { low[i] } else { high[i] };
         }
         let Some(s) = matrix.lu().solve(&right) else {
             continue;
         };
         let q = d - a * &s;
-        let wrong = |i: usize| match place(i) {
+        let wrong = |i: usize| match digit(i) {
             0 => q[i] / a[(i, i)],
             1 => (low[i] - s[i]).max(s[i] - high[i]),
             _ => -q[i] / a[(i, i)],

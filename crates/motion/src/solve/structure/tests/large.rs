@@ -69,12 +69,12 @@ type Steps = Vec<[Vec<f64>; 4]>;
 
 fn steps(method: &Method, structure: &Structure, count: usize) -> (Steps, f64) {
     let prepared = Prepared::by(method, structure, DT).unwrap();
-    let mut all = Vec::new();
+    let mut rows = Vec::new();
     let mut books: Option<Books<1>> = None;
     let [done] = run::<1>(&[structure], &prepared, count, |_, state| {
         let nodes = 0..state.nodes();
         let contacts = 0..state.contacts();
-        all.push([
+        rows.push([
             nodes.clone().map(|i| state.displacement(i).0[0]).collect(),
             nodes.map(|i| state.velocity(i).0[0]).collect(),
             contacts
@@ -89,7 +89,7 @@ fn steps(method: &Method, structure: &Structure, count: usize) -> (Steps, f64) {
         }
     });
     done.unwrap();
-    (all, books.unwrap().energy_error().0[0])
+    (rows, books.unwrap().energy_error().0[0])
 }
 
 #[test]
@@ -145,10 +145,10 @@ fn both_forms_of_one_method_agree() {
     let truss = truss(1.0);
     let average = Method::AverageAcceleration(AverageAcceleration);
     let newmark = Method::Family(Coefficients::newmark(0.25, 0.5));
-    let (own, _) = steps(&average, &truss, 60);
+    let (computed, _) = steps(&average, &truss, 60);
     let (other, energy_error) = steps(&newmark, &truss, 60);
-    for (own, other) in own.iter().zip(&other) {
-        for (of, [a, b]) in own.iter().zip(other).map(|(a, b)| [a, b]).enumerate() {
+    for (computed, other) in computed.iter().zip(&other) {
+        for (of, [a, b]) in computed.iter().zip(other).map(|(a, b)| [a, b]).enumerate() {
             // Stiffness of the contacts times that of u.
             let most = if of == 3 { 1e-8 } else { 1e-10 };
             for (a, b) in a.iter().zip(b) {

@@ -186,13 +186,13 @@ fn two_equal_contacts_move_like_one_of_twice_the_stiffness_and_limit() {
         }),
     }];
     for stiffness in [1e2, 1e6, 1e10] {
-        let own = |factor: f64| {
+        let scaled = |factor: f64| {
             let law = displacement_control(factor * stiffness, factor * 0.4);
             contact([None, Some(0)], 0.0, law)
         };
-        structure.contacts = vec![own(1.0), own(1.0)];
+        structure.contacts = vec![scaled(1.0), scaled(1.0)];
         let two = displacements(&structure, 0.01, 3000);
-        structure.contacts = vec![own(2.0)];
+        structure.contacts = vec![scaled(2.0)];
         let one = displacements(&structure, 0.01, 3000);
         for (two, one) in two.iter().zip(one) {
             // A of both has the condition number 2 h k, h = 2.5e-5, but the sum of their forces does not depend on it.

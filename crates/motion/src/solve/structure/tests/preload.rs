@@ -35,7 +35,7 @@ fn residual(structure: &Structure) -> f64 {
             left[node] += factor * force;
         }
     }
-    let largest = |all: &[f64]| all.iter().fold(0.0, |a, x| f64::max(a, x.abs()));
+    let largest = |values: &[f64]| values.iter().fold(0.0, |a, x| f64::max(a, x.abs()));
     largest(&left) / largest(&structure.preload.load)
 }
 
@@ -182,12 +182,13 @@ fn contacts_carry_the_weight_above_them() {
                     1 => 1.0 - i as f64 / (bodies - 1) as f64,
                     _ => (i % 2) as f64,
                 };
-                let all: Vec<f64> = (0..bodies).map(|i| libm::pow(ratio, part(i))).collect();
+                let body_masses: Vec<f64> =
+                    (0..bodies).map(|i| libm::pow(ratio, part(i))).collect();
                 for gap in [0.0, 1e-3, 0.5] {
-                    let mut structure = stack(&all, gap, &law);
+                    let mut structure = stack(&body_masses, gap, &law);
                     settle(&mut structure).unwrap();
                     for (i, force) in structure.preload.forces.iter().flatten().enumerate() {
-                        let above = 9.81 * all[i..].iter().sum::<f64>();
+                        let above = 9.81 * body_masses[i..].iter().sum::<f64>();
                         let part = -force / above - 1.0;
                         assert!(
                             part.abs() < 1e-9,

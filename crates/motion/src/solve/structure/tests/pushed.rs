@@ -124,9 +124,9 @@ fn energies_are_relative_to_the_largest_one_with_that_of_the_contacts() {
             let dissipation = books.numerical_dissipation().0[0];
             [dissipation, books.relative_dissipation().0[0]]
         });
-        let [[all, part], [all_of_spring, part_of_spring]] = relative;
+        let [[whole, part], [all_of_spring, part_of_spring]] = relative;
         // Work and energy of the contact are the same but for sums of 20 steps.
-        assert!((all - all_of_spring).abs() < 1e-13, "{relative:?}");
+        assert!((whole - all_of_spring).abs() < 1e-13, "{relative:?}");
         assert!(part_of_spring > 1e-5, "{relative:?}");
         assert!(
             (part / part_of_spring - 1.0).abs() < 1e-10,
@@ -161,8 +161,8 @@ fn slip_is_r_but_for_displacement_control_by_every_method() {
         let curved =
             laws.map(|law| StructureLaw::new(law, Limit::constant(limit)).from_its_answer());
         let lines = [displacement_control(10.0, 1.0), velocity_control(3.0, 1.0)];
-        let all = curved.into_iter().chain(lines);
-        structure.contacts = all.map(|law| contact([None, Some(0)], 0.0, law)).collect();
+        let laws = curved.into_iter().chain(lines);
+        structure.contacts = laws.map(|law| contact([None, Some(0)], 0.0, law)).collect();
         let (rows, _) = motion(&structure, &method, 0.01, 30);
         for (i, row) in rows.iter().enumerate() {
             for (c, [r, _, s, slip]) in row.iter().enumerate() {

@@ -72,8 +72,8 @@ fn error(method: &Method, s: &Structure, dt: f64, end: f64) -> f64 {
     let times: Vec<f64> = (0..u.len()).map(|i| i as f64 * dt).collect();
     let mut error: f64 = 0.0;
     let summary = events::run(s, &times, |i, state| {
-        for (own, exact) in u[i].iter().zip(state.u) {
-            error = error.max((own - exact).abs());
+        for (computed, exact) in u[i].iter().zip(state.u) {
+            error = error.max((computed - exact).abs());
         }
     });
     assert!(summary.unwrap().events.len() > 10);
@@ -150,13 +150,13 @@ fn order_and_signs_do_not_matter() {
         *factor = -*factor;
     }
     for method in [AVERAGE, IMPULSES] {
-        let [own, reversed, minus] =
+        let [given, reversed, minus] =
             [&s, &other, &mirrored].map(|s| steps(&method, s, 0.003, 9.0).0);
-        for ((own, reversed), minus) in own.iter().zip(&reversed).zip(&minus) {
+        for ((given, reversed), minus) in given.iter().zip(&reversed).zip(&minus) {
             for i in 0..3 {
                 // Other sums have other round-off, of some thousand steps.
-                assert!((own[i] - reversed[i]).abs() < 1e-11, "{method:?}");
-                assert!((own[i] + minus[i]).abs() < 1e-11, "{method:?}");
+                assert!((given[i] - reversed[i]).abs() < 1e-11, "{method:?}");
+                assert!((given[i] + minus[i]).abs() < 1e-11, "{method:?}");
             }
         }
     }
@@ -175,9 +175,9 @@ fn an_idle_contact_with_a_curved_law_changes_nothing() {
     });
     let law = StructureLaw::new(idle, Limit::constant(0.0)).from_its_answer();
     beside.contacts.push(contact([Some(0), Some(1)], 0.0, law));
-    let [own, other] = [&s, &beside].map(|s| steps(&AVERAGE, s, 0.003, 9.0).0);
-    for (own, other) in own.iter().zip(&other) {
-        for (a, b) in own.iter().zip(other) {
+    let [alone, other] = [&s, &beside].map(|s| steps(&AVERAGE, s, 0.003, 9.0).0);
+    for (alone, other) in alone.iter().zip(&other) {
+        for (a, b) in alone.iter().zip(other) {
             assert!((a - b).abs() < 1e-10, "{a} {b}");
         }
     }
@@ -188,7 +188,7 @@ fn an_idle_contact_with_a_curved_law_changes_nothing() {
 fn lanes_with_other_ratios_do_not_meet() {
     let limit = |i: usize| Limit::constant(1.0 + 0.13 * i as f64);
     let cases =
-        [[1.5, 1.0, 2.0], [1.0; 3], [1.1, 1.7, 1.0], [3.0; 3]].map(|own| blocks(&own, limit));
+        [[1.5, 1.0, 2.0], [1.0; 3], [1.1, 1.7, 1.0], [3.0; 3]].map(|ratios| blocks(&ratios, limit));
     for method in [AVERAGE, IMPULSES] {
         let prepared = Prepared::by(&method, &cases[0], 0.003).unwrap();
         let [a, b, c, d] = &cases;
@@ -201,11 +201,8 @@ fn lanes_with_other_ratios_do_not_meet() {
             let mut step = 0;
             let [done] = run::<1>(&[case], &prepared, 3000, |_, state| {
                 for (i, both) in together[step].iter().enumerate() {
-                    let Lane([own]) = state.displacement(i);
-                    assert!(
-                        own.to_bits() == both.0[l].to_bits(),
-                        "{method:?} {l} {step}"
-                    );
+                    let Lane([u]) = state.displacement(i);
+                    assert!(u.to_bits() == both.0[l].to_bits(), "{method:?} {l} {step}");
                 }
                 step += 1;
             });

@@ -41,10 +41,10 @@ impl Piece {
     }
 
     /// A sum of two motions over the same time, each times a factor.
-    pub fn plus(&self, own: f64, other: &Piece, factor: f64) -> Piece {
+    pub fn plus(&self, own_factor: f64, other: &Piece, factor: f64) -> Piece {
         let mut sum = self.0;
         for (c, other) in sum.iter_mut().zip(other.0) {
-            *c = own * *c + factor * other;
+            *c = own_factor * *c + factor * other;
         }
         Piece(sum)
     }
@@ -52,8 +52,8 @@ impl Piece {
     /// Largest |u| inside and at the end.
     pub fn peak(&self) -> f64 {
         let [first, second] = self.extremes();
-        let all = [first, second, Some(1.0)].into_iter().flatten();
-        all.fold(0.0, |peak: f64, tau| peak.max(self.u(tau).abs()))
+        let ends = [first, second, Some(1.0)].into_iter().flatten();
+        ends.fold(0.0, |peak: f64, tau| peak.max(self.u(tau).abs()))
     }
 
     /// u.

@@ -37,9 +37,9 @@ impl Baseline {
     /// The acceleration has no end.
     pub fn removed(self, table: &Table, scale: f64) -> Result<Vec<(f64, f64)>, NoEnd> {
         let mut points = vec![(0.0, scale * table.at(0.0))];
-        let own = table.times().iter().zip(table.values());
-        let own = own.filter(|(time, _)| **time > 0.0);
-        points.extend(own.map(|(time, a)| (*time, scale * a)));
+        let points_of_table = table.times().iter().zip(table.values());
+        let later_points = points_of_table.filter(|(time, _)| **time > 0.0);
+        points.extend(later_points.map(|(time, a)| (*time, scale * a)));
         let end = points.last().map_or(0.0, |last| last.0);
         if self == Baseline::None {
             return Ok(points);

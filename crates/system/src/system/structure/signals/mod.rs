@@ -1,6 +1,7 @@
 //! Functions of time, and motions of supports.
 
 pub(crate) mod baseline;
+mod displaced;
 pub(crate) mod mean;
 pub(crate) mod motion;
 pub(crate) mod motion_pieces;

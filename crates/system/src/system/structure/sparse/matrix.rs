@@ -58,10 +58,10 @@ impl Packed {
     fn rows(&self) -> impl Iterator<Item = impl Iterator<Item = (usize, f64)>> {
         let starts = std::iter::once(&0).chain(&self.ends);
         starts.zip(&self.ends).map(|(start, end)| {
-            let own = *start as usize..*end as usize;
-            let columns = self.columns[own.clone()].iter();
+            let entries_of_row = *start as usize..*end as usize;
+            let columns = self.columns[entries_of_row.clone()].iter();
             let columns = columns.map(|column| *column as usize);
-            columns.zip(self.values[own].iter().copied())
+            columns.zip(self.values[entries_of_row].iter().copied())
         })
     }
 }
@@ -69,8 +69,8 @@ impl Packed {
 impl PartialEq for Symmetric {
     fn eq(&self, other: &Symmetric) -> bool {
         let is_same = match (&self.entries, &other.entries) {
-            (Entries::Rows(own), Entries::Rows(other)) => Arc::ptr_eq(own, other),
-            (Entries::Packed(own), Entries::Packed(other)) => Arc::ptr_eq(own, other),
+            (Entries::Rows(rows), Entries::Rows(other)) => Arc::ptr_eq(rows, other),
+            (Entries::Packed(packed), Entries::Packed(other)) => Arc::ptr_eq(packed, other),
             _ => false,
         };
         self.size == other.size && (is_same || self.entries().eq(other.entries()))
@@ -81,19 +81,19 @@ impl PartialEq for Symmetric {
 fn add(row: &mut Row, column: usize, value: f64) {
     // Most matrices are filled by rising columns.
     let last = row.last().is_none_or(|(last, _)| *last < column);
-    let place = if last {
+    let position = if last {
         Err(row.len())
     } else {
         row.binary_search_by_key(&column, |(j, _)| *j)
     };
-    match place {
-        Ok(place) => row[place].1 += value,
-        Err(place) => {
+    match position {
+        Ok(index) => row[index].1 += value,
+        Err(index) => {
             if row.len() == row.capacity() {
                 // Doubling would leave half of the memory unused.
                 row.reserve_exact(4 + row.len() / 4);
             }
-            row.insert(place, (column, 0.0 + value));
+            row.insert(index, (column, 0.0 + value));
         }
     }
 }
@@ -123,9 +123,9 @@ impl Symmetric {
         let of_term = terms.map(|(matrix, factor)| (matrix.entries().peekable(), factor));
         let mut terms: Vec<_> = of_term.collect();
         let mut sums = Row::new();
-        for (row, own) in diagonal.iter().enumerate() {
+        for (row, on_diagonal) in diagonal.iter().enumerate() {
             sums.clear();
-            add(&mut sums, row, *own);
+            add(&mut sums, row, *on_diagonal);
             for (entries, factor) in &mut terms {
                 while let Some(((_, column), value)) = entries.next_if(|((i, _), _)| *i == row) {
                     add(&mut sums, column, *factor * value);
@@ -141,13 +141,13 @@ impl Symmetric {
     pub fn packed(&self, keeps: impl Fn(f64) -> bool) -> Symmetric {
         let mut packed = Packed::default();
         let mut kept = self.entries().filter(|(_, value)| keeps(*value)).peekable();
-        let mut own = Row::new();
+        let mut kept_row = Row::new();
         for row in 0..self.size {
-            own.clear();
+            kept_row.clear();
             while let Some(((_, column), value)) = kept.next_if(|((i, _), _)| *i == row) {
-                own.push((column, value));
+                kept_row.push((column, value));
             }
-            packed.push(&own);
+            packed.push(&kept_row);
         }
         packed.matrix()
     }
@@ -199,8 +199,8 @@ impl Symmetric {
 
     /// Adds the stiffness k of a spring whose extension is the sum of factor times u.
     pub fn add_along(&mut self, along: &[(usize, f64)], k: f64) {
-        for (place, (i, a)) in along.iter().enumerate() {
-            for (j, b) in &along[..=place] {
+        for (last, (i, a)) in along.iter().enumerate() {
+            for (j, b) in &along[..=last] {
                 self.add(*i, *j, k * (a * b));
             }
         }

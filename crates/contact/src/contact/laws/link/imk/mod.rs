@@ -87,9 +87,9 @@ impl Imk {
         static KNOWN: Shared<Numbers> = Shared::new();
         let [first, second] = numbers.sides.map(Backbone::numbers);
         let pinching = numbers.pinching.unwrap_or([f64::NAN; 2]);
-        let all = [numbers.stiffness].into_iter().chain(first).chain(second);
-        let all = all.chain(numbers.energies).chain(numbers.exponents);
-        Imk(KNOWN.get(all.chain(pinching), numbers))
+        let of_sides = [numbers.stiffness].into_iter().chain(first).chain(second);
+        let with_energies = of_sides.chain(numbers.energies).chain(numbers.exponents);
+        Imk(KNOWN.get(with_energies.chain(pinching), numbers))
     }
 }
 

@@ -81,13 +81,13 @@ impl State {
     }
 
     /// beta of S, C, A or K for the energy E_i after E; above 1 where the part fails.
-    fn beta(law: &Numbers, which: usize, [own, before]: [f64; 2]) -> f64 {
+    fn beta(law: &Numbers, which: usize, [dissipated, before]: [f64; 2]) -> f64 {
         let left = law.energies[which] - before;
-        if own <= 0.0 {
+        if dissipated <= 0.0 {
             return 0.0;
         }
         match left > 0.0 {
-            true => libm::pow(own / left, law.exponents[which]),
+            true => libm::pow(dissipated / left, law.exponents[which]),
             false => f64::INFINITY,
         }
     }
@@ -95,9 +95,9 @@ impl State {
     /// A turn from loading at this point, in the signs of a side; whether the part survives it.
     pub(super) fn turn(&mut self, law: &Numbers, side: usize, [r, s]: [f64; 2]) -> bool {
         self.branch = Branch::Unloading;
-        let own = &mut self.sides[side];
-        own.last = [r, s];
-        own.peak = own.peak.max(r);
+        let side_state = &mut self.sides[side];
+        side_state.last = [r, s];
+        side_state.peak = side_state.peak.max(r);
         let elastic = 0.5 * s * (s / self.unloading);
         let [now, before] = self.energy;
         let beta = State::beta(law, 3, [now - before - elastic, now - elastic]);
@@ -115,10 +115,10 @@ impl State {
             [0, 1, 2].map(|which| State::beta(law, which, [now - before, now]));
         self.energy[1] = now;
         let backbone = &law.sides[side];
-        let own = &mut self.sides[side];
-        own.strength *= 1.0 - strength.min(1.0) * backbone.damage;
-        own.cap *= 1.0 - cap.min(1.0) * backbone.damage;
-        own.peak *= 1.0 + peak.min(1.0) * backbone.damage;
+        let side_state = &mut self.sides[side];
+        side_state.strength *= 1.0 - strength.min(1.0) * backbone.damage;
+        side_state.cap *= 1.0 - cap.min(1.0) * backbone.damage;
+        side_state.peak *= 1.0 + peak.min(1.0) * backbone.damage;
         let peak_force = self.peak(law, side)[1];
         self.positive = side == 1;
         let survives = strength <= 1.0 && cap <= 1.0 && peak <= 1.0 && peak_force != 0.0;
@@ -195,7 +195,7 @@ impl State {
 
     /// What is left of the first loading of a side.
     pub(super) fn degraded(&self, law: &Numbers, side: usize) -> Degraded {
-        let own = &self.sides[side];
-        law.sides[side].degraded(law.stiffness, own.strength, own.cap)
+        let side_state = &self.sides[side];
+        law.sides[side].degraded(law.stiffness, side_state.strength, side_state.cap)
     }
 }

@@ -122,7 +122,7 @@ impl<'a> Walk<'a> {
     /// The line of the present branch from a point, in the signs of a side in whose direction the step goes.
     fn line(&self, side: usize, from: [f64; 2]) -> Line {
         let state = &self.state;
-        let own = &state.sides[side];
+        let side_state = &state.sides[side];
         let line = |point: [f64; 2], slope: f64, end: f64| Line {
             point,
             slope,
@@ -136,13 +136,13 @@ impl<'a> Walk<'a> {
                 line([0.0; 2], self.law.stiffness, end)
             }
             // To the last turn of this side, or to S = 0.
-            Branch::Unloading if from[1] > 0.0 => line(from, state.unloading, own.last[0]),
+            Branch::Unloading if from[1] > 0.0 => line(from, state.unloading, side_state.last[0]),
             Branch::Unloading => Line {
                 excludes_end: true,
                 ..line(from, state.unloading, from[0] - from[1] / state.unloading)
             },
             Branch::ToPinch => line(state.pinch, state.reloading, state.pinch[0]),
-            Branch::ToLast => line(own.last, state.reloading, own.last[0]),
+            Branch::ToLast => line(side_state.last, state.reloading, side_state.last[0]),
             Branch::ToPeak => {
                 let peak = state.peak(self.law, side);
                 // A peak that is the last turn ends at once.

@@ -144,17 +144,17 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         let mut force = free;
         for (l, law) in self.laws.iter().enumerate() {
             let r = trial.displacement.0[l];
-            let mut own = stretches.parts.map(|part| part.0[l]);
+            let mut part_forces = stretches.parts.map(|part| part.0[l]);
             if !stretches.begun {
-                own = law.first(r);
+                part_forces = law.first(r);
             }
-            let change = law.change(r, &own, free.0[l], self.h[1].0[l]);
+            let change = law.change(r, &part_forces, free.0[l], self.h[1].0[l]);
             let [low, high] = law.bends;
             for (j, part) in stretches.parts.iter_mut().enumerate() {
-                own[j] = (own[j] + change).clamp(low[j], high[j]);
-                part.0[l] = own[j];
+                part_forces[j] = (part_forces[j] + change).clamp(low[j], high[j]);
+                part.0[l] = part_forces[j];
             }
-            force.0[l] = law.force(r + change, &own);
+            force.0[l] = law.force(r + change, &part_forces);
         }
         stretches.begun = true;
         force

@@ -40,24 +40,24 @@ struct Held {
 
 /// All entries of a matrix between nodes that have places.
 pub fn entries(matrix: &Symmetric, places: &[Option<usize>]) -> Vec<(usize, usize, f64)> {
-    let mut all = Vec::new();
+    let mut triplets = Vec::new();
     for ((i, j), value) in matrix.entries() {
         if let (Some(i), Some(j)) = (places[i], places[j]) {
-            all.push((i, j, value));
+            triplets.push((i, j, value));
             if i != j {
-                all.push((j, i, value));
+                triplets.push((j, i, value));
             }
         }
     }
-    all
+    triplets
 }
 
 /// The rows of some nodes and the columns of others.
 fn between(matrix: &Symmetric, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
     let places = |nodes: &[usize]| {
         let mut places = vec![None; matrix.size()];
-        for (place, node) in nodes.iter().enumerate() {
-            places[*node] = Some(place);
+        for (row, node) in nodes.iter().enumerate() {
+            places[*node] = Some(row);
         }
         places
     };
@@ -80,15 +80,15 @@ fn rows<'a>(
     size: usize,
 ) -> DMatrix<f64> {
     let mut places = vec![None; size];
-    for (place, node) in nodes.iter().enumerate() {
-        places[*node] = Some(place);
+    for (row, node) in nodes.iter().enumerate() {
+        places[*node] = Some(row);
     }
     let patterns: Vec<_> = patterns.collect();
     let mut rows = DMatrix::zeros(nodes.len(), patterns.len());
     for (column, pattern) in patterns.iter().enumerate() {
         for (node, factor) in *pattern {
-            if let Some(place) = places[*node] {
-                rows[(place, column)] += factor;
+            if let Some(row) = places[*node] {
+                rows[(row, column)] += factor;
             }
         }
     }
@@ -102,8 +102,8 @@ impl Condensed {
         let has_mass = |node: &usize| structure.nodes[*node].mass > 0.0;
         let (kept, massless): (Vec<usize>, Vec<usize>) = (0..size).partition(has_mass);
         let mut places = vec![None; size];
-        for (place, node) in kept.iter().enumerate() {
-            places[*node] = Some(place);
+        for (row, node) in kept.iter().enumerate() {
+            places[*node] = Some(row);
         }
         for ((i, j), value) in structure
             .damping
@@ -200,8 +200,8 @@ impl Condensed {
             shapes: vec![Vec::new(); size],
             massless: (0..size).map(|_| None).collect(),
         };
-        for (place, node) in self.kept.iter().enumerate() {
-            modes.shapes[*node] = shapes.row(place).iter().copied().collect();
+        for (row, node) in self.kept.iter().enumerate() {
+            modes.shapes[*node] = shapes.row(row).iter().copied().collect();
         }
         let list = |row: nalgebra::DMatrixView<f64>, sign: f64| {
             row.iter().map(|x| sign * x).collect::<Vec<f64>>()
@@ -218,13 +218,13 @@ impl Condensed {
                 list(self.held.by_plates.rows(row, 1), -1.0),
             ]);
         }
-        for (place, node) in self.plates.iter().enumerate() {
-            let own = (0..self.plates.len()).map(|i| if i == place { 1.0 } else { 0.0 });
+        for (column, node) in self.plates.iter().enumerate() {
+            let unit = (0..self.plates.len()).map(|i| if i == column { 1.0 } else { 0.0 });
             modes.shapes[*node] = vec![0.0; self.kept.len()];
             modes.massless[*node] = Some([
                 vec![0.0; structure.loads.len()],
                 vec![0.0; structure.contacts.len()],
-                own.collect(),
+                unit.collect(),
             ]);
         }
         modes
@@ -263,7 +263,7 @@ fn solve(factor: Option<&Cholesky<f64, Dyn>>, mut matrix: DMatrix<f64>) -> DMatr
 
 /// A^T B, with sums in the order of the rows.
 fn dots(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut all = DMatrix::zeros(a.ncols(), b.ncols());
+    let mut product = DMatrix::zeros(a.ncols(), b.ncols());
     for (i, a) in a.column_iter().enumerate() {
         let entries: Vec<(usize, f64)> = a
             .iter()
@@ -272,10 +272,10 @@ fn dots(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
             .filter(|(_, x)| *x != 0.0)
             .collect();
         for (j, b) in b.column_iter().enumerate() {
-            all[(i, j)] = entries.iter().map(|(row, x)| x * b[*row]).sum();
+            product[(i, j)] = entries.iter().map(|(row, x)| x * b[*row]).sum();
         }
     }
-    all
+    product
 }
 
 fn symmetric(matrix: DMatrix<f64>) -> DMatrix<f64> {

@@ -228,18 +228,18 @@ fn damping(
             product[*i] += value * shape[*j];
         }
     }
-    let mut all = vec![0.0; n * n];
+    let mut modal = vec![0.0; n * n];
     for (i, shape) in columns(shapes).enumerate() {
         for (j, product) in columns(&products).enumerate().take(i + 1) {
             let value = dot(shape, product);
-            (all[i * n + j], all[j * n + i]) = (value, value);
+            (modal[i * n + j], modal[j * n + i]) = (value, value);
         }
     }
-    let largest = (0..n).map(|i| all[i * n + i]).fold(0.0, f64::max);
-    let coupled = (0..n).any(|i| (0..i).any(|j| all[i * n + j].abs() > COUPLED * largest));
+    let largest = (0..n).map(|i| modal[i * n + i]).fold(0.0, f64::max);
+    let coupled = (0..n).any(|i| (0..i).any(|j| modal[i * n + j].abs() > COUPLED * largest));
     match coupled {
-        true => Matrix::Dense(all),
-        false => Matrix::Diagonal((0..n).map(|i| all[i * n + i].max(0.0)).collect()),
+        true => Matrix::Dense(modal),
+        false => Matrix::Diagonal((0..n).map(|i| modal[i * n + i].max(0.0)).collect()),
     }
 }
 

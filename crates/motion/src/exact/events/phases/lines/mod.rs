@@ -58,12 +58,12 @@ pub enum Lines {
 
 /// The lines of a law; `None` if it has none, or if they change with time.
 pub fn of(law: &StructureLaw) -> Option<Lines> {
-    let own = match law.limit() {
+    let limited = match law.limit() {
         Some(limit) if limit.varying.is_none() => law.law(limit.constant),
         Some(_) => return None,
         None => law.as_given(),
     };
-    match own
+    match limited
         .properties()
         .straight()
         .filter(|_| law.row().is_none())?

@@ -110,8 +110,8 @@ impl<const L: usize> Block<L> {
         }
         for i in 0..m {
             let row = &self.flexibility[i * m..(i + 1) * m];
-            let own = &self.contacts[i];
-            let mut held = own.compliance * own.fixed;
+            let contact = &self.contacts[i];
+            let mut held = contact.compliance * contact.fixed;
             for (h, other) in row.iter().zip(&self.contacts) {
                 held = held + other.fixed * *h;
             }
@@ -154,23 +154,23 @@ impl<const L: usize> Block<L> {
         }
         let mut worst = Lane::splat(0.0);
         for i in 0..m {
-            let own = &contacts[i];
-            let mut q = own.rest - own.compliance * own.free;
+            let contact = &contacts[i];
+            let mut q = contact.rest - contact.compliance * contact.free;
             let of = &self.flexibility[i * m..(i + 1) * m];
             for (h, other) in of.iter().zip(&*contacts) {
                 q = q - other.free * *h;
             }
             let mut excess = Lane::splat(0.0);
             for l in 0..L {
-                let (s, side) = (own.free.0[l], own.side.0[l]);
-                let (low, high) = (own.low.0[l], own.high.0[l]);
+                let (s, side) = (contact.free.0[l], contact.side.0[l]);
+                let (low, high) = (contact.low.0[l], contact.high.0[l]);
                 let (below, above) = (low - s, s - high);
                 let outside = if below > above { below } else { above };
                 let pulled = if high > low { -side * q.0[l] } else { 0.0 };
                 excess.0[l] = if side == 0.0 { outside } else { pulled };
             }
             worst = worst.larger(excess);
-            force[i] = own.fixed + own.free;
+            force[i] = contact.fixed + contact.free;
         }
         worst
     }

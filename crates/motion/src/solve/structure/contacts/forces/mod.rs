@@ -30,13 +30,13 @@ impl<const L: usize> Forces<L> {
     ) -> Self {
         let contacts: Vec<_> = contacts.collect();
         let block = |block: &MatrixBlock| {
-            let own = block.contacts.iter().map(|contact| contacts[*contact]);
-            Block::new(block, own)
+            let contacts_of_block = block.contacts.iter().map(|contact| contacts[*contact]);
+            Block::new(block, contacts_of_block)
         };
         let most = flexibility
             .blocks
             .iter()
-            .map(|own| own.contacts.len())
+            .map(|block| block.contacts.len())
             .max();
         let zeros = || vec![Lane::splat(0.0); most.unwrap_or(0)];
         Forces {
@@ -51,28 +51,28 @@ impl<const L: usize> Forces<L> {
     /// Changes the bounds of a contact; [`Forces::hold`] must follow.
     #[inline(always)]
     pub(crate) fn bound(&mut self, contact: usize, bounds: [Lane<L>; 2]) {
-        let [block, place] = self.places[contact];
-        self.blocks[block].bound(place, bounds);
+        let [block, row] = self.places[contact];
+        self.blocks[block].bound(row, bounds);
     }
 
     /// Changes the bounds of a contact in a lane; [`Forces::hold`] must follow, or [`Forces::solve_lane`].
     pub(crate) fn bound_lane(&mut self, [contact, l]: [usize; 2], bounds: [f64; 2]) {
-        let [block, place] = self.places[contact];
-        self.blocks[block].bound_lane([place, l], bounds);
+        let [block, row] = self.places[contact];
+        self.blocks[block].bound_lane([row, l], bounds);
     }
 
     /// Changes the bounds of a contact, also from finite to infinite ones; [`Forces::hold`] must follow.
     #[inline(always)]
     pub(crate) fn rebound(&mut self, contact: usize, bounds: [Lane<L>; 2]) {
-        let [block, place] = self.places[contact];
-        self.blocks[block].rebound(place, bounds);
+        let [block, row] = self.places[contact];
+        self.blocks[block].rebound(row, bounds);
     }
 
     /// The bounds of a contact.
     #[inline(always)]
     pub(crate) fn bounds(&self, contact: usize) -> [Lane<L>; 2] {
-        let [block, place] = self.places[contact];
-        self.blocks[block].bounds(place)
+        let [block, row] = self.places[contact];
+        self.blocks[block].bounds(row)
     }
 
     /// Computes the forces at the bounds and their effect.
@@ -95,8 +95,8 @@ impl<const L: usize> Forces<L> {
 
     /// H of a contact with itself.
     pub(crate) fn own(&self, contact: usize) -> f64 {
-        let [block, place] = self.places[contact];
-        self.blocks[block].own(place)
+        let [block, row] = self.places[contact];
+        self.blocks[block].own(row)
     }
 
     /// Records that a lane has no forces at a step.
@@ -133,21 +133,21 @@ impl<const L: usize> Forces<L> {
         size: &dyn Fn(usize, usize) -> f64,
         force: &mut [Lane<L>],
     ) {
-        let [ds, own] = &mut self.scratch;
+        let [ds, solved] = &mut self.scratch;
         for block in &mut self.blocks {
             let count = block.of_all.len();
-            for (own, contact) in ds.iter_mut().zip(&block.of_all) {
-                *own = d[*contact];
+            for (value, contact) in ds.iter_mut().zip(&block.of_all) {
+                *value = d[*contact];
             }
-            let (ds, own) = (&ds[..count], &mut own[..count]);
-            let excess = block.follow(ds, own);
+            let (ds, solved) = (&ds[..count], &mut solved[..count]);
+            let excess = block.follow(ds, solved);
             for l in wrong(excess, self.others) {
-                if let Err(why) = block.solve_lane(l, ds, size, own) {
+                if let Err(why) = block.solve_lane(l, ds, size, solved) {
                     self.failures[l].get_or_insert((step, why));
                 }
             }
-            for (own, contact) in own.iter().zip(&block.of_all) {
-                force[*contact] = *own;
+            for (value, contact) in solved.iter().zip(&block.of_all) {
+                force[*contact] = *value;
             }
         }
     }
@@ -164,12 +164,12 @@ impl<const L: usize> Forces<L> {
     ) {
         for block in &mut self.blocks {
             let ds: Vec<Lane<L>> = block.of_all.iter().map(|contact| d[*contact]).collect();
-            let mut own: Vec<Lane<L>> = block.of_all.iter().map(|c| force[*c]).collect();
-            if let Err(why) = block.solve_lane(l, &ds, size, &mut own) {
+            let mut solved: Vec<Lane<L>> = block.of_all.iter().map(|c| force[*c]).collect();
+            if let Err(why) = block.solve_lane(l, &ds, size, &mut solved) {
                 self.failures[l].get_or_insert((step, why));
             }
-            for (own, contact) in own.iter().zip(&block.of_all) {
-                force[*contact] = *own;
+            for (value, contact) in solved.iter().zip(&block.of_all) {
+                force[*contact] = *value;
             }
         }
     }

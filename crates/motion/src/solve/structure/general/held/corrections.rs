@@ -40,7 +40,7 @@ impl<const L: usize> Corrections<L> {
         for (i, row) in flexibility.chunks_mut(m).enumerate() {
             for (entry, column) in row.iter_mut().zip(&columns) {
                 for (at, factor) in prepared.along.list(i) {
-                    let moved = column.iter().filter(|(place, _)| place == at);
+                    let moved = column.iter().filter(|(node, _)| node == at);
                     *entry += moved.map(|(_, value)| factor * value).sum::<f64>();
                 }
             }
@@ -80,11 +80,7 @@ pub(crate) fn column(prepared: &Prepared, c: usize, stop: &[bool]) -> Vec<(usize
     for (at, factor) in along {
         by_place[*at] += dt2 * factor;
     }
-    let mut forces: Vec<f64> = prepared
-        .place
-        .iter()
-        .map(|place| by_place[*place])
-        .collect();
+    let mut forces: Vec<f64> = prepared.place.iter().map(|node| by_place[*node]).collect();
     inertia.divide(&mut forces);
     prepared.place.iter().copied().zip(forces).collect()
 }

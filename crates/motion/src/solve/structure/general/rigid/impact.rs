@@ -24,7 +24,7 @@ impl<const L: usize> General<'_, L> {
             for l in (0..L).filter(|l| contact.stop[*l]) {
                 let [r, rdot] = [0, 1].map(|k| start[c][k].0[l]);
                 let places = self.prepared.along.list(c).iter();
-                let moved = places.map(|(place, factor)| (factor * nodes[*place][0].0[l]).abs());
+                let moved = places.map(|(row, factor)| (factor * nodes[*row][0].0[l]).abs());
                 let size = &mut impacts.size[c][l];
                 *size = moved.fold(size.max(contact.gap.0[l].abs()), f64::max);
                 if let Some([gap, _]) = self.stages[part].gaps.get(c) {

@@ -36,7 +36,7 @@ impl<const L: usize> General<'_, L> {
                 continue;
             };
             any |= end.contacts[c][1].0[l] != 0.0;
-            let [i, j] = pair.map(|place| root(&impacts.with, place));
+            let [i, j] = pair.map(|row| root(&impacts.with, row));
             // The ground is the last place.
             impacts.with[i.min(j)] = i.max(j);
         }
@@ -45,29 +45,29 @@ impl<const L: usize> General<'_, L> {
             if !any {
                 break;
             }
-            let members = || (0..ground).filter(|place| root(&impacts.with, *place) == head);
-            if members().all(|place| place == head) {
+            let members = || (0..ground).filter(|row| root(&impacts.with, *row) == head);
+            if members().all(|row| row == head) {
                 continue;
             }
             let sum = |of: &dyn Fn(usize) -> f64| members().map(of).sum::<f64>();
             let v = if head == ground {
                 0.0
             } else {
-                let momentum = sum(&|place| prepared.mass[place] * end.nodes[place][1].0[l]);
-                momentum / sum(&|place| prepared.mass[place])
+                let momentum = sum(&|row| prepared.mass[row] * end.nodes[row][1].0[l]);
+                momentum / sum(&|row| prepared.mass[row])
             };
-            for place in members() {
-                let [u0, v0, _] = start.nodes[place].map(|x| x.0[l]);
+            for row in members() {
+                let [u0, v0, _] = start.nodes[row].map(|x| x.0[l]);
                 let a = (v - v0) / sub_step.d1;
-                let du = self.predicted[place][0].0[l];
+                let du = self.predicted[row][0].0[l];
                 let u = u0 + (du + sub_step.d2 * a);
-                for (x, new) in end.nodes[place].iter_mut().zip([u, v, a]) {
+                for (x, new) in end.nodes[row].iter_mut().zip([u, v, a]) {
                     x.0[l] = new;
                 }
             }
         }
-        for (place, with) in impacts.with.iter_mut().enumerate() {
-            *with = place;
+        for (row, with) in impacts.with.iter_mut().enumerate() {
+            *with = row;
         }
         any
     }
@@ -83,9 +83,9 @@ fn pair(along: &[(usize, f64)], ground: usize) -> Option<[usize; 2]> {
 }
 
 /// The place at the end of the chain of a place.
-fn root(with: &[usize], mut place: usize) -> usize {
-    while with[place] != place {
-        place = with[place];
+fn root(with: &[usize], mut row: usize) -> usize {
+    while with[row] != row {
+        row = with[row];
     }
-    place
+    row
 }

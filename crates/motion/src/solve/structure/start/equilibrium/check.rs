@@ -20,7 +20,7 @@ impl Equilibrium<'_> {
         if let Some(node) = unbalanced(structure, load, &self.u, &self.forces, beside) {
             return Some(structure.nodes[node].name.clone());
         }
-        let place = PLACE.max(loose) * largest(&self.u) + ROUND_OFF.max(loose) * self.reach;
+        let width = PLACE.max(loose) * largest(&self.u) + ROUND_OFF.max(loose) * self.reach;
         let end = self.curved.memory();
         self.curved.recall(self.start.2.iter().copied());
         let broken = (0..structure.contacts.len()).find(|c| {
@@ -28,7 +28,7 @@ impl Equilibrium<'_> {
                 return false;
             }
             let change = structure.relative(*c, &self.u) - structure.relative(*c, &self.start.0);
-            let [low, high] = [-place, place].map(|place| self.curved.follow(*c, change + place));
+            let [low, high] = [-width, width].map(|offset| self.curved.follow(*c, change + offset));
             let force = self.forces[*c];
             let left = LEFT * force.abs() + beside;
             let holds = low - left <= force && force <= high + left;

@@ -28,10 +28,10 @@ impl<'a> Equilibrium<'a> {
         structure: &'a Structure,
         parts: usize,
     ) -> Result<Equilibrium<'a>, Unsolvable> {
-        let mut own = Equilibrium::with(structure, 0)?;
-        match own.leaves_idle(parts) {
-            true => Ok(own),
-            false => own.settle(parts),
+        let mut equilibrium = Equilibrium::with(structure, 0)?;
+        match equilibrium.leaves_idle(parts) {
+            true => Ok(equilibrium),
+            false => equilibrium.settle(parts),
         }
     }
 
@@ -61,16 +61,16 @@ impl<'a> Equilibrium<'a> {
         let start = &self.structure.displacement;
         let mut lines = self.structure.clone();
         let mut falling = Vec::new();
-        for (c, own) in self.structure.contacts.iter().enumerate() {
-            if !falls(own) {
+        for (c, contact) in self.structure.contacts.iter().enumerate() {
+            if !falls(contact) {
                 continue;
             }
             if self.structure.relative(c, start) != 0.0 {
                 return false;
             }
-            let small = FIRST * own.law.law(0.0).properties().reach();
+            let small = FIRST * contact.law.law(0.0).properties().reach();
             let stiffness = self.curved.follow(c, small) / small;
-            lines.stiffness.add_along(&own.along, stiffness);
+            lines.stiffness.add_along(&contact.along, stiffness);
             // It has no force beside the spring.
             lines.contacts[c].along.clear();
             falling.push((c, stiffness));
@@ -85,12 +85,12 @@ impl<'a> Equilibrium<'a> {
             found.forces[*c] = stiffness * self.structure.relative(*c, &found.u);
         }
         let mut memory = found.curved.memory();
-        let own = self.curved.memory();
+        let found_memory = self.curved.memory();
         for (c, _) in &falling {
-            memory[*c] = own[*c];
+            memory[*c] = found_memory[*c];
         }
         self.curved.recall(memory.into_iter());
-        let sizes = [&found.forces, &self.structure.preload.load].map(|all| largest(all));
+        let sizes = [&found.forces, &self.structure.preload.load].map(|values| largest(values));
         let round_off = ROUND_OFF * sizes[0].max(sizes[1]);
         let is_on_line = |(c, _): &(usize, f64)| {
             let force = self.curved.lead(*c, self.structure.relative(*c, &found.u));
@@ -112,8 +112,8 @@ fn falls(contact: &Contact) -> bool {
 
 /// No equilibrium because of a law that falls.
 fn softened(structure: &Structure) -> Unsolvable {
-    let contact = structure.contacts.iter().find(|own| falls(own));
-    let name = contact.map_or("", |own| &own.name);
+    let contact = structure.contacts.iter().find(|contact| falls(contact));
+    let name = contact.map_or("", |contact| &contact.name);
     Unsolvable::BrokenRules(format!(
         "no equilibrium with the static loads was found: the force of contact '{name}' falls (softens) beyond its limit and may carry less than the loads; apply them as loads in time, or choose smaller ones"
     ))

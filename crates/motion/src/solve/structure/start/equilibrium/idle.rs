@@ -24,7 +24,7 @@ impl Equilibrium<'_> {
         for c in &touching {
             fixed.contacts[*c].along.retain(|(node, _)| !is_idle[*node]);
         }
-        let found = Equilibrium::with(&fixed, 0).and_then(|own| own.settle(parts));
+        let found = Equilibrium::with(&fixed, 0).and_then(|equilibrium| equilibrium.settle(parts));
         let Ok(found) = found else {
             return false;
         };
@@ -44,10 +44,10 @@ fn idle(structure: &Structure) -> Vec<bool> {
     let most = FREE * structure.stiffness.largest();
     let holding = structure.holding(|node| part[node]);
     let mut is_idle: Vec<bool> = (0..part.len())
-        .map(|own| holding.get(&own).is_none_or(|force| *force <= most))
+        .map(|number| holding.get(&number).is_none_or(|force| *force <= most))
         .collect();
-    for (node, own) in part.iter().enumerate() {
-        is_idle[*own] &= structure.preload.load[node] == 0.0 && structure.nodes[node].mass > 0.0;
+    for (node, number) in part.iter().enumerate() {
+        is_idle[*number] &= structure.preload.load[node] == 0.0 && structure.nodes[node].mass > 0.0;
     }
-    part.iter().map(|own| is_idle[*own]).collect()
+    part.iter().map(|number| is_idle[*number]).collect()
 }

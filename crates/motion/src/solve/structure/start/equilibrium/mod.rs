@@ -85,8 +85,8 @@ impl<'a> Equilibrium<'a> {
     fn with(structure: &'a Structure, smaller: usize) -> Result<Equilibrium<'a>, Unsolvable> {
         let mut mass = structure.mass();
         let massless = structure.massless();
-        let own = stiffnesses(structure);
-        let stiffened = stiffened(structure, &own);
+        let contact_stiffnesses = stiffnesses(structure);
+        let stiffened = stiffened(structure, &contact_stiffnesses);
         let m = structure.contacts.len();
         let mut weights = Weights {
             q: 0.0,
@@ -95,7 +95,7 @@ impl<'a> Equilibrium<'a> {
         };
         if !holds(&structure.stiffness, &stiffened) {
             weights.q = first_q(structure, &stiffened);
-            weights.contacts = own.iter().map(|k| k / LARGE).collect();
+            weights.contacts = contact_stiffnesses.iter().map(|k| k / LARGE).collect();
         }
         let is_negative = negative_pivot(&structure.stiffness).is_some();
         if is_negative {
@@ -239,8 +239,8 @@ impl<'a> Equilibrium<'a> {
             let moved = self.structure.relative(c, change).abs();
             let present = (self.forces[c] - before[c]).abs() / moved;
             let present = if present.is_nan() { k } else { present };
-            let own = &mut weights.contacts[c];
-            *own = own.min(present.max(weights.part * k) / LARGE);
+            let weight = &mut weights.contacts[c];
+            *weight = weight.min(present.max(weights.part * k) / LARGE);
         }
         match self.renew() {
             Ok(true) => {}

@@ -35,12 +35,12 @@ impl Equilibrium<'_> {
     /// Whether the present forces follow from displacements alone.
     pub(super) fn has_no_memory(&self) -> bool {
         let mut contacts = self.structure.contacts.iter();
-        contacts.all(|own| {
-            let law = &own.law;
+        contacts.all(|contact| {
+            let law = &contact.law;
             let is_impact = law.kind() == ContactKind::Impact;
             let limit = law.limit();
             let is_fixed =
-                limit.is_none_or(|own| own.pressed_by.is_none() && own.static_ratio == 1.0);
+                limit.is_none_or(|limit| limit.pressed_by.is_none() && limit.static_ratio == 1.0);
             law.row().is_none() && is_fixed && (is_impact || !law.is_curved())
         })
     }
@@ -59,7 +59,8 @@ impl Equilibrium<'_> {
             let (du, ds) = change.as_slice().split_at(self.u.len());
             self.u.iter_mut().zip(du).for_each(|(u, x)| *u += x);
             self.forces.iter_mut().zip(ds).for_each(|(s, x)| *s += x);
-            let is_small = |change: &[f64], all: &[f64]| largest(change) <= TARGET * largest(all);
+            let is_small =
+                |change: &[f64], values: &[f64]| largest(change) <= TARGET * largest(values);
             if is_small(du, &self.u) && is_small(ds, &self.forces) {
                 break;
             }
@@ -88,7 +89,7 @@ impl Equilibrium<'_> {
                 right[j] -= k * self.u[i];
             }
         }
-        for (c, own) in structure.contacts.iter().enumerate() {
+        for (c, contact) in structure.contacts.iter().enumerate() {
             let (row, s) = (n + c, self.forces[c]);
             let change = structure.relative(c, &self.u) - structure.relative(c, &self.start.0);
             for (node, factor) in structure.column(c) {
@@ -96,10 +97,10 @@ impl Equilibrium<'_> {
                 right[node] -= factor * s;
             }
             // What must be 0 for the contact to hold, the slope of its force, and what dS is without one.
-            let (slope, rest) = if own.law.is_rigid() {
-                let is_impact = own.law.kind() == ContactKind::Impact;
+            let (slope, rest) = if contact.law.is_rigid() {
+                let is_impact = contact.law.kind() == ContactKind::Impact;
                 let r = match is_impact {
-                    true => structure.relative(c, &self.u) + own.gap,
+                    true => structure.relative(c, &self.u) + contact.gap,
                     false => change,
                 };
                 let [low, high] = self.curved.bounds(c);

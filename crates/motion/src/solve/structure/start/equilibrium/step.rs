@@ -22,7 +22,7 @@ impl Equilibrium<'_> {
         self.linear.factor.solve(&mut change);
         // From the start of the load, without the contact forces of the end.
         let (u, forces, laws) = &self.start;
-        let mut whole: Vec<f64> = change.iter().zip(&self.u).map(|(x, own)| own + x).collect();
+        let mut whole: Vec<f64> = change.iter().zip(&self.u).map(|(x, u)| u + x).collect();
         for (column, force) in self.linear.columns.iter().zip(&self.forces) {
             add(&mut whole, column, *force);
         }
@@ -33,7 +33,7 @@ impl Equilibrium<'_> {
         }
         self.curved.recall(laws.iter().copied());
         for (c, contact) in structure.contacts.iter().enumerate() {
-            let changes = |own: &&Limit| own.pressed_by.is_some() || own.static_ratio > 1.0;
+            let changes = |limit: &&Limit| limit.pressed_by.is_some() || limit.static_ratio > 1.0;
             if let Some(limit) = contact.law.limit().filter(changes) {
                 let held = contact.law.static_ratio() * self.pressed(limit);
                 self.curved.limit(c, held);

@@ -49,12 +49,12 @@ pub(super) fn stiffnesses(structure: &Structure) -> Vec<f64> {
 }
 
 /// K with the contacts at their largest stiffness.
-pub(super) fn stiffened(structure: &Structure, own: &[f64]) -> Symmetric {
+pub(super) fn stiffened(structure: &Structure, stiffnesses: &[f64]) -> Symmetric {
     let mut stiffness = structure.initial_stiffness();
     for (contact, k) in structure
         .contacts
         .iter()
-        .zip(own)
+        .zip(stiffnesses)
         .filter(|(_, k)| **k > 0.0)
     {
         stiffness.add_along(&contact.along, *k);
@@ -177,6 +177,6 @@ pub(super) fn add(to: &mut [f64], what: &[f64], factor: f64) {
 }
 
 /// The largest size.
-pub(super) fn largest(all: &[f64]) -> f64 {
-    all.iter().fold(0.0, |a, x| f64::max(a, x.abs()))
+pub(super) fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |a, x| f64::max(a, x.abs()))
 }

@@ -6,20 +6,22 @@ use crate::system::structure::Motion;
 
 /// All methods with their default numbers; central-difference, which needs no K, too.
 fn methods() -> impl Iterator<Item = Method> {
-    METHODS.iter().filter_map(|own| own.with_defaults())
+    METHODS
+        .iter()
+        .filter_map(|description| description.with_defaults())
 }
 
 /// u and v of the first node after each step.
 fn motion(structure: &Structure, method: &Method, dt: f64, steps: usize) -> Vec<[f64; 2]> {
     let prepared = Prepared::by(method, structure, dt).unwrap();
-    let mut all = Vec::new();
+    let mut totals = Vec::new();
     let [done] = run::<1>(&[structure], &prepared, steps, |step, state| {
-        let w = [state.displacement(0), state.velocity(0)].map(|own| vec![own.0[0]]);
+        let w = [state.displacement(0), state.velocity(0)].map(|lanes| vec![lanes.0[0]]);
         let t = step as f64 * dt;
-        all.push([0, 1].map(|which| structure.total(0, t, which, &w[which])));
+        totals.push([0, 1].map(|which| structure.total(0, t, which, &w[which])));
     });
     done.unwrap();
-    all
+    totals
 }
 
 #[test]
@@ -77,8 +79,8 @@ fn a_support_that_jumps_within_a_step_leaves_the_mass_where_it_is() {
     for method in methods() {
         let of = |dt: f64| {
             let steps = (2.0 / dt) as usize;
-            let all = motion(&pulled(1e-5), &method, dt, steps);
-            let error = all.iter().enumerate().skip(2).map(|(i, [u, _])| {
+            let totals = motion(&pulled(1e-5), &method, dt, steps);
+            let error = totals.iter().enumerate().skip(2).map(|(i, [u, _])| {
                 let t = i as f64 * dt;
                 if t < 0.02 {
                     0.0

@@ -30,30 +30,31 @@ fn part(number: usize, laws: &[StructureLaw; 2]) -> Structure {
 fn together(parts: &[Structure]) -> Structure {
     let count = parts.len();
     let mass = |i: usize| parts[i % count].nodes[i / count].mass;
-    let mut all = masses(&(0..2 * count).map(mass).collect::<Vec<_>>());
+    let mut joined = masses(&(0..2 * count).map(mass).collect::<Vec<_>>());
     for (p, part) in parts.iter().enumerate() {
-        let place = |node: usize| node * count + p;
+        let joined_node = |node: usize| node * count + p;
         for ((i, j), k) in part.stiffness.entries() {
-            all.stiffness.add(place(i), place(j), k);
+            joined.stiffness.add(joined_node(i), joined_node(j), k);
         }
         for ((i, j), c) in part.damping.entries() {
-            all.damping.add(place(i), place(j), c);
+            joined.damping.add(joined_node(i), joined_node(j), c);
         }
         for node in 0..2 {
-            all.displacement[place(node)] = part.displacement[node];
-            all.velocity[place(node)] = part.velocity[node];
+            joined.displacement[joined_node(node)] = part.displacement[node];
+            joined.velocity[joined_node(node)] = part.velocity[node];
         }
     }
     for c in [1, 0] {
         for (p, part) in parts.iter().enumerate().rev() {
-            let mut own = part.contacts[c].clone();
-            own.along
+            let mut contact = part.contacts[c].clone();
+            contact
+                .along
                 .iter_mut()
                 .for_each(|(node, _)| *node = *node * count + p);
-            all.contacts.push(own);
+            joined.contacts.push(contact);
         }
     }
-    all
+    joined
 }
 
 /// u and S of both nodes and contacts of part `p` at the steps.
@@ -95,13 +96,16 @@ fn parts_that_nothing_connects_move_as_alone() {
     for (name, method) in [average].into_iter().chain(methods()) {
         for laws in laws() {
             let parts: Vec<Structure> = (0..PARTS).map(|p| part(p, &laws)).collect();
-            let all = together(&parts);
-            assert_eq!(sizes_of_blocks(&all), vec![2; PARTS]);
+            let joined = together(&parts);
+            assert_eq!(sizes_of_blocks(&joined), vec![2; PARTS]);
             for p in [0, 17] {
                 let alone = motion(&parts[p], &method, [[0, 1], [0, 1]]);
                 let places = [[p, PARTS + p], [2 * PARTS - 1 - p, PARTS - 1 - p]];
-                let found = motion(&all, &method, places);
-                assert!(alone.iter().any(|own| own[2] != 0.0), "{name}: no impact");
+                let found = motion(&joined, &method, places);
+                assert!(
+                    alone.iter().any(|state| state[2] != 0.0),
+                    "{name}: no impact"
+                );
                 for (step, (alone, found)) in alone.iter().zip(&found).enumerate() {
                     for (a, b) in alone.iter().zip(found) {
                         // The order of elimination differs; a curved law ends its search at round-off.

@@ -173,7 +173,7 @@ fn both_forms_of_a_method_agree_to_round_off() {
             });
             let force = rows[0][2];
             let modes =
-                slipgap_system::each_method!(method, own => by_modes(own, &structure, force));
+                slipgap_system::each_method!(method, form => by_modes(form, &structure, force));
             // The rigid stop is hit in some steps only.
             let forces = rows.iter().filter(|row| row[2] != 0.0).count();
             assert!(forces > 2, "{} {law:?}: {forces}", description.name);

@@ -37,7 +37,7 @@ fn newmark_with_gamma_one_half_turns_by_its_angle() {
 /// Chung and Hulbert (1993): the recursion of (u, dt v, dt^2 a) by its own three equations.
 #[test]
 fn alpha_methods_follow_their_amplification_matrix() {
-    let all = [
+    let methods = [
         Coefficients::newmark(0.3025, 0.6),
         Coefficients::hht(-0.05),
         Coefficients::hht(-1.0 / 3.0),
@@ -45,7 +45,7 @@ fn alpha_methods_follow_their_amplification_matrix() {
         Coefficients::generalized_alpha(0.5),
         Coefficients::generalized_alpha(1.0),
     ];
-    for of in all {
+    for of in methods {
         for (x, xi) in [(0.05, 0.0), (1.0, 0.02), (7.0, 0.3), (1e3, 0.1)] {
             let [k, c] = [x * x, 2.0 * xi * x];
             let Coefficients {

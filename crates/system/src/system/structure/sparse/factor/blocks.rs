@@ -49,9 +49,9 @@ impl Block {
         let mut start = self.values;
         (self.first..self.end).step_by(GROUP).map(move |first| {
             let columns = first..self.end.min(first + GROUP);
-            let place = start;
+            let first = start;
             start += self.entries(&columns);
-            (columns, place)
+            (columns, first)
         })
     }
 
@@ -95,14 +95,14 @@ impl Blocks {
             for (columns, _) in block.groups() {
                 let mut below = [&[][..]; GROUP];
                 for (column, below) in columns.clone().zip(&mut below) {
-                    let (own, after) = left.split_at(panel.entries(column));
-                    let (inside, own) = own.split_at(columns.end - 1 - column);
+                    let (column_values, after) = left.split_at(panel.entries(column));
+                    let (inside, below_diagonal) = column_values.split_at(columns.end - 1 - column);
                     inside.iter().for_each(&mut write);
-                    (*below, left) = (own, after);
+                    (*below, left) = (below_diagonal, after);
                 }
                 for row in 0..below[0].len() {
-                    let own = &below[..columns.len()];
-                    own.iter().for_each(|column| write(&column[row]));
+                    let inside = &below[..columns.len()];
+                    inside.iter().for_each(|column| write(&column[row]));
                 }
             }
             start = end;
@@ -142,13 +142,14 @@ impl Blocks {
         let width = columns.len();
         let before = column - columns.start;
         let values = &self.values[start..start + block.entries(&columns)];
-        let (own, below) = values.split_at(inside(width));
+        let (triangle, below) = values.split_at(inside(width));
         // Each column has one entry there less than the one before.
-        let own = &own[own.len() - inside(width - before)..][..width - 1 - before];
+        let column_values =
+            &triangle[triangle.len() - inside(width - before)..][..width - 1 - before];
         let below = below.iter().skip(before).step_by(width);
         let rows = self.rows[block.rows[0]..block.rows[1]].iter();
         let rows = (column + 1..block.end).chain(rows.map(|row| *row as usize));
-        rows.zip(own.iter().chain(below))
+        rows.zip(column_values.iter().chain(below))
             .map(|(at, value)| Entry { at, value: *value })
     }
 

@@ -57,8 +57,8 @@ pub(super) fn minimum_degree(
             let row = &mut rows[*i];
             let before = row.len();
             for j in column.iter().filter(|j| !complete && *j != i) {
-                if let Err(place) = row.binary_search(j) {
-                    row.insert(place, *j);
+                if let Err(position) = row.binary_search(j) {
+                    row.insert(position, *j);
                 }
             }
             let rank = &mut ranks[*i];

@@ -80,7 +80,7 @@ impl Factor {
         drop(packed);
         let panels = panels(&columns);
         let numeric = Numeric::new(&panels, &numbers, diagonal, columns)
-            .map_err(|place| NotPositive { row: rows[place] })?;
+            .map_err(|pivot| NotPositive { row: rows[pivot] })?;
         let (pivots, values) = numeric.finish();
         let triangle = match fills {
             true => Triangle::Blocks(Blocks::new(&panels, &pivots, values)),
@@ -184,12 +184,13 @@ fn neighbours(matrix: &Symmetric) -> Lists<usize> {
 
 /// The diagonal of a matrix with its rows in this order, and the entries (row, value) of each column below it.
 fn ordered(matrix: &Symmetric, rows: &[usize]) -> (Vec<f64>, Lists<(usize, f64)>) {
-    let mut place = vec![0; rows.len()];
+    let mut position_of = vec![0; rows.len()];
     for (k, row) in rows.iter().enumerate() {
-        place[*row] = k;
+        position_of[*row] = k;
     }
     let entries = || {
-        let placed = |((i, j), value): ((usize, usize), f64)| ([place[i], place[j]], value);
+        let placed =
+            |((i, j), value): ((usize, usize), f64)| ([position_of[i], position_of[j]], value);
         matrix.entries().map(placed)
     };
     let mut diagonal = vec![0.0; rows.len()];
@@ -305,16 +306,19 @@ mod tests {
         before: impl Fn(usize, usize) -> bool,
     ) -> DMatrix<f64> {
         let n = matrix.size();
-        let place: Vec<usize> = {
-            let mut place = vec![0; n];
+        let position_of: Vec<usize> = {
+            let mut positions = vec![0; n];
             for (k, row) in factor.order().iter().enumerate() {
-                place[*row] = k;
+                positions[*row] = k;
             }
-            place
+            positions
         };
         let mut a = DMatrix::zeros(n, n);
         for ((i, j), value) in matrix.entries() {
-            a[(place[i].max(place[j]), place[i].min(place[j]))] = value;
+            a[(
+                position_of[i].max(position_of[j]),
+                position_of[i].min(position_of[j]),
+            )] = value;
         }
         for k in 0..n {
             let below: Vec<f64> = (k + 1..n).map(|i| a[(i, k)]).collect();
@@ -376,9 +380,9 @@ mod tests {
         let mut b = vec![0.0; 1600];
         matrix.add_product(&x, &mut b);
         factor.solve(&mut b);
-        for (own, x) in b.iter().zip(x) {
+        for (solved, x) in b.iter().zip(x) {
             // Round-off times a condition of about 50.
-            assert!((own - x).abs() < 1e-12, "{own} {x}");
+            assert!((solved - x).abs() < 1e-12, "{solved} {x}");
         }
     }
 
@@ -415,8 +419,8 @@ mod tests {
                 full[at] += x;
             }
             for i in 0..n {
-                let own = full[i];
-                factor.for_column(i, |entry| full[entry.at] -= entry.value * own);
+                let value = full[i];
+                factor.for_column(i, |entry| full[entry.at] -= entry.value * value);
             }
             let nonzero = full.into_iter().enumerate().filter(|(_, x)| *x != 0.0);
             assert_eq!(factor.eliminate_few(&few), nonzero.collect::<Vec<_>>());

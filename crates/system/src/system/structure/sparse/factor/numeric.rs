@@ -65,17 +65,17 @@ impl<'a> Numeric<'a> {
         let mut sources: Vec<Vec<Source>> = vec![Vec::new(); panels.len()];
         for (number, panel) in panels.iter().enumerate() {
             numeric.place(panel);
-            let mut own = std::mem::take(&mut sources[number]);
-            own.sort_unstable_by_key(|source| source.panel);
-            for source in &mut own {
+            let mut panel_sources = std::mem::take(&mut sources[number]);
+            panel_sources.sort_unstable_by_key(|source| source.panel);
+            for source in &mut panel_sources {
                 source.first = numeric.subtract(panel, *source);
             }
             numeric.eliminate(panel)?;
-            own.push(Source {
+            panel_sources.push(Source {
                 panel: number,
                 first: 0,
             });
-            for source in own {
+            for source in panel_sources {
                 if let Some(row) = panels[source.panel].rows.get(source.first) {
                     sources[panel_of[*row]].push(source);
                 }
@@ -104,8 +104,8 @@ impl<'a> Numeric<'a> {
 
     /// Finds the places of the rows of a panel.
     fn place(&mut self, panel: &Panel) {
-        for (place, row) in panel.rows_of(panel.first).enumerate() {
-            self.places[row] = place;
+        for (position, row) in panel.rows_of(panel.first).enumerate() {
+            self.places[row] = position;
         }
     }
 
@@ -170,15 +170,15 @@ impl<'a> Numeric<'a> {
             let rows = || panel.rows_of(column).map(|row| self.numbers[row]);
             let number = self.numbers[column];
             let rising = rows().all(|other| other > number);
-            let (before, own) = self.entries.split_at_mut(start);
-            let own = &mut own[..panel.entries(column)];
+            let (before, panel_entries) = self.entries.split_at_mut(start);
+            let column_entries = &mut panel_entries[..panel.entries(column)];
             for k in panel.first..column {
                 let at = self.starts[k] + column - k - 1;
                 let (a, pivot) = (before[at], self.pivots[k]);
                 let l = a / pivot;
                 self.pivots[column] -= l * a;
                 before[at] = l;
-                let others = own.iter_mut().zip(&before[at + 1..]);
+                let others = column_entries.iter_mut().zip(&before[at + 1..]);
                 if rising {
                     for (entry, b) in others {
                         *entry -= b * l;

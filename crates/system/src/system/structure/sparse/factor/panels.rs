@@ -37,7 +37,7 @@ pub(super) fn panels(columns: &Lists<(usize, f64)>) -> Vec<Panel> {
     let mut children = vec![Vec::new(); size];
     let mut marks = vec![0; size];
     for column in 0..size {
-        let own = || columns.list(column).iter().map(|(row, _)| *row);
+        let own_rows = || columns.list(column).iter().map(|(row, _)| *row);
         let last = panels.len();
         if let Some(before) = panels.last_mut() {
             let first = before.rows.first().copied();
@@ -45,8 +45,10 @@ pub(super) fn panels(columns: &Lists<(usize, f64)>) -> Vec<Panel> {
                 let stamp = 2 * column + 1;
                 before.rows.iter().for_each(|row| marks[*row] = stamp);
                 let below = |panel: &usize| &panels[*panel].rows[1..];
-                let mut all = children[column].iter().flat_map(below);
-                if own().all(|row| marks[row] == stamp) && all.all(|row| marks[*row] == stamp) {
+                let mut below_children = children[column].iter().flat_map(below);
+                if own_rows().all(|row| marks[row] == stamp)
+                    && below_children.all(|row| marks[*row] == stamp)
+                {
                     let before = &mut panels[last - 1];
                     before.rows.remove(0);
                     before.end += 1;
@@ -59,9 +61,9 @@ pub(super) fn panels(columns: &Lists<(usize, f64)>) -> Vec<Panel> {
         }
         let stamp = 2 * column + 2;
         let below = |panel: &usize| panels[*panel].rows[1..].iter().copied();
-        let all = own().chain(children[column].iter().flat_map(below));
+        let candidates = own_rows().chain(children[column].iter().flat_map(below));
         let is_new = |row: &usize| std::mem::replace(&mut marks[*row], stamp) != stamp;
-        let mut rows: Vec<usize> = all.filter(is_new).collect();
+        let mut rows: Vec<usize> = candidates.filter(is_new).collect();
         rows.sort_unstable();
         panels.push(Panel {
             first: column,

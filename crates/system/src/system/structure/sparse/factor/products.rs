@@ -46,9 +46,9 @@ impl Products<'_> {
     /// The place of each column in its first row below the panel, and L of the rows from `column` on.
     #[inline(always)]
     fn from(&self, column: usize) -> impl Iterator<Item = (&usize, &[f64])> {
-        let all = self.divided.chunks_exact(self.columns.len());
+        let rows = self.divided.chunks_exact(self.columns.len());
         let from = column - self.columns.start;
-        self.firsts.iter().zip(all.map(move |l| &l[from..]))
+        self.firsts.iter().zip(rows.map(move |l| &l[from..]))
     }
 
     /// Subtracts the products of C rows from `column` on and R rows from `row` on. Each entry loses one product after the other.
@@ -82,8 +82,8 @@ impl Products<'_> {
             self.subtract_any([row, column], &mut sums);
         }
         for (offset, sums) in offsets.iter().zip(&sums) {
-            for (place, sum) in places.iter().zip(sums) {
-                to.entries[offset + place] = *sum;
+            for (entry, sum) in places.iter().zip(sums) {
+                to.entries[offset + entry] = *sum;
             }
         }
     }

@@ -9,7 +9,7 @@ impl Factor {
     pub fn eliminate_few(&self, b: &[(usize, f64)]) -> Vec<(usize, f64)> {
         let mut reached = Vec::new();
         for (start, _) in b {
-            let parents = std::iter::successors(Some(*start), |place| self.parent(*place));
+            let parents = std::iter::successors(Some(*start), |column| self.parent(*column));
             reached.extend(parents);
         }
         reached.sort_unstable();
@@ -19,32 +19,32 @@ impl Factor {
             x[*at] += value;
         }
         let mut entries = Vec::with_capacity(reached.len());
-        for place in reached {
-            let own = x[place];
-            if own != 0.0 {
-                self.for_column(place, |entry| x[entry.at] -= entry.value * own);
-                entries.push((place, own));
+        for column in reached {
+            let value = x[column];
+            if value != 0.0 {
+                self.for_column(column, |entry| x[entry.at] -= entry.value * value);
+                entries.push((column, value));
             }
         }
         entries
     }
 
     /// The first row that the column of a place has an entry in.
-    fn parent(&self, place: usize) -> Option<usize> {
+    fn parent(&self, column: usize) -> Option<usize> {
         let first = match &self.triangle {
-            Triangle::Columns { columns, .. } => columns.column(place).first().copied(),
-            Triangle::Blocks(blocks) => blocks.column(place).next(),
+            Triangle::Columns { columns, .. } => columns.column(column).first().copied(),
+            Triangle::Blocks(blocks) => blocks.column(column).next(),
         };
         first.map(|entry| entry.at)
     }
 
     /// The entries of a column of L, whose rows rise.
-    pub(super) fn for_column(&self, place: usize, each: impl FnMut(Entry)) {
+    pub(super) fn for_column(&self, column: usize, each: impl FnMut(Entry)) {
         match &self.triangle {
             Triangle::Columns { columns, .. } => {
-                columns.column(place).iter().copied().for_each(each);
+                columns.column(column).iter().copied().for_each(each);
             }
-            Triangle::Blocks(blocks) => blocks.column(place).for_each(each),
+            Triangle::Blocks(blocks) => blocks.column(column).for_each(each),
         }
     }
 }

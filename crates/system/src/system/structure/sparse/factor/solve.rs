@@ -64,9 +64,9 @@ mod tests {
         matrix.add_product(&x, &mut b);
         let factor = Factor::new(&matrix, &[false; 5]).unwrap();
         factor.solve(&mut b);
-        for (own, x) in b.iter().zip(x) {
+        for (solved, x) in b.iter().zip(x) {
             // Round-off times a condition of about 30.
-            assert!((own - x).abs() < 1e-13);
+            assert!((solved - x).abs() < 1e-13);
         }
     }
 }
