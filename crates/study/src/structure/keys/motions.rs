@@ -70,7 +70,7 @@ pub(crate) const FUNCTION: Keys = &[
     ),
     (
         "column",
-        "column of a table with the accelerations, from 1; t and a if left out; another file has the column 1",
+        "column of a table, or of UNAM, with the accelerations, from 1; t and a if left out; another file has the column 1",
     ),
     (
         "dt",

@@ -114,6 +114,12 @@ fn read(
             means.push((file.to_owned(), removed));
         }
     }
+    if let Some(doubt) = record.doubts.first() {
+        let mut doubts = reader.doubts.borrow_mut();
+        if !doubts.iter().any(|(known, _)| known == file) {
+            doubts.push((file.to_owned(), doubt.to_string()));
+        }
+    }
     if let (None, Some(first)) = (function.get("start"), record.times.first()) {
         let what = format!(
             "and what is before t = 0 is not used: add {} to its times to use all, \"start\": 0 ends this note",
@@ -139,18 +145,29 @@ fn four_digits(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
 }
 
-/// What was done to the records, for `explain`, `run` and the page; `None` if nothing was, or the study asks for it.
-pub(in crate::structure) fn note(reader: &Reader) -> Option<String> {
+/// What was done to the records, and what their headers say otherwise, for `explain`, `run` and the page.
+pub(in crate::structure) fn notes(reader: &Reader) -> Vec<String> {
     let removed = reader.removed_means.borrow();
-    let (file, mean) = removed.first()?;
-    let more = match removed.len() {
-        1 => String::new(),
-        2 => " and that of 1 more record".to_owned(),
-        count => format!(" and those of {} more records", count - 1),
-    };
-    Some(format!(
-        "the mean of {}, {mean},{more} is removed, as for every K-NET file; \"mean\": \"kept\" keeps it, \"mean\": \"removed\" ends \
-         this note",
-        quoted(file)
-    ))
+    let removed = removed.first().map(|(file, mean)| {
+        let more = match removed.len() {
+            1 => String::new(),
+            2 => " and that of 1 more record".to_owned(),
+            count => format!(" and those of {} more records", count - 1),
+        };
+        format!(
+            "the mean of {}, {mean},{more} is removed, as for every K-NET file; \"mean\": \"kept\" keeps it, \"mean\": \"removed\" ends \
+             this note",
+            quoted(file)
+        )
+    });
+    let doubts = reader.doubts.borrow();
+    let doubt = doubts.first().map(|(file, doubt)| {
+        let more = match doubts.len() {
+            1 => String::new(),
+            2 => "; 1 more record has such a contradiction".to_owned(),
+            count => format!("; {} more records have such contradictions", count - 1),
+        };
+        format!("{}: {doubt}{more}", quoted(file))
+    });
+    removed.into_iter().chain(doubt).collect()
 }
