@@ -1,22 +1,24 @@
 //! Recorded accelerations: the files next to the study, read once.
 
+use super::members::combinations;
+use super::record_keys::{Fault, RecordKeys};
 use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::source::tree::Node;
-use crate::structure::keys::{FUNCTION, range};
 use crate::structure::reading::reader::Reader;
-use crate::value::{name, number};
-use slipgap_problem::problem::numbers::parameter::{Range, shortest};
+use slipgap_problem::problem::numbers::parameter::{Value, shortest};
+use slipgap_problem::problem::structure::given::chosen::Chosen;
 use slipgap_problem::problem::structure::given::loads::Kind;
-use slipgap_system::system::loads::record::{Heading, Mean, Reading};
+use slipgap_system::system::loads::record::{Heading, Reading};
 use slipgap_system::system::loads::{self, SignalFault, Unit};
 use slipgap_system::system::structure::Signal;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Most bytes of a record.
 const LARGEST: u64 = 64 << 20;
 
-/// The record at a node, or the parameter that chooses one.
+/// The record at a node, or the parameters that choose its file and how it is read.
 pub(in crate::structure) fn record(
     node: &Node,
     path: &str,
@@ -24,73 +26,61 @@ pub(in crate::structure) fn record(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Kind> {
-    let unit = match function.get("unit") {
-        None => None,
-        Some(node) => {
-            let names = Unit::ALL.map(Unit::name);
-            Some(Unit::ALL[name(node, &function.path("unit"), "unit", &names, faults)?])
-        }
-    };
-    let reading = reading(function, faults)?;
+    let keys = RecordKeys::of(function, reader, faults)?;
     let (chosen, files) = reader.files(node, path, faults)?;
+    let of_file = match chosen {
+        Chosen::Parameter(row) => Some(row),
+        Chosen::Name(_) => None,
+    };
+    let rows: BTreeSet<usize> = of_file.into_iter().chain(keys.rows()).collect();
+    let rows: Vec<usize> = rows.into_iter().collect();
+    let choices = match (keys.rows().is_empty(), of_file) {
+        (true, None) => vec![Vec::new()],
+        (true, Some(row)) => files
+            .iter()
+            .map(|file| vec![(row, Value::Name(file))])
+            .collect(),
+        (false, _) => match combinations(&rows, reader) {
+            Ok(choices) => choices,
+            Err(why) => {
+                faults.add(node.at, path, why);
+                return None;
+            }
+        },
+    };
     let before = faults.count();
     let mut records = Vec::new();
-    for file in files {
-        match read(file, (unit, reading), function, reader) {
-            Ok(signal) => records.push((file, signal)),
+    for values in choices {
+        let given = |row: usize| values.iter().find(|own| own.0 == row).map(|own| own.1);
+        let file = match chosen {
+            Chosen::Parameter(row) => given(row).map_or("", Value::name),
+            Chosen::Name(file) => file,
+        };
+        let signal = keys.with(&values);
+        match signal.and_then(|with| read(file, with, keys.has_mean(), function, reader)) {
+            Ok(signal) => records.push((values.into_iter().map(|own| own.1).collect(), signal)),
             Err((key, why)) => {
                 let wrong = key.and_then(|key| Some((function.get(key)?.at, function.path(key))));
                 let (at, path) = wrong.unwrap_or_else(|| (node.at, path.to_owned()));
-                faults.add(at, &path, format!("{}: {why}", quoted(file)));
+                let others = values.iter().filter(|own| Some(own.0) != of_file);
+                let others = others.map(|(row, x)| format!(", {} = {x}", reader.table[*row].name));
+                let with: String = others.collect();
+                faults.add(at, &path, format!("{}{with}: {why}", quoted(file)));
             }
         }
     }
     (faults.count() == before).then_some(Kind::Record {
         name: chosen,
+        rows,
         records,
     })
 }
-
-/// What the function says about its file besides the unit.
-fn reading(function: &Object, faults: &mut Faults) -> Option<Reading> {
-    let before = faults.count();
-    let mean = function.get("mean").and_then(|node| {
-        let names = Mean::ALL.map(Mean::name);
-        let place = name(node, &function.path("mean"), "mean", &names, faults)?;
-        Some(Mean::ALL[place])
-    });
-    let mut whole = |key: &str| {
-        let node = function.get(key)?;
-        let path = function.path(key);
-        let x = number(node, &path, Range::Positive, faults)?;
-        if x.fract() == 0.0 && x <= 1e6 {
-            return Some(x as usize);
-        }
-        let message = format!(
-            "must be a whole number from 1 to 1000000, got {}",
-            shortest(x)
-        );
-        faults.add(node.at, &path, message);
-        None
-    };
-    let (column, component) = (whole("column"), whole("component"));
-    let dt = function.get("dt");
-    let dt = dt.and_then(|node| number(node, &function.path("dt"), range(FUNCTION, "dt"), faults));
-    (faults.count() == before).then_some(Reading {
-        mean,
-        column,
-        dt,
-        component,
-    })
-}
-
-/// Why a file gives no signal, and the key of the function that contradicts it; without one, the file itself is at fault.
-type Fault = (Option<&'static str>, String);
 
 /// The signal of a file, in the study's units.
 fn read(
     file: &str,
     (unit, reading): (Option<Unit>, Reading),
+    has_mean: bool,
     function: &Object,
     reader: &Reader,
 ) -> Result<Arc<Signal>, Fault> {
@@ -107,7 +97,7 @@ fn read(
         SignalFault::TwoUnits { .. } => (Some("unit"), why.to_string()),
         SignalFault::NoUnit | SignalFault::NotFinite => (None, why.to_string()),
     })?;
-    if let (None, Some(removed), Some(unit)) = (reading.mean, record.removed_mean, record.unit) {
+    if let (false, Some(removed), Some(unit)) = (has_mean, record.removed_mean, record.unit) {
         let removed = format!("{} {unit}", shortest(four_digits(removed)));
         let mut means = reader.removed_means.borrow_mut();
         if !means.iter().any(|(known, _)| known == file) {

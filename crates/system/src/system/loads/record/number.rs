@@ -144,11 +144,10 @@ pub(super) fn block(
     let length = rest.iter().position(|line| is_words(line));
     let numbers = all(&rest[..length.unwrap_or(rest.len())], 0, count, source);
     numbers.map_err(|LineFault { line, cause }| {
-        let cause = match cause {
-            RecordCause::FewerNumbers(numbers, source, count) => {
-                RecordCause::BlockEnds(numbers, source, count)
-            }
-            cause => cause,
+        let cause = if let RecordCause::FewerNumbers(numbers, source, count) = cause {
+            RecordCause::BlockEnds(numbers, source, count)
+        } else {
+            cause
         };
         fault(from + line - 1, cause)
     })
