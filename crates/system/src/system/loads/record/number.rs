@@ -172,12 +172,13 @@ pub(super) fn fields(line: &str) -> impl Iterator<Item = &str> {
         .filter(|text| !text.is_empty())
 }
 
-/// The numbers of a text with several points, as Fortran writes them in full fields: each with as many decimals as the last one.
+/// The numbers of a text with several points, as Fortran writes them in full fields: each with as many decimals as the last one, two or
+/// more.
 fn pointed(text: &str) -> impl Iterator<Item = &str> {
     let decimals = text.rsplit_once('.').map_or(0, |own| own.1.len());
     let mut rest = text;
     std::iter::from_fn(move || {
-        let point = rest.find('.').filter(|_| decimals > 0);
+        let point = rest.find('.').filter(|_| decimals > 1);
         let cut = point.map(|point| point + 1 + decimals);
         let is_whole = |cut: &usize| {
             let digits = rest.as_bytes().get(cut - decimals..*cut);

@@ -7,7 +7,7 @@ use super::super::heading::{self, Heading, spaced};
 use super::super::number::{Stated, block, fields, table};
 use super::super::{Doubt, Format, Parts, Reading, Record, Series, component};
 use super::channel::{Channel, channels};
-use super::stated::{behind, count, peak, positive, unit};
+use super::stated::{behind, count, ends, peak, positive, unit};
 use crate::system::loads::Unit;
 
 /// The format.
@@ -136,8 +136,8 @@ fn even(lines: &[&str], channel: &Channel) -> Series {
         return Err(fault(second, cause));
     }
     let values = block(lines, channel.data, points, &source)?;
-    let mut record = scaled(values, 1.0 / rate, units(lines, channel));
-    record.doubts.extend(ends(lines, channel, &record));
+    let mut record = scaled(values, 1.0 / rate, units(lines, channel)?);
+    record.doubts.extend(end(lines, channel, &record));
     let by = "the sampling rate (number 9 of the header)";
     let stated = Stated::new(1.0 / rate, by, second);
     Ok((record, Some(stated)))
@@ -148,8 +148,9 @@ fn pairs(lines: &[&str], channel: &Channel) -> Series {
     let (points, source) = points(lines, channel)?;
     let source = format!("twice {source}");
     let numbers = block(lines, channel.data, 2.0 * points, &source)?;
-    let mut record = scaled(Vec::new(), 0.0, units(lines, channel));
-    let divisor = units(lines, channel).map_or(1.0, |units| units.1);
+    let units = units(lines, channel)?;
+    let mut record = scaled(Vec::new(), 0.0, units);
+    let divisor = units.map_or(1.0, |units| units.1);
     let row = fields(lines[channel.data]).count().max(1);
     for (i, pair) in numbers.chunks_exact(2).enumerate() {
         let (t, a) = (pair[0], pair[1]);
@@ -160,7 +161,7 @@ fn pairs(lines: &[&str], channel: &Channel) -> Series {
         record.times.push(t);
         record.values.push(a / divisor);
     }
-    record.doubts.extend(ends(lines, channel, &record));
+    record.doubts.extend(end(lines, channel, &record));
     let times = &record.times;
     let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
     let mut between = times.windows(2).map(|pair| pair[1] - pair[0]);
@@ -183,9 +184,13 @@ fn points(lines: &[&str], channel: &Channel) -> Result<(f64, String), LineFault>
     Ok((count(rest, BY, line)?, format!("{BY} of line {}", line + 1)))
 }
 
-/// The unit that the text states.
-fn units(lines: &[&str], channel: &Channel) -> Option<(Unit, f64)> {
-    unit(behind(text(lines, channel), "UNITS")?.1)
+/// The unit that the text states; none if it is unknown. Without its line, tenths of g would be taken for g.
+fn units(lines: &[&str], channel: &Channel) -> Result<Option<(Unit, f64)>, LineFault> {
+    const BY: &str = "UNITS";
+    match behind(text(lines, channel), BY) {
+        Some((_, rest)) => Ok(unit(rest)),
+        None => Err(fault(channel.whole, RecordCause::NoLine(BY))),
+    }
 }
 
 /// Accelerations in a unit, divided by a number.
@@ -195,19 +200,15 @@ fn scaled(values: Vec<f64>, step: f64, units: Option<(Unit, f64)>) -> Record {
     Record::even(values, step, units.map(|units| units.0))
 }
 
-/// The doubt about a record that does not end where its header says, by more than two steps.
-fn ends(lines: &[&str], channel: &Channel, record: &Record) -> Option<Doubt> {
+/// The doubt about a record that does not end where its header says.
+fn end(lines: &[&str], channel: &Channel, record: &Record) -> Option<Doubt> {
     let head = text(lines, channel);
     let stated = ["RECORD LENGTH", "DURATION"].into_iter();
     let (by, (line, rest)) = stated
         .into_iter()
         .find_map(|by| Some((by, behind(head, by)?)))?;
-    let line = channel.text + line;
-    let stated = positive(rest, by, line).ok()?;
     let (end, count) = (*record.times.last()?, record.times.len() as f64);
-    let place = format!("{by} of line {}", line + 1);
-    let differs = (end - stated).abs() > 2.0 * end / count;
-    differs.then(|| Doubt::new(line, RecordCause::Ends(end, place, stated)))
+    ends(end, (end / count, rest), (by, channel.text + line))
 }
 
 /// The channel as the text names it.

@@ -6,17 +6,13 @@ use super::super::heading::{self, Heading, spaced};
 use super::super::number::{Stated, before_end, fields, number};
 use super::super::quantity::of_unit;
 use super::super::{Doubt, Format, Parts, Reading, Record, Series, choice};
-use super::stated::{count, peak, positive, unit};
+use super::stated::{count, ends, peak, positive, unit};
 use crate::system::loads::Unit;
 
 /// The format of ESM and ITACA.
 pub(in super::super) const ESM: Format = Format {
     name: "ESM or ITACA",
-    find: |lines| {
-        find(lines, &OF_ESM).then_some(()).ok_or(
-            "no 4 of its lines begin with labels such as \"SAMPLING_INTERVAL_S:\" and \"NDATA:\"",
-        )
-    },
+    find: |lines| find(lines, &OF_ESM),
     read: |lines, reading| read(lines, reading, &OF_ESM),
     heading: |lines, reading| heading(lines, reading, &OF_ESM),
     parts: Parts::One,
@@ -25,11 +21,7 @@ pub(in super::super) const ESM: Format = Format {
 /// The format of UNAM.
 pub(in super::super) const UNAM: Format = Format {
     name: "UNAM (ASA 2.0)",
-    find: |lines| {
-        find(lines, &OF_UNAM).then_some(()).ok_or(
-        "no 4 of its lines begin with labels such as \"VERSION DEL FORMATO\" and \"INTERVALO DE MUESTREO\"",
-    )
-    },
+    find: |lines| find(lines, &OF_UNAM),
     read: |lines, reading| read(lines, reading, &OF_UNAM),
     heading: |lines, reading| heading(lines, reading, &OF_UNAM),
     parts: Parts::Columns,
@@ -39,6 +31,8 @@ pub(in super::super) const UNAM: Format = Format {
 struct Labels {
     /// Those of which a file has [`FEWEST`] or more; the numbers are behind them.
     marks: &'static [&'static str],
+    /// Why a file without them is in another format.
+    without: &'static str,
     step: &'static str,
     count: &'static str,
     /// Whether the file has as many rows: an excerpt of a file of several channels is read with a doubt.
@@ -46,6 +40,7 @@ struct Labels {
     unit: &'static str,
     /// What the numbers are; none if always accelerations.
     quantity: Option<&'static str>,
+    duration: &'static str,
     /// Label and unit of the peak.
     peak: (&'static str, Unit),
     event: &'static str,
@@ -70,11 +65,13 @@ const OF_ESM: Labels = Labels {
         "DATA_TYPE:",
         "HEADER_FORMAT:",
     ],
+    without: "no 4 of its lines begin with labels such as \"SAMPLING_INTERVAL_S:\" and \"NDATA:\"",
     step: "SAMPLING_INTERVAL_S",
     count: "NDATA",
     is_whole: true,
     unit: "UNITS",
     quantity: Some("DATA_TYPE"),
+    duration: "DURATION_S",
     peak: ("PGA_CM/S^2", Unit::CentimetrePerSecond2),
     event: "EVENT_NAME",
     station: "STATION_CODE",
@@ -91,25 +88,36 @@ const OF_UNAM: Labels = Labels {
         "UNIDADES DE LOS DATOS",
         "DATOS DE ACELERACION",
     ],
+    without: "no 4 of its lines begin with labels such as \"VERSION DEL FORMATO\" and \"INTERVALO DE MUESTREO\"",
     step: "INTERVALO DE MUESTREO",
     count: "NUM. TOTAL DE MUESTRAS",
     is_whole: false,
     unit: "UNIDADES DE LOS DATOS",
     quantity: None,
+    duration: "DURACION DEL REGISTRO",
     peak: ("ACEL. MAX.(Gal)", Unit::CentimetrePerSecond2),
     event: "FECHA DEL SISMO",
     station: "CLAVE DE LA ESTACION",
     component: "ORIENTACION C",
 };
 
-/// Whether a file has enough of the labels.
-fn find(lines: &[&str], labels: &Labels) -> bool {
+/// Whether a file has enough of the labels, and its rows are not those of a table of times; else why not.
+fn find(lines: &[&str], labels: &Labels) -> Result<(), &'static str> {
     let head = &lines[..lines.len().min(LINES)];
     let has = |mark: &&&str| {
         head.iter()
             .any(|line| line.trim_start().starts_with(**mark))
     };
-    labels.marks.iter().filter(has).count() >= FEWEST
+    if labels.marks.iter().filter(has).count() < FEWEST {
+        return Err(labels.without);
+    }
+    let first = body(lines, labels)
+        .next()
+        .map(|(_, line)| fields(line).count());
+    match (first, values(lines, labels.step).len()) {
+        (Some(2), 1) => Err("its rows have two numbers, as those of a table"),
+        _ => Ok(()),
+    }
 }
 
 /// The values behind a label, each with the index of its line: one, or one for each channel, `/0.01/0.01`, also in several lines.
@@ -170,10 +178,15 @@ fn read(lines: &[&str], reading: &Reading, labels: &Labels) -> Series {
             true => return Err(fault(count_line, cause)),
             false => record.doubts.push(Doubt::new(count_line, cause)),
         }
-    } else if let Ok((line, text)) = value(lines, labels.peak.0, channel) {
-        // An excerpt has another peak.
-        let doubt = peak(&record, (text, Some(labels.peak.1)), (labels.peak.0, line));
-        record.doubts.extend(doubt);
+    } else {
+        // An excerpt has another peak and duration.
+        let stated = |label| value(lines, label, channel).ok();
+        let (by, unit) = labels.peak;
+        let of_peak =
+            stated(by).and_then(|(line, text)| peak(&record, (text, Some(unit)), (by, line)));
+        let of_end = stated(labels.duration)
+            .and_then(|(line, text)| ends(points * step, (step, text), (labels.duration, line)));
+        record.doubts.extend(of_peak.into_iter().chain(of_end));
     }
     Ok((record, Some(Stated::new(step, labels.step, step_line))))
 }
@@ -210,6 +223,21 @@ fn rows(
     labels: &Labels,
     (channels, at): (usize, usize),
 ) -> Result<Vec<Vec<f64>>, LineFault> {
+    let mut rows = Vec::new();
+    for (index, line) in body(lines, labels).filter(|(_, line)| !line.trim().is_empty()) {
+        let row = numbers(line).map_err(|cause| fault(index, cause))?;
+        if row.len() != channels {
+            let place = format!("{} of line {}", labels.step, at + 1);
+            let cause = RecordCause::Channels(row.len(), place, channels);
+            return Err(fault(index, cause));
+        }
+        rows.push(row);
+    }
+    Ok(rows)
+}
+
+/// The lines from the first row of numbers behind the labels on, with their indices.
+fn body<'a>(lines: &'a [&str], labels: &Labels) -> impl Iterator<Item = (usize, &'a str)> {
     let begins = |line: &&str| {
         labels
             .marks
@@ -221,22 +249,13 @@ fn rows(
         .take(LINES)
         .rposition(begins)
         .unwrap_or_default();
-    let numbers =
-        |line: &str| -> Result<Vec<f64>, RecordCause> { fields(line).map(number).collect() };
-    let is_row = |line: &&str| numbers(line).is_ok_and(|own| !own.is_empty());
-    let body = lines.iter().enumerate().skip(last + 1);
-    let body = body.skip_while(|(_, line)| !is_row(line));
-    let mut rows = Vec::new();
-    for (index, line) in body.filter(|(_, line)| !line.trim().is_empty()) {
-        let row = numbers(line).map_err(|cause| fault(index, cause))?;
-        if row.len() != channels {
-            let place = format!("{} of line {}", labels.step, at + 1);
-            let cause = RecordCause::Channels(row.len(), place, channels);
-            return Err(fault(index, cause));
-        }
-        rows.push(row);
-    }
-    Ok(rows)
+    let body = lines.iter().copied().enumerate().skip(last + 1);
+    body.skip_while(|(_, line)| !numbers(line).is_ok_and(|own| !own.is_empty()))
+}
+
+/// The numbers of a line.
+fn numbers(line: &str) -> Result<Vec<f64>, RecordCause> {
+    fields(line).map(number).collect()
 }
 
 fn heading(lines: &[&str], reading: &Reading, labels: &Labels) -> Heading {

@@ -78,6 +78,19 @@ pub(super) fn peak(
     ((largest - stated).abs() > tolerance).then(|| Doubt::new(line, cause()))
 }
 
+/// The doubt about a record that ends at a time, more than two steps from that of its header.
+pub(super) fn ends(
+    end: f64,
+    (step, text): (f64, &str),
+    (by, line): (&str, usize),
+) -> Option<Doubt> {
+    let word = text.split([' ', ',']).next()?;
+    let stated = number(word).ok()?;
+    let place = format!("{by} of line {}", line + 1);
+    let differs = (end - stated).abs() > 2.0 * step + last_digit(word)?;
+    differs.then(|| Doubt::new(line, RecordCause::Ends(end, place, stated)))
+}
+
 /// One unit of the last digit of a number such as `-267.957`.
 fn last_digit(word: &str) -> Option<f64> {
     let decimals = word.split_once('.').map_or("", |(_, decimals)| decimals);

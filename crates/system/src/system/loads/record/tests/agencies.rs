@@ -446,6 +446,21 @@ fn esm_has_step_unit_and_count_in_its_header() {
         assert_eq!(refused(&text), fault);
     }
     assert_eq!(read(&esm(&values, "", "ACCELERATION")).unit, None);
+    // With times it is a table.
+    let times: Vec<i64> = (0..12).flat_map(|i| [5 * i as i64, values[i]]).collect();
+    let head = text.split("USER2: \n").next().unwrap();
+    let table = format!("{head}USER2: \n{}", fortran(&times, 9, 2));
+    assert_eq!(read(&table).values, numbers(&values));
+    let shorter = text.replace("USER1: 12", "DURATION_S: 0.12");
+    assert_eq!(
+        read(&shorter)
+            .doubts
+            .iter()
+            .map(Doubt::to_string)
+            .collect::<Vec<_>>(),
+        ["line 10: the times end at 0.06, but DURATION_S of line 10 is 0.12"]
+    );
+    assert_eq!(read(&shorter.replace("0.12\n", "0.06\n")).doubts, []);
     let doubts = read(&text.replace("PGA_CM/S^2: -267.957", "PGA_CM/S^2: 2.67957")).doubts;
     assert_eq!(
         doubts.iter().map(Doubt::to_string).collect::<Vec<_>>(),
@@ -646,6 +661,30 @@ fn ends_of_lines_and_of_files_and_encodings_change_no_record() {
                     .chain(other.trim_start_matches('\u{feff}').encode_utf16());
                 let bytes: Vec<u8> = units.flat_map(to).collect();
                 assert_eq!(parse("f", &bytes, reading).as_ref(), Ok(&record));
+            }
+        }
+    }
+}
+
+#[test]
+fn no_line_that_is_missing_or_twice_there_changes_a_record_in_silence() {
+    for (text, reading, _) in samples() {
+        let record = with(&text, reading).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        for i in 0..lines.len() {
+            let without = [&lines[..i], &lines[i + 1..]].concat().join("\n");
+            let twice = [&lines[..=i], &lines[i..]].concat().join("\n");
+            for other in [without, twice] {
+                let Ok(read) = with(&other, reading) else {
+                    continue;
+                };
+                let same = read.values == record.values && read.times == record.times;
+                let unit = read.unit.is_none() || read.unit == record.unit;
+                assert!(
+                    same && unit || read.doubts != record.doubts,
+                    "line {}: {other}",
+                    i + 1
+                );
             }
         }
     }
