@@ -35,7 +35,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "contact, system, motion",
         &["crates/contact", "crates/system", "crates/motion"],
-        35_300,
+        35_900,
     ),
     (
         "problem, cases, study",

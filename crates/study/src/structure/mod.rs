@@ -96,6 +96,7 @@ pub(super) fn problem(
         records: Default::default(),
         removed_means: Default::default(),
         early: Default::default(),
+        doubts: Default::default(),
         headings: Default::default(),
         of_ground: Default::default(),
     };
@@ -202,7 +203,7 @@ pub(super) fn problem(
             faults,
         );
     }
-    let mut notes = Vec::from_iter(crate::structure::motions::records::note(&reader));
+    let mut notes = crate::structure::motions::records::notes(&reader);
     notes.extend(crate::structure::reading::files::early_note(&reader));
     notes.extend(doubts::notes(&template, &reader.names, node));
     let of_measured = root.get(keys::KEY.0).zip(template.measured.as_ref());

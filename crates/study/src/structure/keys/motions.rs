@@ -83,7 +83,7 @@ pub(crate) const FUNCTION: Keys = &[
     ),
     (
         "unit",
-        "unit of a record: g, m/s2, cm/s2 or mm/s2; if left out, that of the file",
+        "unit of a record: g, m/s2, cm/s2 or mm/s2, or a parameter with these; if left out, that of the file",
     ),
     (
         "mean",
@@ -91,13 +91,16 @@ pub(crate) const FUNCTION: Keys = &[
     ),
     (
         "column",
-        "column of a table with the accelerations, from 1; t and a if left out; another file has the column 1",
+        "column of a table, or of UNAM, with the accelerations, from 1, or a parameter; t and a if left out; another file has the column 1",
     ),
     (
         "dt",
-        "time step in s of a table without times; of another file that of its header",
+        "time step in s of a table without times, or a parameter; of another file that of its header",
     ),
-    ("component", "component of a file with several, from 1"),
+    (
+        "component",
+        "component of a file with several, from 1, or a parameter",
+    ),
     (
         "scale",
         "factor of the function, in addition to \"scale_to\"",

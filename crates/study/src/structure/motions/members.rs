@@ -9,7 +9,6 @@ use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::interned;
 use slipgap_problem::problem::numbers::parameter::{Kind, Range, Value};
 use slipgap_problem::problem::structure::given::amount;
-use slipgap_problem::problem::structure::given::chosen::Chosen;
 use slipgap_problem::problem::structure::given::loads;
 use slipgap_problem::problem::structure::given::shape::Scaled;
 use std::collections::BTreeSet;
@@ -75,20 +74,65 @@ pub(super) fn of_set(
     }
 }
 
+/// The values of these parameters that occur together in a case, by their rows.
+///
+/// # Errors
+/// A parameter has no list of values.
+pub(super) fn combinations(chosen: &[usize], reader: &Reader) -> Result<Vec<Member>, String> {
+    let mut found: Vec<Member> = Vec::new();
+    for block in blocks(reader.root) {
+        let Some(parameters) = member(block, "parameters") else {
+            continue;
+        };
+        let name = |row: usize| &*reader.table[row].name;
+        if chosen
+            .iter()
+            .any(|row| member(parameters, name(*row)).is_none())
+        {
+            continue;
+        }
+        let zips = match member(block, "zip").map(|node| &node.tree) {
+            Some(Tree::List(groups)) => groups.iter().map(texts).collect(),
+            _ => Vec::new(),
+        };
+        let mut all: Vec<Member> = vec![Vec::new()];
+        let mut left = chosen.to_vec();
+        while let Some(first) = left.first().copied() {
+            let zip = zips.iter().find(|zip| zip.contains(&name(first)));
+            let (own, others) = left
+                .into_iter()
+                .partition(|row| *row == first || zip.is_some_and(|zip| zip.contains(&name(*row))));
+            left = others;
+            let own: Vec<usize> = own;
+            let names: Vec<&str> = own.iter().map(|row| name(*row)).collect();
+            let values = rows(parameters, &names, reader)?;
+            let with = |before: &Member| -> Vec<Member> {
+                let both = values.iter().map(|own| [&before[..], own].concat());
+                both.collect()
+            };
+            all = all.iter().flat_map(with).collect();
+        }
+        for mut member in all {
+            member.sort_by_key(|own| own.0);
+            if !found.contains(&member) {
+                found.push(member);
+            }
+        }
+    }
+    Ok(found)
+}
+
 /// The rows of the parameters that choose a function.
 fn choosers(function: &Scaled) -> Vec<usize> {
     match function.source.kind() {
-        loads::Kind::Record {
-            name: Chosen::Parameter(row),
-            ..
-        } => vec![*row],
+        loads::Kind::Record { rows, .. } => rows.clone(),
         loads::Kind::Synthetic { seed, .. } => match &seed.source {
             amount::Source::Expression(expression) => expression.formula.uses().to_vec(),
             amount::Source::Number(_) => Vec::new(),
         },
         loads::Kind::Sine { .. }
         | loads::Kind::Table { .. }
-        | loads::Kind::Record { .. }
+
         | loads::Kind::Pulse(..) => Vec::new(),
     }
 }
@@ -118,7 +162,7 @@ fn rows(parameters: &Node, zip: &[&str], reader: &Reader) -> Result<Vec<Member>,
         let values = values.collect::<Option<Vec<Value>>>();
         let values = values.ok_or_else(|| {
             format!(
-                "{} must be a list of values, so that the motions of the set are known",
+                "{} must be a list of values, so that the motions are known",
                 quoted(name)
             )
         })?;

@@ -3,6 +3,7 @@
 pub(super) mod ground;
 pub(super) mod loads;
 mod members;
+mod record_keys;
 pub(super) mod records;
 mod scale_to;
 mod set;

@@ -1,22 +1,24 @@
 //! Recorded accelerations: the files next to the study, read once.
 
+use super::members::combinations;
+use super::record_keys::{Fault, RecordKeys};
 use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::source::tree::Node;
-use crate::structure::keys::{FUNCTION, range};
 use crate::structure::reading::reader::Reader;
-use crate::value::{name, number};
-use slipgap_problem::problem::numbers::parameter::{Range, shortest};
+use slipgap_problem::problem::numbers::parameter::{Value, shortest};
+use slipgap_problem::problem::structure::given::chosen::Chosen;
 use slipgap_problem::problem::structure::given::loads::Kind;
-use slipgap_system::system::loads::record::{Heading, Mean, Reading};
+use slipgap_system::system::loads::record::{Heading, Reading};
 use slipgap_system::system::loads::{self, SignalFault, Unit};
 use slipgap_system::system::structure::Signal;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Most bytes of a record.
 const LARGEST: u64 = 64 << 20;
 
-/// The record at a node, or the parameter that chooses one.
+/// The record at a node, or the parameters that choose its file and how it is read.
 pub(in crate::structure) fn record(
     node: &Node,
     path: &str,
@@ -24,73 +26,61 @@ pub(in crate::structure) fn record(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Kind> {
-    let unit = match function.get("unit") {
-        None => None,
-        Some(node) => {
-            let names = Unit::ALL.map(Unit::name);
-            Some(Unit::ALL[name(node, &function.path("unit"), "unit", &names, faults)?])
-        }
-    };
-    let reading = reading(function, faults)?;
+    let keys = RecordKeys::of(function, reader, faults)?;
     let (chosen, files) = reader.files(node, path, faults)?;
+    let of_file = match chosen {
+        Chosen::Parameter(row) => Some(row),
+        Chosen::Name(_) => None,
+    };
+    let rows: BTreeSet<usize> = of_file.into_iter().chain(keys.rows()).collect();
+    let rows: Vec<usize> = rows.into_iter().collect();
+    let choices = match (keys.rows().is_empty(), of_file) {
+        (true, None) => vec![Vec::new()],
+        (true, Some(row)) => files
+            .iter()
+            .map(|file| vec![(row, Value::Name(file))])
+            .collect(),
+        (false, _) => match combinations(&rows, reader) {
+            Ok(choices) => choices,
+            Err(why) => {
+                faults.add(node.at, path, why);
+                return None;
+            }
+        },
+    };
     let before = faults.count();
     let mut records = Vec::new();
-    for file in files {
-        match read(file, (unit, reading), function, reader) {
-            Ok(signal) => records.push((file, signal)),
+    for values in choices {
+        let given = |row: usize| values.iter().find(|own| own.0 == row).map(|own| own.1);
+        let file = match chosen {
+            Chosen::Parameter(row) => given(row).map_or("", Value::name),
+            Chosen::Name(file) => file,
+        };
+        let signal = keys.with(&values);
+        match signal.and_then(|with| read(file, with, keys.has_mean(), function, reader)) {
+            Ok(signal) => records.push((values.into_iter().map(|own| own.1).collect(), signal)),
             Err((key, why)) => {
                 let wrong = key.and_then(|key| Some((function.get(key)?.at, function.path(key))));
                 let (at, path) = wrong.unwrap_or_else(|| (node.at, path.to_owned()));
-                faults.add(at, &path, format!("{}: {why}", quoted(file)));
+                let others = values.iter().filter(|own| Some(own.0) != of_file);
+                let others = others.map(|(row, x)| format!(", {} = {x}", reader.table[*row].name));
+                let with: String = others.collect();
+                faults.add(at, &path, format!("{}{with}: {why}", quoted(file)));
             }
         }
     }
     (faults.count() == before).then_some(Kind::Record {
         name: chosen,
+        rows,
         records,
     })
 }
-
-/// What the function says about its file besides the unit.
-fn reading(function: &Object, faults: &mut Faults) -> Option<Reading> {
-    let before = faults.count();
-    let mean = function.get("mean").and_then(|node| {
-        let names = Mean::ALL.map(Mean::name);
-        let place = name(node, &function.path("mean"), "mean", &names, faults)?;
-        Some(Mean::ALL[place])
-    });
-    let mut whole = |key: &str| {
-        let node = function.get(key)?;
-        let path = function.path(key);
-        let x = number(node, &path, Range::Positive, faults)?;
-        if x.fract() == 0.0 && x <= 1e6 {
-            return Some(x as usize);
-        }
-        let message = format!(
-            "must be a whole number from 1 to 1000000, got {}",
-            shortest(x)
-        );
-        faults.add(node.at, &path, message);
-        None
-    };
-    let (column, component) = (whole("column"), whole("component"));
-    let dt = function.get("dt");
-    let dt = dt.and_then(|node| number(node, &function.path("dt"), range(FUNCTION, "dt"), faults));
-    (faults.count() == before).then_some(Reading {
-        mean,
-        column,
-        dt,
-        component,
-    })
-}
-
-/// Why a file gives no signal, and the key of the function that contradicts it; without one, the file itself is at fault.
-type Fault = (Option<&'static str>, String);
 
 /// The signal of a file, in the study's units.
 fn read(
     file: &str,
     (unit, reading): (Option<Unit>, Reading),
+    has_mean: bool,
     function: &Object,
     reader: &Reader,
 ) -> Result<Arc<Signal>, Fault> {
@@ -107,11 +97,17 @@ fn read(
         SignalFault::TwoUnits { .. } => (Some("unit"), why.to_string()),
         SignalFault::NoUnit | SignalFault::NotFinite => (None, why.to_string()),
     })?;
-    if let (None, Some(removed), Some(unit)) = (reading.mean, record.removed_mean, record.unit) {
+    if let (false, Some(removed), Some(unit)) = (has_mean, record.removed_mean, record.unit) {
         let removed = format!("{} {unit}", shortest(four_digits(removed)));
         let mut means = reader.removed_means.borrow_mut();
         if !means.iter().any(|(known, _)| known == file) {
             means.push((file.to_owned(), removed));
+        }
+    }
+    if let Some(doubt) = record.doubts.first() {
+        let mut doubts = reader.doubts.borrow_mut();
+        if !doubts.iter().any(|(known, _)| known == file) {
+            doubts.push((file.to_owned(), doubt.to_string()));
         }
     }
     if let (None, Some(first)) = (function.get("start"), record.times.first()) {
@@ -139,18 +135,29 @@ fn four_digits(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
 }
 
-/// What was done to the records, for `explain`, `run` and the page; `None` if nothing was, or the study asks for it.
-pub(in crate::structure) fn note(reader: &Reader) -> Option<String> {
+/// What was done to the records, and what their headers say otherwise, for `explain`, `run` and the page.
+pub(in crate::structure) fn notes(reader: &Reader) -> Vec<String> {
     let removed = reader.removed_means.borrow();
-    let (file, mean) = removed.first()?;
-    let more = match removed.len() {
-        1 => String::new(),
-        2 => " and that of 1 more record".to_owned(),
-        count => format!(" and those of {} more records", count - 1),
-    };
-    Some(format!(
-        "the mean of {}, {mean},{more} is removed, as for every K-NET file; \"mean\": \"kept\" keeps it, \"mean\": \"removed\" ends \
-         this note",
-        quoted(file)
-    ))
+    let removed = removed.first().map(|(file, mean)| {
+        let more = match removed.len() {
+            1 => String::new(),
+            2 => " and that of 1 more record".to_owned(),
+            count => format!(" and those of {} more records", count - 1),
+        };
+        format!(
+            "the mean of {}, {mean},{more} is removed, as for every K-NET file; \"mean\": \"kept\" keeps it, \"mean\": \"removed\" ends \
+             this note",
+            quoted(file)
+        )
+    });
+    let doubts = reader.doubts.borrow();
+    let doubt = doubts.first().map(|(file, doubt)| {
+        let more = match doubts.len() {
+            1 => String::new(),
+            2 => "; 1 more record has such a contradiction".to_owned(),
+            count => format!("; {} more records have such contradictions", count - 1),
+        };
+        format!("{}: {doubt}{more}", quoted(file))
+    });
+    removed.into_iter().chain(doubt).collect()
 }

@@ -17,9 +17,13 @@ use slipgap_problem::problem::numbers::parameter::Parameter;
 use slipgap_problem::problem::structure::metrics::metric::OF_ALL;
 use slipgap_problem::problem::structure::parts::contacts::NAMES;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, Named, of_method};
+use slipgap_system::system::loads::Unit;
 
 /// The key of measurements.
 const MEASURED: &str = KEY.0;
+
+/// The key of the unit of a record.
+const UNIT: &str = "unit";
 
 /// The parameters of a study whose values are names.
 pub(in crate::structure) fn choices(structure: &Node, root: &Node) -> Choosing {
@@ -29,7 +33,7 @@ pub(in crate::structure) fn choices(structure: &Node, root: &Node) -> Choosing {
     }
 }
 
-/// The parameters that choose a law or a file, with what they choose from.
+/// The parameters that choose a law, a file or its unit, with what they choose from.
 fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
     let given = given(root);
     let values = |name: &str| -> Vec<&str> {
@@ -37,7 +41,7 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
         own.flat_map(|(member, _)| texts(&member.node)).collect()
     };
     let mut found: Vec<(String, Choices)> = Vec::new();
-    for key in ["law", "record", "M", "K", "C", MEASURED] {
+    for key in ["law", "record", UNIT, "M", "K", "C", MEASURED] {
         let mut names = Vec::new();
         // A mass may have the name of a matrix.
         match (key, member(structure, "matrices")) {
@@ -48,7 +52,7 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
                     under(supports, "file", &mut names);
                 }
             }
-            ("law" | "record", _) => under(structure, key, &mut names),
+            ("law" | "record" | UNIT, _) => under(structure, key, &mut names),
             (_, Some(matrices)) => under(matrices, key, &mut names),
             (_, None) => {}
         }
@@ -59,6 +63,7 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
             }
             let choices = match key {
                 "law" => NAMES,
+                UNIT => interned_choices(Unit::ALL.map(|own| (own.name(), key)).to_vec()),
                 _ => {
                     let mut files: Vec<(&str, &str)> = Vec::new();
                     for file in values(name) {

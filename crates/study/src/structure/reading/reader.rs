@@ -48,6 +48,8 @@ pub(in crate::structure) struct Reader<'a> {
     pub removed_means: RefCell<Vec<(String, String)>>,
     /// Files that begin before t = 0, with what is not used and how to use it.
     pub early: RefCell<Vec<(String, String)>>,
+    /// Records whose headers say otherwise than their numbers, with the first doubt.
+    pub doubts: RefCell<Vec<(String, String)>>,
     /// What the headers of the records name.
     pub headings: RefCell<Vec<(String, Heading)>>,
     /// The strength of the ground for other motions, if it has one.

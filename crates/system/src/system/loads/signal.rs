@@ -87,6 +87,7 @@ mod tests {
             values: vec![4.0, 2.0, -2.0],
             unit,
             removed_mean: None,
+            doubts: Vec::new(),
         }
     }
 

@@ -1,9 +1,9 @@
 //! Functions of time in a study, as signals.
 
 use super::amount::{self, Amount};
-use super::chosen::Chosen;
+use super::chosen::{self, Chosen};
 use super::signal_cache::SignalCache;
-use crate::problem::numbers::parameter::shortest;
+use crate::problem::numbers::parameter::{Value, shortest};
 use crate::problem::{Case, Violation};
 use crate::system::loads::pulse::{Pulse, PulseFault};
 use crate::system::loads::synthetic;
@@ -42,8 +42,10 @@ pub enum Kind {
     Record {
         /// The file.
         name: Chosen,
-        /// All files that a case may choose.
-        records: Vec<(&'static str, Arc<Signal>)>,
+        /// Rows of the parameters that choose the file, or how it is read.
+        rows: Vec<usize>,
+        /// All signals that a case may choose, by the values of these parameters.
+        records: Vec<(Vec<Value>, Arc<Signal>)>,
     },
     /// A pulse of a form, with its numbers.
     Pulse(&'static Pulse, Vec<Amount>),
@@ -87,11 +89,10 @@ impl Source {
 
     /// The signal in a case. `metre` is the study's unit of length in m.
     pub fn signal(&self, case: &Case, metre: f64) -> Result<Arc<Signal>, Violation> {
-        if let Kind::Record { name, records } = &self.kind {
-            let name = name.name(case);
-            let record = records.iter().find(|record| record.0 == name);
-            let none = || self.violation(format!("no record \"{name}\""));
-            return record.map(|record| record.1.clone()).ok_or_else(none);
+        if let Kind::Record { rows, records, .. } = &self.kind {
+            let place = chosen::place(rows, records, case);
+            let none = || self.violation("no record with these parameters");
+            return place.map(|i| records[i].1.clone()).ok_or_else(none);
         }
         let numbers = self.numbers(case)?;
         let points = self.points(&numbers)?;
@@ -108,9 +109,8 @@ impl Source {
     /// What identifies the signal in a case among those of the function.
     pub fn key(&self, case: &Case) -> Result<Vec<u64>, Violation> {
         match &self.kind {
-            Kind::Record { name, records } => {
-                let name = name.name(case);
-                let place = records.iter().position(|record| record.0 == name);
+            Kind::Record { rows, records, .. } => {
+                let place = chosen::place(rows, records, case);
                 Ok(vec![place.unwrap_or(records.len()) as u64])
             }
             Kind::Sine { .. } | Kind::Table { .. } | Kind::Pulse(..) | Kind::Synthetic { .. } => {

@@ -69,9 +69,12 @@ fn function_value(key: &str) -> Json {
         "sine" => all_numbers(keys::SINE, &["amplitude", "omega"]),
         "table" => described(keys::TABLE, |_| numbers(), &["t", "f"]),
         "record" => json!({ "anyOf": [{ "type": "string" }, files()] }),
-        "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
+        "unit" => json!({ "anyOf": [{ "enum": Unit::ALL.map(Unit::name) }, parameter()] }),
         "mean" => json!({ "enum": Mean::ALL.map(Mean::name) }),
-        "column" | "component" => json!({ "type": "integer", "minimum": 1, "maximum": 1_000_000 }),
+        "column" | "component" => {
+            let number = json!({ "type": "integer", "minimum": 1, "maximum": 1_000_000 });
+            json!({ "anyOf": [number, parameter()] })
+        }
         "baseline" => json!({ "enum": Baseline::ALL.map(Baseline::name) }),
         "scale_to" => json!({ "anyOf": [scale_to(false), { "const": keys::AS_GROUND }] }),
         "pulse" => pulse(),
@@ -83,6 +86,11 @@ fn function_value(key: &str) -> Json {
         }
         _ => number(keys::range(FUNCTION, key)),
     }
+}
+
+/// The name of a parameter.
+fn parameter() -> Json {
+    json!({ "type": "string", "pattern": "^[A-Za-z_][A-Za-z0-9_]*$" })
 }
 
 /// A pulse of one form.

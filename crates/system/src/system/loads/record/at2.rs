@@ -1,9 +1,9 @@
 //! PEER AT2: a header of four lines, the last with NPTS and DT, then the accelerations in rows.
 
-use super::fault::{LineFault, RecordCause, fault};
+use super::fault::{RecordCause, fault};
 use super::heading::{self, Heading, spaced};
 use super::number::{Stated, all, before_end, fields, number};
-use super::{Format, Reading, Record, quantity};
+use super::{Format, Parts, Reading, Record, Series, quantity};
 use crate::system::loads::Unit;
 
 /// The format.
@@ -18,7 +18,7 @@ pub(super) const FORMAT: Format = Format {
     },
     read: |lines, _| parse(lines, header(lines).unwrap_or_default()),
     heading,
-    components: false,
+    parts: Parts::One,
 };
 
 /// Lines that are searched for NPTS and DT. PEER has them in line 4; an editor or a mail may have added some.
@@ -52,7 +52,7 @@ fn keys(line: &str) -> impl Iterator<Item = Key> + '_ {
 }
 
 /// The record of a file whose line `header` names NPTS and DT.
-fn parse(lines: &[&str], header: usize) -> Result<(Record, Stated), LineFault> {
+fn parse(lines: &[&str], header: usize) -> Series {
     let titles = &lines[..header];
     for (index, title) in titles.iter().enumerate() {
         let title = title.to_ascii_lowercase();
@@ -68,7 +68,7 @@ fn parse(lines: &[&str], header: usize) -> Result<(Record, Stated), LineFault> {
     let values = all(lines, header + 1, npts, &source)?;
     let unit = titles.iter().find_map(|title| unit(title));
     let step = Stated::new(dt, "DT", header);
-    Ok((Record::even(values, dt, unit), step))
+    Ok((Record::even(values, dt, unit), Some(step)))
 }
 
 /// NPTS and DT of the lines before the first row of a table, with the index of their line.

@@ -4,7 +4,7 @@
 use super::fault::{LineFault, RecordCause, fault};
 use super::heading::{self, Heading, spaced};
 use super::number::{Stated, first, number, table};
-use super::{Format, Reading, Record, component, end};
+use super::{Format, Parts, Reading, Record, Series, component, end};
 use crate::system::loads::Unit;
 
 /// The format.
@@ -16,7 +16,7 @@ pub(super) const FORMAT: Format = Format {
     },
     read,
     heading,
-    components: true,
+    parts: Parts::Components,
 };
 
 /// Place of the time step in ms among the numbers of the header, from 0.
@@ -29,7 +29,7 @@ fn is_start(line: &&str) -> bool {
 }
 
 /// The record of a channel, in the unit that the file names.
-fn read(lines: &[&str], reading: &Reading) -> Result<(Record, Stated), LineFault> {
+fn read(lines: &[&str], reading: &Reading) -> Series {
     let starts = starts(lines);
     if starts.is_empty() {
         return Err(fault(0, RecordCause::Quantity("velocity or displacement")));
@@ -51,7 +51,8 @@ fn read(lines: &[&str], reading: &Reading) -> Result<(Record, Stated), LineFault
     let values = first(lines, data + 1, values as f64, &source)?;
     let step = step / 1000.0;
     let stated = Stated::new(step, "real header 62 (in ms) below the label", header);
-    Ok((Record::even(values, step, unit(lines[data])), stated))
+    let record = Record::even(values, step, unit(lines[data]));
+    Ok((record, Some(stated)))
 }
 
 /// The lines with which channels of accelerations begin; those of velocities and displacements are no components.

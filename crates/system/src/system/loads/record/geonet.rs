@@ -1,10 +1,10 @@
 //! GeoNet V1A and V2A: components one after the other, each with 16 lines of text, 4 lines of whole numbers and 6 of numbers, then
 //! the accelerations in fields of eight characters. V2A has velocities and displacements behind them.
 
-use super::fault::{LineFault, RecordCause, fault};
+use super::fault::{RecordCause, fault};
 use super::heading::{self, Heading, spaced};
 use super::number::{Stated, first, table};
-use super::{Format, Reading, Record, component};
+use super::{Format, Parts, Reading, Record, Series, component};
 use crate::system::loads::Unit;
 
 /// The format.
@@ -21,7 +21,7 @@ pub(super) const FORMAT: Format = Format {
     },
     read,
     heading,
-    components: true,
+    parts: Parts::Components,
 };
 
 /// Lines of text, of whole numbers and of numbers in the header.
@@ -59,7 +59,7 @@ fn is_start(line: &&str) -> bool {
 }
 
 /// The record of a component in mm/s2.
-fn read(lines: &[&str], reading: &Reading) -> Result<(Record, Stated), LineFault> {
+fn read(lines: &[&str], reading: &Reading) -> Series {
     let starts = starts(lines);
     let name = |start: &usize| behind(lines, *start, "Component").trim().to_owned();
     let names: Vec<String> = starts.iter().map(name).collect();
@@ -84,7 +84,7 @@ fn read(lines: &[&str], reading: &Reading) -> Result<(Record, Stated), LineFault
     let line = start + text + whole + PLACES[1][0];
     let step = Stated::new(dt, "field 6 of the header", line);
     let record = Record::even(values, dt, Some(Unit::MillimetrePerSecond2));
-    Ok((record, step))
+    Ok((record, Some(step)))
 }
 
 /// The lines with which components begin.

@@ -37,7 +37,7 @@ pub(super) fn component(text: &str) -> String {
     let mut words = text.split_whitespace();
     let unit = (words.next(), words.next().unwrap_or_default());
     let degrees = match unit {
-        (Some(number), "" | "Deg" | "deg" | "Deg.") => number.parse::<u16>().ok(),
+        (Some(number), "" | "Deg" | "deg" | "Deg." | "DEG") => number.parse::<u16>().ok(),
         _ => None,
     };
     match degrees {

@@ -3,7 +3,7 @@
 use super::fault::{LineFault, RecordCause, Shown, fault};
 use super::heading::Heading;
 use super::number::{Stated, all, number};
-use super::{Format, Mean, Reading, Record, end, mean as means};
+use super::{Format, Mean, Parts, Reading, Record, Series, end, mean as means};
 use crate::system::loads::Unit;
 
 /// The format.
@@ -29,7 +29,7 @@ pub(super) const FORMAT: Format = Format {
             component: behind("Dir.").to_owned(),
         }
     },
-    components: false,
+    parts: Parts::One,
 };
 
 /// Lines of the header.
@@ -58,7 +58,7 @@ fn header<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
 }
 
 /// The record in gal (cm/s2): (count - mean of all counts) a/b with the scale factor a(gal)/b, or count a/b if the mean is kept.
-fn parse(lines: &[&str], mean: Mean) -> Result<(Record, Stated), LineFault> {
+fn parse(lines: &[&str], mean: Mean) -> Series {
     let memo = lines.get(HEADER - 1).map(|line| line.trim());
     if !memo.is_some_and(|memo| memo.starts_with("Memo")) {
         return Err(fault(end(lines).min(HEADER - 1), RecordCause::Header));
@@ -87,6 +87,7 @@ fn parse(lines: &[&str], mean: Mean) -> Result<(Record, Stated), LineFault> {
             .collect(),
         unit: Some(Unit::CentimetrePerSecond2),
         removed_mean: (mean == Mean::Removed).then_some(offset * scale),
+        doubts: Vec::new(),
     };
     let finite = record
         .times
@@ -95,7 +96,7 @@ fn parse(lines: &[&str], mean: Mean) -> Result<(Record, Stated), LineFault> {
         .all(|x| x.is_finite());
     let line = header(lines, "Sampling Freq(Hz)").map_or(0, |own| own.0);
     finite
-        .then_some((record, Stated::new(dt, "Sampling Freq(Hz)", line)))
+        .then_some((record, Some(Stated::new(dt, "Sampling Freq(Hz)", line))))
         .ok_or_else(|| fault(HEADER, RecordCause::TooLarge))
 }
 

@@ -1,11 +1,11 @@
-//! Recorded accelerations: the formats of record files, one file each, and the choice among them.
+//! Recorded accelerations: the formats of record files, and the choice among them.
 //!
 //! The content decides on the format. A file that is in none of the others is a table.
 
+mod agencies;
 mod at2;
 mod cosmos;
 mod fault;
-mod foreign;
 mod geonet;
 mod heading;
 mod knet;
@@ -16,8 +16,7 @@ mod smc;
 pub(in crate::system) mod table;
 pub(in crate::system) mod text;
 
-pub use fault::{RecordCause, RecordFault, Shown};
-pub use foreign::Looks;
+pub use fault::{Doubt, RecordCause, RecordFault, Shown};
 pub use heading::Heading;
 pub use mean::Mean;
 
@@ -36,6 +35,8 @@ pub struct Record {
     pub unit: Option<Unit>,
     /// The mean that was subtracted from the values, in the same unit; `None` if they are those of the file.
     pub removed_mean: Option<f64>,
+    /// What its header states otherwise.
+    pub doubts: Vec<Doubt>,
 }
 
 /// What a study says about a file besides its name.
@@ -52,8 +53,8 @@ pub struct Reading {
     pub component: Option<usize>,
 }
 
-/// The record of a file whose rows are one series, and the time step that its header states.
-type Series = Result<(Record, Stated), LineFault>;
+/// The record of a file, and the time step that its header states; none of times that are not even.
+type Series = Result<(Record, Option<Stated>), LineFault>;
 
 /// A format besides tables.
 struct Format {
@@ -63,17 +64,31 @@ struct Format {
     read: fn(&[&str], &Reading) -> Series,
     /// What the header names.
     heading: fn(&[&str], &Reading) -> Heading,
-    /// Whether a file may have several components.
-    components: bool,
+    parts: Parts,
+}
+
+/// What of a file may be wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Parts {
+    /// The only series.
+    One,
+    /// One of several components.
+    Components,
+    /// One of several columns.
+    Columns,
 }
 
 /// The formats besides tables, in the order in which they are tried.
-const FORMATS: [Format; 5] = [
+const FORMATS: [Format; 9] = [
     knet::FORMAT,
     at2::FORMAT,
     smc::FORMAT,
     cosmos::FORMAT,
     geonet::FORMAT,
+    agencies::ACCELEROGRAM,
+    agencies::ESM,
+    agencies::UNAM,
+    agencies::NSMP,
 ];
 
 /// Share by which two time steps that are the same may differ: one may be from a rate.
@@ -87,6 +102,7 @@ impl Record {
             values,
             unit,
             removed_mean: None,
+            doubts: Vec::new(),
         }
     }
 
@@ -128,15 +144,12 @@ fn record(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
             Err(why) => others.push((format.name, why)),
         }
     }
-    if let Some(looks) = foreign::looks(lines) {
-        return Err(fault(0, RecordCause::Foreign(Box::new(looks))));
-    }
     if reading.component.is_some() {
         let given = reading.column.is_some() || reading.dt.is_some();
         return Err(fault(
             0,
             match given {
-                true => RecordCause::TwoChoices,
+                true => RecordCause::TwoChoices(table::NAME),
                 false => RecordCause::OneComponent(table::NAME),
             },
         ));
@@ -153,16 +166,25 @@ fn record(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
     })
 }
 
-/// The record of a file in a format whose rows are one series, with the time step of its header.
+/// The record of a file in a format with the time step of its header.
 fn of_format(format: &Format, lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
-    if reading.component.is_some() && !format.components {
-        return Err(fault(0, RecordCause::OneComponent(format.name)));
+    if reading.component.is_some() && format.parts != Parts::Components {
+        let cause = match format.parts {
+            Parts::Columns => RecordCause::TwoChoices(format.name),
+            Parts::One | Parts::Components => RecordCause::OneComponent(format.name),
+        };
+        return Err(fault(0, cause));
     }
-    if let Some(column) = reading.column.filter(|column| *column > 1) {
+    let other = reading.column.filter(|column| *column > 1);
+    if let Some(column) = other.filter(|_| format.parts != Parts::Columns) {
         return Err(fault(0, RecordCause::OneColumn(format.name, column)));
     }
     let (record, step) = (format.read)(lines, reading)?;
-    agree(&step, reading.dt)?;
+    match (&step, reading.dt) {
+        (Some(step), dt) => agree(step, dt)?,
+        (None, Some(_)) => return Err(fault(0, RecordCause::OwnTimes)),
+        (None, None) => {}
+    }
     Ok(record)
 }
 
@@ -178,16 +200,21 @@ fn agree(stated: &Stated, dt: Option<f64>) -> Result<(), LineFault> {
 }
 
 /// The place of the wanted one of these components, from 0.
+fn component(names: &[String], wanted: Option<usize>) -> Result<usize, LineFault> {
+    choice("component", names, wanted)
+}
+
+/// The place of the wanted one of the parts that a key chooses, from 0.
 ///
 /// # Errors
-/// There are several and none is wanted, or there is no such component.
-fn component(names: &[String], wanted: Option<usize>) -> Result<usize, LineFault> {
+/// There are several and none is wanted, or there is no such part.
+fn choice(key: &'static str, names: &[String], wanted: Option<usize>) -> Result<usize, LineFault> {
     match (names.len(), wanted) {
         (_, Some(number)) if (1..=names.len()).contains(&number) => Ok(number - 1),
         (1, None) => Ok(0),
         (_, wanted) => {
             let names = names.iter().map(|name| Shown::new(name)).collect();
-            Err(fault(0, RecordCause::Components(names, wanted)))
+            Err(fault(0, RecordCause::Parts(key, names, wanted)))
         }
     }
 }

@@ -133,12 +133,63 @@ pub(super) fn before_end<'a, 'b>(lines: &'a [&'b str]) -> Result<&'a [&'b str], 
     }
 }
 
+/// `count` numbers from the line `from` on; a line of words ends them, and no number is behind the last one.
+pub(super) fn block(
+    lines: &[&str],
+    from: usize,
+    count: f64,
+    source: &str,
+) -> Result<Vec<f64>, LineFault> {
+    let rest = lines.get(from..).unwrap_or_default();
+    let length = rest.iter().position(|line| is_words(line));
+    let numbers = all(&rest[..length.unwrap_or(rest.len())], 0, count, source);
+    numbers.map_err(|LineFault { line, cause }| {
+        let cause = if let RecordCause::FewerNumbers(numbers, source, count) = cause {
+            RecordCause::BlockEnds(numbers, source, count)
+        } else {
+            cause
+        };
+        fault(from + line - 1, cause)
+    })
+}
+
+/// Whether a line has a word, or begins as the end of a block, `/&`.
+fn is_words(line: &str) -> bool {
+    let begins = |word: &str| {
+        word.starts_with(|c: char| c.is_alphabetic() || c == '/') && word.parse::<f64>().is_err()
+    };
+    line.split_whitespace().any(begins)
+}
+
 /// The fields of a line.
 ///
 /// Fortran fills a field of a fixed width, so that a minus may follow the number before it without a blank.
 pub(super) fn fields(line: &str) -> impl Iterator<Item = &str> {
     let fields = line.split(|c: char| c.is_whitespace() || c == ',');
-    fields.flat_map(signed).filter(|text| !text.is_empty())
+    fields
+        .flat_map(signed)
+        .flat_map(pointed)
+        .filter(|text| !text.is_empty())
+}
+
+/// The numbers of a text with several points, as Fortran writes them in full fields: each with as many decimals as the last one, two or
+/// more.
+fn pointed(text: &str) -> impl Iterator<Item = &str> {
+    let decimals = text.rsplit_once('.').map_or(0, |own| own.1.len());
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let point = rest.find('.').filter(|_| decimals > 1);
+        let cut = point.map(|point| point + 1 + decimals);
+        let is_whole = |cut: &usize| {
+            let digits = rest.as_bytes().get(cut - decimals..*cut);
+            let digits = digits.is_some_and(|own| own.iter().all(u8::is_ascii_digit));
+            digits && rest[*cut..].contains('.')
+        };
+        let cut = cut.filter(is_whole).unwrap_or(rest.len());
+        let (number, behind) = rest.split_at(cut);
+        rest = behind;
+        (!number.is_empty()).then_some(number)
+    })
 }
 
 /// The parts of a field, each but the first one from a sign that follows a digit or a point.

@@ -1,10 +1,10 @@
 //! SMC of the U.S. Geological Survey: 11 lines of text, 48 whole numbers in 6 lines, 50 numbers in 10 lines, comments that begin
 //! with `|`, then the accelerations in fields of ten characters.
 
-use super::fault::{LineFault, RecordCause, fault};
+use super::fault::{RecordCause, fault};
 use super::heading::{self, Heading, spaced};
 use super::number::{Stated, all, table};
-use super::{Format, Record, end};
+use super::{Format, Parts, Record, Series, end};
 use crate::system::loads::Unit;
 
 /// The format.
@@ -19,7 +19,7 @@ pub(super) const FORMAT: Format = Format {
     },
     read: |lines, _| read(lines),
     heading: |lines, _| heading(lines),
-    components: false,
+    parts: Parts::One,
 };
 
 /// Lines of text, of whole numbers and of numbers in the header.
@@ -50,7 +50,7 @@ fn has_mark(lines: &[&str]) -> bool {
 }
 
 /// The record in cm/s2.
-fn read(lines: &[&str]) -> Result<(Record, Stated), LineFault> {
+fn read(lines: &[&str]) -> Series {
     match quantity(lines) {
         None | Some("acceleration") => {}
         Some(other) => return Err(fault(0, RecordCause::Quantity(other))),
@@ -78,7 +78,7 @@ fn read(lines: &[&str]) -> Result<(Record, Stated), LineFault> {
     let dt = 1.0 / rate;
     let step = Stated::new(dt, "the sampling rate (number 2 of the header)", from);
     let record = Record::even(values, dt, Some(Unit::CentimetrePerSecond2));
-    Ok((record, step))
+    Ok((record, Some(step)))
 }
 
 /// What lines 4 and 6 name, such as `1989  10  18    0004 Loma Prieta, CA` and `station = Shafter  component=    270`.

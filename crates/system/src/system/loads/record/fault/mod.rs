@@ -2,7 +2,6 @@
 
 mod words;
 
-use super::foreign::Looks;
 use std::fmt;
 
 /// Why a file is no record: displayed as `FILE:LINE: MESSAGE`.
@@ -82,16 +81,24 @@ pub enum RecordCause {
     OneColumn(&'static str, usize),
     /// Numbers behind the line that says that they end.
     AfterEnd(usize),
-    /// A known format that is not read.
-    Foreign(Box<Looks>),
     /// The wanted column has the times.
     ColumnOfTimes,
-    /// Columns and components together.
-    TwoChoices,
+    /// A component of a file in this format, which has columns.
+    TwoChoices(&'static str),
     /// A component of a file in this format, which has one.
     OneComponent(&'static str),
-    /// None of these components is wanted, or one that is not there.
-    Components(Vec<Shown>, Option<usize>),
+    /// None of these parts is wanted by the key, or one that is not there.
+    Parts(&'static str, Vec<Shown>, Option<usize>),
+    /// A time step for a file with times of its own.
+    OwnTimes,
+    /// A row with so many numbers, but the header has, there, so many channels.
+    Channels(usize, String, usize),
+    /// So many numbers before other lines, less than the header has, which is from this source.
+    BlockEnds(usize, String, f64),
+    /// The largest acceleration, but the header states another, there.
+    Peak(f64, String, f64),
+    /// The last time, but the header states another duration, there.
+    Ends(f64, String, f64),
     /// The header ends before this line.
     HeaderEnds(usize),
     /// A number of something that is no whole number >= 2.
@@ -136,13 +143,19 @@ impl std::error::Error for RecordCause {}
 impl RecordCause {
     /// The key of the study that the file contradicts.
     pub fn key(&self) -> Option<&'static str> {
-        if matches!(self, RecordCause::Contradicts(..)) {
+        if matches!(self, RecordCause::Contradicts(..) | RecordCause::OwnTimes) {
             return Some("dt");
         }
-        let of_component = matches!(self, RecordCause::TwoChoices | RecordCause::OneComponent(_));
+        let of_component = matches!(
+            self,
+            RecordCause::TwoChoices(_)
+                | RecordCause::OneComponent(_)
+                | RecordCause::Parts("component", _, Some(_))
+        );
         let of_column = matches!(
             self,
             RecordCause::OneColumn(..)
+                | RecordCause::Parts("column", _, Some(_))
                 | RecordCause::Fields(_, Some(_), _)
                 | RecordCause::Wrapped(_)
         );
@@ -161,6 +174,29 @@ impl RecordCause {
                 | RecordCause::Series(..)
                 | RecordCause::EvenColumns(_)
         )
+    }
+}
+
+/// What the header of a file says otherwise than its numbers: displayed as `line LINE: MESSAGE`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Doubt {
+    /// Line, from 1.
+    pub line: usize,
+    /// What differs.
+    pub cause: RecordCause,
+}
+
+impl Doubt {
+    /// In the line with this index, from 0.
+    pub(super) fn new(index: usize, cause: RecordCause) -> Doubt {
+        let line = index + 1;
+        Doubt { line, cause }
+    }
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}: {}", self.line, self.cause)
     }
 }
 

@@ -87,30 +87,36 @@ impl fmt::Display for RecordCause {
                 f,
                 "numbers after line {line}, which says that they end; a file must have one record"
             ),
-            RecordCause::Foreign(looks) => {
-                let marks = looks.marks.iter().map(|mark| format!("\"{mark}\""));
-                let marks: Vec<String> = marks.collect();
-                write!(
-                    f,
-                    "the file looks like {}, by {}; this format is not read, {}: write the accelerations as a table, t and a in two columns, or a alone with \"dt\", and give \"unit\"",
-                    looks.name,
-                    marks.join(", "),
-                    looks.rows
-                )
-            }
             RecordCause::ColumnOfTimes => f.write_str(
                 "column 1 has the times; give another column, or \"dt\" if the table has no times",
             ),
-            RecordCause::TwoChoices => f.write_str(
-                "the file is a table, which has columns and no components; give no component",
+            RecordCause::TwoChoices(format) => write!(
+                f,
+                "the file is {format}, which has columns and no components; give no component"
             ),
+            RecordCause::OwnTimes => {
+                f.write_str("the file has times of its own, which are not even; give no dt")
+            }
+            RecordCause::Channels(count, by, channels) => write!(
+                f,
+                "a row must have a number for each of the {channels} channels of {by}, got {count}"
+            ),
+            RecordCause::BlockEnds(numbers, source, count) => {
+                write!(f, "the numbers end after {numbers}; {source} is {count}")
+            }
+            RecordCause::Peak(peak, by, stated) => {
+                write!(f, "the largest acceleration is {peak}, but {by} is {stated}")
+            }
+            RecordCause::Ends(end, by, stated) => {
+                write!(f, "the times end at {end}, but {by} is {stated}")
+            }
             RecordCause::OneComponent(format) => {
                 write!(
                     f,
                     "the file is {format}, which has one component; give none"
                 )
             }
-            RecordCause::Components(names, wanted) => {
+            RecordCause::Parts(key, names, wanted) => {
                 let names = names.iter().enumerate();
                 let names: Vec<String> =
                     names.map(|(i, name)| format!("{} {name}", i + 1)).collect();
@@ -118,7 +124,7 @@ impl fmt::Display for RecordCause {
                 let names = names.join(", ");
                 write!(
                     f,
-                    "\"component\" must be the number of one of the file's components, {names}{wanted}"
+                    "\"{key}\" must be the number of one of the file's {key}s, {names}{wanted}"
                 )
             }
             RecordCause::HeaderEnds(line) => write!(f, "the header needs line {line}"),

@@ -1,7 +1,7 @@
 //! The fields of a line of a table.
 
 use super::super::fault::{RecordCause, Shown};
-use super::super::number::number;
+use super::super::number::{fields, number};
 
 /// The character that separates the fields of a line: a semicolon before a comma; none if blanks do.
 pub(super) fn separator(line: &str) -> Option<char> {
@@ -32,7 +32,21 @@ pub(super) fn cells(line: &str) -> Vec<&str> {
     let line = line.trim();
     let by = separator(line);
     let line = by.and_then(|by| line.strip_suffix(by)).unwrap_or(line);
-    split(line, by).into_iter().map(bare).collect()
+    let cells = split(line, by).into_iter().map(bare);
+    match by {
+        Some(_) => cells.collect(),
+        None => cells.flat_map(apart).collect(),
+    }
+}
+
+/// The numbers of a cell that Fortran has filled, such as `0.005-0.123`: if it has several and each has a point, as no date has.
+fn apart(cell: &str) -> Vec<&str> {
+    let numbers: Vec<&str> = fields(cell).collect();
+    let is_number = |text: &&str| text.contains('.') && number(text).is_ok();
+    match numbers.len() > 1 && numbers.iter().all(is_number) {
+        true => numbers,
+        false => vec![cell],
+    }
 }
 
 /// A field without the quotes around it.
@@ -81,6 +95,29 @@ fn has_comma(text: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_without_a_blank_are_apart_and_dates_are_not() {
+        for (line, expected) in [
+            (
+                "0.005-0.123-4.5E-02+1.",
+                &["0.005", "-0.123", "-4.5E-02", "+1."][..],
+            ),
+            (
+                "  9.990-10.123100.000  1.5",
+                &["9.990", "-10.123", "100.000", "1.5"],
+            ),
+            ("1.0E-02-2.0", &["1.0E-02", "-2.0"]),
+            ("-.25-.5D+01", &["-.25", "-.5D+01"]),
+            (
+                "2000-01-01 12.05.2010 1.2-b",
+                &["2000-01-01", "12.05.2010", "1.2-b"],
+            ),
+            ("0.5-0.25,1", &["0.5-0.25", "1"]),
+        ] {
+            assert_eq!(cells(line), expected);
+        }
+    }
 
     #[test]
     fn a_separator_in_quotes_is_part_of_its_field() {

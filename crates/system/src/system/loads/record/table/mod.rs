@@ -64,6 +64,7 @@ pub(super) fn parse(lines: &[&str], reading: &Reading) -> Result<Record, LineFau
         values: Vec::new(),
         unit: unit((header, &rows), &facts, reading),
         removed_mean: None,
+        doubts: Vec::new(),
     };
     for (index, line) in body.iter().enumerate() {
         if line.trim().is_empty() {

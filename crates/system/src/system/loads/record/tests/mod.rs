@@ -1,5 +1,6 @@
 //! Hand-written files of each format; no recorded motion.
 
+mod agencies;
 mod formats;
 mod people;
 
@@ -362,6 +363,13 @@ fn piece() -> impl Strategy<Value = String> {
         "5 real-header values on 2 lines",
         "3 acceleration pts",
         "*** End Data",
+        "ACCELEROGRAM DATA\nINSTR PERIOD\nSENSITIVITY\nNO. OF POINTS = 3\nUNITS ARE SEC AND G/10\n",
+        "VOL1DS",
+        "\n0 0 0 0 0 0 0 0 0 0\n 0 0\n .1 .1 .1 .1\n .1\n",
+        "3 POINTS OF ACC DATA EQUALLY SPACED AT .02 SEC, IN G\n",
+        "SAMPLING_INTERVAL_S: 0.1\nNDATA: 3\nUNITS: g\nSTREAM: X\n",
+        "INTERVALO DE MUESTREO: /1/1\nNUM. TOTAL DE MUESTRAS: /2/2\nUNIDADES DE LOS DATOS: Gal\nVERSION DEL FORMATO\n",
+        "SAMPLES/SEC=2 FILTER TYPE=X JULIAN DAY=1 DATA TYPE=AC\nNO OF POINTS= 2, UNITS=G\n",
         "|",
         "\u{e9}",
     ];

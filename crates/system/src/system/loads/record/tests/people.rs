@@ -147,7 +147,7 @@ fn a_header_of_any_table_agrees_with_the_study_and_the_rows() {
     let record = with(&text, of(Some(0.005), None)).unwrap();
     assert_eq!(record.unit, Some(Unit::CentimetrePerSecond2));
     assert_eq!((record.times.len(), record.times[19]), (20, 19.0 * 0.005));
-    let by = "sampling interval s of line 3";
+    let by = "SAMPLING_INTERVAL_S of line 3";
     assert_eq!(
         refused(&text, of(Some(0.01), None)),
         format!("f:3: dt is 0.01, but 0.005 by {by}; give 0.005")
@@ -157,9 +157,17 @@ fn a_header_of_any_table_agrees_with_the_study_and_the_rows() {
             &text.replace("NDATA: 20", "NDATA: 21"),
             of(Some(0.005), None)
         ),
-        "f:4: the table has 20 rows, but ndata of line 4 is 21"
+        "f:4: the table has 20 rows, but NDATA of line 4 is 21"
     );
-    let fault = refused(&text, Reading::default());
+    // The header has all.
+    assert_eq!(with(&text, Reading::default()).as_ref(), Ok(&record));
+    let few = text
+        .replace("VS30_M/S", "x")
+        .replace("NDATA", "N")
+        .replace("DATA_TYPE", "x");
+    let few = few.replace("PGA_CM/S^2", "y");
+    let by = "sampling interval s of line 3";
+    let fault = refused(&few, Reading::default());
     assert!(
         fault.contains(&format!("{by} states a time step: give \"dt\": 0.005")),
         "{fault}"
@@ -235,48 +243,6 @@ fn a_step_against_the_header_is_refused_in_every_format() {
         fault,
         "f:1: dt is 0.1, but 0.5 by the times of column 1; give 0.5"
     );
-}
-
-/// Header lines of CSMIP, RENADIC and USC, with the rows of numbers that they have.
-fn accelerogram(titles: &str) -> String {
-    let whole =
-        "    1    1    1    3    3    0    1    1    0    0    0    0    0    0    0    0\n"
-            .repeat(3);
-    format!(
-        "{titles}{whole}      .041      .630    65.000      .030\n  0.000  0.013  0.010  0.036  0.020  0.036\n"
-    )
-}
-
-#[test]
-fn a_known_format_that_is_not_read_is_named_by_its_marks() {
-    let csmip = "CORRECTED ACCELEROGRAM   0-S0-0.01       CHAN  1:  90 DEG\nNOWHERE\nSTATION NO. 0\n\
-                 INSTR PERIOD =  .0407 SEC,  DAMPING =  .630,  SENSITIVITY = 1.87 CM/G.\n\
-                 PEAK ACCELERATION =  -267.957    CM/SEC/SEC  AT   10.940   SEC.\n";
-    let renadic = "UNCORRECTED ACCELEROGRAM DATA              PROCESSED: 01/01/2000\nSTATION NO.  0\nCHAN  1: EW\n\
-                   UNIVERSIDAD - RENADIC\nINSTR PERIOD = 0.0390 SEC,  SENSITIVITY =1.250 VDC/G\n";
-    let usc = "FILE     0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:\nSTATION USC# 0000\nCOMP N00W\n\
-               UNITS ARE SEC AND G/10\nRMS ACCLN. OF COMPLETE RECORD =     .638 G/10\n";
-    for (titles, name) in [
-        (csmip, "CSMIP (CDMG) V1 or V2"),
-        (renadic, "RENADIC"),
-        (usc, "USC"),
-    ] {
-        let text = accelerogram(titles);
-        for reading in [Reading::default(), of(Some(0.01), Some(1))] {
-            let fault = refused(&text, reading);
-            assert!(
-                fault.starts_with(&format!("f:1: the file looks like {name}")),
-                "{fault}"
-            );
-            assert!(
-                fault.contains("this format is not read")
-                    && fault.contains("write the accelerations as a table")
-            );
-        }
-        // The same lines over a table are a table.
-        let table = format!("{titles}0 1\n1 2\n");
-        assert_eq!(with(&table, Reading::default()).unwrap().values, [1.0, 2.0]);
-    }
 }
 
 #[test]
