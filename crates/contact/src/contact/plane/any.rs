@@ -1,7 +1,6 @@
 //! A law in a plane over a step, any of the list in this file.
 
-use super::law::{Over, Root};
-use super::{Directions, ElasticInPlane, OfVelocity, PlaneLaw, PlaneStep, PlaneTrial};
+use super::{Directions, ElasticInPlane, OfVelocity, Over, PlaneLaw, PlaneStep, PlaneTrial, Root};
 use crate::contact::pair::{self, Pair};
 use crate::contact::{BoucWen, Lugre};
 

@@ -7,8 +7,7 @@
 //! In one direction it is the scalar model. It is isotropic, as the part with gamma of the model of Park, Wen and Ang (1986), and
 //! |z| <= 1.
 
-use super::law::{Over, Root};
-use super::{PlaneLaw, PlaneStep, PlaneTrial};
+use super::{Over, PlaneLaw, PlaneStep, PlaneTrial, Root};
 use crate::contact::BoucWen;
 use crate::contact::pair::{Pair, cut, dot, length, map, root};
 

@@ -9,9 +9,8 @@
 //! last step, so that it is known: F' + Lambda n' = F + dr/c + q with q = Lambda (n - n_before)/2. This is of second order, and F'
 //! remains the projection of a known point plus dr/c: the gradient of a convex function. On a straight path, q = 0.
 
-use super::law::{Over, Root};
 use super::scalar::{along, running};
-use super::{PlaneLaw, PlaneStep, PlaneTrial};
+use super::{Over, PlaneLaw, PlaneStep, PlaneTrial, Root};
 use crate::contact::laws::friction::pendulum::{coefficient, expected};
 use crate::contact::pair::{self, Pair, dot, length};
 use crate::contact::{AnyRunningLaw, DisplacementControl};

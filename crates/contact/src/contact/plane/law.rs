@@ -82,7 +82,7 @@ pub struct Root {
 
 impl<W: PlaneLaw> Over<'_, W> {
     /// The same step with a motion that is given.
-    pub(super) fn given(&self) -> Over<'_, W> {
+    pub(in crate::contact) fn given(&self) -> Over<'_, W> {
         Over {
             on: self.on.given(),
             ..*self
@@ -90,7 +90,12 @@ impl<W: PlaneLaw> Over<'_, W> {
     }
 
     /// The slopes of a law from differences of its answer over `width`.
-    pub(super) fn slopes_by_differences(&self, law: &W, root: &Root, width: f64) -> (Pair, Pair) {
+    pub(in crate::contact) fn slopes_by_differences(
+        &self,
+        law: &W,
+        root: &Root,
+        width: f64,
+    ) -> (Pair, Pair) {
         let (given, moved) = (self.given(), &root.moved);
         let at = |change: Pair| {
             let more = pair::map(change, moved.change, |to, from| root.pace * (to - from));

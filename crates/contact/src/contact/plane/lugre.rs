@@ -7,8 +7,7 @@
 //! The step is that of the scalar model: z follows its flow for the mean velocity of the step, in which it relaxes to the direction of
 //! the motion, and dz/dt at the end is the slope of the parabola through the last three z.
 
-use super::law::{Over, Root};
-use super::{PlaneLaw, PlaneStep, PlaneTrial};
+use super::{Over, PlaneLaw, PlaneStep, PlaneTrial, Root};
 use crate::contact::Lugre;
 use crate::contact::pair::{Pair, cut, length, map, root};
 use crate::contact::saturation::rise;

@@ -20,7 +20,7 @@ mod tests;
 pub use super::pair::{Pair, dot, length};
 pub use any::{AnyPlaneLaw, InPlane, PlaneMemory};
 pub use elastic::ElasticInPlane;
-pub use law::PlaneLaw;
+pub use law::{Over, PlaneLaw, Root};
 pub use of_velocity::OfVelocity;
 
 use super::coupled::curved::Directions;

@@ -1,8 +1,7 @@
 //! A law of velocity in a plane: the force of its scalar form along rdot.
 
-use super::law::{Over, Root};
 use super::scalar::{along, running, scalar_slope};
-use super::{AnyPlaneLaw, PlaneLaw, PlaneStep, PlaneTrial};
+use super::{AnyPlaneLaw, Over, PlaneLaw, PlaneStep, PlaneTrial, Root};
 use crate::contact::pair::{self, Pair, length};
 use crate::contact::{AnyRunningLaw, ContactLaw};
 
