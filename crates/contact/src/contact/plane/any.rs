@@ -1,8 +1,8 @@
 //! A law in a plane over a step, any of the list in this file.
 
 use super::{Directions, ElasticInPlane, OfVelocity, Over, PlaneLaw, PlaneStep, PlaneTrial, Root};
+use crate::contact::laws::friction::*;
 use crate::contact::pair::{self, Pair};
-use crate::contact::{BoucWen, Lugre};
 
 /// How a law of one direction acts in a plane, over a step; `None` for a law that does not slide in one.
 pub type InPlane<W> = Option<fn(&W, &PlaneStep) -> AnyPlaneLaw>;
