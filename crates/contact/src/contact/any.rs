@@ -1,7 +1,8 @@
 //! The law of a contact, any of the list at the end of this file.
 
 use super::impact::*;
-use super::offer::{self, Offered, Place};
+use super::offer::{self, Offered};
+use super::plane::{AnyPlaneLaw, PlaneStep};
 use super::*;
 use crate::for_widest;
 use crate::lane::Lane;
@@ -103,6 +104,13 @@ macro_rules! laws {
                 }
             }
 
+            /// The law in a plane over a step; `None` for a law that does not slide in one.
+            pub fn in_plane(&self, on: &PlaneStep) -> Option<AnyPlaneLaw> {
+                match self {
+                    $(ContactLaw::$law(law) => $law::IN_PLANE.map(|of| of(law, on))),+
+                }
+            }
+
             /// The law with another friction limit; an impact and a link have none.
             pub fn at_limit(&self, limit: f64) -> ContactLaw {
                 match *self {
@@ -149,7 +157,7 @@ macro_rules! laws {
 
         /// The offers of each law.
         const OFFERS: &[offer::OffersOf] = &[
-            $((WhichLaw::$law, $law::KIND, [$law::OF_VELOCITY, $law::IN_PLANE], $law::OFFERS)),+
+            $((WhichLaw::$law, $law::KIND, [$law::OF_VELOCITY, $law::IN_PLANE.is_some()], $law::OFFERS)),+
         ];
 
         impl<const L: usize> AnyRunningLaw<L> {
@@ -224,17 +232,6 @@ pub const ALL: [Offered; offer::count(OFFERS)] = {
     };
     offer::collect(OFFERS, first)
 };
-
-impl Offered {
-    /// The law of this name in a problem.
-    #[inline]
-    pub fn named(place: Place, name: &str) -> Option<&'static Offered> {
-        // Names of the tables: mostly the same memory.
-        let is = |law: &&Offered| std::ptr::eq(law.offer.name, name) || law.offer.name == name;
-        let mut offered = LAWS.iter().filter(|law| law.at(place).is_some());
-        offered.find(is)
-    }
-}
 
 impl ContactLaw {
     /// The clipped line that the law is, see [`Properties::line`].

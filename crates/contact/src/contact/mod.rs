@@ -33,8 +33,8 @@ mod series;
 pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, OneLaw, WhichLaw};
 pub use coupled::{CoupledForces, RigidForces, Unsolved};
 pub use law::{
-    ClippedLine, ClosedForm, ContactKind, Described, ElasticInPlane, Evolution, Family, GivenLaw,
-    InPlane, Properties, element,
+    ClippedLine, ClosedForm, ContactKind, Described, Evolution, Family, GivenLaw, Properties,
+    element,
 };
 pub use laws::friction::{
     Bearing, BoucWen, Dahl, DisplacementControl, Lugre, Pendulum, Stribeck, Tanh, VelocityControl,
@@ -49,6 +49,7 @@ pub use laws::link::{
 };
 pub use laws::yielding::{Band, OneSided, Straight};
 pub use offers::{GivenNumbers, LawFault, number, numbers, offer};
+pub use plane::{AnyPlaneLaw, ElasticInPlane, InPlane, OfVelocity};
 pub use series::in_series;
 
 use crate::lane::Lane;

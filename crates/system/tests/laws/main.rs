@@ -6,7 +6,6 @@ mod stiffness;
 use slipgap_contact::contact::number::{Number, Range, Usual};
 use slipgap_contact::contact::numbers::structure;
 use slipgap_contact::contact::offer::{Offered, Place};
-use slipgap_contact::contact::plane::slides_in_plane;
 use slipgap_contact::contact::{
     ClippedLine, ContactKind, ContactLaw, ContactResponse, Flexibility, GivenNumbers, LAWS,
     StepFlexibility, StoredEnergy, Trial,
@@ -307,13 +306,6 @@ fn collisions_by_steps_are_those_in_closed_form() {
             errors.iter().all(|error| error.abs() < 3e-4),
             "{made:?} {errors:?}"
         );
-    }
-}
-
-#[test]
-fn a_law_that_says_so_slides_in_a_plane() {
-    for (law, made) in laws() {
-        assert_eq!(law.in_plane, slides_in_plane(&made), "{}", law.offer.name);
     }
 }
 

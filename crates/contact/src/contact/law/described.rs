@@ -1,10 +1,10 @@
 //! What the rest of the program asks of a law besides its step: everything but the list of laws stands in the file of the law.
 
 use super::element::Element;
-use super::{ClippedLine, ContactKind, Evolution, Family, InPlane};
+use super::{ClippedLine, ContactKind, Evolution, Family};
 use crate::contact::impact::RigidImpact;
 use crate::contact::offer::Offer;
-use crate::contact::{ContactLaw, StepFlexibility, StoredEnergy, Straight};
+use crate::contact::{ContactLaw, InPlane, StepFlexibility, StoredEnergy, Straight};
 
 /// What is the same for all contacts with a law.
 pub trait Described: StoredEnergy {
@@ -18,8 +18,8 @@ pub trait Described: StoredEnergy {
     const OFFERS: &'static [Offer];
     /// A motion whose force is known in closed form.
     const CLOSED_FORM: ClosedForm<Self>;
-    /// Whether it slides in a plane, by [`Properties::in_plane`].
-    const IN_PLANE: bool = false;
+    /// How it acts in a plane; `None` for a law that does not slide in one.
+    const IN_PLANE: InPlane<Self> = None;
 
     /// What its contact can do.
     fn kind(&self) -> ContactKind {
@@ -118,11 +118,6 @@ pub trait Properties {
     /// The clipped line that the law is.
     fn line(&self) -> Option<ClippedLine> {
         None
-    }
-
-    /// How it acts in a plane; `None` for a law that does not slide in one.
-    fn in_plane(&self) -> Option<InPlane> {
-        self.family().in_plane()
     }
 
     /// Its straight lines, if S follows r on such and its friction limit is constant.

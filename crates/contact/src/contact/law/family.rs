@@ -1,6 +1,5 @@
 //! What laws that are alike answer alike.
 
-use super::InPlane;
 use crate::contact::impact::{PUSHES, hertz};
 use std::f64::consts::PI;
 
@@ -96,12 +95,5 @@ impl Family {
 
     pub(super) fn is_vertical(self) -> bool {
         matches!(self, Viscous(0.0, _))
-    }
-
-    pub(super) fn in_plane(self) -> Option<InPlane> {
-        match self {
-            Viscous(..) => Some(InPlane::OfVelocity { viscous: None }),
-            Spring(_) | Yielding(_) | Hertz(_) | Elastic(..) | Link(_) | Alone => None,
-        }
     }
 }

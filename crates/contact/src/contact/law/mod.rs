@@ -4,13 +4,11 @@ mod described;
 pub mod element;
 mod evolution;
 mod family;
-mod in_plane;
 mod kind;
 mod line;
 
 pub use described::{ClosedForm, Described, Properties};
 pub use evolution::Evolution;
 pub use family::Family;
-pub use in_plane::{ElasticInPlane, InPlane};
 pub use kind::ContactKind;
 pub use line::{ClippedLine, GivenLaw};

@@ -7,36 +7,64 @@
 //! In one direction it is the scalar model. It is isotropic, as the part with gamma of the model of Park, Wen and Ang (1986), and
 //! |z| <= 1.
 
-use super::{PlaneStep, PlaneTrial};
+use super::{Over, PlaneLaw, PlaneStep, PlaneTrial, Root};
 use crate::contact::BoucWen;
 use crate::contact::pair::{Pair, cut, dot, length, map, root};
 
 /// Of the two implicit stages, which are of second order and damp what is much faster than a step: 1 - 1/sqrt 2.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
-/// S' of a step.
-pub(super) fn answer(law: &BoucWen, on: &PlaneStep, trial: &PlaneTrial) -> Pair {
-    if law.limit <= 0.0 {
-        return [0.0; 2];
-    }
-    let yield_displacement = law.compliance * law.limit;
-    let before = cut(trial.force, law.limit).map(|s| s / law.limit);
-    let after = |force: Pair| {
-        let u = map(trial.change, force, |c, s| {
-            (c - on.h * s) / yield_displacement
+impl PlaneLaw for BoucWen {
+    type Step = ();
+    type Memory = ();
+
+    fn step(&self, _: &PlaneStep) {}
+
+    fn answer(&self, Over { on, .. }: &Over<Self>, trial: &PlaneTrial) -> (Pair, ()) {
+        if self.limit <= 0.0 {
+            return ([0.0; 2], ());
+        }
+        let yield_displacement = self.compliance * self.limit;
+        let before = cut(trial.force, self.limit).map(|s| s / self.limit);
+        let after = |force: Pair| {
+            let u = map(trial.change, force, |c, s| {
+                (c - on.h * s) / yield_displacement
+            });
+            over(self.exponent, before, u)
+        };
+        if on.h == 0.0 {
+            return (after([0.0; 2]).map(|z| self.limit * z), ());
+        }
+        // As far as the elastic part goes.
+        let share = 1.0 / (self.compliance + on.h);
+        let elastic = map(trial.force, trial.change, |s, c| {
+            (self.compliance * s + c) * share
         });
-        over(law.exponent, before, u)
-    };
-    if on.h == 0.0 {
-        return after([0.0; 2]).map(|z| law.limit * z);
+        let residual = |force: Pair| map(force, after(force), |s, z| s - self.limit * z);
+        let start = cut(elastic, self.limit);
+        (root(residual, start, 1e-6 * self.limit), ())
     }
-    // As far as the elastic part goes.
-    let share = 1.0 / (law.compliance + on.h);
-    let elastic = map(trial.force, trial.change, |s, c| {
-        (law.compliance * s + c) * share
-    });
-    let residual = |force: Pair| map(force, after(force), |s, z| s - law.limit * z);
-    root(residual, cut(elastic, law.limit), 1e-6 * law.limit)
+
+    fn slopes(&self, over: &Over<Self>, root: &Root) -> (Pair, Pair) {
+        over.slopes_by_differences(self, root, 1e-6 * (self.compliance * self.limit))
+    }
+
+    fn bound(&self) -> f64 {
+        self.limit
+    }
+
+    fn rate(&self, z: Pair, rdot: Pair) -> Pair {
+        if self.limit <= 0.0 {
+            return [0.0; 2];
+        }
+        let along = dot(z, rdot).max(0.0);
+        let size = length(z);
+        let turn = match size > 0.0 {
+            true => libm::pow(size / self.limit, self.exponent) * along / (size * size),
+            false => 0.0,
+        };
+        map(rdot, z, |v, z| (v - turn * z) / self.compliance)
+    }
 }
 
 /// z after a straight motion u in units of u_y.

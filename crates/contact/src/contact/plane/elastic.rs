@@ -10,82 +10,161 @@
 //! remains the projection of a known point plus dr/c: the gradient of a convex function. On a straight path, q = 0.
 
 use super::scalar::{along, running};
-use super::{PlaneMemory, PlaneStep, PlaneTrial};
+use super::{Over, PlaneLaw, PlaneStep, PlaneTrial, Root};
 use crate::contact::laws::friction::pendulum::{coefficient, expected};
 use crate::contact::pair::{self, Pair, dot, length};
-use crate::contact::{AnyRunningLaw, ElasticInPlane};
+use crate::contact::{AnyRunningLaw, DisplacementControl};
 
-/// The law of friction with the step of its scalar form.
+/// Friction that is elastic up to its limit, with a spring beside it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Elastic {
-    pub(super) own: ElasticInPlane,
-    pub(super) step: AnyRunningLaw<1>,
+pub struct ElasticInPlane {
+    /// The elastic part and its limit.
+    pub law: DisplacementControl,
+    /// Stiffness of the spring beside it.
+    pub spring: f64,
+    /// Whether it has the force of its first loading from r = 0 on, as hardening has.
+    pub from_zero: bool,
+    /// nu_min/nu_max and a of a coefficient that rises with the speed; 1 and 0 of a constant one.
+    pub rising: [f64; 2],
 }
 
-impl Elastic {
-    /// S' of a step, and what the law remembers.
-    pub(super) fn answer(
-        &self,
-        trial: &PlaneTrial,
-        memory: &PlaneMemory,
-        on: &PlaneStep,
-        part: usize,
-    ) -> (Pair, PlaneMemory) {
+/// What the law remembers from step to step.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Memory {
+    /// Friction without the spring beside it.
+    friction: Pair,
+    /// What is added to the trial force in the next step, because friction turns; and whether the contact slid.
+    turn: Pair,
+    slides: bool,
+    /// |rdot| at the start of the last step, and its length.
+    speed: f64,
+    dt: f64,
+    /// Whether there was a step or an equilibrium.
+    begun: bool,
+}
+
+impl From<DisplacementControl> for ElasticInPlane {
+    fn from(law: DisplacementControl) -> ElasticInPlane {
+        ElasticInPlane {
+            law,
+            spring: 0.0,
+            from_zero: false,
+            rising: [1.0, 0.0],
+        }
+    }
+}
+
+impl PlaneLaw for ElasticInPlane {
+    type Step = AnyRunningLaw<1>;
+    type Memory = Memory;
+
+    fn step(&self, on: &PlaneStep) -> Self::Step {
+        running(&self.law.into(), on.h / (1.0 + self.spring * on.h), on)
+    }
+
+    fn answer(&self, over: &Over<Self>, trial: &PlaneTrial) -> (Pair, Memory) {
+        let Over { on, step, memory } = over;
         let start = self.start(trial, memory, on);
-        let share = 1.0 / (1.0 + self.own.spring * on.h);
+        let share = 1.0 / (1.0 + self.spring * on.h);
         let [r, change] = [trial.displacement, trial.change];
-        let change = pair::map(change, r, |c, r| (c - self.own.spring * on.h * r) * share);
+        let change = pair::map(change, r, |c, r| (c - self.spring * on.h * r) * share);
         let free = PlaneTrial {
             force: start,
             change,
             ..*trial
         };
-        let direction = pair::map(start, change, |s, c| s + c / self.own.law.compliance);
+        let direction = pair::map(start, change, |s, c| s + c / self.law.compliance);
         let now = self.coefficient(trial, memory);
         let step = match now == 1.0 {
-            true => self.step,
-            false => {
-                let law = self.own.law.into();
-                running(&law, now * on.h * share, on)
-            }
+            true => **step,
+            false => running(&self.law.into(), now * on.h * share, on),
         };
-        let friction = along(step, part, direction, &free);
+        let friction = along(step, on, direction, &free);
         // S' = spring r' + friction with r' = r + change - h S'.
         let force = std::array::from_fn(|i| {
             let r = trial.displacement[i] + trial.change[i];
-            (self.own.spring * r + now * friction[i]) * share
+            (self.spring * r + now * friction[i]) * share
         });
         let end: Pair = std::array::from_fn(|i| {
-            start[i] + (trial.change[i] - on.h * force[i]) / self.own.law.compliance
+            start[i] + (trial.change[i] - on.h * force[i]) / self.law.compliance
         });
-        let beyond = length(end) - self.own.law.limit;
-        let slides = self.own.law.limit > 0.0 && beyond > 0.0;
+        let beyond = length(end) - self.law.limit;
+        let slides = self.law.limit > 0.0 && beyond > 0.0;
         let turn = match slides && memory.slides {
             true => turn(self.friction(trial, memory), friction, beyond),
             false => [0.0; 2],
         };
-        let after = PlaneMemory {
+        let after = Memory {
             friction,
             turn,
             slides,
             speed: length(trial.velocity),
             dt: on.dt,
             begun: true,
-            ..*memory
         };
         (force, after)
     }
 
+    fn slopes(&self, over: &Over<Self>, Root { moved, .. }: &Root) -> (Pair, Pair) {
+        let Over { on, memory, .. } = over;
+        let part = self.coefficient(moved, memory);
+        let start = self.start(moved, memory, on);
+        let trial = pair::map(start, moved.change, |s, c| s + c / self.law.compliance);
+        let k = 1.0 / self.law.compliance;
+        let size = length(trial);
+        let friction = match size <= self.law.limit {
+            true => [k, k],
+            false => [0.0, self.law.limit * k / size],
+        };
+        let slopes = friction.map(|k| part * k + self.spring);
+        (pair::unit(trial), slopes)
+    }
+
+    fn is_cut(&self) -> bool {
+        true
+    }
+
+    fn bound(&self) -> f64 {
+        self.law.limit
+    }
+
+    fn rate(&self, _: Pair, rdot: Pair) -> Pair {
+        rdot.map(|v| v / self.law.compliance)
+    }
+
+    fn force(&self, z: Pair, r: Pair, rdot: Pair) -> Pair {
+        let z = pair::cut(z, self.law.limit);
+        let part = coefficient(self.rising, length(rdot));
+        pair::map(r, z, |r, z| self.spring * r + part * z)
+    }
+
+    fn state(&self, at_rest: Option<Pair>, r: Pair) -> Pair {
+        match at_rest {
+            Some(force) => pair::map(force, r, |s, r| (s - self.spring * r) / self.rising[0]),
+            None => self.unbent(r),
+        }
+    }
+
+    fn memory(&self, friction: Pair, at_rest: bool) -> Memory {
+        Memory {
+            friction,
+            begun: at_rest || self.spring != 0.0,
+            ..Memory::default()
+        }
+    }
+}
+
+impl ElasticInPlane {
     /// nu/nu_max at the end of the step.
-    pub(super) fn coefficient(&self, trial: &PlaneTrial, memory: &PlaneMemory) -> f64 {
+    fn coefficient(&self, trial: &PlaneTrial, memory: &Memory) -> f64 {
         let speed = length(trial.velocity);
         // Without a step before, the length of it is 0.
         let before = if memory.dt > 0.0 { memory.speed } else { speed };
-        coefficient(self.own.rising, expected(speed, before))
+        coefficient(self.rising, expected(speed, before))
     }
 
     /// Friction from which the motion of a step leads to the trial force.
-    pub(super) fn start(&self, trial: &PlaneTrial, memory: &PlaneMemory, on: &PlaneStep) -> Pair {
+    fn start(&self, trial: &PlaneTrial, memory: &Memory, on: &PlaneStep) -> Pair {
         let before = self.friction(trial, memory);
         match memory.turn {
             [0.0, 0.0] => before,
@@ -97,8 +176,8 @@ impl Elastic {
     }
 
     /// Friction at the start of a step.
-    fn friction(&self, trial: &PlaneTrial, memory: &PlaneMemory) -> Pair {
-        match (self.own.spring == 0.0, memory.begun) {
+    fn friction(&self, trial: &PlaneTrial, memory: &Memory) -> Pair {
+        match (self.spring == 0.0, memory.begun) {
             (true, _) => trial.force,
             (false, true) => memory.friction,
             (false, false) => self.unbent(trial.displacement),
@@ -106,9 +185,9 @@ impl Elastic {
     }
 
     /// Friction of a contact at r that nothing has moved yet.
-    pub(super) fn unbent(&self, r: Pair) -> Pair {
-        match self.own.from_zero {
-            true => pair::cut(r.map(|r| r / self.own.law.compliance), self.own.law.limit),
+    fn unbent(&self, r: Pair) -> Pair {
+        match self.from_zero {
+            true => pair::cut(r.map(|r| r / self.law.compliance), self.law.limit),
             false => [0.0; 2],
         }
     }

@@ -27,10 +27,10 @@ pub(super) fn running(law: &ContactLaw, h: f64, on: &PlaneStep) -> AnyRunningLaw
     ContactLaw::running(&[*law], &steps)
 }
 
-/// The force of a scalar law along a direction.
+/// The force of a scalar law over a step along a direction.
 pub(super) fn along(
     mut step: AnyRunningLaw<1>,
-    part: usize,
+    on: &PlaneStep,
     direction: Pair,
     trial: &PlaneTrial,
 ) -> Pair {
@@ -46,12 +46,18 @@ pub(super) fn along(
         change: part_of(trial.change),
         rate: part_of(trial.rate),
     };
-    let Lane([force]) = step.force(part, &trial);
+    // The second part is of a motion that is given.
+    let Lane([force]) = step.force(usize::from(on.is_given()), &trial);
     unit.map(|x| x * force)
 }
 
-/// dS/drdot of a scalar law along rdot.
-pub(super) fn scalar_slope(step: AnyRunningLaw<1>, moved: &PlaneTrial, speed: f64) -> f64 {
+/// dS/drdot of a scalar law along rdot, of a motion that is given.
+pub(super) fn scalar_slope(
+    step: AnyRunningLaw<1>,
+    given: &PlaneStep,
+    moved: &PlaneTrial,
+    speed: f64,
+) -> f64 {
     let width = 1e-7 * speed;
     let direction = pair::unit(moved.rate);
     let at = |speed: f64| {
@@ -59,7 +65,7 @@ pub(super) fn scalar_slope(step: AnyRunningLaw<1>, moved: &PlaneTrial, speed: f6
             rate: direction.map(|x| x * speed),
             ..*moved
         };
-        dot(direction, along(step, 1, moved.rate, &moved))
+        dot(direction, along(step, given, moved.rate, &moved))
     };
     match speed > 0.0 {
         true => (at(speed + width) - at(speed - width)) / (2.0 * width),

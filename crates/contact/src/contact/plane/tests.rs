@@ -1,15 +1,46 @@
 //! Each law in a plane beside its scalar form, and in any direction.
 
+use super::scalar::running;
 use super::*;
-use crate::contact::DisplacementControl;
 use crate::contact::coupled::tests::Random;
+use crate::contact::offer::Offered;
 use crate::contact::{
-    Bearing, Bilinear, BoucWen, ContactResponse, Pendulum, Stribeck, Tanh, Trial, VelocityControl,
+    Bearing, Bilinear, BoucWen, ContactResponse, DisplacementControl, GivenLaw, GivenNumbers,
+    Lugre, Pendulum, Stribeck, Tanh, Trial, VelocityControl, pair,
 };
 use crate::lane::Lane;
 
-/// The laws, with a limit of 1 and the displacement and velocity 0.1 up to it.
+/// The laws, with a limit of 1 and the displacement and velocity 0.1 up to it; and each that studies have, with other numbers.
 fn laws() -> Vec<ContactLaw> {
+    let offered = LAWS.iter().filter(|law| law.in_plane);
+    offered.filter_map(made).chain(chosen()).collect()
+}
+
+/// A law of structures with numbers within their ranges.
+fn made(law: &Offered) -> Option<ContactLaw> {
+    let offered = law.offer.structure?;
+    // A study gives one of two numbers that take each other's place.
+    let values = offered.numbers.iter().enumerate().map(|(i, number)| {
+        let first = number.instead_of.is_none_or(|other| !law.has(other));
+        let inside = |value: &f64| number.range.contains(*value);
+        // No two alike.
+        let values = [1.5 / (1.0 + 0.1 * i as f64), 0.6, 2.0];
+        values.into_iter().find(inside).filter(|_| first)
+    });
+    let given = GivenNumbers {
+        law: law.offer.name,
+        numbers: offered.numbers,
+        values: &values.collect::<Vec<_>>(),
+        table: &[],
+        others: &[("limit", 1.0), ("nu", 2.0)],
+    };
+    match (law.offer.form)(&given).unwrap().given {
+        GivenLaw::Law(law) => Some(law),
+        GivenLaw::Line(_) => None,
+    }
+}
+
+fn chosen() -> Vec<ContactLaw> {
     let compliance = 0.1;
     let bouc_wen = |exponent| {
         ContactLaw::BoucWen(BoucWen {
@@ -98,15 +129,15 @@ fn turned(angle: f64) -> impl Fn(Pair) -> Pair {
 }
 
 /// A run of random steps, in which the contact is at `place` turned by an angle at the end of each.
-fn run(law: &ContactLaw, turn: &dyn Fn(Pair) -> Pair, flat: bool) -> Vec<Pair> {
-    let plane = PlaneLaw::new(law, ON).unwrap();
+fn run(law: &ContactLaw, turn: &dyn Fn(Pair) -> Pair, flat: bool, size: f64) -> Vec<Pair> {
+    let [plane, given] = [ON, ON.given()].map(|on| law.in_plane(&on).unwrap());
     let mut random = Random(7);
     let mut memory = PlaneMemory::default();
     let mut trial = PlaneTrial::default();
     let mut next = || [random.even(), if flat { 0.0 } else { random.even() }];
     let mut forces = Vec::new();
     for _ in 0..40 {
-        trial.change = turn(next()).map(|x| 0.3 * x);
+        trial.change = turn(next()).map(|x| size * x);
         trial.rate = pair::map(trial.change, trial.velocity, |c, v| 2.0 / ON.dt * c - v);
         let (force, after) = plane.answer(&trial, &memory);
         let moved = PlaneTrial {
@@ -115,7 +146,7 @@ fn run(law: &ContactLaw, turn: &dyn Fn(Pair) -> Pair, flat: bool) -> Vec<Pair> {
             ..trial
         };
         // The force of the motion that it leaves; without compliance it does not follow.
-        let follows = plane.follow(&moved, &memory);
+        let (follows, _) = given.answer(&moved, &memory);
         let is_rigid = matches!(law, ContactLaw::VelocityControl(own) if own.compliance == 0.0);
         let difference = length(pair::map(force, follows, |a, b| a - b));
         assert!(
@@ -134,45 +165,53 @@ fn run(law: &ContactLaw, turn: &dyn Fn(Pair) -> Pair, flat: bool) -> Vec<Pair> {
 #[test]
 fn a_law_is_the_same_in_every_direction() {
     for law in laws() {
-        let own = run(&law, &|x| x, false);
+        let own = run(&law, &|x| x, false, 0.3);
         let turn = turned(0.7);
-        for (own, turned) in own.into_iter().zip(run(&law, &turn, false)) {
+        for (own, turned) in own.into_iter().zip(run(&law, &turn, false, 0.3)) {
             let difference = length(pair::map(turn(own), turned, |a, b| a - b));
             assert!(difference < 1e-9, "{law:?} {difference}");
         }
     }
 }
 
+/// The largest difference between a law along an axis and its scalar form, of steps up to `size`.
+fn difference_along_an_axis(law: &ContactLaw, size: f64) -> f64 {
+    let plane = run(law, &|x| x, true, size);
+    let mut step = running(law, ON.h, &ON);
+    let mut random = Random(7);
+    let (mut r, mut v, mut s) = (0.0, 0.0, 0.0);
+    let mut largest = 0.0_f64;
+    for force in plane {
+        let change = size * random.even();
+        let rate = 2.0 / ON.dt * change - v;
+        let trial = Trial {
+            displacement: Lane([r]),
+            velocity: Lane([v]),
+            force: Lane([s]),
+            change: Lane([change]),
+            rate: Lane([rate]),
+        };
+        let Lane([scalar]) = step.force(0, &trial);
+        largest = largest.max((force[0] - scalar).abs());
+        assert_eq!(force[1], 0.0);
+        s = force[0];
+        r += change - ON.h * s;
+        v = rate - ON.h_rate * s;
+    }
+    largest
+}
+
+/// The step of a law may be another one in a plane, as that of Bouc-Wen, which has a closed form in a line. Then both are of second
+/// order, so that a tenth of the steps differs by nearly a hundredth; one of first order by a tenth.
 #[test]
 fn along_an_axis_a_law_is_its_scalar_form() {
     for law in laws() {
-        let plane = run(&law, &|x| x, true);
-        let mut step = running(&law, ON.h, &ON);
-        let mut random = Random(7);
-        let (mut r, mut v, mut s) = (0.0, 0.0, 0.0);
-        for force in plane {
-            let change = 0.3 * random.even();
-            let rate = 2.0 / ON.dt * change - v;
-            let trial = Trial {
-                displacement: Lane([r]),
-                velocity: Lane([v]),
-                force: Lane([s]),
-                change: Lane([change]),
-                rate: Lane([rate]),
-            };
-            let Lane([scalar]) = step.force(0, &trial);
-            // In a plane Bouc-Wen has implicit stages, in a line a closed form: a step is up to 10 u_y here.
-            let is_bouc_wen = matches!(law, ContactLaw::BoucWen(_));
-            let tolerance = if is_bouc_wen { 0.5 } else { 1e-9 };
-            assert!(
-                (force[0] - scalar).abs() < tolerance,
-                "{law:?} {force:?} {scalar}"
-            );
-            assert_eq!(force[1], 0.0);
-            s = force[0];
-            r += change - ON.h * s;
-            v = rate - ON.h_rate * s;
-        }
+        let difference = difference_along_an_axis(&law, 0.3);
+        let [coarse, fine] = [0.03, 0.003].map(|size| difference_along_an_axis(&law, size));
+        assert!(
+            difference < 1e-9 || coarse < 1e-2 && (fine < 1e-9 || fine < 0.02 * coarse),
+            "{law:?} {difference:e} {coarse:e} {fine:e}"
+        );
     }
 }
 
@@ -197,7 +236,7 @@ fn angle_after(steps: u32, remembers: bool, shorter: f64) -> f64 {
             h_rate: 0.0,
             dt,
         };
-        let plane = PlaneLaw::new(&law, on).unwrap();
+        let plane = law.in_plane(&on).unwrap();
         let (force, after) = plane.answer(&trial, &memory);
         trial.force = force;
         // A contact that slides stays at its limit.
@@ -227,9 +266,9 @@ fn the_force_turns_towards_a_straight_path() {
     }
 }
 
-fn law_of(find: impl Fn(&ContactLaw) -> bool) -> PlaneLaw {
-    let law = laws().into_iter().find(find).unwrap();
-    PlaneLaw::new(&law, ON).unwrap()
+fn law_of(find: impl Fn(&ContactLaw) -> bool) -> AnyPlaneLaw {
+    let law = chosen().into_iter().find(find).unwrap();
+    law.in_plane(&ON).unwrap()
 }
 
 /// Of the first loading, S = k r up to Fy and Fy + k_h (r - u_y) beyond, along r.
@@ -249,7 +288,7 @@ fn hardening_has_the_force_of_its_first_loading_from_the_start() {
 #[test]
 fn a_contact_starts_with_the_force_of_its_equilibrium() {
     for law in laws() {
-        let plane = PlaneLaw::new(&law, ON).unwrap();
+        let plane = law.in_plane(&ON).unwrap();
         if !plane.has_state() {
             continue;
         }
@@ -275,32 +314,43 @@ fn bristles_are_bound_by_the_static_limit() {
 /// The slope along a direction is the difference quotient of the force that follows a motion.
 #[test]
 fn slopes_of_a_step_are_those_of_its_force() {
+    let pace = 2.0 / ON.dt;
     for law in laws() {
-        let plane = PlaneLaw::new(&law, ON).unwrap();
-        if !matches!(plane.form, Form::Elastic(_)) {
+        let [plane, given] = [ON, ON.given()].map(|on| law.in_plane(&on).unwrap());
+        if law.properties().is_vertical() {
             continue;
         }
-        for size in [0.02, 0.4] {
+        for size in [0.002, 0.02, 0.4] {
             let trial = PlaneTrial {
                 change: [0.6 * size, 0.8 * size],
+                rate: [0.6 * pace * size, 0.8 * pace * size],
                 ..PlaneTrial::default()
             };
-            let memory = PlaneMemory {
-                begun: true,
-                ..PlaneMemory::default()
-            };
+            let (_, memory) = plane.at_start(Some([0.0; 2]), [0.0; 2], [0.0; 2]);
             let (force, _) = plane.answer(&trial, &memory);
-            let directions = plane.directions(&trial, &memory, force, 2.0 / ON.dt);
-            let at = |change: Pair| plane.follow(&PlaneTrial { change, ..trial }, &memory);
+            let directions = plane.directions(&trial, &memory, force, pace);
             let moved = pair::map(trial.change, force, |c, s| c - ON.h * s);
+            let rate = pair::map(trial.rate, force, |v, s| v - ON.h_rate * s);
+            let at = |change: Pair| {
+                let more = pair::map(change, moved, |to, from| pace * (to - from));
+                let rate = pair::map(rate, more, |v, more| v + more);
+                let moved = PlaneTrial {
+                    change,
+                    rate,
+                    ..trial
+                };
+                given.answer(&moved, &memory).0
+            };
             let slopes = pair::jacobian(at, moved, 1e-7);
             let [a, b] = directions.along;
             for (direction, slope) in [[a, b], [-b, a]].into_iter().zip(directions.slopes) {
                 let rise = slopes.map(|row| dot(row, direction));
-                let found = dot(rise, direction);
+                // Where the force falls, the slope is that of none.
+                let (found, known) = (dot(rise, direction).max(0.0), 1.0 / slope);
+                // Round-off of forces of 1 over the width.
                 assert!(
-                    (found * slope - 1.0).abs() < 1e-6 || slope.is_infinite() && found < 1e-6,
-                    "{law:?} {size} {found} {slope}"
+                    (found - known).abs() < 1e-7 * (1.0 + known),
+                    "{law:?} {size} {found} {known}"
                 );
             }
         }
@@ -314,6 +364,7 @@ fn the_corner_of_viscous_friction_is_at_its_limit() {
         let limit = 1.5;
         let law = ContactLaw::VelocityControl(VelocityControl { compliance, limit });
         let at = compliance * limit;
-        assert!(corner(&law, 0.99 * at) < 0.0 && corner(&law, 1.01 * at) > 0.0);
+        let plane = law.in_plane(&ON).unwrap();
+        assert!(plane.corner(0.99 * at) < 0.0 && plane.corner(1.01 * at) > 0.0);
     }
 }

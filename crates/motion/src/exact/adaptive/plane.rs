@@ -3,7 +3,7 @@
 use super::on_line::OnLine;
 use super::watched::{LimitAt, Watched};
 use crate::contact::ContactLaw;
-use crate::contact::plane::{self, Pair, PlaneLaw, PlaneStep, dot, length};
+use crate::contact::plane::{AnyPlaneLaw, Pair, PlaneStep, dot, length};
 
 /// Relative size of values that are round-off.
 const ROUND_OFF: f64 = 1e-15;
@@ -95,19 +95,14 @@ impl PlaneContact {
     }
 
     /// The law with this limit; `None` leaves it. Only laws in a plane are here.
-    fn law(&self, limit: Option<LimitAt>) -> Option<PlaneLaw> {
+    fn law(&self, limit: Option<LimitAt>) -> Option<AnyPlaneLaw> {
         let law = limit.map_or(self.law, |limit| self.law.at_limit(limit.value));
-        let on = PlaneStep {
-            h: 0.0,
-            h_rate: 0.0,
-            dt: 1.0,
-        };
-        PlaneLaw::new(&law, on)
+        law.in_plane(&PlaneStep::of_given_motion(1.0))
     }
 
     /// z at the start; `None` for a law without a state.
     pub fn state(&self, r: Pair) -> Option<Pair> {
-        let law = self.law(None).filter(PlaneLaw::has_state)?;
+        let law = self.law(None).filter(AnyPlaneLaw::has_state)?;
         Some(law.state(self.at_rest, r))
     }
 
@@ -179,7 +174,7 @@ impl PlaneContact {
     }
 
     /// How much faster than its limit z would grow beyond it.
-    fn pressure(&self, state: &PlaneState, law: &PlaneLaw, limit: Option<LimitAt>) -> f64 {
+    fn pressure(&self, state: &PlaneState, law: &AnyPlaneLaw, limit: Option<LimitAt>) -> f64 {
         let size = length(state.z);
         let wanted = limit.map_or(0.0, |limit| limit.rate);
         match size > 0.0 {
@@ -215,9 +210,8 @@ impl PlaneContact {
         if !law.has_state() {
             // Corners of S over the speed.
             let speed = length(state.rdot);
-            let scalar = limit.map_or(self.law, |limit| self.law.at_limit(limit.value));
             to.push(Watched {
-                value: plane::corner(&scalar, speed),
+                value: law.corner(speed),
                 least: rdot_scale,
                 one_sided: false,
             });
@@ -248,7 +242,7 @@ impl PlaneContact {
 
     /// The size of z below which it is round-off of r over the tolerance.
     pub fn least_state(&self, least: f64) -> f64 {
-        let size = |law: PlaneLaw| {
+        let size = |law: AnyPlaneLaw| {
             let r = self.largest[0].max(least);
             let elastic = length(law.rate([0.0; 2], [r, 0.0]));
             elastic.min(law.bound())
@@ -260,7 +254,7 @@ impl PlaneContact {
     pub fn commit(&mut self, state: &PlaneState, sizes: [f64; 2], limit: Option<LimitAt>) -> Pair {
         self.largest = [0, 1].map(|i| self.largest[i].max(sizes[i]));
         self.speed = self.speed.max(length(state.rdot));
-        let Some(law) = self.law(limit).filter(PlaneLaw::has_state) else {
+        let Some(law) = self.law(limit).filter(AnyPlaneLaw::has_state) else {
             return state.z;
         };
         let z = self.within(state.z, law.bound());

@@ -130,10 +130,7 @@ fn choosers(function: &Scaled) -> Vec<usize> {
             amount::Source::Expression(expression) => expression.formula.uses().to_vec(),
             amount::Source::Number(_) => Vec::new(),
         },
-        loads::Kind::Sine { .. }
-        | loads::Kind::Table { .. }
-
-        | loads::Kind::Pulse(..) => Vec::new(),
+        loads::Kind::Sine { .. } | loads::Kind::Table { .. } | loads::Kind::Pulse(..) => Vec::new(),
     }
 }
 

@@ -53,7 +53,7 @@ impl Described for Bearing {
     const NAME: &'static str = "velocity-control";
     const OF_VELOCITY: bool = true;
     const OFFERS: &'static [Offer] = &[];
-    const IN_PLANE: bool = true;
+    const IN_PLANE: InPlane<Self> = Some(OfVelocity::over);
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)));
 }

@@ -56,7 +56,7 @@ impl Described for BoucWen {
             "friction, hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
         ],
     )];
-    const IN_PLANE: bool = true;
+    const IN_PLANE: InPlane<Self> = Some(|law, on| AnyPlaneLaw::new(*law, on));
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let u = velocity * time / (law.compliance * law.limit);
         match law.exponent {
@@ -82,10 +82,6 @@ impl Properties for BoucWen {
 
     fn evolution(&self) -> Option<&dyn Evolution> {
         Some(self)
-    }
-
-    fn in_plane(&self) -> Option<InPlane> {
-        Some(InPlane::BoucWen(*self))
     }
 }
 

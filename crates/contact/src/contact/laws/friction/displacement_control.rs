@@ -49,7 +49,8 @@ impl Described for DisplacementControl {
         "friction, elastic up to the displacement r^E, then sliding at the limit [F (9)]",
         of_structures![K, R_E],
     )];
-    const IN_PLANE: bool = true;
+    const IN_PLANE: InPlane<Self> =
+        Some(|law, on| AnyPlaneLaw::new(ElasticInPlane::from(*law), on));
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         Some((velocity * time / law.compliance).min(law.limit))
     });
@@ -74,10 +75,6 @@ impl Properties for DisplacementControl {
     fn line(&self) -> Option<ClippedLine> {
         let stiffness = 1.0 / self.compliance;
         Some(ClippedLine::Elastic { stiffness })
-    }
-
-    fn in_plane(&self) -> Option<InPlane> {
-        Some(InPlane::Elastic((*self).into()))
     }
 }
 

@@ -116,7 +116,15 @@ impl Described for Pendulum {
             "friction, elastic up to r^E, on a concave surface: plus (N/R) r (Zayas, Low and Mahin 1990)",
             &[&structure::K, &structure::R_E, &RADIUS, &structure::NU_MIN, &structure::NU_RATE],
         )];
-    const IN_PLANE: bool = true;
+    const IN_PLANE: InPlane<Self> = Some(|law, on| {
+        let [compliance, limit] = [law.compliance, law.limit];
+        let in_plane = ElasticInPlane {
+            spring: law.stiffness(),
+            rising: law.rising,
+            ..DisplacementControl { compliance, limit }.into()
+        };
+        AnyPlaneLaw::new(in_plane, on)
+    });
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
         let friction = (r / law.compliance).min(law.limit);
@@ -151,15 +159,6 @@ impl Properties for Pendulum {
 
     fn evolution(&self) -> Option<&dyn Evolution> {
         Some(self)
-    }
-
-    fn in_plane(&self) -> Option<InPlane> {
-        let [compliance, limit] = [self.compliance, self.limit];
-        Some(InPlane::Elastic(ElasticInPlane {
-            spring: self.stiffness(),
-            rising: self.rising,
-            ..DisplacementControl { compliance, limit }.into()
-        }))
     }
 
     fn straight(&self) -> Option<Straight> {

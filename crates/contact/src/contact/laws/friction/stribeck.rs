@@ -85,7 +85,7 @@ impl Described for Stribeck {
             "friction, viscous up to the static limit, which falls to the kinetic one with rdot (Stribeck 1902)",
             of_structures![C, RDOT_E, STATIC_RATIO, STRIBECK_VELOCITY],
         )];
-    const IN_PLANE: bool = true;
+    const IN_PLANE: InPlane<Self> = Some(OfVelocity::over);
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)));
 }

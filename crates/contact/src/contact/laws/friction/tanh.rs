@@ -72,7 +72,7 @@ impl Described for Tanh {
         "friction, limit times tanh(rdot/rdot^E)",
         of_structures![C, RDOT_E, NU_MIN, NU_RATE],
     )];
-    const IN_PLANE: bool = true;
+    const IN_PLANE: InPlane<Self> = Some(OfVelocity::over);
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)[0]));
 }

@@ -75,7 +75,11 @@ impl Described for VelocityControl {
             &[&structure::STATIC_RATIO],
         ),
     ];
-    const IN_PLANE: bool = true;
+    const IN_PLANE: InPlane<Self> = Some(|law, on| {
+        let viscous = Some([law.compliance, law.limit]);
+        let law = (*law).into();
+        AnyPlaneLaw::new(OfVelocity { law, viscous }, on)
+    });
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some((velocity / law.compliance).min(law.limit)));
 }
@@ -108,11 +112,6 @@ impl Properties for VelocityControl {
             true => ClippedLine::Coulomb,
             false => ClippedLine::Viscous { viscosity },
         })
-    }
-
-    fn in_plane(&self) -> Option<InPlane> {
-        let viscous = Some([self.compliance, self.limit]);
-        Some(InPlane::OfVelocity { viscous })
     }
 }
 

@@ -76,7 +76,16 @@ impl Described for Bilinear {
             "yields at Fy in both directions, with kinematic hardening, or softening if k2 < 0: a column, a lead-rubber bearing (Prager 1956)",
             &[&structure::K1, &structure::FY, &structure::K2, &RATIO],
         )];
-    const IN_PLANE: bool = true;
+    const IN_PLANE: InPlane<Self> = Some(|law, on| {
+        let [_, limit] = law.band().bounds;
+        let compliance = 1.0 / (law.stiffness - law.hardening);
+        let in_plane = ElasticInPlane {
+            spring: law.hardening,
+            from_zero: true,
+            ..DisplacementControl { compliance, limit }.into()
+        };
+        AnyPlaneLaw::new(in_plane, on)
+    });
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let r = velocity * time;
         let beyond = r - law.yield_force / law.stiffness;
@@ -111,16 +120,6 @@ impl Properties for Bilinear {
 
     fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
         1.0 + self.hardening * on.end.h.0[0] > 0.0
-    }
-
-    fn in_plane(&self) -> Option<InPlane> {
-        let [_, limit] = self.band().bounds;
-        let compliance = 1.0 / (self.stiffness - self.hardening);
-        Some(InPlane::Elastic(ElasticInPlane {
-            spring: self.hardening,
-            from_zero: true,
-            ..DisplacementControl { compliance, limit }.into()
-        }))
     }
 
     fn straight(&self) -> Option<Straight> {

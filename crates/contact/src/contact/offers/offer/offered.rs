@@ -3,7 +3,7 @@
 use crate::contact::number::Number;
 use crate::contact::numbers::structure;
 use crate::contact::{
-    ClippedLine, ContactKind, ContactLaw, GivenLaw, GivenNumbers, LawFault, WhichLaw,
+    ClippedLine, ContactKind, ContactLaw, GivenLaw, GivenNumbers, LAWS, LawFault, WhichLaw,
 };
 
 /// A law by a name of studies: what pages and messages say of it, its numbers, and the law of these numbers.
@@ -161,6 +161,15 @@ pub enum Place {
 }
 
 impl Offered {
+    /// The law of this name in a problem.
+    #[inline]
+    pub fn named(place: Place, name: &str) -> Option<&'static Offered> {
+        // Names of the tables: mostly the same memory.
+        let is = |law: &&Offered| std::ptr::eq(law.offer.name, name) || law.offer.name == name;
+        let mut offered = LAWS.iter().filter(|law| law.at(place).is_some());
+        offered.find(is)
+    }
+
     /// The law in a problem; `None` if it is not offered there.
     pub const fn at(&self, place: Place) -> Option<In> {
         match place {

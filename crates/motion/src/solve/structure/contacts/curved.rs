@@ -10,7 +10,7 @@ use super::curved_group::{Group, Groups, LastShares, grouped, groups, of_masses}
 use super::curved_plane::{self};
 use super::curved_step::{Motion, Scale, explicit_line, line};
 use super::static_friction::Bound;
-use crate::contact::plane::{PlaneLaw, PlaneMemory};
+use crate::contact::plane::PlaneMemory;
 use crate::contact::{AnyRunningLaw, ContactLaw, Unsolved};
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::{Chain, PlaneRow, Structure};
@@ -174,7 +174,7 @@ impl Curved {
         contact.bounds = law.properties().bounds();
         if let Some(plane) = &mut contact.plane {
             let step = curved_plane::step(contact.scale, contact.own);
-            plane.law = PlaneLaw::new(&law, step).unwrap_or(plane.law);
+            plane.law = law.in_plane(&step).unwrap_or(plane.law);
         }
     }
 

@@ -2,13 +2,13 @@
 
 use super::curved_step::{Motion, Scale};
 use crate::contact::coupled::curved::Directions;
-use crate::contact::plane::{Pair, PlaneLaw, PlaneMemory, PlaneStep, PlaneTrial};
+use crate::contact::plane::{AnyPlaneLaw, Pair, PlaneMemory, PlaneStep, PlaneTrial};
 use crate::system::structure::{PlaneRow, Structure};
 
 /// The law of both directions with its memory, beside the first one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Plane {
-    pub(crate) law: PlaneLaw,
+    pub(crate) law: AnyPlaneLaw,
     pub(crate) memory: PlaneMemory,
     scale: Scale,
 }
@@ -36,10 +36,10 @@ fn plane_law(
     limit: f64,
     scale: Scale,
     flexibility: f64,
-) -> Option<PlaneLaw> {
+) -> Option<AnyPlaneLaw> {
     let relation = &structure.contacts[contact].law;
     match relation.row()? {
-        PlaneRow::First => PlaneLaw::new(&relation.law(limit), step(scale, flexibility)),
+        PlaneRow::First => relation.law(limit).in_plane(&step(scale, flexibility)),
         PlaneRow::Second => None,
     }
 }

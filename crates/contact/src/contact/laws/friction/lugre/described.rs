@@ -42,7 +42,7 @@ impl Described for Lugre {
             "friction, bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
             of_structures![SIGMA0, SIGMA1, SIGMA2, STATIC_RATIO, STRIBECK_VELOCITY_OF_STATIC],
         )];
-    const IN_PLANE: bool = true;
+    const IN_PLANE: InPlane<Self> = Some(|law, on| AnyPlaneLaw::new(*law, on));
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let [g, _] = law.strength(velocity);
         let faded = libm::exp(-law.sigma0 * velocity * time / g);
@@ -116,9 +116,5 @@ impl Properties for Lugre {
 
     fn evolution(&self) -> Option<&dyn Evolution> {
         Some(self)
-    }
-
-    fn in_plane(&self) -> Option<InPlane> {
-        Some(InPlane::Lugre(*self))
     }
 }
