@@ -17,6 +17,7 @@ use crate::metrics::budget::Norm;
 use crate::metrics::cells;
 use crate::metrics::friction::{Compared, work_by_energy, work_by_steps};
 use crate::problem::Textbook;
+use crate::problem::numbers::parameter::Parameter;
 use crate::problem::table::cases::Cases;
 use crate::problem::table::metric_rows::Groups;
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warning};
@@ -29,15 +30,25 @@ use tables::{SCHEMA, rows};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
-pub struct FrictionOscillator;
+pub struct Oscillator {
+    /// The tables with the further parameters of a study; `None` without any.
+    schema: Option<Arc<Schema>>,
+}
 
-impl Problem for FrictionOscillator {
+/// The oscillator with its own parameters.
+#[allow(
+    non_upper_case_globals,
+    reason = "the problem as a value, as `BarImpact` is one"
+)]
+pub const FrictionOscillator: Oscillator = Oscillator { schema: None };
+
+impl Problem for Oscillator {
     fn as_textbook(&self) -> Option<&dyn Textbook> {
         Some(self)
     }
 
     fn schema(&self) -> &Arc<Schema> {
-        &SCHEMA
+        self.schema.as_ref().unwrap_or(&SCHEMA)
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
@@ -108,7 +119,12 @@ impl Problem for FrictionOscillator {
     }
 }
 
-impl Textbook for FrictionOscillator {
+impl Textbook for Oscillator {
+    fn with_parameters(&self, further: Vec<Parameter>) -> Arc<dyn Problem> {
+        let schema = Some(self.schema().with_parameters(further));
+        Arc::new(Oscillator { schema })
+    }
+
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let own = self.lane_case(case)?;
         let mut track = ContactTrack::default();
@@ -131,7 +147,7 @@ impl Textbook for FrictionOscillator {
     }
 }
 
-impl FrictionOscillator {
+impl Oscillator {
     fn lane_case(&self, case: &Case) -> Result<OscillatorCase, Unsolvable> {
         OscillatorCase::new(case).ok_or(Unsolvable::ParameterMissing)
     }

@@ -20,6 +20,7 @@ use crate::metrics::cells;
 use crate::metrics::convergence::FEWEST_HALVED;
 use crate::metrics::impact::{Compared, Energy, Track, damping_work, reference};
 use crate::problem::Textbook;
+use crate::problem::numbers::parameter::Parameter;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::table::cases::Cases;
 use crate::problem::table::metric_rows::Groups;
@@ -37,6 +38,8 @@ use tables::{METHOD, MassMatrix, ROWS, SCHEMA, Taken, of_exact, rows, values};
 pub struct Bars {
     /// The unit of velocity in m/s; `None` if it is not known.
     velocity: Option<f64>,
+    /// The tables with the further parameters of a study; `None` without any.
+    schema: Option<Arc<Schema>>,
 }
 
 /// The bars for parameters whose units are not known.
@@ -44,7 +47,10 @@ pub struct Bars {
     non_upper_case_globals,
     reason = "the problem as a value, as `FrictionOscillator` is one"
 )]
-pub const BarImpact: Bars = Bars { velocity: None };
+pub const BarImpact: Bars = Bars {
+    velocity: None,
+    schema: None,
+};
 
 impl Bars {
     /// The numbers of a case; `None` if a parameter is not given.
@@ -63,7 +69,7 @@ impl Problem for Bars {
     }
 
     fn schema(&self) -> &Arc<Schema> {
-        &SCHEMA
+        self.schema.as_ref().unwrap_or(&SCHEMA)
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
@@ -139,6 +145,13 @@ impl Problem for Bars {
 }
 
 impl Textbook for Bars {
+    fn with_parameters(&self, further: Vec<Parameter>) -> Arc<dyn Problem> {
+        Arc::new(Bars {
+            velocity: self.velocity,
+            schema: Some(self.schema().with_parameters(further)),
+        })
+    }
+
     fn once_work(&self, case: &Case) -> u64 {
         let steps = self.steps(case);
         let modes = self.work(case) / steps.max(1);
@@ -168,7 +181,8 @@ impl Textbook for Bars {
 
     fn in_units(&self, size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {
         let velocity = Some(size(Dimension::Velocity)?);
-        Some(Arc::new(Bars { velocity }))
+        let schema = self.schema.clone();
+        Some(Arc::new(Bars { velocity, schema }))
     }
 
     fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
