@@ -35,12 +35,12 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "contact, system, motion",
         &["crates/contact", "crates/system", "crates/motion"],
-        35_900,
+        36_200,
     ),
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        35_800,
+        36_400,
     ),
     (
         "drawing, figures",

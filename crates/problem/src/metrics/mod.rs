@@ -35,7 +35,7 @@ pub fn reached(t: f64, mark: f64) -> bool {
 
 /// A metric of all lanes; NaN if it is undefined.
 #[inline(always)]
-fn or_undefined<const L: usize>(metric: Option<Lane<L>>) -> Lane<L> {
+pub fn or_undefined<const L: usize>(metric: Option<Lane<L>>) -> Lane<L> {
     metric.unwrap_or(Lane::splat(f64::NAN))
 }
 
@@ -45,12 +45,12 @@ pub fn cells<const N: usize>(metrics: [Lane<1>; N]) -> [Option<f64>; N] {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use std::f64::consts::PI;
 
     /// Asserts that the same cells are empty and that the others agree within round-off of a short sum.
-    pub(super) fn assert_metrics(metrics: &[Option<f64>], expected: &[Option<f64>]) {
+    pub(crate) fn assert_metrics(metrics: &[Option<f64>], expected: &[Option<f64>]) {
         assert_eq!(metrics.len(), expected.len());
         for (i, (metric, expected)) in metrics.iter().zip(expected).enumerate() {
             match (metric, expected) {

@@ -155,6 +155,8 @@ pub trait Textbook: Problem {
     fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
         None
     }
+    /// The problem with further parameters, which only expressions of a study contain.
+    fn with_parameters(&self, further: Vec<Parameter>) -> Arc<dyn Problem>;
     /// The problem for parameters in units of which this gives the sizes in SI units; `None` for one whose units say nothing more.
     fn in_units(&self, _size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {
         None

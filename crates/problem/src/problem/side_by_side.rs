@@ -48,7 +48,9 @@ pub(super) fn selected<const N: usize>(
     rows: Range<usize>,
     values: [Option<f64>; N],
     wanted: &[usize],
-) -> impl Iterator<Item = Option<f64>> {
+) -> Vec<Option<f64>> {
     let values = rows.zip(values);
-    values.map(|(row, value)| value.filter(|x| x.is_finite() && wanted.contains(&row)))
+    let values =
+        values.map(|(row, value)| value.filter(|x| x.is_finite() && wanted.contains(&row)));
+    values.collect()
 }

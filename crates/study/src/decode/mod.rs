@@ -28,6 +28,7 @@ use crate::source::place::Texts;
 use crate::source::setting;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::KEY as MEASURED;
+use crate::structure::named::free_names::with_free_names;
 use crate::structure::named::shown::SHOWN;
 use crate::structure::{
     self,
@@ -173,7 +174,8 @@ pub(crate) fn study(
     };
     string("$schema");
     let title = string("title").unwrap_or_default();
-    let problem = problem(&object, (root, whole), folder, faults);
+    let problem = problem(&object, (root, whole), folder, faults)
+        .map(|problem| with_free_names(problem, (root, whole), faults));
     let blocks = blocks(&object, problem.as_deref(), limit, faults);
     let units = object
         .get("units")

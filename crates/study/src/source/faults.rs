@@ -114,9 +114,15 @@ pub fn unknown(what: &str, name: &str, allowed: &[&str]) -> String {
         let _ = write!(message, ": {sentence}");
     }
     let _ = write!(message, "; allowed: {}", any_of(allowed));
-    let is_own = nearest(name, allowed).is_none() && outside(name, allowed).is_none();
-    if is_own && matches!(what, "key" | "name") && is_table(allowed) {
-        message += "; only studies with \"problem\": \"structure\" have parameters of their own";
+    let is_free = nearest(name, allowed).is_none() && outside(name, allowed).is_none();
+    if is_free && is_table(allowed) {
+        match what {
+            "key" => {
+                message += "; a parameter of your own must be in an expression of another one or of \"when\""
+            }
+            "name" => message += "; a name of your own must be one of the \"parameters\"",
+            _ => {}
+        }
     }
     message
 }

@@ -14,7 +14,7 @@ pub struct Sampled {
     /// |x0|.
     pub(super) scale: f64,
     /// X/|x0| at steps 0..=N.
-    pub(super) at: Vec<f64>,
+    pub at: Vec<f64>,
     /// Sum of their squares.
     pub(super) squares: f64,
     /// The steps with (k - 1/2) pi <= T <= (k + 1/2) pi for each k = 1..=m. `None` if one of these windows has no step, or if

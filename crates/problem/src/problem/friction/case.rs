@@ -1,11 +1,12 @@
 //! A case of the oscillator as numbers, its system, and its default metrics in a sweep.
 
 use super::law::{PlainLaw, PlainLawName, law, plain_law};
+use super::metrics::{DEFAULT, Shared, values};
 use super::tables::rows;
 use crate::contact::{AnyRunningLaw, ContactLaw, DisplacementControl, OneLaw, VelocityControl};
 use crate::lane::Lane;
 use crate::methods::{AverageAcceleration, Method, OneMode, Recursion};
-use crate::metrics::friction::{COUNT, Sampled, evaluate, work_by_energy};
+use crate::metrics::friction::{Compared, Sampled, work_by_energy};
 use crate::metrics::{last_time, steps};
 use crate::problem::preset::Preset;
 use crate::problem::{Case, method};
@@ -173,8 +174,8 @@ impl<W: Copy + Into<ContactLaw>, M: EachMethod> LaneCase<LANES> for OscillatorCa
     type Modes = OneMode;
     type Track = Displacements<LANES>;
     type Loops = LawsOfPaper;
-    type Metrics = [Lane<LANES>; COUNT];
-    type OneMetrics = [Lane<1>; COUNT];
+    type Metrics = [Lane<LANES>; DEFAULT.len()];
+    type OneMetrics = [Lane<1>; DEFAULT.len()];
 
     fn reference_key(&self) -> ReferenceKey {
         [self.x0, self.step, self.duration, 0.0, 0.0]
@@ -209,14 +210,20 @@ impl<W: Copy + Into<ContactLaw>, M: EachMethod> LaneCase<LANES> for OscillatorCa
     ) -> Self::OneMetrics {
         let steps = motion.track.0[..exact.count()].iter();
         let steps: Vec<_> = steps.map(|x| Lane([x.0[lane]])).collect();
-        evaluate(&steps, Lane([self.work(motion, lane)]), exact)
+        values(&Shared {
+            compared: Compared::new(&steps, exact),
+            work: Lane([self.work(motion, lane)]),
+        })
     }
 }
 
 for_widest! {
     /// All metrics of a group.
     #[allow(unused_braces, reason = "the macro puts them")]
-    fn evaluate_all(x: &[Lane<LANES>], work: Lane<LANES>, exact: &Sampled) -> [Lane<LANES>; COUNT] {
-        evaluate(x, work, exact)
+    fn evaluate_all(x: &[Lane<LANES>], work: Lane<LANES>, exact: &Sampled) -> [Lane<LANES>; DEFAULT.len()] {
+        values(&Shared {
+            compared: Compared::new(x, exact),
+            work,
+        })
     }
 }

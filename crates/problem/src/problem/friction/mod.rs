@@ -2,6 +2,7 @@
 
 mod case;
 mod law;
+mod metrics;
 mod reference;
 mod tables;
 
@@ -13,28 +14,41 @@ use crate::history::History;
 use crate::lane::Lane;
 use crate::methods::ContactWork;
 use crate::metrics::budget::Norm;
-use crate::metrics::friction::{work_by_energy, work_by_steps};
-use crate::metrics::{self, cells};
+use crate::metrics::cells;
+use crate::metrics::friction::{Compared, work_by_energy, work_by_steps};
 use crate::problem::Textbook;
+use crate::problem::numbers::parameter::Parameter;
 use crate::problem::table::cases::Cases;
+use crate::problem::table::metric_rows::Groups;
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warning};
 use crate::system::System;
 use case::{LANES, OscillatorCase, PlainCase};
+use metrics::{ROWS, Shared, Taken};
 use std::f64::consts::PI;
 use std::sync::Arc;
-use tables::{BUDGET, LOSSES_AND_COST, REFERENCE_ERRORS, SCHEMA, rows};
+use tables::{SCHEMA, rows};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
-pub struct FrictionOscillator;
+pub struct Oscillator {
+    /// The tables with the further parameters of a study; `None` without any.
+    schema: Option<Arc<Schema>>,
+}
 
-impl Problem for FrictionOscillator {
+/// The oscillator with its own parameters.
+#[allow(
+    non_upper_case_globals,
+    reason = "the problem as a value, as `BarImpact` is one"
+)]
+pub const FrictionOscillator: Oscillator = Oscillator { schema: None };
+
+impl Problem for Oscillator {
     fn as_textbook(&self) -> Option<&dyn Textbook> {
         Some(self)
     }
 
     fn schema(&self) -> &Arc<Schema> {
-        &SCHEMA
+        self.schema.as_ref().unwrap_or(&SCHEMA)
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
@@ -105,7 +119,12 @@ impl Problem for FrictionOscillator {
     }
 }
 
-impl Textbook for FrictionOscillator {
+impl Textbook for Oscillator {
+    fn with_parameters(&self, further: Vec<Parameter>) -> Arc<dyn Problem> {
+        let schema = Some(self.schema().with_parameters(further));
+        Arc::new(Oscillator { schema })
+    }
+
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let own = self.lane_case(case)?;
         let mut track = ContactTrack::default();
@@ -128,7 +147,7 @@ impl Textbook for FrictionOscillator {
     }
 }
 
-impl FrictionOscillator {
+impl Oscillator {
     fn lane_case(&self, case: &Case) -> Result<OscillatorCase, Unsolvable> {
         OscillatorCase::new(case).ok_or(Unsolvable::ParameterMissing)
     }
@@ -149,7 +168,11 @@ impl FrictionOscillator {
             return Err(Unsolvable::OutOfRange);
         }
         let x: Vec<_> = computed.displacement().iter().map(|x| Lane([*x])).collect();
-        let own = metrics::friction::evaluate(&x, Lane([work]), &case.exact_at_steps());
+        let sampled = case.exact_at_steps();
+        let default = metrics::values(&Shared {
+            compared: Compared::new(&x, &sampled),
+            work: Lane([work]),
+        });
         let exact = coulomb(case.x0, &computed.time);
         let steps = exact.displacement().iter().enumerate();
         let norm = Norm {
@@ -158,21 +181,22 @@ impl FrictionOscillator {
             sum: &|_, value| steps.clone().map(|(i, e)| value(i, *e)).sum(),
             count: computed.len() as f64,
         };
-        let rows = [BUDGET, REFERENCE_ERRORS];
+        let rows = [ROWS.parts, ROWS.errors];
         let of = (&computed, &norm);
         let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
             reference::between(case, &computed.time, with_errors)
         });
-        let metrics = cells(own)
-            .into_iter()
-            .chain(parts)
-            .chain(selected(LOSSES_AND_COST, taken(case, track), wanted))
-            .chain(errors)
-            .collect();
+        let groups = Groups {
+            default: cells(default).to_vec(),
+            parts,
+            exact: Vec::new(),
+            taken: selected(ROWS.taken, metrics::taken(&taken(case, track)), wanted),
+            errors,
+        };
         Ok(Solution {
             computed,
             exact,
-            metrics,
+            metrics: groups.in_order(),
             warnings: case.own_warnings(),
         })
     }
@@ -180,25 +204,21 @@ impl FrictionOscillator {
 
 /// Whether one of these metrics needs the motion with the law of the case.
 fn needs_reference(wanted: &[usize]) -> bool {
-    let needs = |row: &usize| BUDGET.contains(row) || REFERENCE_ERRORS.contains(row);
+    let needs = |row: &usize| ROWS.parts.contains(row) || ROWS.errors.contains(row);
     wanted.iter().any(needs)
 }
 
-/// Numerical dissipation over the energy at t = 0, the cost, and the amplification of the method.
-fn taken(case: &OscillatorCase, track: &ContactTrack) -> [Option<f64>; 5] {
+/// What the method takes and costs.
+fn taken(case: &OscillatorCase, track: &ContactTrack) -> Taken {
     let end = track.0.last().map(|[x, v, _]| [*x, *v]);
     let form = ContactWork::new(case.method.has_force_at_end(), Lane([case.step]));
     let work = work_by_steps(&track.0, case.x0, &form);
-    let step = case.method.amplification(case.step);
-    let principal = step.principal.as_ref();
-    let by_method = end.map(|end| work_by_energy(case.x0, end) - work);
-    [
-        by_method.map(|energy| 2.0 * energy / case.x0.abs()),
-        Some((case.last * case.method.count_of_sub_steps()) as f64),
-        Some(step.spectral_radius),
-        principal.map(|own| own.period_elongation),
-        principal.map(|own| own.damping_ratio),
-    ]
+    Taken {
+        x0: case.x0,
+        steps: case.last * case.method.count_of_sub_steps(),
+        by_method: end.map(|end| work_by_energy(case.x0, end) - work),
+        step: case.method.amplification(case.step),
+    }
 }
 
 /// The exact motion at these times.

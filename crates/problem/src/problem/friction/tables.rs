@@ -1,5 +1,6 @@
 //! The tables of the friction oscillator: parameters, metrics, quantities.
 
+use super::metrics::{self, DEFAULT, PARTS, ROWS};
 use crate::contact::numbers::oscillator as number;
 use crate::contact::offer::Place;
 use crate::problem::laws::{law_names, laws, others};
@@ -8,9 +9,8 @@ use crate::problem::numbers::choice::choice;
 use crate::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::table::schema::{Text, TimeAxis};
-use crate::problem::{Budget, Channel, Metric, Quantity, Schema, metric_of};
+use crate::problem::{Budget, Channel, Quantity, Schema, metric_of};
 use std::borrow::Cow::{self, Borrowed};
-use std::ops::Range as Rows;
 use std::sync::{Arc, LazyLock};
 
 choice! {
@@ -114,91 +114,6 @@ static SCALES: [[Text; 2]; 3] = [
     ],
 ];
 
-pub(super) static METRICS: [Metric; 19] = [
-    Metric::new(
-        ["rms_error", "rms error", "1"],
-        "sqrt(mean (c - e)^2) / abs(x0); c is the computed X, e the exact X",
-    ),
-    Metric::new(["max_error", "max. error", "1"], "max abs(c - e) / abs(x0)"),
-    Metric::new(
-        ["peak_error", "peak error", "1"],
-        "largest error of a peak, over abs(x0); the computed peak k is the extreme value from (k - 1/2) pi to (k + 1/2) pi, k = 1..m; needs duration >= (m + 1/2) pi, m >= 1",
-    ),
-    Metric::new(
-        ["rest_error", "rest error", "1"],
-        "abs(c - e) / abs(x0) at the last step; needs duration >= m pi, the time from which the exact solution rests",
-    ),
-    Metric::new(
-        ["residual_motion", "residual motion", "1"],
-        "(max c - min c)/2 / abs(x0) over the steps with T >= (m + 1) pi",
-    ),
-    Metric::new(
-        ["work_error", "work error", "1"],
-        "work of the friction force over the exact work (a0^2 - a_m^2)/2, minus 1; needs duration >= m pi, m >= 1",
-    ),
-    Metric::new(
-        ["sprague_geers_magnitude", "Sprague–Geers *M*", "1"],
-        "sqrt(sum c^2 / sum e^2) - 1",
-    ),
-    Metric::new(
-        ["sprague_geers_phase", "Sprague–Geers *P*", "1"],
-        "acos(sum c e / sqrt(sum c^2 sum e^2)) / pi",
-    ),
-    Metric::new(
-        ["sprague_geers_combined", "Sprague–Geers *C*", "1"],
-        "sqrt(magnitude^2 + phase^2)",
-    ),
-    Metric::selected(
-        ["regularisation_error", "regularisation error", "1"],
-        "error of the softened law alone: rms_error with g instead of c; g is the exact motion with the softened law in continuous time, a closed form for the laws of [F], else integrated",
-    ),
-    Metric::selected(
-        ["step_error", "step error", "1"],
-        "error of the time step alone: rms_error with g instead of e; g is the exact motion with the softened law in continuous time, a closed form for the laws of [F], else integrated",
-    ),
-    Metric::selected(
-        ["regularisation_share", "regularisation share", "1"],
-        "share of the softened law in the error: sum (g - e) (c - e) / sum (c - e)^2; below 0 or above 1 where the errors of law and step have opposite signs",
-    ),
-    Metric::selected(
-        ["step_share", "step share", "1"],
-        "share of the time step in the error: sum (c - g) (c - e) / sum (c - e)^2; the two shares add up to 1",
-    ),
-    Metric::selected(
-        ["numerical_dissipation", "numerical dissipation", "1"],
-        "energy that the method takes up to the last step, over the energy at t = 0; below 0 where it adds energy; round-off for average-acceleration",
-    ),
-    Metric::selected(["cost", "cost", "1"], "steps times sub-steps of the method"),
-    Metric::selected(
-        ["spectral_radius", "spectral radius", "1"],
-        "largest magnitude of the eigenvalues of a step without friction, from the closed form of the method",
-    ),
-    Metric::selected(
-        ["period_elongation", "period elongation", "1"],
-        "(T - T_0)/T_0 of the period without friction, from the closed form of the method; undefined if the step does not oscillate",
-    ),
-    Metric::selected(
-        ["numerical_damping", "numerical damping ratio", "1"],
-        "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction, from the closed form of the method; undefined if the step does not oscillate",
-    ),
-    Metric::selected(
-        ["reference_error", "reference error", "1"],
-        "estimated error of an integrated g: rms_error of g with a tolerance of 1e-10 against g with 1e-12, or the part of step_error that the convergence of the steps dT to dT/64 does not explain, if that is larger; empty for the laws of [F]",
-    ),
-];
-
-/// Rows of the parts of the error.
-pub(super) const BUDGET: Rows<usize> =
-    metric_of(&METRICS, "regularisation_error")..metric_of(&METRICS, "step_share") + 1;
-
-/// Row of the error of the reference, the last one.
-pub(super) const REFERENCE_ERRORS: Rows<usize> =
-    metric_of(&METRICS, "reference_error")..METRICS.len();
-
-/// Rows of what the method takes and costs, and of its amplification.
-pub(super) const LOSSES_AND_COST: Rows<usize> =
-    metric_of(&METRICS, "numerical_dissipation")..metric_of(&METRICS, "numerical_damping") + 1;
-
 static CHANNELS: [Channel; 3] = [
     Channel::with_exact("X", Dimension::Length),
     Channel::with_exact("V", Dimension::Velocity),
@@ -216,13 +131,16 @@ static QUANTITIES: [Quantity; 5] = [
 static BUDGETS: [Budget; 1] = [Budget {
     name: Borrowed("X"),
     title: Borrowed("rms error of *X* over |*X*_0_|"),
-    total: metric_of(&METRICS, "rms_error"),
+    total: metric_of(&DEFAULT, "rms_error"),
     parts: Borrowed(&[
         (
             Borrowed("regularisation"),
-            metric_of(&METRICS, "regularisation_error"),
+            ROWS.parts.start + metric_of(&PARTS, "regularisation_error"),
         ),
-        (Borrowed("step"), metric_of(&METRICS, "step_error")),
+        (
+            Borrowed("step"),
+            ROWS.parts.start + metric_of(&PARTS, "step_error"),
+        ),
     ]),
 }];
 
@@ -239,7 +157,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
             .chain(others(Place::Oscillator, &PARAMETERS))
             .chain(method::PARAMETERS.iter().cloned())
             .collect(),
-        metrics: Borrowed(&METRICS),
+        metrics: metrics::table().into(),
         contact_metric: None,
         channels: Borrowed(&CHANNELS),
         quantities: Borrowed(&QUANTITIES),

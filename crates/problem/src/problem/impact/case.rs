@@ -1,12 +1,14 @@
 //! A case of the bars as numbers, its system, and its default metrics in a sweep.
 
 use super::scaled::Scaled;
-use super::tables::{CONTACT_STEPS, ENERGY_DRIFT_FINAL, ENERGY_DRIFT_MAX, MAX_OVERLAP, rows};
+use super::tables::{
+    CONTACT_STEPS, DEFAULT, ENERGY_DRIFT_FINAL, ENERGY_DRIFT_MAX, MAX_OVERLAP, rows, values,
+};
 use crate::contact::{AnyRunningLaw, ImpactSpring, OneLaw, StoredEnergy, energies};
 use crate::exact::wave::Wave;
 use crate::lane::Lane;
 use crate::methods::{ContactWork, ManyModes, Method, Recursion};
-use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, evaluate, step_work};
+use crate::metrics::impact::{Compared, Energy, Sampled, Track, energy_of_books, step_work};
 use crate::metrics::{last_time, steps};
 use crate::problem::Case;
 use crate::problem::preset::Preset;
@@ -111,8 +113,8 @@ impl LaneCase<LANES> for ImpactCase {
     type Modes = ManyModes;
     type Track = Track<LANES>;
     type Loops = LawOfPaper;
-    type Metrics = [Lane<LANES>; COUNT];
-    type OneMetrics = [Lane<1>; COUNT];
+    type Metrics = [Lane<LANES>; DEFAULT.len()];
+    type OneMetrics = [Lane<1>; DEFAULT.len()];
 
     fn reference_key(&self) -> ReferenceKey {
         let bars = self.scaled.bars;
@@ -162,7 +164,7 @@ impl LaneCase<LANES> for ImpactCase {
         let track = motion.track.lane(lane, exact.count());
         let restitution = Lane([motion.first_mode.0[lane] * 0.5]);
         let energy = Energy::of_case(&track, &self.system(), exact.count());
-        evaluate(&track, &energy, restitution, exact)
+        values(&Compared::new(&track, &energy, restitution, exact))
     }
 
     #[inline(always)]
@@ -244,7 +246,7 @@ struct Evaluate<'a> {
 for_widest! {
     /// All metrics of a group.
     #[allow(unused_braces, reason = "the macro puts them")]
-    fn evaluate_all<W: StoredEnergy>(of: Evaluate, laws: &[W; LANES]) -> [Lane<LANES>; COUNT] {
+    fn evaluate_all<W: StoredEnergy>(of: Evaluate, laws: &[W; LANES]) -> [Lane<LANES>; DEFAULT.len()] {
         let Evaluate {
             track,
             start,
@@ -254,6 +256,6 @@ for_widest! {
         } = of;
         let books = |r, s| energies(laws, r, s);
         let energy: Energy<LANES> = energy_of_books(track, start, &work, books, exact.count());
-        evaluate(track, &energy, restitution, exact)
+        values(&Compared::new(track, &energy, restitution, exact))
     }
 }

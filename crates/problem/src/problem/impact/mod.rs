@@ -16,12 +16,14 @@ use super::{Case, Problem, Schema, Snapshot, Solution, Violation, ends_early, me
 use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::budget::Norm;
+use crate::metrics::cells;
 use crate::metrics::convergence::FEWEST_HALVED;
-use crate::metrics::impact::{Energy, Track};
-use crate::metrics::{self, cells};
+use crate::metrics::impact::{Compared, Energy, Track, damping_work, reference};
 use crate::problem::Textbook;
+use crate::problem::numbers::parameter::Parameter;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::table::cases::Cases;
+use crate::problem::table::metric_rows::Groups;
 use crate::solve::sweep::LaneCase;
 use crate::solve::{self, MetricTable, ToSystem, Unsolvable, Warning};
 use crate::system::System;
@@ -29,15 +31,15 @@ use case::{ImpactCase, LANES};
 use scaled::Scaled;
 use scales::Scales;
 use std::sync::Arc;
-use tables::{
-    BUDGET, LOSSES_AND_COST, METHOD, MassMatrix, REFERENCE, REFERENCE_ERRORS, SCHEMA, rows,
-};
+use tables::{METHOD, MassMatrix, ROWS, SCHEMA, Taken, of_exact, rows, values};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
 pub struct Bars {
     /// The unit of velocity in m/s; `None` if it is not known.
     velocity: Option<f64>,
+    /// The tables with the further parameters of a study; `None` without any.
+    schema: Option<Arc<Schema>>,
 }
 
 /// The bars for parameters whose units are not known.
@@ -45,7 +47,10 @@ pub struct Bars {
     non_upper_case_globals,
     reason = "the problem as a value, as `FrictionOscillator` is one"
 )]
-pub const BarImpact: Bars = Bars { velocity: None };
+pub const BarImpact: Bars = Bars {
+    velocity: None,
+    schema: None,
+};
 
 impl Bars {
     /// The numbers of a case; `None` if a parameter is not given.
@@ -64,7 +69,7 @@ impl Problem for Bars {
     }
 
     fn schema(&self) -> &Arc<Schema> {
-        &SCHEMA
+        self.schema.as_ref().unwrap_or(&SCHEMA)
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
@@ -83,11 +88,11 @@ impl Problem for Bars {
     fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
         // Measured: 1.3 s at n = 400 and 14 s at n = 1000 for the modes, and 45 to 65 ns for a mode at a step.
         let cube = |n: f64| 8.0 * n * n * n;
-        let needs = |row: &usize| BUDGET.contains(row) || REFERENCE_ERRORS.contains(row);
+        let needs = |row: &usize| ROWS.parts.contains(row) || ROWS.errors.contains(row);
         let budget = wanted.iter().any(needs);
         let elements = case.at(rows::N).filter(|_| budget);
         elements.map_or(0, |n| {
-            let halved = match wanted.iter().any(|row| REFERENCE_ERRORS.contains(row)) {
+            let halved = match wanted.iter().any(|row| ROWS.errors.contains(row)) {
                 true => FEWEST_HALVED,
                 false => 0,
             };
@@ -140,6 +145,13 @@ impl Problem for Bars {
 }
 
 impl Textbook for Bars {
+    fn with_parameters(&self, further: Vec<Parameter>) -> Arc<dyn Problem> {
+        Arc::new(Bars {
+            velocity: self.velocity,
+            schema: Some(self.schema().with_parameters(further)),
+        })
+    }
+
     fn once_work(&self, case: &Case) -> u64 {
         let steps = self.steps(case);
         let modes = self.work(case) / steps.max(1);
@@ -169,7 +181,8 @@ impl Textbook for Bars {
 
     fn in_units(&self, size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {
         let velocity = Some(size(Dimension::Velocity)?);
-        Some(Arc::new(Bars { velocity }))
+        let schema = self.schema.clone();
+        Some(Arc::new(Bars { velocity, schema }))
     }
 
     fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
@@ -212,51 +225,46 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     }
     let (wave, sampled) = case.exact_at_steps();
     let exact = wave.history(&computed.time);
-    let own = metrics::impact::evaluate(track, energy, Lane([run.restitution]), &sampled);
-    let warnings = case.warnings(|metric| own[metric].0[0]);
+    let restitution = Lane([run.restitution]);
+    let default = values(&Compared::new(track, energy, restitution, &sampled));
+    let warnings = case.warnings(|metric| default[metric].0[0]);
     let norm = Norm {
         channels: 2,
         size: 1.0,
         sum: &|channel, value| sampled.mean(channel, |i, e| Lane([value(i, e)])).0[0],
         count: 1.0,
     };
-    let rows = [BUDGET, REFERENCE_ERRORS];
+    let rows = [ROWS.parts, ROWS.errors];
     let of = (&computed, &norm);
     let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
         budget::between(case, &computed.time, with_errors)
     });
-    let wants_exact = wanted.iter().any(|row| REFERENCE.contains(row));
-    let reference = wants_exact.then(|| metrics::impact::reference(&wave, &sampled));
-    let metrics = cells(own)
-        .into_iter()
-        .chain(parts)
-        .chain(reference.unwrap_or([None; REFERENCE.end - REFERENCE.start]))
-        .chain(selected(LOSSES_AND_COST, taken(case, run), wanted))
-        .chain(errors)
-        .collect();
+    let wants_exact = wanted.iter().any(|row| ROWS.exact.contains(row));
+    let exact_contact = wants_exact.then(|| reference(&wave, &sampled)).flatten();
+    let groups = Groups {
+        default: cells(default).to_vec(),
+        parts,
+        exact: selected(ROWS.exact, of_exact(exact_contact.as_ref()), wanted),
+        taken: selected(ROWS.taken, tables::taken(&taken(case, run)), wanted),
+        errors,
+    };
     Ok(Solution {
         computed,
         exact,
-        metrics,
+        metrics: groups.in_order(),
         warnings,
     })
 }
 
-/// What damping of the contact and of the method took, over the energy at t = 0, and the cost.
-fn taken(
-    case: &ImpactCase,
-    run: &Judged,
-) -> [Option<f64>; LOSSES_AND_COST.end - LOSSES_AND_COST.start] {
+/// What damping of the contact and of the method took, and the cost.
+fn taken(case: &ImpactCase, run: &Judged) -> Taken {
     let system = case.system();
     let Lane([start]) = run.energy.start;
-    let by_contact = metrics::impact::damping_work(run.track, &system);
-    let work = case.last * system.linear.len() as u64 * system.method.count_of_sub_steps();
-    let by_method = run.by_method.unwrap_or(0.0);
-    let drift = run.energy.last.0[0] - start;
-    [
-        Some(by_contact / start),
-        Some(by_method / start),
-        Some((by_contact + by_method - drift) / start),
-        Some(work as f64),
-    ]
+    Taken {
+        start,
+        by_contact: damping_work(run.track, &system),
+        by_method: run.by_method.unwrap_or(0.0),
+        drift: run.energy.last.0[0] - start,
+        cost: case.last * system.linear.len() as u64 * system.method.count_of_sub_steps(),
+    }
 }

@@ -6,6 +6,7 @@ use crate::problem::numbers::text::text;
 pub use crate::problem::numbers::text::{Table, Text};
 use crate::problem::numbers::unit::{Dimension, Unit};
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// The tables of a problem.
 ///
@@ -68,6 +69,13 @@ impl Schema {
     /// Name of the parameter that is the time step.
     pub fn step_name(&self) -> &str {
         &self.parameters[self.step].name
+    }
+
+    /// The same with further parameters behind the others.
+    pub fn with_parameters(&self, further: Vec<Parameter>) -> Arc<Schema> {
+        let mut schema = self.clone();
+        schema.parameters.to_mut().extend(further);
+        Arc::new(schema)
     }
 
     /// Number of default metrics, which are the first ones of the table.

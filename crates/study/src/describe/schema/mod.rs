@@ -78,7 +78,9 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
         definitions.insert(name_of(problem, what), schema);
         refer(&name_of(problem, what))
     };
-    let parameters = define("parameters", parameters(problem.parameters(), ""));
+    let mut parameters = parameters(problem.parameters(), "");
+    parameters["additionalProperties"] = structure::free_values();
+    let parameters = define("parameters", parameters);
     let metric = define("metric", metric(problem));
     define(
         "column",

@@ -98,25 +98,9 @@ pub(in crate::structure) fn parameters(
             continue;
         }
         report_texts_of_tables(&member.node, &path, name, choices, faults);
-        let reserved = FUNCTIONS.iter().any(|function| function.0 == name)
-            || ["and", "or", "not"].contains(&name.as_str());
         // Columns of results that are not parameters.
-        let column = name == "case" || OF_ALL.contains(&name.as_str());
-        if reserved || column || !is_name(name) {
-            let message = match reserved || column {
-                true if column => format!(
-                    "{} is a column of results.csv; choose another name",
-                    quoted(name)
-                ),
-                true => format!(
-                    "{} has a meaning in expressions; choose another name",
-                    quoted(name)
-                ),
-                false => format!(
-                    "{} cannot name a parameter; a name is letters, digits and _, not beginning with a digit",
-                    quoted(name)
-                ),
-            };
+        let is_column = name == "case" || OF_ALL.contains(&name.as_str());
+        if let Some(message) = name_fault(name, is_column) {
             faults.add(member.at, &path, message);
         }
         let of = |all: &[(String, Choices)]| {
@@ -152,6 +136,25 @@ pub(in crate::structure) fn parameters(
         required: true,
     }));
     parameters
+}
+
+/// Why a parameter cannot have this name, which may be that of another column; `None` if it can.
+pub(super) fn name_fault(name: &str, is_column: bool) -> Option<String> {
+    let has_meaning =
+        FUNCTIONS.iter().any(|function| function.0 == name) || ["and", "or", "not"].contains(&name);
+    let another = |why: &str| Some(format!("{} {why}; choose another name", quoted(name)));
+    if is_column {
+        return another("is a column of results.csv");
+    }
+    if has_meaning {
+        return another("has a meaning in expressions");
+    }
+    (!is_name(name)).then(|| {
+        format!(
+            "{} cannot name a parameter; a name is letters, digits and _, not beginning with a digit",
+            quoted(name)
+        )
+    })
 }
 
 /// Reports the parameters that neither the structure nor another parameter, a condition or a metric contains, and that are no labels.

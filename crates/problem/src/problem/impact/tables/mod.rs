@@ -4,7 +4,7 @@ pub(super) mod laws;
 mod metrics;
 mod parameters;
 
-pub(super) use metrics::{BUDGET, LOSSES_AND_COST, REFERENCE, REFERENCE_ERRORS};
+pub(super) use metrics::{DEFAULT, ROWS, Taken, of_exact, taken, values};
 pub(super) use parameters::{MassMatrix, Opposite, rows};
 
 use crate::contact::offer::Place;
@@ -108,7 +108,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         ),
         described: false,
         parameters: Owned(own().chain(method::PARAMETERS.iter().cloned()).collect()),
-        metrics: Owned(metrics::all()),
+        metrics: Owned(metrics::table()),
         contact_metric: Some(MAX_OVERLAP),
         channels: Borrowed(&CHANNELS),
         quantities: Borrowed(&QUANTITIES),

@@ -190,8 +190,17 @@ fn measured() -> Json {
 
 /// Values of a parameter with a free name.
 fn axis_values() -> Json {
+    let mut values = free_values();
+    if let Some(forms) = values["anyOf"].as_array_mut() {
+        forms.push(files());
+    }
+    values
+}
+
+/// The same without files.
+pub(super) fn free_values() -> Json {
     let list = json!({ "type": "array", "minItems": 1, "items": { "type": ["number", "string"] } });
-    json!({ "anyOf": [{ "type": "number" }, expression(), list, refer(RULE), refer(INTERVAL), files()] })
+    json!({ "anyOf": [{ "type": "number" }, expression(), list, refer(RULE), refer(INTERVAL)] })
 }
 
 /// All files of a folder or a pattern.
