@@ -4,6 +4,7 @@
 
 mod figures;
 mod parts;
+mod share;
 mod structure;
 pub(super) mod values;
 
@@ -23,6 +24,13 @@ use values::{
 
 /// The schema as indented JSON with a newline at its end.
 pub fn schema() -> String {
+    let mut schema = whole();
+    share::share(&mut schema);
+    lines(&schema)
+}
+
+/// The schema with parts that occur several times written out.
+fn whole() -> Json {
     let mut properties = Map::new();
     for (key, meaning) in decode::KEYS.into_iter().chain(BLOCK_KEYS) {
         properties.insert(key.into(), json!({ "description": meaning }));
@@ -60,7 +68,7 @@ pub fn schema() -> String {
     schema["oneOf"] = json!([{ "required": ["parameters"] }, { "required": ["blocks"] }]);
     schema["allOf"] = each.into();
     schema["definitions"] = definitions.into();
-    lines(&schema)
+    schema
 }
 
 /// A value with one key or item in each line, without the spaces before it: they would be more than half of the schema.
