@@ -40,7 +40,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        35_600,
+        35_500,
     ),
     (
         "drawing, figures",

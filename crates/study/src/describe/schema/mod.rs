@@ -13,7 +13,7 @@ use crate::decode::{self, units};
 use crate::figure::kinds::KINDS;
 use crate::structure::named::shown::SHOWN;
 use crate::units::IN;
-use figures::{check, filter, name_of, of_kind, parameter_names};
+use figures::{Named, check, filter, name_of, parameter_names};
 use parts::{block_keys, computed, listed_metrics, recommend, reduction, several};
 use serde_json::{Map, Value as Json, json};
 use slipgap_problem::problem::{self, Metric, PROBLEMS, Problem};
@@ -95,7 +95,11 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
     define("where", filter(problem));
     let mut block = block_keys();
     block.insert("parameters".into(), parameters.clone());
-    let figures: Vec<Json> = KINDS.iter().map(|kind| of_kind(kind, problem)).collect();
+    let named = Named::of(problem);
+    let figures: Vec<Json> = KINDS
+        .iter()
+        .map(|kind| figures::rules(kind, kind.suits(problem), &named))
+        .collect();
     let figure = json!({
         "type": "object",
         "properties": { "kind": names(KINDS.iter().map(|kind| (kind.name, kind.meaning))) },
