@@ -6,7 +6,7 @@ use serde_json::{Map, Value as Json, json};
 use super::values::{constant, names, number, object, ratio, refer, value};
 use crate::decode::checks;
 use crate::figure::decoded_value::MARKS;
-use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
+use crate::figure::keys::{COMMON, FITS, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::Kind;
 use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::numbers::parameter::{self, Parameter, Range};
@@ -16,17 +16,12 @@ pub(super) fn name_of(problem: &dyn Problem, what: &str) -> String {
     format!("{}.{what}", problem.name())
 }
 
-/// The rules for figures of one kind.
-pub(super) fn of_kind(kind: &Kind, problem: &dyn Problem) -> Json {
-    rules(kind, kind.suits(problem), |key| taken(key, problem))
-}
-
-/// The same with what the keys take; figures of a kind that does not suit the problem are refused.
-pub(super) fn rules(kind: &Kind, suits: bool, taken: impl Fn(&Key) -> Json) -> Json {
+/// The rules for figures of one kind; those of a kind that does not suit the problem are refused.
+pub(super) fn rules(kind: &Kind, suits: bool, named: &Named) -> Json {
     let mut properties = Map::new();
     let mut required = Vec::new();
     for key in COMMON.iter().chain(kind.keys) {
-        let mut schema = taken(key);
+        let mut schema = taken(key.takes, named);
         schema["description"] = key.meaning.into();
         properties.insert(key.name.into(), schema);
         if key.required {
@@ -50,73 +45,67 @@ pub(super) fn parameter_names(problem: &dyn Problem, numeric: bool) -> Json {
     names(suitable.map(|p| (&*p.name, &*p.meaning)))
 }
 
-/// The value of a key of a figure.
-pub(super) fn taken(key: &Key, problem: &dyn Problem) -> Json {
-    let parameters = |numeric: bool| parameter_names(problem, numeric);
-    let profiles = || {
-        names(
-            problem
-                .schema()
-                .profiles
-                .iter()
-                .map(|p| (&*p.name, &*p.title)),
-        )
-    };
-    let quantities = || {
-        let all = problem.schema().quantities.iter();
-        names(all.map(|q| (&*q.name, &*q.title)))
-    };
-    let defined = |what: &str| refer(&name_of(problem, what));
-    match key.takes {
-        Takes::Filter => defined("where"),
-        Takes::Parameter => parameters(false),
-        Takes::Parameters => several(parameters(false)),
-        Takes::NumericParameter => parameters(true),
-        Takes::Quantity => quantities(),
-        Takes::Quantities => several(quantities()),
-        Takes::Number => number(Range::Any),
-        Takes::Column => json!({ "anyOf": [parameters(true), defined("column")] }),
-        Takes::Columns => several(json!({ "anyOf": [parameters(true), defined("column")] })),
-        Takes::Profile => profiles(),
-        Takes::Profiles => several(profiles()),
-        Takes::Metric => defined("column"),
-        Takes::Metrics => several(defined("column")),
-        Takes::Budgets => several(names(
-            problem
-                .schema()
-                .budgets
-                .iter()
-                .map(|b| (&*b.name, &*b.title)),
-        )),
-        Takes::Marks => marks(),
-        Takes::InUnits if problem.schema().units.is_empty() => json!({ "const": false }),
-        Takes::InUnits => json!({ "type": "boolean", "default": false }),
-        Takes::FileName
-        | Takes::Kind
-        | Takes::Text
-        | Takes::Times
-        | Takes::Width
-        | Takes::Range
-        | Takes::Scale
-        | Takes::ScaleOrLog
-        | Takes::Ridge
-        | Takes::Fit
-        | Takes::Switch
-        | Takes::Ordinates
-        | Takes::Ratios
-        | Takes::Periods
-        | Takes::Probabilities
-        | Takes::Hazard => of_any_problem(key.takes),
+/// What the keys of figures of a problem name, and other values that differ between problems.
+pub(super) struct Named {
+    pub(super) filter: Json,
+    pub(super) parameter: Json,
+    pub(super) numeric: Json,
+    pub(super) quantity: Json,
+    pub(super) profile: Json,
+    pub(super) column: Json,
+    pub(super) metric: Json,
+    pub(super) budget: Json,
+    pub(super) marks: Json,
+    pub(super) number: Json,
+    pub(super) has_units: bool,
+}
+
+impl Named {
+    pub(super) fn of(problem: &dyn Problem) -> Named {
+        let schema = problem.schema();
+        let numeric = parameter_names(problem, true);
+        let metric = refer(&name_of(problem, "column"));
+        Named {
+            filter: refer(&name_of(problem, "where")),
+            parameter: parameter_names(problem, false),
+            column: json!({ "anyOf": [numeric, metric] }),
+            numeric,
+            quantity: names(schema.quantities.iter().map(|q| (&*q.name, &*q.title))),
+            profile: names(schema.profiles.iter().map(|p| (&*p.name, &*p.title))),
+            metric,
+            budget: names(schema.budgets.iter().map(|b| (&*b.name, &*b.title))),
+            marks: marks(),
+            number: number(Range::Any),
+            has_units: !schema.units.is_empty(),
+        }
     }
 }
 
-/// The value of a key that takes the same for every problem; a text for others.
-pub(super) fn of_any_problem(takes: Takes) -> Json {
+/// The value of a key of a figure.
+fn taken(takes: Takes, named: &Named) -> Json {
     match takes {
+        Takes::Filter => named.filter.clone(),
+        Takes::Parameter => named.parameter.clone(),
+        Takes::Parameters => several(named.parameter.clone()),
+        Takes::NumericParameter => named.numeric.clone(),
+        Takes::Quantity => named.quantity.clone(),
+        Takes::Quantities => several(named.quantity.clone()),
+        Takes::Number => named.number.clone(),
+        Takes::Column => named.column.clone(),
+        Takes::Columns => several(named.column.clone()),
+        Takes::Profile => named.profile.clone(),
+        Takes::Profiles => several(named.profile.clone()),
+        Takes::Metric => named.metric.clone(),
+        Takes::Metrics => several(named.metric.clone()),
+        Takes::Budgets => several(named.budget.clone()),
+        Takes::Marks => named.marks.clone(),
+        Takes::InUnits if named.has_units => json!({ "type": "boolean", "default": false }),
+        Takes::InUnits => json!({ "const": false }),
         Takes::FileName => {
             json!({ "type": "string", "pattern": "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$" })
         }
         Takes::Kind => json!({}),
+        Takes::Text => json!({ "type": "string" }),
         Takes::Ordinates => several(names(ORDINATES.into_iter())),
         Takes::Ratios => several(ratio()),
         Takes::Times => several(number(Range::NotNegative)),
@@ -132,27 +121,10 @@ pub(super) fn of_any_problem(takes: Takes) -> Json {
         Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
         Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
-        Takes::Text
-        | Takes::Filter
-        | Takes::Parameter
-        | Takes::Parameters
-        | Takes::NumericParameter
-        | Takes::Quantity
-        | Takes::Quantities
-        | Takes::Column
-        | Takes::Columns
-        | Takes::Profile
-        | Takes::Profiles
-        | Takes::Metric
-        | Takes::Metrics
-        | Takes::Budgets
-        | Takes::Marks
-        | Takes::InUnits
-        | Takes::Number => json!({ "type": "string" }),
     }
 }
 
-pub(super) fn marks() -> Json {
+fn marks() -> Json {
     let place = pair();
     let mut properties = Map::new();
     for (key, meaning) in MARKS {

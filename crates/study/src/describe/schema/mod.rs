@@ -4,6 +4,7 @@
 
 mod figures;
 mod parts;
+mod share;
 mod structure;
 pub(super) mod values;
 
@@ -12,7 +13,7 @@ use crate::decode::{self, units};
 use crate::figure::kinds::KINDS;
 use crate::structure::named::shown::SHOWN;
 use crate::units::IN;
-use figures::{check, filter, name_of, of_kind, parameter_names};
+use figures::{Named, check, filter, name_of, parameter_names};
 use parts::{block_keys, computed, listed_metrics, recommend, reduction, several};
 use serde_json::{Map, Value as Json, json};
 use slipgap_problem::problem::{self, Metric, PROBLEMS, Problem};
@@ -23,6 +24,13 @@ use values::{
 
 /// The schema as indented JSON with a newline at its end.
 pub fn schema() -> String {
+    let mut schema = whole();
+    share::share(&mut schema);
+    lines(&schema)
+}
+
+/// The schema with parts that occur several times written out.
+fn whole() -> Json {
     let mut properties = Map::new();
     for (key, meaning) in decode::KEYS.into_iter().chain(BLOCK_KEYS) {
         properties.insert(key.into(), json!({ "description": meaning }));
@@ -60,7 +68,7 @@ pub fn schema() -> String {
     schema["oneOf"] = json!([{ "required": ["parameters"] }, { "required": ["blocks"] }]);
     schema["allOf"] = each.into();
     schema["definitions"] = definitions.into();
-    lines(&schema)
+    schema
 }
 
 /// A value with one key or item in each line, without the spaces before it: they would be more than half of the schema.
@@ -89,7 +97,11 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
     define("where", filter(problem));
     let mut block = block_keys();
     block.insert("parameters".into(), parameters.clone());
-    let figures: Vec<Json> = KINDS.iter().map(|kind| of_kind(kind, problem)).collect();
+    let named = Named::of(problem);
+    let figures: Vec<Json> = KINDS
+        .iter()
+        .map(|kind| figures::rules(kind, kind.suits(problem), &named))
+        .collect();
     let figure = json!({
         "type": "object",
         "properties": { "kind": names(KINDS.iter().map(|kind| (kind.name, kind.meaning))) },

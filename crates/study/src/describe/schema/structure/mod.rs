@@ -15,7 +15,7 @@ use crate::describe::schema::parts::{
     block_keys, calibrate, computed, listed_metrics, reduction, several,
 };
 use crate::describe::schema::values::{
-    self, INTERVAL, RULE, expression, names, number, object, refer,
+    self, EXPRESSION, INTERVAL, RULE, names, number, object, refer,
 };
 use crate::figure::kinds::KINDS;
 use crate::structure::keys;
@@ -200,7 +200,7 @@ fn axis_values() -> Json {
 /// The same without files.
 pub(super) fn free_values() -> Json {
     let list = json!({ "type": "array", "minItems": 1, "items": { "type": ["number", "string"] } });
-    json!({ "anyOf": [{ "type": "number" }, expression(), list, refer(RULE), refer(INTERVAL)] })
+    json!({ "anyOf": [{ "type": "number" }, refer(EXPRESSION), list, refer(RULE), refer(INTERVAL)] })
 }
 
 /// All files of a folder or a pattern.

@@ -2,10 +2,8 @@
 
 use super::rules::{any, described};
 use crate::decode::checks;
-use crate::describe::schema::figures::{of_any_problem, rules};
-use crate::describe::schema::parts::several;
+use crate::describe::schema::figures::{Named, rules};
 use crate::describe::schema::values::constant;
-use crate::figure::keys::Takes;
 use crate::figure::kinds::{Kind, Needs};
 use serde_json::{Value as Json, json};
 use slipgap_problem::problem::structure::metrics::ground::PREFIX;
@@ -49,45 +47,22 @@ pub(super) fn check(metric: &Json) -> Json {
     schema
 }
 
-/// The rules for figures of one kind.
+/// The rules for figures of one kind, whose quantities and metrics have free names.
 pub(super) fn figure(kind: &Kind) -> Json {
+    let text = || json!({ "type": "string" });
+    let named = Named {
+        filter: json!({ "type": "object" }),
+        parameter: text(),
+        numeric: text(),
+        quantity: text(),
+        profile: text(),
+        column: text(),
+        metric: text(),
+        budget: text(),
+        marks: json!({ "type": "object" }),
+        number: any(),
+        has_units: false,
+    };
     let suits = kind.needs != Needs::Profiles && kind.name != "law";
-    rules(kind, suits, |key| taken(key.takes))
-}
-
-/// The value of a key of a figure, whose quantities and metrics have free names.
-fn taken(takes: Takes) -> Json {
-    match takes {
-        Takes::Filter | Takes::Marks => json!({ "type": "object" }),
-        Takes::Quantities
-        | Takes::Profiles
-        | Takes::Metrics
-        | Takes::Columns
-        | Takes::Budgets
-        | Takes::Parameters => several(json!({ "type": "string" })),
-        Takes::Number => any(),
-        Takes::InUnits => json!({ "const": false }),
-        Takes::FileName
-        | Takes::Kind
-        | Takes::Text
-        | Takes::Parameter
-        | Takes::NumericParameter
-        | Takes::Quantity
-        | Takes::Column
-        | Takes::Profile
-        | Takes::Metric
-        | Takes::Times
-        | Takes::Width
-        | Takes::Range
-        | Takes::Scale
-        | Takes::ScaleOrLog
-        | Takes::Ridge
-        | Takes::Fit
-        | Takes::Switch
-        | Takes::Ordinates
-        | Takes::Ratios
-        | Takes::Periods
-        | Takes::Probabilities
-        | Takes::Hazard => of_any_problem(takes),
-    }
+    rules(kind, suits, &named)
 }
