@@ -109,14 +109,50 @@ impl<'a> Judge<'a> {
         {
             return f64::INFINITY;
         }
-        let quotients = judged.iter().flat_map(|own| {
-            let within = self.recommend.within.iter();
-            own.errors
-                .iter()
-                .zip(within)
-                .map(|(error, own)| error / own.1)
-        });
+        let quotients = judged.iter().map(|own| self.quotient(&own.errors));
         quotients.fold(0.0, f64::max)
+    }
+
+    /// The largest quotient of error and tolerance of a case.
+    fn quotient(&self, errors: &[f64]) -> f64 {
+        let within = self.recommend.within.iter();
+        let quotients = errors.iter().zip(within).map(|(error, own)| error / own.1);
+        quotients.fold(0.0, f64::max)
+    }
+
+    /// The largest quotients of error and tolerance of cases, before their changes of energy are known; infinite for one without a
+    /// solution, and for one of which a contact may make energy.
+    pub fn quotients(&self, cases: &Cases) -> Vec<f64> {
+        let mut quotients = vec![f64::INFINITY; cases.len()];
+        let rows = 0..cases.len() as u32;
+        let rows: Vec<u32> = rows
+            .filter(|row| cases.may_be_solved(*row as usize))
+            .collect();
+        let table = self.study.problem.sweep(cases, &rows);
+        let mut shown = cases.shown();
+        for (place, row) in rows.into_iter().enumerate() {
+            let case = shown.at(row as usize);
+            let makes = table.warnings(place).iter().any(Warning::is_contact_energy);
+            let reference = self.references.get(&self.condition(case));
+            if let (Some(reference), false) = (reference, makes || table.failure(place).is_some()) {
+                let metrics: Vec<Option<f64>> = table.row(place).collect();
+                let values = self.measured(case, &metrics);
+                quotients[row as usize] = self.quotient(&errors(&self.from, &values, reference));
+            }
+        }
+        quotients
+    }
+
+    /// Whether the metrics to keep are all known of cases that are solved side by side.
+    pub fn has_quotients(&self) -> bool {
+        let table = self.study.problem.metrics();
+        let mut metrics = self.study.metrics.iter();
+        metrics.all(|row| table[*row].default)
+    }
+
+    /// Whether the user ended the search.
+    pub fn is_stopped(&self) -> bool {
+        self.stop.is_stopped()
     }
 
     /// Rows of the measures to keep.
