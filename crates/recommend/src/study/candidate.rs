@@ -4,8 +4,7 @@ use super::judge::{Judge, Judged, all_of};
 use super::usage::used;
 use super::verdict::{State, Trial};
 use crate::calibrate::{Objective, Options, Stopped, search};
-use crate::setting::method_named;
-use crate::{EnergyChange, cost};
+use crate::{EnergyChange, cost, sub_steps};
 use slipgap_motion::solve::{WARNINGS, Warning, Warnings};
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::table::cases::Cases;
@@ -86,9 +85,7 @@ pub(super) fn choice(alternative: Alternative, judge: &mut Judge) -> Choice {
 
 /// Number of modes or nodes of a case, which a finer mesh has more of.
 pub(super) fn size(problem: &dyn Problem, case: &Case) -> u64 {
-    let method = method_named(case.choice("method"));
-    let parts = method.map_or(1, |method| method.count_of_sub_steps());
-    cost(problem, case) / (problem.steps(case) * parts).max(1)
+    cost(problem, case) / (problem.steps(case) * sub_steps(case)).max(1)
 }
 
 impl Choice {

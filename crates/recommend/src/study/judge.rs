@@ -2,10 +2,9 @@
 
 use super::errors::{From, errors};
 use super::sweep::sweep;
+use crate::Stop;
 use crate::calibrate::Stopped;
-use crate::friction::{self, energy_gain};
-use crate::impact::{self, energy_change};
-use crate::{EnergyChange, Stop};
+use crate::energy::{EnergyChange, FRICTION_LIMITS, LIMITS, energy_change, energy_gain};
 use rayon::prelude::*;
 use slipgap_motion::solve::{Warning, Warnings};
 use slipgap_problem::problem::friction::FrictionOscillator;
@@ -61,6 +60,8 @@ pub struct Judge<'a> {
     pub from: Vec<From>,
     /// Rows of the parameters that distinguish physical cases.
     pub kept: Vec<usize>,
+    /// How often the step of a candidate is halved in its tests.
+    pub halvings: u32,
     stop: &'a Stop,
 }
 
@@ -69,23 +70,17 @@ impl<'a> Judge<'a> {
         let free = recommend.free.iter().map(|free| free.parameter);
         let chosen: Vec<usize> = recommend.over.iter().copied().chain(free).collect();
         let friction = study.problem.name() == FrictionOscillator.name();
-        let limits = match friction {
-            true => [friction::ENERGY_GAIN, f64::INFINITY],
-            false => [impact::ENERGY_GAIN, impact::ENERGY_LOSS],
-        };
         Judge {
             kept: study.outside_choice(&chosen),
             study,
             recommend,
             conditions: HashSet::new(),
-            limits: EnergyChange {
-                gain: limits[0],
-                loss: limits[1],
-            },
+            limits: if friction { FRICTION_LIMITS } else { LIMITS },
             solved: 0,
             references: HashMap::new(),
             finest: Vec::new(),
             from: Vec::new(),
+            halvings: 1,
             stop,
         }
     }

@@ -185,6 +185,12 @@ impl<'a> Levels<'a> {
         groups.flat_map(of_group).collect()
     }
 
+    /// Whether a combination meets the condition of the block.
+    fn has_cases(&self, place: &Place) -> bool {
+        let candidates = &self.blocks[place.block];
+        candidates.candidate(&place.positions).is_some()
+    }
+
     /// The candidates with other meshes: for each number that decides the size the one with the next finer mesh, else one with another.
     pub fn meshes(&self, place: &Place) -> Vec<Place> {
         let size = |place: &Place| size(self.problem(), &self.first_case(place));
@@ -194,6 +200,7 @@ impl<'a> Levels<'a> {
                 return None;
             }
             let others = (0..len).map(|position| place.at(group, position));
+            let others = others.filter(|other| self.has_cases(other));
             let others = others.map(|other| (size(&other), other));
             let others: Vec<(u64, Place)> = others.filter(|other| other.0 != own).collect();
             let finer = others.iter().filter(|other| other.0 > own);

@@ -35,6 +35,9 @@ use slipgap_study::{Block, Input, MOST_CASES, Study};
 /// Most candidates that are all solved and listed. More of them are searched in the order of their costs.
 const LISTED: u64 = 1000;
 
+/// How often the step of one of many candidates is halved in its tests.
+const HALVINGS: u32 = 4;
+
 /// Most combinations of a study whose candidates are all solved.
 const MOST_LISTED: u64 = 1_000_000;
 
@@ -135,6 +138,7 @@ fn compared(levels: &Levels, judge: &mut Judge) -> Result<Compared, Stopped> {
 /// Compares candidates in the order of their costs, up to the recommended one.
 fn searched<'a>(levels: &mut Levels<'a>, judge: &mut Judge<'a>) -> Result<Compared, Stopped> {
     levels.sort();
+    judge.halvings = HALVINGS;
     // The judge must know the physical cases of every block.
     for first in levels.firsts() {
         levels.choice(&first, judge);

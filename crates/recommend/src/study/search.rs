@@ -10,6 +10,7 @@ use crate::calibrate::Stopped;
 use rayon::prelude::*;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::table::cases::Cases;
+use std::cmp::Ordering;
 
 /// Levels searched at once. It does not depend on the number of threads, because the number of solved cases is printed.
 const BATCH: usize = 16;
@@ -23,8 +24,8 @@ const TOGETHER: usize = 16;
 /// Cases of one sweep.
 const LANES: usize = 64;
 
-/// Largest cost of a candidate that keeps the metrics with a finer step and mesh, relative to the first one that does only with its own.
-const BEYOND: u64 = 4;
+/// Work after which a search ends, in steps times modes or nodes: a core computes about 5e8 in a second.
+const MOST_WORK: u64 = 50_000_000_000;
 
 /// What a search finds.
 #[derive(Debug)]
@@ -46,6 +47,14 @@ struct Open {
     worst: f64,
 }
 
+impl Open {
+    /// The cheapest first, then those with the smallest errors.
+    fn compare(&self, other: &Open) -> Ordering {
+        let errors = self.worst.total_cmp(&other.worst);
+        self.cost.cmp(&other.cost).then(errors)
+    }
+}
+
 /// A search.
 pub(super) struct Search<'a, 'b> {
     levels: &'a Levels<'b>,
@@ -59,6 +68,7 @@ pub(super) struct Search<'a, 'b> {
     /// The first candidate that keeps the metrics only with its own step or mesh.
     first: Option<usize>,
     found: Found,
+    work: u64,
 }
 
 impl<'a, 'b> Search<'a, 'b> {
@@ -77,17 +87,14 @@ impl<'a, 'b> Search<'a, 'b> {
                 chosen: None,
                 compared: 0,
             },
+            work: 0,
         }
     }
 
-    /// Searches up to the first candidate that keeps the metrics in all further tests.
+    /// Searches up to the first candidate that keeps the metrics in all further tests, if the work allows it.
     pub fn run(mut self) -> Result<Found, Stopped> {
         for batch in self.levels.levels.chunks(BATCH) {
-            let too_expensive = |first: usize| {
-                let first = self.found.choices[first].cost;
-                batch[0].cost > BEYOND.saturating_mul(first)
-            };
-            if self.first.is_some_and(too_expensive) {
+            if self.work > MOST_WORK {
                 break;
             }
             let open = batch.iter().flat_map(|level| {
@@ -154,7 +161,7 @@ impl<'a, 'b> Search<'a, 'b> {
             open.retain(|own| self.is_open(own));
             self.rejected[*physical] += (before - open.len()) as u64;
         }
-        open.sort_by(|a, b| a.worst.total_cmp(&b.worst));
+        open.sort_by(Open::compare);
         let mut keeping = Vec::new();
         let mut rest = open.into_iter().peekable();
         while rest.peek().is_some() {
@@ -169,16 +176,16 @@ impl<'a, 'b> Search<'a, 'b> {
                 self.solve(&mut some, pairs)?;
                 some.retain(|own| self.is_open(own));
             }
-            some.sort_by(|a, b| a.worst.total_cmp(&b.worst));
+            some.sort_by(Open::compare);
             for own in some {
-                match own.worst <= 1.0 {
-                    true => keeping.push(own),
-                    false if self.is_open(&own) => self.improve(&own)?,
-                    false => break,
+                if own.worst <= 1.0 {
+                    keeping.push(own);
+                } else if self.is_open(&own) {
+                    self.improve(&own)?;
                 }
             }
         }
-        keeping.sort_by(|a, b| a.cost.cmp(&b.cost).then(a.worst.total_cmp(&b.worst)));
+        keeping.sort_by(Open::compare);
         Ok(keeping)
     }
 
@@ -202,6 +209,8 @@ impl<'a, 'b> Search<'a, 'b> {
             open[*at].worst = open[*at].worst.max(quotient);
         }
         self.judge.solved += pairs.len() as u64;
+        let costs = pairs.iter().map(|(at, _)| open[*at].cost);
+        self.work += costs.sum::<u64>() / levels.physical_cases().max(1) as u64;
         Ok(())
     }
 

@@ -1,7 +1,7 @@
 //! What further tests of a candidate that keeps all metrics show, and the choice by them.
 
 use super::candidate::Choice;
-use super::finer::{half_step, next_mesh};
+use super::finer::{finer_steps, next_mesh};
 use super::fresh::Fresh;
 use super::judge::Judge;
 use super::verdict::Trial;
@@ -37,7 +37,7 @@ pub(super) fn trial(
     judge: &mut Judge,
 ) -> Result<Trial, Stopped> {
     let mut trial = Trial {
-        step: half_step(choice, judge)?,
+        step: finer_steps(choice, judge)?,
         mesh: next_mesh(choice, meshes, judge)?,
         neighbours: neighbours(choice, near, judge),
         fresh: None,
