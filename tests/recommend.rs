@@ -279,7 +279,7 @@ fn no_cheaper_impact_passes_all_tests() {
                 .iter()
                 .map(|gap| ((1.5 + gap / 2.0) * f64::from(count) - 1e-9).ceil());
             let total: f64 = gaps.sum();
-            order.push((total as u64 * (*n as u64 + 1), mesh, count));
+            order.push((total as u64 * (*n + 1), mesh, count));
         }
     }
     order.sort_unstable();

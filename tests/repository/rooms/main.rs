@@ -40,7 +40,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        35_500,
+        35_600,
     ),
     (
         "drawing, figures",
@@ -56,7 +56,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
             "validation",
             "python",
         ],
-        24_800,
+        22_300,
     ),
 ];
 
