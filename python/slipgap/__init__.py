@@ -34,7 +34,6 @@ from ._records import (
     FreeParameter,
     Reading,
     Recommendation,
-    Robustness,
     WarnedCases,
 )
 from ._results import Results
@@ -64,7 +63,6 @@ __all__ = [
     "Reading",
     "Recommendation",
     "Results",
-    "Robustness",
     "SlipgapError",
     "SlipgapWarning",
     "Solution",
@@ -210,28 +208,21 @@ def calibrate(
 
 
 def recommend(
-    problem: str | PathLike[str] | Mapping[str, Any],
+    study: str | PathLike[str] | Mapping[str, Any],
     *,
     jobs: int | None = None,
     set: Mapping[str, Any] | None = None,
-    **targets: Any,
 ) -> Recommendation:
-    """Find the cheapest parameters that reach a target.
+    """Find the cheapest candidate of a study that keeps metrics within tolerances.
 
-    Of a study as in :func:`run` with the key ``recommend``, the candidates are those of the study; ``front`` has all of them, the
-    cheapest first, and ``set`` sets parameters, as in :func:`run`.
-
-    Of a problem, arguments are those of ``slipgap recommend``, with ``_`` for ``-``.
-
-    For ``friction-oscillator``: the target ``rms`` (largest rms_error); ``law``, ``method``, ``x0`` and ``energy_gain`` may be
-    given; ``x0`` is one release, or a pair of numbers for all releases between them. For ``bar-impact``: at least one of the targets ``peak_force_error``, ``overlap``, ``r`` and ``rdot``; ``law``,
-    ``method``, ``n``, ``gamma`` or ``k_I``, ``mass``, ``energy_gain``, ``energy_loss`` and ``bars`` (a dict as in a study, such as
-    ``{"L": 40, "right": {"L": 20}}``) may be given. What is not given is searched.
-
+    :param study: a study as in :func:`run` with the key ``recommend``; ``"friction-oscillator"`` and ``"bar-impact"`` are studies of
+        the program, as of ``slipgap recommend``
     :param jobs: number of threads; if left out, one for each core
-    :raises SlipgapError: mistakes
+    :param set: parameters to set, as in :func:`run`
+    :returns: the candidates, the cheapest first, and the recommended one
+    :raises SlipgapError: a study with mistakes or without ``recommend``, or a file that cannot be read
     """
-    return _slipgap.recommend(problem, targets, jobs, set)
+    return _slipgap.recommend(study, jobs, set)
 
 
 def claims(

@@ -120,44 +120,22 @@ class Comparison(NamedTuple):
 
 
 class Candidate(NamedTuple):
-    """A case of a search, the best of its cost."""
+    """A candidate of a study with the key ``recommend``."""
 
     parameters: dict[str, Any]
-    """Its parameters, as in a study."""
+    """Its chosen and free parameters."""
     cost: int
-    """Its cost: steps, for bars steps times modes, of a study steps times modes or nodes of all physical cases."""
+    """Its cost: steps times modes or nodes, times the sub-steps of the method, over all physical cases."""
     errors: dict[str, float]
-    """By target: the largest error of the case and of its neighbours; of a study that of all physical cases."""
+    """By metric: the largest error over all physical cases."""
     reached: bool
-    """Whether it reaches every target."""
+    """Whether it keeps every metric within its tolerance."""
     converged: bool
-    """Whether it also reaches them with 1/2, 1/4, 1/8 .. of its step, until the metrics stop changing; of a study in all further
-    tests: half its step, the next finer mesh, neighbours, and fresh seeds."""
-    warnings: tuple[str, ...] = ()
-    """Of a study: what `slipgap run` warns of in its cases."""
-    verdict: str = ""
-    """Of a study: what becomes of it, such as "recommended" or "a contact may make energy"."""
-
-
-class Robustness(NamedTuple):
-    """The best case of a search over a range of a parameter."""
-
-    parameter: str
-    """Name of the parameter."""
-    first: float
-    """First value."""
-    last: float
-    """Last value."""
-    solved: int
-    """Number of values solved."""
-    missed: int
-    """Number of values at which the case misses a target."""
-    target: str
-    """The target with the largest error relative to its limit."""
-    error: float
-    """That error."""
-    at: float
-    """The value with that error."""
+    """Whether it also does in all further tests: half its step, the next finer mesh, neighbours, and fresh seeds."""
+    warnings: tuple[str, ...]
+    """What `slipgap run` warns of in its cases."""
+    verdict: str
+    """What becomes of it, such as "recommended" or "a contact may make energy"."""
 
 
 class FreeParameter(NamedTuple):
@@ -227,19 +205,17 @@ class Calibration(NamedTuple):
 
 
 class Recommendation(NamedTuple):
-    """The result of a search."""
+    """The candidates of a study, and the recommended one."""
 
     reached: bool
-    """Whether a case reaches every target."""
+    """Whether a candidate is recommended."""
     best: Candidate | None
-    """The cheapest case that does, else the nearest one; None if no case is within the limits of energy."""
+    """The recommended one, else the nearest one; None if no candidate is within the limits of energy."""
     front: list[Candidate]
-    """The best case of every cost, the cheapest first; of a study all candidates."""
+    """The candidates, the cheapest first; of more than a thousand those that are better than all cheaper ones."""
     solved: int
     """Number of cases solved."""
     own_step: Candidate | None
-    """The cheapest case that reaches every target with its own step only, if it costs less than the best; else None."""
-    robustness: Robustness | None
-    """For a friction model: the best case over a range of releases; else None."""
-    sentences: tuple[str, ...] = ()
-    """Of a study: the answer in words, as `slipgap recommend` prints it."""
+    """The cheapest candidate that keeps every metric but is not recommended, if it costs less than the best; else None."""
+    sentences: tuple[str, ...]
+    """The answer in words, as `slipgap recommend` prints it."""

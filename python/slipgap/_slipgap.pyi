@@ -141,8 +141,7 @@ def calibrate(
 def count(study: str | PathLike[str] | Mapping[str, Any]) -> int: ...
 def expand(study: str | PathLike[str] | Mapping[str, Any]) -> Table: ...
 def recommend(
-    problem: str | PathLike[str] | Mapping[str, Any],
-    targets: dict[str, Any],
+    study: str | PathLike[str] | Mapping[str, Any],
     jobs: int | None,
     set: Mapping[str, Any] | None,
 ) -> Recommendation: ...

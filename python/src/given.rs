@@ -63,6 +63,17 @@ pub fn source(
     read.map_err(|error| raise(py, error))
 }
 
+/// A study that is part of the program.
+pub fn shipped(
+    py: Python<'_>,
+    name: &str,
+    text: &str,
+    set: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Source> {
+    let settings = settings(py, set)?;
+    of_text(py, (&format!("{name}.json"), name), text, &settings)
+}
+
 /// The study of a dictionary in a text.
 pub fn of_dict(py: Python<'_>, text: &str) -> PyResult<Source> {
     of_text(py, (DICT, FOLDER), text, &[])

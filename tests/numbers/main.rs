@@ -9,7 +9,6 @@ mod friction;
 mod impact;
 mod lanes;
 mod plane;
-mod recommend_laws;
 mod recommend_robust;
 mod recommend_study;
 mod structures;

@@ -6,7 +6,7 @@ use serde_json::{Value as Json, json};
 use slipgap::problem::friction::FrictionOscillator;
 use slipgap::problem::impact::BarImpact;
 use slipgap::problem::{Case, Problem};
-use slipgap::recommend::{metric, with_finer_step};
+use slipgap::recommend::with_finer_step;
 use std::f64::consts::PI;
 use std::process::Command;
 
@@ -37,6 +37,12 @@ fn every_row_of_the_table_has_a_test() {
     let (_, table) = PAGE.split_once("| --- | --- | --- | --- |\n").unwrap();
     let (table, _) = table.split_once("\n\n").unwrap();
     assert_eq!(table.lines().count(), 10);
+}
+
+/// The row of a metric.
+fn metric(problem: &dyn Problem, name: &str) -> usize {
+    let mut table = problem.metrics().iter();
+    table.position(|own| own.name == name).unwrap()
 }
 
 /// Smallest and largest value of a metric with this part of the step.

@@ -26,13 +26,13 @@ pub use figure::reduced;
 pub use slipgap_cases::alike;
 pub use source::{faults, input, object, place, search, tree};
 
-pub use calibrate::Alternative;
 pub use calibrate::Calibrate;
 pub use calibrate::Free;
 pub use calibrate::FreeRange;
 pub use calibrate::PointCases;
 pub use calibrate::Recommend;
 pub use calibrate::decode::FIGURES as CALIBRATION_FIGURES;
+pub use calibrate::{Alternative, Candidates};
 pub use computed::{Computed, Found, Partners, Reference, Rule};
 pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};

@@ -1,100 +1,112 @@
-//! `slipgap recommend`: the cheapest parameters that reach a target, with the alternatives.
+//! `slipgap recommend STUDY`: the cheapest candidate of a study that keeps metrics within tolerances, with all others.
 
-mod args;
-mod friction;
-mod impact;
 mod json;
-mod study;
-mod survey;
-mod tables;
-mod task;
-
-pub use args::RecommendArgs;
 
 use super::NOT_MET;
-use super::terminal::{note, print};
+use super::arguments::sources;
+use super::arguments::{JobsArgs, SettingsArgs};
+use super::terminal::{note, print, table};
 use crate::batch::output::Folder;
 use crate::error::Error;
 use crate::figures::style::DPI;
 use crate::figures::{self, Front};
-use crate::recommend::{self, Answer, LEAST_HALVINGS, MOST_HALVINGS, SETTLED};
+use crate::problem::numbers::parameter::{Value, real, shortest};
+use crate::recommend::format::digits;
+use crate::recommend::study::{Advice, Choice, advise, shown};
+use crate::recommend::{Stop, shipped};
+use crate::run::Source;
+use crate::study::{Input, MOST_CASES};
+use clap::Args;
+use std::path::PathBuf;
 use std::time::Instant;
-use tables::Row;
-use task::SearchTask;
 
-/// Searches, writes the table and the picture of the candidates into their folder, and prints the answer; returns the exit
-/// code.
-fn recommend(task: &SearchTask) -> Result<u8, Error> {
-    let (variants, request) = (&*task.search.space, &task.search.request);
-    let space = variants.space();
-    let mut folder = Folder::open(&task.common.out.join(&task.search.folder))?;
-    for line in space.notes() {
-        note(&line);
+/// What the cost is.
+const COST: &str = "cost, in steps × modes or nodes";
+
+/// The arguments of `slipgap recommend`.
+#[derive(Args)]
+pub struct RecommendArgs {
+    /// Study file with the key `recommend`; `-` is standard input; friction-oscillator and bar-impact are studies of the program, which
+    /// are written to the folder of the answer, to be changed
+    study: PathBuf,
+    #[command(flatten)]
+    settings: SettingsArgs,
+    /// Print the answer as one object of JSON
+    #[arg(long)]
+    json: bool,
+    /// Folder for the table and picture of cost and error; each study has its own folder in it
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    #[command(flatten)]
+    jobs: JobsArgs,
+}
+
+impl RecommendArgs {
+    /// Compares the candidates; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        if let Some(text) = self.study.to_str().and_then(shipped) {
+            let name = self.study.display().to_string();
+            let file = PathBuf::from(format!("{name}.json"));
+            let input = Input::new(&file.display().to_string(), text).with(&self.settings.set);
+            let source = Source::of_input(file, name, input, MOST_CASES)?;
+            return self.jobs.run(|| self.run(&source, Some(text)));
+        }
+        if self.study.is_dir() {
+            let what = format!("{} is a folder; name one study", self.study.display());
+            return Err(Error::Usage(what));
+        }
+        let study = std::slice::from_ref(&self.study);
+        let sources = sources::read(study, &self.settings.set, MOST_CASES)?;
+        let run = |source: &Source| self.jobs.run(|| self.run(source, None));
+        sources.first().map_or(Ok(0), run)
     }
-    let mut limits = format!(
-        "an answer also reaches the target with 1/2, 1/4, 1/8 .. of its step, if one does: at least to 1/{}, at most to 1/{}, until no \
-         metric with a target changes by more than {} % of its target; no case gains more energy than {}",
-        1 << LEAST_HALVINGS,
-        1 << MOST_HALVINGS,
-        100.0 * SETTLED,
-        request.energy_gain
-    );
-    if request.energy_loss.is_finite() {
-        limits += &format!(" or loses more than {}", request.energy_loss);
+
+    fn run(&self, source: &Source, shipped: Option<&str>) -> Result<u8, Error> {
+        let start = Instant::now();
+        let advice = advise(&source.input(), &Stop::default())?;
+        let seconds = start.elapsed().as_secs_f64();
+        note(&format!("{} cases in {seconds:.1} s", advice.solved));
+        let mut folder = Folder::open(&self.out.join(folder_name(&source.name)))?;
+        let mut printed = rows(&advice, &PRINTED);
+        printed.push(tolerances(&advice));
+        let mut text = table(&printed);
+        for line in advice.sentences() {
+            text += &format!("{line}\n");
+        }
+        let csv = csv(&rows(&advice, &CSV));
+        text += &folder
+            .write("candidates.csv", csv.as_bytes())?
+            .display()
+            .to_string();
+        text += "\n";
+        if let Some(study) = shipped {
+            let path = folder.write("study.json", study.as_bytes())?;
+            text += &format!("{}\n", path.display());
+        }
+        let front = front(&advice);
+        if !front.points.is_empty() {
+            text += &write_front(&mut folder, &front)?;
+        }
+        print(&match self.json {
+            true => format!("{}\n", json::answer(&advice)),
+            false => text,
+        })?;
+        if advice.chosen.is_some() {
+            return Ok(0);
+        }
+        let lists = advice.not_converged.iter();
+        let names: Vec<&str> = lists.map(|own| advice.name(own.parameter)).collect();
+        let why = match names[..] {
+            [] => "no candidate keeps all metrics within their tolerances in all physical cases"
+                .to_owned(),
+            _ => format!(
+                "not converged in {}: no candidate is recommended",
+                names.join(", ")
+            ),
+        };
+        note(&source.line(&why));
+        Ok(NOT_MET)
     }
-    note(&limits);
-    let start = Instant::now();
-    let recommended = recommend::recommend(variants, request);
-    let seconds = start.elapsed().as_secs_f64();
-    let answer = &recommended.answer;
-    for line in survey::notes(variants, &recommended) {
-        note(&line);
-    }
-    let solved = answer.solved
-        + recommended
-            .survey
-            .as_ref()
-            .map_or(0, |survey| survey.solved);
-    note(&format!("{solved} cases in {seconds:.1} s"));
-    let Some(nearest) = answer.front.len().checked_sub(1) else {
-        note(
-            "slipgap: no case can be recommended: every case searched, or one of its neighbours, gains or loses too much energy or has an undefined target metric",
-        );
-        return Ok(NOT_MET);
-    };
-    let chosen = answer.chosen();
-    let rows = rows(answer, chosen.unwrap_or(nearest));
-    let mut text = tables::answer(space, request, &rows)?;
-    let robustness = recommend::robustness(space, request, rows[0].candidate);
-    text += &robustness.map_or(String::new(), |found| tables::robustness(request, &found));
-    text += &format!(
-        "in a study: {}\n",
-        tables::study_parameters(space, &rows[0].candidate.cases[0])
-    );
-    if let Some(survey) = &recommended.survey {
-        text += &survey::tables(variants, survey);
-    }
-    let title = format!("Cost and error of {}", space.problem().name());
-    let front = Front {
-        title,
-        cost: space.cost_title().into(),
-        points: answer
-            .front
-            .iter()
-            .map(|c| [c.cost as f64, c.worst])
-            .collect(),
-        chosen,
-    };
-    let csv = tables::front(space, request, answer);
-    let path = folder.write("front.csv", csv.as_bytes())?;
-    text += &format!("{}\n", path.display());
-    text += &write_front(&mut folder, &front)?;
-    print(&text)?;
-    if chosen.is_none() {
-        note("slipgap: no case searched reaches the target; the nearest case is shown");
-        return Ok(NOT_MET);
-    }
-    Ok(0)
 }
 
 /// Writes the picture of a front; returns the paths, one in each line.
@@ -109,29 +121,125 @@ fn write_front(folder: &mut Folder, front: &Front) -> Result<String, Error> {
     Ok(paths.collect())
 }
 
-/// The answer, cheaper candidates, and at most two that cost more.
-fn rows(answer: &Answer, at: usize) -> Vec<Row<'_>> {
-    let row = |at: usize, name| Row {
-        name,
-        candidate: &answer.front[at],
+/// The folder of the candidates of a study: `recommend-slide`, in the folder of its results `bridges/recommend-slide`.
+fn folder_name(results: &str) -> String {
+    match results.rsplit_once('/') {
+        Some((folder, name)) => format!("{folder}/recommend-{name}"),
+        None => format!("recommend-{results}"),
+    }
+}
+
+/// How a table shows numbers and values.
+struct Style {
+    /// An error; none if it is not known.
+    number: fn(f64) -> String,
+    value: fn(Value) -> String,
+    missing: &'static str,
+    /// Whether it has the column of warnings if there are none.
+    always_warnings: bool,
+}
+
+/// The printed table.
+const PRINTED: Style = Style {
+    number: digits,
+    value: shown,
+    missing: "-",
+    always_warnings: false,
+};
+
+/// candidates.csv.
+const CSV: Style = Style {
+    number: real,
+    value: Value::cell,
+    missing: "",
+    always_warnings: true,
+};
+
+fn has_warnings(advice: &Advice) -> bool {
+    advice.choices.iter().any(|own| !own.warnings.is_empty())
+}
+
+/// The table of all candidates, with a line of names.
+fn rows(advice: &Advice, style: &Style) -> Vec<Vec<String>> {
+    let (parameters, within) = (advice.parameters(), advice.within());
+    let names = parameters.iter().map(|own| own.1);
+    let names = names.chain(["cost", "energy_gain", "energy_loss"]);
+    let names = names.chain(within.iter().map(|own| own.0));
+    let has_warnings = has_warnings(advice);
+    let warnings = (style.always_warnings || has_warnings).then_some("warnings");
+    let header = names.chain(["worst"]).chain(warnings).chain(["verdict"]);
+    let header = header.map(str::to_owned);
+    let number = |x: f64| match x.is_finite() {
+        true => (style.number)(x),
+        false => style.missing.to_owned(),
     };
-    let reached = answer.front[at].worst <= 1.0;
-    let [chosen, cheaper] = match reached {
-        true => ["recommended", "cheaper, misses the target"],
-        false => [
-            "nearest, misses the target",
-            "cheaper, misses the target by more",
-        ],
+    let row = |(at, choice): (usize, &Choice)| -> Vec<String> {
+        let value = |row: usize| {
+            let own = choice.value(row);
+            own.map_or(style.missing.into(), style.value)
+        };
+        let values = parameters.iter().map(|own| value(own.0));
+        let error = |i: usize| choice.errors.get(i).copied().unwrap_or(f64::INFINITY);
+        let energies = [choice.energy.gain, choice.energy.loss].into_iter();
+        let numbers = energies
+            .chain((0..within.len()).map(error))
+            .chain([choice.worst]);
+        let cells = values
+            .chain([choice.cost.to_string()])
+            .chain(numbers.map(number));
+        let warnings = warnings.map(|_| choice.warnings.names());
+        let cells = cells.chain(warnings);
+        cells.chain([advice.verdict(at)]).collect()
     };
-    let mut rows = vec![row(at, chosen)];
-    rows.extend(answer.own_step.as_ref().map(|candidate| Row {
-        name: "cheaper, only with this step",
-        candidate,
-    }));
-    rows.extend(answer.cheaper(at).map(|at| row(at, cheaper)));
-    let first = answer.better(at);
-    let second = first.and_then(|first| answer.better(first));
-    let better = [first, second].into_iter().flatten();
-    rows.extend(better.map(|at| row(at, "costs more, smaller error")));
-    rows
+    let rows = advice.choices.iter().enumerate().map(row);
+    [header.collect()].into_iter().chain(rows).collect()
+}
+
+/// The tolerances as the last line of the printed table.
+fn tolerances(advice: &Advice) -> Vec<String> {
+    let limits = [advice.energy.gain, advice.energy.loss].into_iter();
+    let limits = limits
+        .chain(advice.within().into_iter().map(|own| own.1))
+        .chain([1.0]);
+    let limit = |x: f64| match x.is_finite() {
+        true => format!("<= {}", shortest(x)),
+        false => String::new(),
+    };
+    let mut cells = vec![String::new(); advice.parameters().len()];
+    cells.push("tolerance".into());
+    cells.extend(limits.map(limit));
+    cells.extend(has_warnings(advice).then(String::new));
+    cells.push(String::new());
+    cells
+}
+
+/// A table as CSV.
+fn csv(rows: &[Vec<String>]) -> String {
+    let quoted = |text: &String| match text.contains([',', '"', '\n']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.clone(),
+    };
+    let line = |row: &Vec<String>| row.iter().map(quoted).collect::<Vec<_>>().join(",") + "\n";
+    rows.iter().map(line).collect()
+}
+
+/// The candidates whose error is smaller than that of all cheaper ones.
+fn front(advice: &Advice) -> Front {
+    let mut front = Front {
+        title: "Cost and error of the candidates".into(),
+        cost: COST.into(),
+        points: Vec::new(),
+        chosen: None,
+    };
+    let mut least = f64::INFINITY;
+    for (at, choice) in advice.choices.iter().enumerate() {
+        let chosen = advice.chosen == Some(at);
+        // Both scales are logarithmic.
+        if choice.worst > 0.0 && (choice.worst < least || chosen && choice.worst.is_finite()) {
+            least = least.min(choice.worst);
+            front.chosen = chosen.then_some(front.points.len()).or(front.chosen);
+            front.points.push([choice.cost as f64, choice.worst]);
+        }
+    }
+    front
 }

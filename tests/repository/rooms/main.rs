@@ -56,7 +56,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
             "validation",
             "python",
         ],
-        24_900,
+        22_500,
     ),
 ];
 

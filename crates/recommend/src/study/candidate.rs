@@ -4,8 +4,7 @@ use super::judge::{Judge, Judged, all_of};
 use super::usage::used;
 use super::verdict::{State, Trial};
 use crate::calibrate::{Objective, Options, Stopped, search};
-use crate::setting::method_named;
-use crate::{EnergyChange, cost};
+use crate::{EnergyChange, cost, sub_steps};
 use slipgap_motion::solve::{WARNINGS, Warning, Warnings};
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::table::cases::Cases;
@@ -48,50 +47,45 @@ pub struct Choice {
     conditions: usize,
 }
 
-/// The candidates of a study, not yet solved. The judge then knows the physical cases.
-pub(super) fn candidates(judge: &mut Judge) -> Vec<Choice> {
+/// A candidate, not yet solved. The judge then knows its physical cases.
+pub(super) fn choice(alternative: Alternative, judge: &mut Judge) -> Choice {
     let study = judge.study;
     let within: Vec<usize> = judge.recommend.within.iter().map(|own| own.0).collect();
-    let choice = |alternative: Alternative| {
-        let cases = all_of(&study.point_cases(&alternative, &[]).cases(&[Vec::new()]));
-        let mut conditions = HashSet::new();
-        for case in &cases {
-            let condition = judge.condition(case);
-            judge.conditions.insert(condition.clone());
-            conditions.insert(condition);
-        }
-        let problem = &*study.problem;
-        let free = study.free_of_candidate(&alternative);
-        let [free, _] = used(study, &alternative, &free, &within);
-        let over = judge.recommend.over.iter();
-        let value = |row: &usize| Some((*row, cases.first()?.values[*row]?));
-        let step = cases
-            .iter()
-            .filter_map(|case| case.at(problem.schema().step));
-        Choice {
-            values: over.filter_map(value).collect(),
-            cost: cases.iter().map(|case| cost(problem, case)).sum(),
-            errors: Vec::new(),
-            energy: EnergyChange::UNKNOWN,
-            warnings: Warnings::NONE,
-            worst: f64::INFINITY,
-            state: State::Incomplete,
-            trial: None,
-            step: step.fold(f64::INFINITY, f64::min),
-            size: cases.first().map_or(0, |case| size(problem, case)),
-            conditions: conditions.len(),
-            free,
-            alternative,
-        }
-    };
-    study.candidates().into_iter().map(choice).collect()
+    let cases = all_of(&study.point_cases(&alternative, &[]).cases(&[Vec::new()]));
+    let mut conditions = HashSet::new();
+    for case in &cases {
+        let condition = judge.condition(case);
+        judge.conditions.insert(condition.clone());
+        conditions.insert(condition);
+    }
+    let problem = &*study.problem;
+    let free = study.free_of_candidate(&alternative);
+    let [free, _] = used(study, &alternative, &free, &within);
+    let over = judge.recommend.over.iter();
+    let value = |row: &usize| Some((*row, cases.first()?.values[*row]?));
+    let step = cases
+        .iter()
+        .filter_map(|case| case.at(problem.schema().step));
+    Choice {
+        values: over.filter_map(value).collect(),
+        cost: cases.iter().map(|case| cost(problem, case)).sum(),
+        errors: Vec::new(),
+        energy: EnergyChange::UNKNOWN,
+        warnings: Warnings::NONE,
+        worst: f64::INFINITY,
+        state: State::Incomplete,
+        trial: None,
+        step: step.fold(f64::INFINITY, f64::min),
+        size: cases.first().map_or(0, |case| size(problem, case)),
+        conditions: conditions.len(),
+        free,
+        alternative,
+    }
 }
 
 /// Number of modes or nodes of a case, which a finer mesh has more of.
-fn size(problem: &dyn Problem, case: &Case) -> u64 {
-    let method = method_named(case.choice("method"));
-    let parts = method.map_or(1, |method| method.count_of_sub_steps());
-    cost(problem, case) / (problem.steps(case) * parts).max(1)
+pub(super) fn size(problem: &dyn Problem, case: &Case) -> u64 {
+    cost(problem, case) / (problem.steps(case) * sub_steps(case)).max(1)
 }
 
 impl Choice {

@@ -1,4 +1,4 @@
-//! Whether a candidate keeps its metrics with half its step, and with the next finer mesh of the study.
+//! Whether a candidate keeps its metrics with finer steps, and with the next finer mesh of the study.
 
 use super::candidate::Choice;
 use super::judge::{Judge, all_of};
@@ -8,16 +8,25 @@ use crate::with_finer_step;
 use slipgap_problem::problem::table::cases::Cases;
 use std::collections::BTreeMap;
 
-/// The largest quotient of error and tolerance of a candidate with half its step.
-pub(super) fn half_step(choice: &Choice, judge: &mut Judge) -> Result<f64, Stopped> {
+/// The largest quotient of error and tolerance of a candidate with 1/2, 1/4 .. of its step, up to the first one above 1. Of many candidates
+/// some keep the metrics with half their step by chance.
+pub(super) fn finer_steps(choice: &Choice, judge: &mut Judge) -> Result<f64, Stopped> {
     let (free, values) = choice.free();
     let problem = &*judge.study.problem;
-    let mut halves = Cases::new(problem.schema());
-    for case in all_of(&choice.cases(judge, free, &values)) {
-        halves.push(&with_finer_step(problem, &case, 2));
+    let cases = all_of(&choice.cases(judge, free, &values));
+    let mut largest: f64 = 0.0;
+    for halving in 1..=judge.halvings {
+        let mut finer = Cases::new(problem.schema());
+        for case in &cases {
+            finer.push(&with_finer_step(problem, case, 1 << halving));
+        }
+        let judged = judge.judged(&finer)?;
+        largest = largest.max(judge.worst(&judged));
+        if largest > 1.0 {
+            break;
+        }
     }
-    let judged = judge.judged(&halves)?;
-    Ok(judge.worst(&judged))
+    Ok(largest)
 }
 
 /// The same with the next finer meshes.

@@ -2,10 +2,9 @@
 
 use super::errors::{From, errors};
 use super::sweep::sweep;
+use crate::Stop;
 use crate::calibrate::Stopped;
-use crate::friction::{self, energy_gain};
-use crate::impact::{self, energy_change};
-use crate::{EnergyChange, Stop};
+use crate::energy::{EnergyChange, FRICTION_LIMITS, LIMITS, energy_change, energy_gain};
 use rayon::prelude::*;
 use slipgap_motion::solve::{Warning, Warnings};
 use slipgap_problem::problem::friction::FrictionOscillator;
@@ -61,6 +60,8 @@ pub struct Judge<'a> {
     pub from: Vec<From>,
     /// Rows of the parameters that distinguish physical cases.
     pub kept: Vec<usize>,
+    /// How often the step of a candidate is halved in its tests.
+    pub halvings: u32,
     stop: &'a Stop,
 }
 
@@ -69,23 +70,17 @@ impl<'a> Judge<'a> {
         let free = recommend.free.iter().map(|free| free.parameter);
         let chosen: Vec<usize> = recommend.over.iter().copied().chain(free).collect();
         let friction = study.problem.name() == FrictionOscillator.name();
-        let limits = match friction {
-            true => [friction::ENERGY_GAIN, f64::INFINITY],
-            false => [impact::ENERGY_GAIN, impact::ENERGY_LOSS],
-        };
         Judge {
             kept: study.outside_choice(&chosen),
             study,
             recommend,
             conditions: HashSet::new(),
-            limits: EnergyChange {
-                gain: limits[0],
-                loss: limits[1],
-            },
+            limits: if friction { FRICTION_LIMITS } else { LIMITS },
             solved: 0,
             references: HashMap::new(),
             finest: Vec::new(),
             from: Vec::new(),
+            halvings: 1,
             stop,
         }
     }
@@ -109,14 +104,50 @@ impl<'a> Judge<'a> {
         {
             return f64::INFINITY;
         }
-        let quotients = judged.iter().flat_map(|own| {
-            let within = self.recommend.within.iter();
-            own.errors
-                .iter()
-                .zip(within)
-                .map(|(error, own)| error / own.1)
-        });
+        let quotients = judged.iter().map(|own| self.quotient(&own.errors));
         quotients.fold(0.0, f64::max)
+    }
+
+    /// The largest quotient of error and tolerance of a case.
+    fn quotient(&self, errors: &[f64]) -> f64 {
+        let within = self.recommend.within.iter();
+        let quotients = errors.iter().zip(within).map(|(error, own)| error / own.1);
+        quotients.fold(0.0, f64::max)
+    }
+
+    /// The largest quotients of error and tolerance of cases, before their changes of energy are known; infinite for one without a
+    /// solution, and for one of which a contact may make energy.
+    pub fn quotients(&self, cases: &Cases) -> Vec<f64> {
+        let mut quotients = vec![f64::INFINITY; cases.len()];
+        let rows = 0..cases.len() as u32;
+        let rows: Vec<u32> = rows
+            .filter(|row| cases.may_be_solved(*row as usize))
+            .collect();
+        let table = self.study.problem.sweep(cases, &rows);
+        let mut shown = cases.shown();
+        for (place, row) in rows.into_iter().enumerate() {
+            let case = shown.at(row as usize);
+            let makes = table.warnings(place).iter().any(Warning::is_contact_energy);
+            let reference = self.references.get(&self.condition(case));
+            if let (Some(reference), false) = (reference, makes || table.failure(place).is_some()) {
+                let metrics: Vec<Option<f64>> = table.row(place).collect();
+                let values = self.measured(case, &metrics);
+                quotients[row as usize] = self.quotient(&errors(&self.from, &values, reference));
+            }
+        }
+        quotients
+    }
+
+    /// Whether the metrics to keep are all known of cases that are solved side by side.
+    pub fn has_quotients(&self) -> bool {
+        let table = self.study.problem.metrics();
+        let mut metrics = self.study.metrics.iter();
+        metrics.all(|row| table[*row].default)
+    }
+
+    /// Whether the user ended the search.
+    pub fn is_stopped(&self) -> bool {
+        self.stop.is_stopped()
     }
 
     /// Rows of the measures to keep.

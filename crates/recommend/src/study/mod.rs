@@ -6,7 +6,9 @@ mod errors;
 mod finer;
 mod fresh;
 mod judge;
+mod levels;
 mod reference;
+mod search;
 mod sweep;
 mod trial;
 pub mod usage;
@@ -24,16 +26,27 @@ pub use words::shown;
 use crate::calibrate::Stopped;
 use crate::{EnergyChange, Stop};
 use judge::Judge;
+use levels::{Levels, Place};
+use search::{Found, Search};
 use slipgap_problem::problem::structure::metrics::metric::OF_ALL;
 use slipgap_study::error::Error;
-use slipgap_study::{Input, MOST_CASES, Study};
+use slipgap_study::{Block, Input, MOST_CASES, Study};
+
+/// Most candidates that are all solved and listed. More of them are searched in the order of their costs.
+const LISTED: u64 = 1000;
+
+/// How often the step of one of many candidates is halved in its tests.
+const HALVINGS: u32 = 4;
+
+/// Most combinations of a study whose candidates are all solved.
+const MOST_LISTED: u64 = 1_000_000;
 
 /// The candidates of a study, and the recommended one.
 #[derive(Debug)]
 pub struct Advice {
     /// The study with the metrics to keep as its only ones.
     pub study: Study,
-    /// All candidates, the cheapest first.
+    /// All candidates, the cheapest first; of more than a thousand those that were better than all cheaper ones.
     pub choices: Vec<Choice>,
     /// The place of the recommended one. If every candidate that keeps all metrics does only with its own step and mesh, it is the
     /// cheapest of these; `None` if no candidate keeps them, and if the list of a chosen number ends too early.
@@ -48,6 +61,8 @@ pub struct Advice {
     pub conditions: usize,
     /// Number of cases solved.
     pub solved: u64,
+    /// Of many candidates, how many were compared, and how many there are: the others cost more.
+    pub searched: Option<[u64; 2]>,
 }
 
 /// Compares the candidates of a study.
@@ -66,28 +81,75 @@ pub fn advise(input: &Input, stop: &Stop) -> Result<Advice, Error> {
         )));
     };
     let mut judge = Judge::new(&study, recommend, stop);
-    let mut compare = || -> Result<_, Stopped> {
-        let mut choices = candidate::candidates(&mut judge);
-        let reference = reference::refer(&choices, &mut judge)?;
-        let not_converged = converged::not_converged(&choices, &mut judge)?;
-        for choice in &mut choices {
-            candidate::decide(choice, &mut judge)?;
-        }
-        choices.sort_by_key(|choice| choice.cost);
-        let chosen = trial::choose(&mut choices, &mut judge)?;
-        let chosen = chosen.filter(|_| not_converged.is_empty());
-        Ok((choices, chosen, reference, not_converged))
+    let mut levels = Levels::of(&study);
+    let count = levels.count();
+    let is_searched = count > LISTED && recommend.free.is_empty() && judge.has_quotients();
+    let cases = study.blocks.iter().map(Block::raw_len).sum::<u64>();
+    if !is_searched && cases > MOST_LISTED {
+        let searched = format!(
+            "more only without free parameters, for default metrics, and for more than {LISTED} candidates"
+        );
+        return Err(Error::Usage(format!(
+            "{}: recommend: {cases} combinations; at most {MOST_LISTED}, {searched}",
+            input.file
+        )));
+    }
+    let found = match is_searched {
+        true => searched(&mut levels, &mut judge),
+        false => compared(&levels, &mut judge),
     };
-    let (choices, chosen, reference, not_converged) = compare().map_err(|_| Error::Interrupted)?;
+    let (found, reference, not_converged) = found.map_err(|_| Error::Interrupted)?;
     let (energy, conditions, solved) = (judge.limits, judge.conditions.len(), judge.solved);
+    let chosen = found.chosen.filter(|_| not_converged.is_empty());
     Ok(Advice {
-        choices,
+        choices: found.choices,
         chosen,
         reference,
         not_converged,
         energy,
         conditions,
         solved,
+        searched: is_searched.then_some([found.compared, count]),
         study,
     })
+}
+
+/// What is recommended, what the metrics are compared with, and the lists that end too early.
+type Compared = (Found, Option<Reference>, Vec<NotConverged>);
+
+/// Compares all candidates.
+fn compared(levels: &Levels, judge: &mut Judge) -> Result<Compared, Stopped> {
+    let listed = levels.listed();
+    let mut choices: Vec<Choice> = listed.map(|own| candidate::choice(own, judge)).collect();
+    let reference = reference::refer(&choices, judge)?;
+    let not_converged = converged::not_converged(&choices, judge)?;
+    for choice in &mut choices {
+        candidate::decide(choice, judge)?;
+    }
+    choices.sort_by_key(|choice| choice.cost);
+    let found = Found {
+        chosen: trial::choose(&mut choices, judge)?,
+        compared: choices.len() as u64,
+        choices,
+    };
+    Ok((found, reference, not_converged))
+}
+
+/// Compares candidates in the order of their costs, up to the recommended one.
+fn searched<'a>(levels: &mut Levels<'a>, judge: &mut Judge<'a>) -> Result<Compared, Stopped> {
+    levels.sort();
+    judge.halvings = HALVINGS;
+    // The judge must know the physical cases of every block.
+    for first in levels.firsts() {
+        levels.choice(&first, judge);
+    }
+    let finest = levels.finest();
+    let before = finest.iter().flat_map(|own| levels.before(own));
+    let places: Vec<Place> = before.chain(finest.clone()).collect();
+    let choices = places.iter().filter_map(|own| levels.choice(own, judge));
+    let choices: Vec<Choice> = choices.collect();
+    let reference = reference::refer(&choices, judge)?;
+    let not_converged = converged::not_converged(&choices, judge)?;
+    let found = Search::new(levels, judge).run()?;
+    Ok((found, reference, not_converged))
 }

@@ -1,7 +1,7 @@
 //! What further tests of a candidate that keeps all metrics show, and the choice by them.
 
 use super::candidate::Choice;
-use super::finer::{half_step, next_mesh};
+use super::finer::{finer_steps, next_mesh};
 use super::fresh::Fresh;
 use super::judge::Judge;
 use super::verdict::Trial;
@@ -16,16 +16,8 @@ pub(super) fn choose(choices: &mut [Choice], judge: &mut Judge) -> Result<Option
         if choices[at].worst > 1.0 {
             continue;
         }
-        let mut trial = Trial {
-            step: half_step(&choices[at], judge)?,
-            mesh: next_mesh(&choices[at], choices, judge)?,
-            neighbours: neighbours(&choices[at], choices, judge),
-            fresh: None,
-        };
-        let matters = trial.is_robust() && (trial.is_converged() || first.is_none());
-        if let Some(fresh) = fresh.as_mut().filter(|_| matters) {
-            trial.fresh = Some(fresh.quotient(&choices[at], judge)?);
-        }
+        let others = [&*choices; 2];
+        let trial = trial(&choices[at], others, first.is_none(), &mut fresh, judge)?;
         choices[at].trial = Some(trial);
         if trial.holds() {
             return Ok(Some(at));
@@ -33,6 +25,28 @@ pub(super) fn choose(choices: &mut [Choice], judge: &mut Judge) -> Result<Option
         first = first.or(trial.is_robust().then_some(at));
     }
     Ok(first)
+}
+
+/// What further tests show of a candidate that keeps all metrics: with others that may be its neighbours, and others that may have finer
+/// meshes. If it is not converged, `is_first` says whether it may be the answer.
+pub(super) fn trial(
+    choice: &Choice,
+    [near, meshes]: [&[Choice]; 2],
+    is_first: bool,
+    fresh: &mut Option<Fresh>,
+    judge: &mut Judge,
+) -> Result<Trial, Stopped> {
+    let mut trial = Trial {
+        step: finer_steps(choice, judge)?,
+        mesh: next_mesh(choice, meshes, judge)?,
+        neighbours: neighbours(choice, near, judge),
+        fresh: None,
+    };
+    let matters = trial.is_robust() && (trial.is_converged() || is_first);
+    if let Some(fresh) = fresh.as_mut().filter(|_| matters) {
+        trial.fresh = Some(fresh.quotient(choice, judge)?);
+    }
+    Ok(trial)
 }
 
 /// The largest quotient of the candidates that have the next smaller or the next larger value of a parameter in `neighbours`, and

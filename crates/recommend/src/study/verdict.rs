@@ -20,7 +20,7 @@ pub enum State {
 /// The largest quotients of error and tolerance in further tests of a candidate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trial {
-    /// With half its step.
+    /// With finer steps.
     pub step: f64,
     /// With the next finer mesh.
     pub mesh: Mesh,

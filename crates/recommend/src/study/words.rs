@@ -83,6 +83,12 @@ impl Advice {
                 }
             }));
         }
+        lines.extend(self.searched.map(|[compared, count]| {
+            format!(
+                "Of {count} candidates {compared} were compared, up to the cost of the answer. Shown are those with smaller errors than all \
+                 cheaper ones, and those that keep all metrics."
+            )
+        }));
         lines.extend(self.warnings());
         lines.extend(self.not_converged.iter().map(|own| self.list_ends(own)));
         lines.extend(self.answer());
@@ -140,8 +146,12 @@ impl Advice {
             false => "Warning: this answer is valid only for its own step and mesh. ",
         };
         let step = cell(trial.step);
+        let finer = match self.searched {
+            None => "half",
+            Some(_) => "1/2, 1/4, 1/8 and 1/16 of",
+        };
         Some(format!(
-            "{only}Recommended: {name}. With half its step the largest error is {step} of its tolerance{mesh}.{fresh}"
+            "{only}Recommended: {name}. With {finer} its step the largest error is {step} of its tolerance{mesh}.{fresh}"
         ))
     }
 

@@ -40,7 +40,7 @@ impl Study {
     }
 
     /// The cases with the same positions on these groups of axes, as an alternative each.
-    pub(super) fn grouped(
+    fn grouped(
         &self,
         tests: Option<usize>,
         is_own: impl Fn(&AxisGroup) -> bool,

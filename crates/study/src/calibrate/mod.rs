@@ -3,6 +3,7 @@
 
 mod alternatives;
 mod best;
+mod candidates;
 pub(super) mod decode;
 mod edit;
 mod files;
@@ -13,6 +14,7 @@ pub(super) mod range;
 pub(super) mod recommend;
 
 pub use alternatives::Alternative;
+pub use candidates::Candidates;
 pub use points::PointCases;
 pub use range::FreeRange;
 pub use recommend::Recommend;

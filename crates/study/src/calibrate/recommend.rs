@@ -1,8 +1,7 @@
 //! The key `recommend` of a study: the parameters to choose, and the metrics to keep.
 
+use super::Free;
 use super::decode::{free, measure};
-use super::{Alternative, Free};
-use crate::Study;
 use crate::cases::ensemble::{item, refuse_constant};
 use crate::cases::scope::{Scope, names};
 use crate::computed::sources::WITHIN;
@@ -26,9 +25,6 @@ pub(crate) const KEYS: [(&str, &str); 3] = [
         "numbers among those in over whose next smaller and next larger values must keep the metrics, too",
     ),
 ];
-
-/// Most cases of a study whose candidates are compared.
-const MOST: u64 = 1_000_000;
 
 /// The parameters of a study to choose, and the metrics that a choice must keep in every physical case.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,13 +87,6 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
         }
         rows
     });
-    let blocks = scope.blocks.iter();
-    let count = blocks.fold(0, |sum: u64, block| sum.saturating_add(block.raw_len()));
-    if count > MOST {
-        let message =
-            format!("{count} combinations; a study with \"recommend\" has at most {MOST}");
-        faults.add(node.at, &path, message);
-    }
     (faults.count() == before).then_some(Recommend {
         over: over?,
         neighbours: neighbours.map_or(Some(Vec::new()), |own| own)?,
@@ -109,14 +98,4 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
 /// Whether the values of a parameter are numbers.
 fn is_number(scope: &Scope, row: usize) -> bool {
     !matches!(scope.problem.parameters()[row].kind, Kind::Choice(_))
-}
-
-impl Study {
-    /// The candidates of `recommend` in the order of the cases, each with its physical cases as tests; none without the key.
-    pub fn candidates(&self) -> Vec<Alternative> {
-        let over = self.recommend.as_ref().map(|own| &own.over);
-        over.map_or(Vec::new(), |over| {
-            self.grouped(None, |group| over.iter().any(|row| group.has(*row)))
-        })
-    }
 }

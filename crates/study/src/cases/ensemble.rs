@@ -7,6 +7,7 @@ use crate::source::tree::{Node, Tree};
 use slipgap_cases::alike::unaffected;
 use slipgap_cases::{Block, Filter};
 use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::numbers::parameter::Value;
 
 impl Study {
     /// The parameters whose values distinguish ensembles: all that may vary, but those of the key `ensemble`, those in `also`,
@@ -62,7 +63,11 @@ pub(crate) fn refuse_constant(
 ) {
     let name = &scope.problem.parameters()[row].name;
     let mut derived = scope.blocks.iter().flat_map(|block| &block.derived);
-    let why = match derived.any(|derived| derived.parameter == row) {
+    let is_derived = derived.any(|derived| derived.parameter == row);
+    if !is_derived && differs_at_ends(scope, row) {
+        return;
+    }
+    let why = match is_derived {
         true => "is given by an expression; name the parameters that it follows from".to_owned(),
         false => match scope.levels(&Filter::default(), row).as_slice() {
             [] => "is given in none of the cases".to_owned(),
@@ -71,6 +76,20 @@ pub(crate) fn refuse_constant(
         },
     };
     faults.add(at, &path, format!("{name} {why}"));
+}
+
+/// Whether the first and the last case of a block have different values of a parameter, so that not all cases must be made.
+fn differs_at_ends(scope: &Scope, row: usize) -> bool {
+    let problem = &*scope.problem;
+    scope.blocks.iter().any(|block| {
+        let is_case = |raw: &u64| block.is_case(problem, *raw);
+        let value = |raw: u64| block.raw_case(problem, raw).values[row];
+        let first = (0..block.raw_len()).find(is_case).and_then(value);
+        let last = (0..block.raw_len()).rev().find(is_case).and_then(value);
+        first
+            .zip(last)
+            .is_some_and(|(first, last)| !Value::identical(Some(first), Some(last)))
+    })
 }
 
 /// The offset and path of name `i`, which may be given without a list.

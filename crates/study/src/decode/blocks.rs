@@ -1,7 +1,7 @@
 //! The blocks of a study: one under `parameters`, or several under `blocks`.
 
 use super::resolve::resolve;
-use super::validate::{validate, within_limit};
+use super::validate::{has_good_case, validate, within_limit};
 use crate::Block;
 use crate::axes::draft::BlockDraft;
 use crate::axes::parameters::parameters;
@@ -79,7 +79,10 @@ pub(crate) fn blocks(
             complete = false;
             continue;
         };
-        validate(problem, draft, &block, faults);
+        let choosing = object.get("recommend").is_some();
+        if !(choosing && has_good_case(problem, &block)) {
+            validate(problem, draft, &block, faults);
+        }
         blocks.push(block);
     }
     // Figures and checks may select a case that breaks a rule.

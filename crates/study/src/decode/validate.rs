@@ -61,10 +61,7 @@ pub(crate) fn validate(
             return;
         }
     }
-    let positions = match block.raw_len() <= MOST_TESTED {
-        true => all_positions(block),
-        false => ends(block),
-    };
+    let positions = positions(block);
     let part = restricted(block, &positions);
     let groups = draft.groups();
     let mut reported = HashSet::new();
@@ -78,6 +75,25 @@ pub(crate) fn validate(
         if reported.len() >= MOST_REPORTED {
             return;
         }
+    }
+}
+
+/// Whether a case of the block breaks no rule: of candidates, those that break one have no solution.
+pub(super) fn has_good_case(problem: &dyn Problem, block: &Block) -> bool {
+    let part = restricted(block, &positions(block));
+    let mut case = Case::new(problem.schema());
+    let mut raws = 0..part.raw_len().min(MOST_TESTED);
+    raws.any(|raw| {
+        part.put_and_test(problem, raw, &mut case) == Some(true)
+            && part.complete(problem, &mut case).is_empty()
+    })
+}
+
+/// The positions that are tested: all, of a large block the ends.
+fn positions(block: &Block) -> Vec<Vec<usize>> {
+    match block.raw_len() <= MOST_TESTED {
+        true => all_positions(block),
+        false => ends(block),
     }
 }
 

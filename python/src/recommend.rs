@@ -1,21 +1,35 @@
-//! `slipgap.recommend` of a study: its candidates, and the cheapest that keeps its metrics.
+//! `slipgap.recommend`: the candidates of a study, and the cheapest that keeps its metrics.
 
-use super::{CANDIDATE, RECOMMENDATION, put};
 use crate::{given, worker};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
-use slipgap::recommend::Stop;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyDict, PyTuple, PyType};
+use slipgap::problem::numbers::parameter::Value;
 use slipgap::recommend::study::{Choice, advise};
+use slipgap::recommend::{Stop, shipped};
 use slipgap::solve::Warning;
 
+/// The classes `slipgap.Recommendation` and `slipgap.Candidate`.
+static RECOMMENDATION: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static CANDIDATE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+
 /// Compares the candidates of a study.
+#[pyfunction]
 pub fn recommend<'py>(
     py: Python<'py>,
     study: &Bound<'py, PyAny>,
-    jobs: usize,
+    jobs: Option<i64>,
     set: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let source = given::source(py, study, set)?;
+    let jobs = worker::jobs(py, jobs)?;
+    let name: Option<String> = study.extract().ok();
+    let text = name
+        .as_deref()
+        .and_then(|name| Some((name, shipped(name)?)));
+    let source = match text {
+        Some((name, text)) => given::shipped(py, name, text, set)?,
+        None => given::source(py, study, set)?,
+    };
     let stop = Stop::default();
     let stops = stop.clone();
     let work = move || advise(&source.input(), &stops);
@@ -70,7 +84,15 @@ pub fn recommend<'py>(
         front,
         advice.solved,
         own_step,
-        py.None(),
         PyTuple::new(py, advice.sentences())?,
     ))
+}
+
+/// Puts a value into a dictionary.
+fn put(into: &Bound<'_, PyDict>, key: &str, value: Value) -> PyResult<()> {
+    match value {
+        Value::Number(x) => into.set_item(key, x),
+        Value::Whole(n) => into.set_item(key, n),
+        Value::Name(name) => into.set_item(key, name),
+    }
 }

@@ -1,7 +1,5 @@
-//! The change of energy of an impact. `energy_drift_max` does not show a gain if a loss is larger, and neither it nor
-//! `energy_drift_final` shows what the damping of the contact or the method takes or adds.
+//! The changes of energy of the problems of the papers, and the largest ones allowed.
 
-use crate::EnergyChange;
 use slipgap_contact::contact::StoredEnergy;
 use slipgap_contact::lane::Lane;
 use slipgap_motion::history::History;
@@ -12,6 +10,54 @@ use slipgap_problem::problem::{Case, Textbook};
 use slipgap_system::methods::ContactWork;
 use slipgap_system::system::System;
 
+/// Largest changes of energy of an impact and of a structure. A gain of 1 % of the energy is 0.5 % of a velocity, less than most tolerances
+/// allow. A loss of 10 % is 5 % of a velocity; without a limit methods would be chosen that damp the whole motion.
+pub const LIMITS: EnergyChange = EnergyChange {
+    gain: 0.01,
+    loss: 0.1,
+};
+
+/// The same with friction. A softened law returns energy that the exact motion has lost. 5 % of the energy is 2.5 % of an amplitude.
+pub const FRICTION_LIMITS: EnergyChange = EnergyChange {
+    gain: 0.05,
+    loss: f64::INFINITY,
+};
+
+/// The change of energy of a run, relative to the energy at the start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EnergyChange {
+    /// The largest gain at any step.
+    pub gain: f64,
+    /// The loss up to the last step; zero for a problem that loses energy in the exact motion.
+    pub loss: f64,
+}
+
+impl EnergyChange {
+    /// Above all limits.
+    pub const UNKNOWN: EnergyChange = EnergyChange {
+        gain: f64::INFINITY,
+        loss: f64::INFINITY,
+    };
+}
+
+/// The largest excess of the mechanical energy (X^2 + V^2)/2 over that of the exact motion at a step, over the energy at release: what
+/// the motion has more than the energy at release minus the exact work of friction. It is not negative, because both begin alike.
+pub fn energy_gain(computed: &History, exact: &History) -> f64 {
+    let energies = |of: &History| -> Vec<f64> {
+        let states = of.displacement().iter().zip(of.velocity());
+        states.map(|(x, v)| 0.5 * (x * x + v * v)).collect()
+    };
+    let (computed, exact) = (energies(computed), energies(exact));
+    let Some(start) = exact.first().copied() else {
+        return f64::INFINITY;
+    };
+    let excess = computed.iter().zip(&exact).map(|(c, e)| (c - e) / start);
+    excess.fold(0.0, f64::max)
+}
+
+/// The change of energy of an impact. `energy_drift_max` does not show a gain if a loss is larger, and neither it nor
+/// `energy_drift_final` shows what the damping of the contact or the method takes or adds.
+///
 /// The gain is the largest of drift of the contact minus numerical dissipation over all steps from t = 0, over E_0. It is not negative,
 /// because step 0 is one of them. The loss is what is gone at the last step: damping of the contact and numerical dissipation minus drift.
 /// The exact motion keeps its energy.
