@@ -1,5 +1,6 @@
 """Export of models of OpenSees with constraints, against OpenSees itself: examples/models/opensees.py."""
 
+import csv
 import json
 import os
 import subprocess
@@ -296,7 +297,8 @@ def test_directions_are_those_of_the_space(export: Callable[..., None], tmp_path
 
 
 DT, STEPS = 0.005, 600
-METRICS = [f"{reduction}(mast.4.{direction})" for direction in "xy" for reduction in ("peak", "last", "rms")]
+CHANNELS = ["mast.4.x", "mast.4.y", "mast.foot", "mast.shear", "2.5*mast.4.x - 1e-1*mast.3.x"]
+METRICS = [f"{reduction}({channel})" for channel in CHANNELS for reduction in ("peak", "last", "rms")]
 
 
 def excitation() -> Any:
@@ -304,7 +306,7 @@ def excitation() -> Any:
 
 
 def their_motion() -> Any:
-    """u of node 4 in x and y, by Newmark's method, with a gap of 4 mm at node 4, a load on node 3 and a motion of the ground."""
+    """u of node 4 in x and y, forces of the column and a sum of displacements, by Newmark's method, with a gap of 4 mm at node 4, a load on node 3 and a motion of the ground."""
     chain(True)
     ops.rayleigh(0.3, 0.0, 0.001, 0.0)
     ops.node(5, 1.5, 8.0)
@@ -323,23 +325,24 @@ def their_motion() -> Any:
     ops.algorithm("Newton")
     ops.integrator("Newmark", 0.5, 0.25)
     ops.analysis("Transient")
-    rows = [[0.0, 0.0]]
+    rows = [[0.0] * len(CHANNELS)]
     for _ in range(STEPS):
         assert ops.analyze(1, DT) == 0
-        rows.append([ops.nodeDisp(4, 1), ops.nodeDisp(4, 2)])
+        x, y = ops.nodeDisp(4, 1), ops.nodeDisp(4, 2)
+        rows.append([x, y, ops.eleResponse(1, "localForce")[2], ops.eleResponse(1, "force")[0], 2.5 * x - 0.1 * ops.nodeDisp(3, 1)])
     return np.array(rows)
 
 
 def test_contacts_loads_and_channels_name_tied_dofs(export: Callable[..., None], program: str, tmp_path: Path) -> None:
     chain(False)
     ops.rayleigh(0.3, 0.0, 0.001, 0.0)
-    export(tmp_path / "mast")
+    export(tmp_path / "mast", forces={"foot": [(1, "localForce", 3)], "shear": [(1, "force", 1)]})
     times = (DT * np.arange(STEPS + 1)).tolist()
     study = {
         "problem": "structure",
         "parameters": {"dt": DT, "duration": STEPS * DT},
         "structure": {
-            "matrices": {"mast": {**{key: f"mast.{key}.mtx" for key in "MKC"}, "dofs": "mast.dofs.csv", "ties": "mast.ties.csv"}},
+            "matrices": {"mast": {**{key: f"mast.{key}.mtx" for key in "MKC"}, "dofs": "mast.dofs.csv", "ties": "mast.ties.csv", "forces": "mast.forces.csv"}},
             "contacts": {"stop": {"law": "impact", "between": ["mast.4.x", "ground"], "gap": 0.004, "k": 4e4}},
             "loads": [{"at": "mast.3.y", "table": {"t": times, "f": (excitation() ** 2).tolist()}, "scale": 50}],
             "ground": {"table": {"t": times, "f": excitation().tolist()}, "scale": 4},
@@ -348,8 +351,7 @@ def test_contacts_loads_and_channels_name_tied_dofs(export: Callable[..., None],
     }
     (tmp_path / "study.json").write_text(json.dumps(study))
     subprocess.run([program, "run", str(tmp_path / "study.json"), "--out", str(tmp_path / "out")], check=True, capture_output=True)
-    header, results = (line.split(",") for line in (tmp_path / "out" / "study" / "results.csv").read_text().splitlines())
-    found = dict(zip(header, results, strict=True))
+    found = next(csv.DictReader((tmp_path / "out" / "study" / "results.csv").read_text().splitlines()))
     assert float(found["impacts(stop)"]) > 1
     expected = [value for u in their_motion().T for value in (np.abs(u).max(), u[-1], np.sqrt((u**2).mean()))]
     # Round-off: both solve the same equations, and OpenSees stops at an unbalanced force of 1e-10.
@@ -531,6 +533,9 @@ def test_the_example_of_the_guide_runs(export: Callable[..., None], tmp_path: Pa
     K = io.mmread("pier.K.mtx").toarray()
     # The weight over the height.
     assert K[0, 0] == pytest.approx(12.0 * 3e7 * 0.12 / 8.0**3 - 60.0 * 9.81 / 8.0, rel=1e-9, abs=0)
+    found = forces_of(tmp_path / "pier.forces.csv")
+    assert {name: quantity for name, (quantity, _) in found.items()} == {"base_shear": "force", "foot": "moment"}
+    assert found["base_shear"][1]["2.x"] == pytest.approx(-K[0, 0], rel=1e-9, abs=0)
 
 
 def test_loads_that_are_not_analysed_are_refused(export: Callable[..., None], tmp_path: Path) -> None:
