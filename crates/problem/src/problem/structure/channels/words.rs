@@ -106,8 +106,8 @@ impl Words<'_> {
     /// What the study gives a channel: its words and its unit.
     fn given(&self, channel: &Channel) -> Option<&[String; 2]> {
         let mut own = self.shown.channels.iter();
-        own.find(|own| own.0.terms == channel.terms)
-            .map(|own| &own.1)
+        let own = own.find(|own| own.0.terms == channel.terms)?;
+        Some(&own.1)
     }
 
     /// The unit of a channel, if the study gives it one or `of` knows that of its dimension.
@@ -120,10 +120,8 @@ impl Words<'_> {
             Some([_, unit]) if !unit.is_empty() => return Some(unit.clone()),
             _ => {}
         }
-        let mut words = channel
-            .name
-            .split(' ')
-            .filter(|word| !["+", "-"].contains(word));
+        let words = channel.name.split(' ');
+        let mut words = words.filter(|word| !["+", "-"].contains(word));
         let unit = of(channel.dimension())?;
         // An angle has no length.
         Some(match words.all(|word| self.rotation(word).is_some()) {
@@ -167,15 +165,13 @@ impl Words<'_> {
             return plain(words, "");
         }
         if let Some((factor, word)) = word.split_once('*') {
-            let phrase = self.phrase(word);
-            let words = format!("{factor} × {}", phrase.words);
-            return Phrase { words, ..phrase };
+            let Phrase { words, of } = self.phrase(word);
+            return plain(&format!("{factor} × {words}"), &of);
         }
         let Some((_, term)) = channel.terms.first() else {
             return plain("{}", word);
         };
-        let key = key(*term);
-        let words = WORDS.iter().find(|own| own.0 == key);
+        let words = WORDS.iter().find(|own| own.0 == key(*term));
         let words = words.map_or("{}", |own| own.1);
         let above = || word.rsplit_once('.').map_or(word, |(above, _)| above);
         match term {
