@@ -240,15 +240,10 @@ pub(in crate::structure) fn drawn(root: &Object, names: &Names, faults: &mut Fau
                     .strip_prefix("error(")
                     .and_then(|rest| rest.strip_suffix(')'));
                 let channel = Channel::parse(inside.unwrap_or(text), names).unwrap_or_else(|why| {
-                    faults.add(
-                        at,
-                        path,
-                        format!("{}: {}", quoted(text), hinted(&why, names)),
-                    );
-                    Channel {
-                        name: text.to_owned(),
-                        terms: Vec::new(),
-                    }
+                    let message = format!("{}: {}", quoted(text), hinted(&why, names));
+                    faults.add(at, path, message);
+                    let (name, terms) = (text.to_owned(), Vec::new());
+                    Channel { name, terms }
                 });
                 if inside.is_some() {
                     refuse_energy(Some(&channel), text, (at, path), faults);
