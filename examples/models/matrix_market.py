@@ -3,10 +3,12 @@
     write_matrices("tower", M=M, K=K)      tower.M.mtx, tower.K.mtx
     write_dofs("tower.dofs.csv", dofs)
     write_ties("tower.ties.csv", all_dofs, T, kept)      if constraints tie dofs
+    write_forces("tower.forces.csv", dofs, forces)       if a study asks for forces of members
 
 The matrices are symmetric arrays or scipy.sparse matrices. dofs has one row for each row of the matrices: (node, direction) or
 (node, direction, X, Y, Z). The direction is x, y, z, rx, ry or rz. `supports`, {node: name}, has the nodes that move as supports
-of the study do. With u = T u[kept] of all dofs, the matrices are T'MT, and dofs the kept ones; the others are the ties. Needs scipy.
+of the study do. With u = T u[kept] of all dofs, the matrices are T'MT, and dofs the kept ones; the others are the ties.
+forces, {name: (quantity, row)}, are products of a row with u of dofs, each a `force` or a `moment`. Needs scipy.
 """
 
 import scipy.sparse
@@ -40,3 +42,13 @@ def write_ties(path, dofs, T, kept):
     if lines:
         with open(path, "w", encoding="utf-8") as file:
             file.write("\n".join(["node,direction,terms", *lines]) + "\n")
+
+
+def write_forces(path, dofs, forces):
+    """Writes forces as sums `dof:factor` of displacements; without forces, no file."""
+    if forces:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("name,quantity,terms\n")
+            for name, (quantity, row) in forces.items():
+                cells = [f"{node}.{direction}:{float(factor)!r}" for (node, direction, *_), factor in zip(dofs, row) if factor]
+                file.write(",".join([name, quantity, *cells]) + "\n")

@@ -1,7 +1,10 @@
 """Export of models of OpenSees with constraints, against OpenSees itself: examples/models/opensees.py."""
 
+import csv
 import json
+import os
 import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -294,7 +297,8 @@ def test_directions_are_those_of_the_space(export: Callable[..., None], tmp_path
 
 
 DT, STEPS = 0.005, 600
-METRICS = [f"{reduction}(mast.4.{direction})" for direction in "xy" for reduction in ("peak", "last", "rms")]
+CHANNELS = ["mast.4.x", "mast.4.y", "mast.foot", "mast.shear", "2.5*mast.4.x - 1e-1*mast.3.x"]
+METRICS = [f"{reduction}({channel})" for channel in CHANNELS for reduction in ("peak", "last", "rms")]
 
 
 def excitation() -> Any:
@@ -302,7 +306,7 @@ def excitation() -> Any:
 
 
 def their_motion() -> Any:
-    """u of node 4 in x and y, by Newmark's method, with a gap of 4 mm at node 4, a load on node 3 and a motion of the ground."""
+    """u of node 4 in x and y, forces of the column and a sum of displacements, by Newmark's method, with a gap of 4 mm at node 4, a load on node 3 and a motion of the ground."""
     chain(True)
     ops.rayleigh(0.3, 0.0, 0.001, 0.0)
     ops.node(5, 1.5, 8.0)
@@ -321,23 +325,24 @@ def their_motion() -> Any:
     ops.algorithm("Newton")
     ops.integrator("Newmark", 0.5, 0.25)
     ops.analysis("Transient")
-    rows = [[0.0, 0.0]]
+    rows = [[0.0] * len(CHANNELS)]
     for _ in range(STEPS):
         assert ops.analyze(1, DT) == 0
-        rows.append([ops.nodeDisp(4, 1), ops.nodeDisp(4, 2)])
+        x, y = ops.nodeDisp(4, 1), ops.nodeDisp(4, 2)
+        rows.append([x, y, ops.eleResponse(1, "localForce")[2], ops.eleResponse(1, "force")[0], 2.5 * x - 0.1 * ops.nodeDisp(3, 1)])
     return np.array(rows)
 
 
 def test_contacts_loads_and_channels_name_tied_dofs(export: Callable[..., None], program: str, tmp_path: Path) -> None:
     chain(False)
     ops.rayleigh(0.3, 0.0, 0.001, 0.0)
-    export(tmp_path / "mast")
+    export(tmp_path / "mast", forces={"foot": [(1, "localForce", 3)], "shear": [(1, "force", 1)]})
     times = (DT * np.arange(STEPS + 1)).tolist()
     study = {
         "problem": "structure",
         "parameters": {"dt": DT, "duration": STEPS * DT},
         "structure": {
-            "matrices": {"mast": {**{key: f"mast.{key}.mtx" for key in "MKC"}, "dofs": "mast.dofs.csv", "ties": "mast.ties.csv"}},
+            "matrices": {"mast": {**{key: f"mast.{key}.mtx" for key in "MKC"}, "dofs": "mast.dofs.csv", "ties": "mast.ties.csv", "forces": "mast.forces.csv"}},
             "contacts": {"stop": {"law": "impact", "between": ["mast.4.x", "ground"], "gap": 0.004, "k": 4e4}},
             "loads": [{"at": "mast.3.y", "table": {"t": times, "f": (excitation() ** 2).tolist()}, "scale": 50}],
             "ground": {"table": {"t": times, "f": excitation().tolist()}, "scale": 4},
@@ -346,8 +351,7 @@ def test_contacts_loads_and_channels_name_tied_dofs(export: Callable[..., None],
     }
     (tmp_path / "study.json").write_text(json.dumps(study))
     subprocess.run([program, "run", str(tmp_path / "study.json"), "--out", str(tmp_path / "out")], check=True, capture_output=True)
-    header, results = (line.split(",") for line in (tmp_path / "out" / "study" / "results.csv").read_text().splitlines())
-    found = dict(zip(header, results, strict=True))
+    found = next(csv.DictReader((tmp_path / "out" / "study" / "results.csv").read_text().splitlines()))
     assert float(found["impacts(stop)"]) > 1
     expected = [value for u in their_motion().T for value in (np.abs(u).max(), u[-1], np.sqrt((u**2).mean()))]
     # Round-off: both solve the same equations, and OpenSees stops at an unbalanced force of 1e-10.
@@ -414,6 +418,178 @@ CHANGING: dict[str, Callable[[], None]] = {
     "damper": spring("Viscous", 500.0, 0.4),
     "yielding": spring("Steel01", 100.0, 1e5, 0.01),
 }
+
+
+def straight(m: float, c: float, k: float) -> Any:
+    """m M + c C + k K of all dofs in one matrix, those that are held as well."""
+    ops.wipeAnalysis()
+    for command, *values in [("system", "FullGeneral"), ("numberer", "Plain"), ("constraints", "Penalty", 0.0, 0.0),
+                             ("algorithm", "Linear"), ("integrator", "GimmeMCK", m, c, k), ("analysis", "Transient")]:
+        getattr(ops, command)(*values)
+    ops.analyze(1, 0.0)
+    return np.reshape(ops.printA("-ret"), (ops.systemSize(), -1))
+
+
+@pytest.mark.parametrize("modal", [False, True])
+def test_blocks_of_rows_are_the_matrix_at_once(modal: bool, export: Callable[..., None], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    storeys(3, True)
+    if modal:
+        ops.eigen("-fullGenLapack", 5)
+        ops.modalDamping(0.05)
+    else:
+        ops.rayleigh(0.1, 0.0, 0.01, 0.0)
+    import opensees
+
+    monkeypatch.setattr(opensees, "PART", 20)
+    export(tmp_path / "m")
+    found = {key: io.mmread(tmp_path / f"m.{key}.mtx").toarray() for key in "MCK"}
+    # The rows that are kept, and those that follow them, by names.
+    names = [(node, direction) for node in ops.getNodeTags() for direction in ("x", "y", "z", "rx", "ry", "rz")]
+    kept = [tuple(line.split(",")[:2]) for line in (tmp_path / "m.dofs.csv").read_text().splitlines()[1:]]
+    T = np.zeros((len(names), len(kept)))
+    for column, (node, direction) in enumerate(kept):
+        T[names.index((int(node), direction)), column] = 1.0
+    for node, direction, *cells in (line.split(",") for line in (tmp_path / "m.ties.csv").read_text().splitlines()[1:]):
+        for cell in cells:
+            dof, factor = cell.split(":")
+            T[names.index((int(node), direction)), kept.index(tuple(dof.split(".")))] = float(factor)
+    for key, matrix in found.items():
+        expected = T.T @ straight(*(float(key == other) for other in "MCK")) @ T
+        assert matrix == pytest.approx(expected, rel=0, abs=1e-13 * np.abs(expected).max())
+
+
+SIZE = """
+import resource, openseespy.opensees as ops
+from opensees import export
+ops.model("basic", "-ndm", 3, "-ndf", 6)
+ops.geomTransf("Linear", 1, 0, 0, 1)
+for i in range(200):
+    ops.node(i, 2.0 * i, 0.0, 0.0)
+    ops.mass(i, 10, 10, 10, 1, 1, 1)
+    if i:
+        ops.element("elasticBeamColumn", i, i - 1, i, 6.0, 3e7, 1.2e7, 8.0, 3.0, 40.0, 1)
+    if i % 2:
+        ops.node(1000 + i, 2.0 * i, 3.0, -1.0)
+        ops.rigidLink("beam", i, 1000 + i)
+    if i % 20 == 0:
+        ops.fix(i, 1, 1, 1, 1, 0, 0)
+export("m")
+print("MB", resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024)
+"""
+
+
+def test_a_model_of_1800_dofs_needs_little_memory(tmp_path: Path) -> None:
+    done = subprocess.run([sys.executable, "-c", SIZE], cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(MODELS)}, capture_output=True, text=True, check=True)
+    # One matrix of all dofs as numbers of Python has 100 MB, with a dense one beside it.
+    assert int(next(line.split()[1] for line in done.stdout.splitlines() if line.startswith("MB"))) < 200
+    assert len((tmp_path / "m.dofs.csv").read_text().splitlines()) == 1 + 6 * 200 - 4 * 10
+
+
+E_I, LENGTH = 3e7 * 0.002, 5.0
+
+
+def gravity(load: float, steps: int = 10) -> None:
+    """A column with P-delta and a load on its top, at rest."""
+    ops.wipe()
+    ops.model("basic", "-ndm", 2, "-ndf", 3)
+    ops.geomTransf("PDelta", 1)
+    ops.node(1, 0.0, 0.0)
+    ops.node(2, 0.0, LENGTH)
+    ops.fix(1, 1, 1, 1)
+    ops.mass(2, 50.0, 50.0, 0.0)
+    ops.element("elasticBeamColumn", 1, 1, 2, 0.2, 3e7, 0.002, 1)
+    ops.timeSeries("Linear", 1)
+    ops.pattern("Plain", 1, 1)
+    ops.load(2, 0.0, -load, 0.0)
+    for command, *values in [("constraints", "Transformation"), ("numberer", "RCM"), ("system", "BandGeneral"), ("test", "NormUnbalance", 1e-9, 20),
+                             ("algorithm", "Newton"), ("integrator", "LoadControl", 0.1), ("analysis", "Static")]:
+        getattr(ops, command)(*values)
+    if steps:
+        assert ops.analyze(steps) == 0
+    ops.loadConst("-time", 0.0)
+
+
+# Euler's load of this element is a little above 3 EI/L^2, where the P/L of P-delta takes all of 3 EI/L^3.
+@pytest.mark.parametrize("part", [0.5, 1.01])
+def test_gravity_is_in_k_by_p_delta(part: float, export: Callable[..., None], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    load = part * 3.0 * E_I / LENGTH**2
+    gravity(load)
+    export(tmp_path / "m")
+    printed = capsys.readouterr().out
+    assert "at rest under pattern 1" in printed and "element 1 of nodes 1, 2" in printed
+    assert ("K has 1 eigenvalue below 0, largest at 2.x" in printed) == (part > 1.0)
+    K = io.mmread(tmp_path / "m.K.mtx").toarray()
+    expected = [[12.0 * E_I / LENGTH**3 - load / LENGTH, 0.0, 6.0 * E_I / LENGTH**2], [0.0, 0.2 * 3e7 / LENGTH, 0.0], [6.0 * E_I / LENGTH**2, 0.0, 4.0 * E_I / LENGTH]]
+    # The load is balanced to 1e-9.
+    assert K == pytest.approx(np.array(expected), rel=1e-9, abs=1e-6)
+
+
+def test_the_example_of_the_guide_runs(export: Callable[..., None], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = (MODELS.parents[1] / "docs" / "guide.md").read_text()
+    code = page.split("```python\n")[1].split("```")[0]
+    ops.wipe()
+    monkeypatch.chdir(tmp_path)
+    exec(code, {})
+    K = io.mmread("pier.K.mtx").toarray()
+    # The weight over the height.
+    assert K[0, 0] == pytest.approx(12.0 * 3e7 * 0.12 / 8.0**3 - 60.0 * 9.81 / 8.0, rel=1e-9, abs=0)
+    found = forces_of(tmp_path / "pier.forces.csv")
+    assert {name: quantity for name, (quantity, _) in found.items()} == {"base_shear": "force", "foot": "moment"}
+    assert found["base_shear"][1]["2.x"] == pytest.approx(-K[0, 0], rel=1e-9, abs=0)
+
+
+def test_loads_that_are_not_analysed_are_refused(export: Callable[..., None], tmp_path: Path) -> None:
+    gravity(1000.0, steps=0)
+    with pytest.raises(ValueError, match="pattern 1 has a load on node 2: .* at rest"):
+        export(tmp_path / "m", nonlinear=True)
+
+
+def forces_of(path: Path) -> dict[str, tuple[str, dict[str, float]]]:
+    rows = [line.split(",") for line in path.read_text().splitlines()[1:]]
+    return {name: (quantity, {dof: float(factor) for dof, factor in (cell.split(":") for cell in cells)}) for name, quantity, *cells in rows}
+
+
+def test_forces_of_members_are_those_of_opensees(export: Callable[..., None], tmp_path: Path) -> None:
+    storeys(2, True)
+    names: dict[str, list[tuple[int, str, int]]] = {
+        "shear": [(element, "force", 1) for element in range(1, 5)],
+        "foot": [(1, "localForce", 5)],
+        "axial": [(10, "localForce", 1)],
+        "torsion": [(12, "force", 4)],
+    }
+    export(tmp_path / "m", forces=names)
+    found = forces_of(tmp_path / "m.forces.csv")
+    assert [quantity for quantity, _ in found.values()] == ["force", "moment", "force", "moment"]
+    # The model moves under forces that have nothing to do with one another.
+    ops.timeSeries("Linear", 1)
+    ops.pattern("Plain", 1, 1)
+    for node in (11, 12, 13, 14, 21, 22, 23, 24):
+        ops.load(node, *(1e3 * np.sin(node * np.arange(1.0, 7.0))))
+    for command, *values in [("constraints", "Transformation"), ("numberer", "RCM"), ("system", "BandGeneral"),
+                             ("algorithm", "Linear"), ("integrator", "LoadControl", 1.0), ("analysis", "Static")]:
+        getattr(ops, command)(*values)
+    assert ops.analyze(1) == 0
+    for name, (_, terms) in found.items():
+        dofs = [dof.split(".") for dof in terms]
+        value = sum(factor * ops.nodeDisp(int(node), 1 + ["x", "y", "z", "rx", "ry", "rz"].index(direction)) for (node, direction), factor in zip(dofs, terms.values(), strict=True))
+        expected = sum(ops.eleResponse(element, response)[number - 1] for element, response, number in names[name])
+        largest = max(abs(factor * ops.nodeDisp(int(node), 1 + ["x", "y", "z", "rx", "ry", "rz"].index(direction))) for (node, direction), factor in zip(dofs, terms.values(), strict=True))
+        assert value == pytest.approx(expected, rel=0, abs=1e-11 * largest), name
+
+
+@pytest.mark.parametrize(
+    ("force", "part"),
+    [
+        ([(1, "force", 13)], "element 1 has no `force` of its 12 dofs with a number 13"),
+        ([(99, "force", 1)], "element 99 has no"),
+        ([(1, "basicForce", 1)], "has no `basicForce`"),
+        ([(1, "force", 1), (1, "force", 5)], "must be a sum of forces, or of moments"),
+    ],
+)
+def test_forces_that_are_none_are_named(force: list[tuple[int, str, int]], part: str, export: Callable[..., None], tmp_path: Path) -> None:
+    plain()
+    with pytest.raises(ValueError, match=f"force f.* {part}|force f {part}"):
+        export(tmp_path / "m", forces={"f": force})
 
 
 @pytest.mark.parametrize("case", CHANGING)

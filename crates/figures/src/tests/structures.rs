@@ -195,6 +195,33 @@ fn the_spectrum_of_a_suddenly_constant_acceleration_is_known() {
     assert!(png(&sheet, style::DPI).is_ok());
 }
 
+#[test]
+fn the_spectrum_of_a_floor_is_that_of_its_acceleration() {
+    // A free mass of 1.5 under a constant force.
+    let parts = r#""masses": {"m": 1.5}, "loads": [{"at": "m", "table": {"t": [0, 50], "f": [3, 3]}, "scale": "s"}]"#;
+    let figure = r#"{"name": "f", "kind": "spectrum", "of": "m.a", "y": "pseudo-acceleration", "damping": 0.1, "periods": [0.1, 1.9],
+        "where": {"n": 4}}"#;
+    let (sheet, _) = super::drawn(&structure(parts, figure), 0);
+    // Within the duration of 1 an oscillator overshoots once.
+    let overshoot = (-PI * 0.1 / (1.0f64 - 0.01).sqrt()).exp();
+    let series = &sheet.panels[0].series;
+    assert_eq!(series.len(), 2);
+    for (series, s) in series.iter().zip([1.0, 2.0]) {
+        assert!(
+            series.label.starts_with("Acceleration of m, "),
+            "{}",
+            series.label
+        );
+        for point in &series.points {
+            // Round-off of the accelerations of the steps.
+            assert!(
+                (point[1] / (2.0 * s * (1.0 + overshoot)) - 1.0).abs() < 1e-11,
+                "{point:?}"
+            );
+        }
+    }
+}
+
 /// The boxes of a picture, and its words with their areas.
 fn contents(sheet: &Sheet) -> (Vec<Rect>, Vec<(String, Rect)>) {
     let shapes = sheet.picture.shapes.iter();

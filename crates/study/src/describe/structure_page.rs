@@ -21,6 +21,7 @@ fn in_words() -> String {
         let part = match channel {
             "BAR.3.S" => "3 of BAR",
             "base.SUPPORT" => "SUPPORT",
+            "MATRICES.FORCE" => "FORCE of MATRICES",
             _ => channel.split('.').next().unwrap_or_default(),
         };
         words.replace("{}", part)
@@ -147,12 +148,12 @@ pub(super) fn reference() -> String {
         ),
         "## Channels".into(),
         keys(
-            "Channels are the following, and sums and differences of one dimension, such as `g1.right - p2`. Figures draw them and \
-             `error(CHANNEL)`, computed minus exact. `NODE.` and one of these; a support has u, v and a:",
+            "Channels are the following, and sums and differences of one dimension, such as `g1.right - p2` or `2*p1 - 0.5*p2`. Figures \
+             draw them and `error(CHANNEL)`, computed minus exact. `NODE.` and one of these; a support has u, v and a:",
             &OF_NODES,
         ),
         keys("`CONTACT.` and one of:", &QUANTITIES),
-        keys("Springs and bars:", &OF_SPRINGS),
+        keys("Springs, bars and members:", &OF_SPRINGS),
         keys(
             "The ground and the forces at it:",
             &[OF_GROUND, OF_BASE].concat(),

@@ -11,10 +11,13 @@ use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style;
 use slipgap_drawing::text::{markup, number};
+use slipgap_problem::problem::Quantity;
+use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::GroundMotion;
 use slipgap_study::kinds::{Ordinate, Spectrum};
 use slipgap_study::{Scale, Study};
 use slipgap_system::system::loads::spectrum::{self, spectrum};
+use slipgap_system::system::structure::Table;
 
 /// Points of a curve: about one typographic point apart.
 const POINTS: usize = 240;
@@ -30,7 +33,10 @@ impl Draw for Spectrum {
             cases,
             ..
         } = *data;
-        let (motions, shown) = motions(study, cases);
+        let of = self.of.map(|row| &study.problem.schema().quantities[row]);
+        let (motions, shown) = motions(study, cases, of);
+        // Without its unit.
+        let of = of.map(|of| of.title.rsplit_once(", ").map_or(&*of.title, |own| own.0));
         let named = label::labels(study.problem.parameters(), &shown, None, &[]);
         let ratios = number::digits(self.damping.iter().copied());
         let periods = over_periods(self.periods);
@@ -43,6 +49,7 @@ impl Draw for Spectrum {
                 };
                 let ratio = format!("*ζ* = {}", number::rounded(*ratio, ratios));
                 let parts = [
+                    of.map(str::to_owned),
                     (motions.len() > 1).then(|| name.clone()),
                     (self.damping.len() > 1 || motions.len() == 1).then_some(ratio),
                 ];
@@ -141,14 +148,29 @@ pub(super) fn over_periods([first, last]: [f64; 2]) -> Vec<f64> {
     (0..=POINTS).map(period).collect()
 }
 
-/// The different ground motions of the cases, each with the first case that has it.
-fn motions<'a>(study: &Study, cases: &[DrawnCase<'a>]) -> (Vec<GroundMotion>, Vec<DrawnCase<'a>>) {
+/// The different motions of the ground in the cases, or of this quantity, each with the first case that has it.
+fn motions<'a>(
+    study: &Study,
+    cases: &[DrawnCase<'a>],
+    of: Option<&Quantity>,
+) -> (Vec<GroundMotion>, Vec<DrawnCase<'a>>) {
     let (mut motions, mut first) = (Vec::new(), Vec::new());
+    let structure = study.problem.as_structure();
+    let unit = |dimension| structure.and_then(|own| own.unit_name(dimension));
+    let units = [Dimension::Length, Dimension::Time].map(|own| unit(own).unwrap_or_default());
+    let motion = |shown: &DrawnCase| match of {
+        None => structure?.ground_motion(&shown.case()),
+        Some(of) => {
+            let computed = &shown.solution()?.computed;
+            let values = computed.channel(of.channel).to_vec();
+            Some(GroundMotion {
+                acceleration: Table::new(computed.time.clone(), values)?,
+                units: units.clone(),
+            })
+        }
+    };
     for shown in cases {
-        if let Some(motion) = study
-            .problem
-            .as_structure()
-            .and_then(|structure| structure.ground_motion(&shown.case()))
+        if let Some(motion) = motion(shown)
             && !motions.contains(&motion)
         {
             motions.push(motion);

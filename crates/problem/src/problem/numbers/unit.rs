@@ -41,7 +41,7 @@ impl Dimension {
             Dimension::Velocity => "a velocity",
             Dimension::Acceleration => "an acceleration",
             Dimension::Force => "a force",
-            Dimension::Energy => "an energy",
+            Dimension::Energy => "an energy or a moment",
         }
     }
 }

@@ -2,11 +2,11 @@
 
 use super::described::ground::GroundMotion;
 use super::described::scheme::picture::Scheme;
-use super::described::{describe, ground, scheme};
+use super::described::{describe, ground, participation, scheme};
 use super::given::set::SetSpectra;
 use super::given::signal_cache;
 use super::metrics::units::UnitNames;
-use super::model::assemble::Model;
+use super::model::assemble::{Model, inertia};
 use super::motions::compared::friction_limits;
 use super::motions::motion;
 use super::parts::listed;
@@ -17,6 +17,7 @@ use super::warn;
 use crate::history::History;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::{Case, MeasuredChannel, Problem, Samples, Violation};
+use crate::system::structure::Direction;
 
 impl StructureProblem {
     /// A metric, by its row, in each test that the study compares as a sample; `None` without such tests, and if they do not have it.
@@ -32,6 +33,22 @@ impl StructureProblem {
         let restitutions = warn::restitutions(&self.template, case, &structure);
         let units = &self.template.units;
         let mut text = describe::describe(&structure, &models, times, units, &restitutions);
+        if let Some(total) = &models.total {
+            let reduced = self.template.matrices.iter().map(|own| {
+                let reduced = own.reduce.as_ref()?.reduced(case);
+                reduced.ok()
+            });
+            let reduced: Vec<_> = reduced.collect();
+            let supports = self.template.supports.iter();
+            let supports: Vec<Direction> = supports.map(|own| own.direction).collect();
+            let shaken = total.iter().filter(|(_, mass)| *mass > 0.0);
+            let shaken = shaken.map(|(direction, mass)| {
+                let reduced = (&reduced[..], &numbering);
+                let inertia = inertia(&structure, &supports, reduced, *direction);
+                (*direction, inertia, *mass)
+            });
+            text += &participation::described(&structure, &shaken.collect::<Vec<_>>());
+        }
         text += &listed::listed(&self.template, numbering.elements());
         text += &ground::described(&self.template, case, self.computed_steps(case)?);
         text += &named_rows::described(&self.template, case);

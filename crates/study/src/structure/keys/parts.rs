@@ -28,6 +28,10 @@ pub(crate) const MATRICES: Keys = &[
         "CSV file with lines node,direction and cells dof:factor, or its content: tied dofs as sums of rows, named as nodes are",
     ),
     (
+        "forces",
+        "CSV file with lines name,quantity and cells dof:factor, or its content: sums of displacements of rows that are a force or a moment of members, channels NAME.FORCE",
+    ),
+    (
         "reduce",
         "keeps the dofs that the study names, and lowest modes (Craig and Bampton)",
     ),

@@ -5,7 +5,7 @@ use super::keys::{MATRICES, REDUCE, range};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::Tree;
-use crate::structure::matrices::rows::{LARGEST, inline, listed, supported, tied};
+use crate::structure::matrices::rows::{LARGEST, inline, listed, supported, with_more};
 use crate::structure::reading::files;
 use crate::structure::reading::reader::Part;
 use crate::structure::reading::reader::{Reader, open};
@@ -158,10 +158,16 @@ fn variants(
         let file = text(node, &path, faults)?;
         files::read(&file, (node, &path), LARGEST, reader, faults, parse)
     });
-    let dofs = match (dofs, object.get("ties")) {
-        (Some(dofs), Some(node)) => tied(dofs, (node, &object.path("ties")), reader, faults),
-        (dofs, _) => dofs,
+    let mut with = |dofs: Option<Dofs>, key: &str, parse: fn(Dofs, &[u8]) -> Result<Dofs, _>| {
+        let dofs = dofs?;
+        let Some(node) = object.get(key) else {
+            return Some(dofs);
+        };
+        let path = object.path(key);
+        with_more((node, &path), reader, faults, |bytes| parse(dofs, bytes))
     };
+    let dofs = with(dofs, "ties", Dofs::with_ties);
+    let dofs = with(dofs, "forces", Dofs::with_forces);
     let of_key = |key: &str, faults: &mut Faults| -> Option<Vec<File>> {
         let node = object.need(key, meaning(key), faults)?;
         let path = object.path(key);

@@ -10,14 +10,13 @@ use slipgap_system::system::import::{Dofs, ImportFault};
 /// Most bytes of a file: 10^6 rows with 80 entries each.
 pub(in crate::structure) const LARGEST: u64 = 2 << 30;
 
-/// Rows with ties to them, of a file or of its content.
-pub(in crate::structure) fn tied(
-    dofs: Dofs,
+/// Rows with ties to them or forces of members, of a file or of its content.
+pub(in crate::structure) fn with_more(
     (node, path): (&Node, &str),
     reader: &Reader,
     faults: &mut Faults,
+    parse: impl FnOnce(&[u8]) -> Result<Dofs, ImportFault>,
 ) -> Option<Dofs> {
-    let parse = |bytes: &[u8]| dofs.with_ties(bytes);
     if let Tree::Text(content) = &node.tree
         && content.contains('\n')
     {

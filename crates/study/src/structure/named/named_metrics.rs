@@ -203,8 +203,13 @@ pub(in crate::structure) fn hinted(why: &str, names: &Names) -> String {
     hint.unwrap_or_else(|| why.to_string())
 }
 
-/// The kinds of figure that draw channels.
-const KINDS: [&str; 3] = ["history", "curve", "orbit"];
+/// The kinds of figure that draw channels, with the keys that name them.
+const KINDS: [(&str, &[&str]); 4] = [
+    ("history", &["y"]),
+    ("curve", &["x", "y"]),
+    ("orbit", &["x", "y"]),
+    ("spectrum", &["of"]),
+];
 
 /// The channels that history figures and curves draw; `error(CHANNEL)` is the error of one.
 pub(in crate::structure) fn drawn(root: &Object, names: &Names, faults: &mut Faults) -> Vec<Drawn> {
@@ -216,14 +221,16 @@ pub(in crate::structure) fn drawn(root: &Object, names: &Names, faults: &mut Fau
         let Tree::Object(members) = &figure.tree else {
             continue;
         };
-        let draws = members.iter().any(|member| {
-            member.key == "kind"
-                && matches!(&member.node.tree, Tree::Text(kind) if KINDS.contains(&kind.as_str()))
+        let kinds = members.iter().filter(|member| member.key == "kind");
+        let keys = kinds.filter_map(|member| match &member.node.tree {
+            Tree::Text(kind) => KINDS.iter().find(|own| own.0 == kind).map(|own| own.1),
+            _ => None,
         });
-        for member in members.iter().filter(|_| draws) {
-            if !["x", "y"].contains(&member.key.as_str()) {
-                continue;
-            }
+        let keys = keys.last().unwrap_or_default();
+        for member in members
+            .iter()
+            .filter(|own| keys.contains(&own.key.as_str()))
+        {
             let path = format!("figures[{i}].{}", member.key);
             each_text(&member.node, &path, &mut |text, at, path| {
                 if all.iter().any(|known| known.name == text) {
@@ -233,15 +240,10 @@ pub(in crate::structure) fn drawn(root: &Object, names: &Names, faults: &mut Fau
                     .strip_prefix("error(")
                     .and_then(|rest| rest.strip_suffix(')'));
                 let channel = Channel::parse(inside.unwrap_or(text), names).unwrap_or_else(|why| {
-                    faults.add(
-                        at,
-                        path,
-                        format!("{}: {}", quoted(text), hinted(&why, names)),
-                    );
-                    Channel {
-                        name: text.to_owned(),
-                        terms: Vec::new(),
-                    }
+                    let message = format!("{}: {}", quoted(text), hinted(&why, names));
+                    faults.add(at, path, message);
+                    let (name, terms) = (text.to_owned(), Vec::new());
+                    Channel { name, terms }
                 });
                 if inside.is_some() {
                     refuse_energy(Some(&channel), text, (at, path), faults);

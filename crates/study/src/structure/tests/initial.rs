@@ -229,6 +229,42 @@ fn ratios_that_no_damping_has_are_refused() {
 }
 
 #[test]
+fn explain_prints_the_masses_that_take_part_in_the_modes() {
+    let matrix = |entries: &str| {
+        format!("%%MatrixMarket matrix coordinate real symmetric\\n3 3 {entries}\\n")
+    };
+    // Two floors of 2 on storeys of 50, with a mass of 3 in y on a spring.
+    let (mass, stiffness) = (
+        matrix("3\\n1 1 2\\n2 2 2\\n3 3 3"),
+        matrix("4\\n1 1 100\\n2 1 -50\\n2 2 50\\n3 3 900"),
+    );
+    let text = |reduce: &str| {
+        let text = format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 1}}, "metrics": ["peak(t.1.x)", "peak(t.1.y)"],
+                "structure": {{"matrices": {{"t": {{"M": "{mass}", "K": "{stiffness}", "dofs": [["1", "x"], ["2", "x"], ["1", "y"]]{reduce}}}}},
+                    "ground": {{"sine": {{"amplitude": 1, "omega": 8}}}}}}}}"#
+        );
+        let study = super::study(&text);
+        let case = study.case(0).unwrap();
+        study
+            .problem
+            .as_structure()
+            .unwrap()
+            .description(&case)
+            .unwrap()
+    };
+    // With g = (1 + sqrt 5)/2 of (1, g) and (1, 1 - g): (1 + g)^2/(1 + g^2)/2 and 1 less it; periods 2 pi sqrt(2/50)/(g - 1), 2 pi/sqrt 300
+    // and 2 pi sqrt(2/50)/g.
+    let whole = "participating part of the mass:\n  2.03328: x 0.9472, mostly t.2.x\n  0.776644: x 0.0528, mostly t.1.x\n  \
+        0.36276: y 1.0000, mostly t.1.y\n  sum: x 1.0000, y 1.0000\n";
+    assert!(text("").contains(whole), "{}", text(""));
+    let reduced = text(r#", "reduce": {"modes": 1}"#);
+    for line in ["\n  2.03328: x 0.9472\n", "\n  sum: x 1.0000, y 1.0000\n"] {
+        assert!(reduced.contains(line), "{reduced}");
+    }
+}
+
+#[test]
 fn the_name_of_the_stiffness_is_checked() {
     let text = format!(
         r#"{{"problem": "structure", "parameters": {{"dt": 0.1, "duration": 1}}, "metrics": ["energy_error"], "structure": {{{}}}}}"#,

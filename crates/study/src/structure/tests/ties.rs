@@ -136,3 +136,63 @@ fn faults_of_ties_have_lines() {
         "{message}"
     );
 }
+
+const FORCES: &str =
+    r#""forces": "name,quantity,terms\nshear,force,1.x:300,1.rz:0\nfoot,moment,1.rz:-500\n""#;
+
+#[test]
+fn forces_of_members_are_sums_of_rows() {
+    // At rest the springs have the force and the moment of the load: 30 and 2*30.
+    let at_rest = r#""static": {"t.2.x": "10*factor"}"#;
+    for reduce in ["", r#", "reduce": {"modes": 1}"#] {
+        let found = metrics(&arm(
+            &format!("{TIES}, {FORCES}{reduce}"),
+            at_rest,
+            r#"["last(t.shear)", "last(t.foot)", "last(0.5*t.foot)", "last(t.foot - 2*t.foot)", "last(3*t.2.x - .5e1*t.1.x)"]"#,
+        ));
+        let u = 30.0 / 300.0;
+        let last = 3.0 * (u + 4.0 * 30.0 / 500.0) - 5.0 * u;
+        for (found, expected) in found.iter().zip([30.0, 60.0, 30.0, -60.0, last]) {
+            assert!((found - expected).abs() < 1e-11, "{found} {expected}");
+        }
+    }
+    let message = faults(&arm(
+        &format!("{TIES}, {FORCES}"),
+        at_rest,
+        r#"["peak(t.shear + t.foot)", "peak(t.thrust)"]"#,
+    ));
+    assert!(
+        message.contains("a force and an energy or a moment")
+            && message.contains("t has no node or force \"thrust\""),
+        "{message}"
+    );
+}
+
+#[test]
+fn faults_of_forces_have_lines() {
+    let of = |lines: &str| format!(r#""forces": "{lines}""#);
+    let held = r#""springs": [{"between": ["t.1.x", "block"], "k": 1}]"#;
+    for (lines, line, part) in [
+        ("a,b\\n", 1, "begin with name,quantity"),
+        ("name,quantity\\n", 1, "no forces"),
+        ("name,quantity\\na.b,force,1.x:1\\n", 2, "letters, digits"),
+        (
+            "name,quantity\\na,stress,1.x:1\\n",
+            2,
+            "force or moment, got \"stress\"",
+        ),
+        ("name,quantity\\na,force,2.x:1\\n", 2, "no row \"2.x\""),
+        ("name,quantity\\na,force,1.x:0\\n", 2, "a has no dof:factor"),
+        (
+            "name,quantity\\na,force,1.x:1\\na,moment,1.x:1\\n",
+            3,
+            "a is there twice",
+        ),
+    ] {
+        let message = faults(&arm(&of(lines), held, r#"["peak(block)"]"#));
+        assert!(
+            message.contains(&format!("line {line}: ")) && message.contains(part),
+            "{lines}: {message}"
+        );
+    }
+}

@@ -1,5 +1,6 @@
 //! The rows of matrices: a node and a direction for each.
 
+use super::forces::MemberForce;
 use super::ties::Tie;
 use super::{ImportFault, cells, fault, is_plain, lines, number, shown};
 use crate::system::structure::Direction;
@@ -32,6 +33,8 @@ pub struct Dofs {
     pub(super) ties: Vec<Tie>,
     /// Their places by node and direction.
     pub(super) tied: HashMap<(String, Direction), usize>,
+    /// Forces of members as sums of displacements of rows.
+    pub(super) forces_of_members: Vec<MemberForce>,
 }
 
 /// The columns that a file may have, the first two always.

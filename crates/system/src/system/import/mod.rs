@@ -1,6 +1,7 @@
 //! Structures of other programs: matrices in Matrix Market files, and the names of their rows.
 
 mod dofs;
+mod forces;
 mod matrix_market;
 mod pairs;
 #[cfg(test)]
@@ -8,6 +9,7 @@ mod tests;
 mod ties;
 
 pub use dofs::{Dof, Dofs};
+pub use forces::{ForceKind, MemberForce};
 pub use matrix_market::Matrix;
 pub use pairs::{Pair, pairs};
 pub use ties::Tie;

@@ -86,8 +86,29 @@ impl Dofs {
             );
             return Err(fault(index, message));
         };
+        let along = self.sum_of(line_cells, index)?;
+        if along.is_empty() {
+            let direction = direction.name();
+            let message = format!("{name}.{direction} has no dof:factor that moves it");
+            return Err(fault(index, message));
+        }
+        let line = index + 1;
+        let tie = Tie {
+            direction,
+            along,
+            line,
+        };
+        Ok((name.to_owned(), tie))
+    }
+
+    /// The sum of rows of cells `dof:factor`, without factors 0.
+    pub(super) fn sum_of<'a>(
+        &self,
+        cells: impl Iterator<Item = &'a str>,
+        index: usize,
+    ) -> Result<Vec<(usize, f64)>, ImportFault> {
         let mut along: Vec<(usize, f64)> = Vec::new();
-        for cell in line_cells.filter(|cell| !cell.is_empty()) {
+        for cell in cells.filter(|cell| !cell.is_empty()) {
             let Some((dof, factor)) = cell.rsplit_once(':') else {
                 let message = format!("must be dof:factor, got {}", shown(cell));
                 return Err(fault(index, message));
@@ -102,18 +123,7 @@ impl Dofs {
             }
             along.push((row, factor));
         }
-        if along.iter().all(|(_, factor)| *factor == 0.0) {
-            let direction = direction.name();
-            let message = format!("{name}.{direction} has no dof:factor that moves it");
-            return Err(fault(index, message));
-        }
         along.retain(|(_, factor)| *factor != 0.0);
-        let line = index + 1;
-        let tie = Tie {
-            direction,
-            along,
-            line,
-        };
-        Ok((name.to_owned(), tie))
+        Ok(along)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::node::{GROUND, NodeRef, TiedDof};
-use crate::system::import::Imported;
+use crate::system::import::{Imported, MemberForce};
 use crate::system::structure::Direction;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -236,6 +236,13 @@ impl Names {
         })
     }
 
+    /// The force of members with a name such as `tower.base_shear`, and the place of its matrices.
+    pub fn member_force(&self, name: &str) -> Option<(usize, &MemberForce)> {
+        let (part, force) = name.split_once('.')?;
+        let matrices = self.matrices(part)?;
+        Some((matrices, self.matrices[matrices].1.dofs.force(force)?))
+    }
+
     /// The place of the bar with this name.
     pub fn bar(&self, name: &str) -> Option<usize> {
         match self.parts.get(name) {
@@ -265,7 +272,9 @@ impl Names {
         let directions = imported.dofs.directions(node);
         let directions: Vec<&str> = directions.iter().map(|one| one.name()).collect();
         Some(match directions.is_empty() {
-            true => format!("{own} has no node {node:?}; its dofs are in the file under \"dofs\""),
+            true => format!(
+                "{own} has no node or force {node:?}; its dofs are in the file under \"dofs\", its forces in that under \"forces\""
+            ),
             false => format!(
                 "node {node} of {own} has the directions {}",
                 directions.join(", ")

@@ -6,7 +6,7 @@ use crate::problem::numbers::unit::Dimension;
 use crate::system::structure::{Direction, Quantity as OfMotion};
 
 /// Channels by their names, each with its words; `{}` is the node, contact, spring, element or support.
-pub const WORDS: [(&str, &str); 24] = [
+pub const WORDS: [(&str, &str); 25] = [
     ("NODE.u", "displacement of {}"),
     ("NODE.v", "velocity of {}"),
     ("NODE.a", "acceleration of {}"),
@@ -19,6 +19,7 @@ pub const WORDS: [(&str, &str); 24] = [
     ("CONTACT.dissipated", "energy dissipated by {}"),
     ("SPRING.S", "force of {}"),
     ("BAR.3.S", "force of element {}"),
+    ("MATRICES.FORCE", "{}"),
     ("ground", "ground acceleration"),
     ("ground.a", "ground acceleration"),
     ("ground.v", "ground velocity"),
@@ -105,8 +106,8 @@ impl Words<'_> {
     /// What the study gives a channel: its words and its unit.
     fn given(&self, channel: &Channel) -> Option<&[String; 2]> {
         let mut own = self.shown.channels.iter();
-        own.find(|own| own.0.terms == channel.terms)
-            .map(|own| &own.1)
+        let own = own.find(|own| own.0.terms == channel.terms)?;
+        Some(&own.1)
     }
 
     /// The unit of a channel, if the study gives it one or `of` knows that of its dimension.
@@ -119,10 +120,8 @@ impl Words<'_> {
             Some([_, unit]) if !unit.is_empty() => return Some(unit.clone()),
             _ => {}
         }
-        let mut words = channel
-            .name
-            .split(' ')
-            .filter(|word| !["+", "-"].contains(word));
+        let words = channel.name.split(' ');
+        let mut words = words.filter(|word| !["+", "-"].contains(word));
         let unit = of(channel.dimension())?;
         // An angle has no length.
         Some(match words.all(|word| self.rotation(word).is_some()) {
@@ -137,6 +136,7 @@ impl Words<'_> {
 
     /// The rotation of which a term is, with its node.
     fn rotation<'t>(&self, word: &'t str) -> Option<(&'t str, Direction)> {
+        let word = word.split_once('*').map_or(word, |(_, word)| word);
         let node = self.node(word)?;
         let (base, direction) = node.rsplit_once('.')?;
         let direction = Direction::named(direction)?;
@@ -164,11 +164,14 @@ impl Words<'_> {
         if let Some([words, _]) = self.given(&channel) {
             return plain(words, "");
         }
+        if let Some((factor, word)) = word.split_once('*') {
+            let Phrase { words, of } = self.phrase(word);
+            return plain(&format!("{factor} × {words}"), &of);
+        }
         let Some((_, term)) = channel.terms.first() else {
             return plain("{}", word);
         };
-        let key = key(*term);
-        let words = WORDS.iter().find(|own| own.0 == key);
+        let words = WORDS.iter().find(|own| own.0 == key(*term));
         let words = words.map_or("{}", |own| own.1);
         let above = || word.rsplit_once('.').map_or(word, |(above, _)| above);
         match term {
@@ -183,6 +186,10 @@ impl Words<'_> {
             Term::Element(..) => {
                 let (bar, element) = above().rsplit_once('.').unwrap_or_default();
                 plain(words, &format!("{element} of {bar}"))
+            }
+            Term::Member(..) => {
+                let (matrices, force) = word.split_once('.').unwrap_or_default();
+                plain(words, &format!("{} of {matrices}", force.replace('_', " ")))
             }
             Term::Ground(direction, _) => self.in_direction(words, *direction, &self.names.ground),
             Term::Base(direction) => self.in_direction(words, *direction, &self.names.directions),
@@ -280,6 +287,7 @@ fn key(term: Term) -> &'static str {
         },
         Term::Spring(_) => "SPRING.S",
         Term::Element(..) => "BAR.3.S",
+        Term::Member(..) => "MATRICES.FORCE",
         Term::Ground(_, OfMotion::Displacement) => "ground.u",
         Term::Ground(_, OfMotion::Velocity) => "ground.v",
         Term::Ground(_, OfMotion::Acceleration) => "ground",

@@ -3,4 +3,5 @@
 pub(crate) mod describe;
 pub(crate) mod ground;
 mod lists;
+pub(crate) mod participation;
 pub mod scheme;

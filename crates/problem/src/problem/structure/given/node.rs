@@ -3,6 +3,7 @@
 use super::amount::Amount;
 use super::rows::{RowNumber, Rows};
 use crate::problem::Violation;
+use crate::system::reduction::Reduced;
 use crate::system::structure::Direction;
 use std::sync::Arc;
 
@@ -139,6 +140,18 @@ impl Numbering {
     pub fn row(&self, matrices: usize, row: usize) -> Option<usize> {
         let number = self.rows[matrices].number(row).ok()?;
         self.of_row(matrices, number)
+    }
+
+    /// The nodes of the kept rows and the modes of reduced matrices; `None` for a row of a support.
+    pub fn coordinates(&self, matrices: usize, reduced: &Reduced) -> Vec<Option<usize>> {
+        let nodes = self.nodes();
+        let kept = reduced.kept().iter().map(|row| {
+            let node = self.row(matrices, *row);
+            node.filter(|node| *node < nodes)
+        });
+        let end = self.first_row(matrices + 1);
+        let modes = (end - reduced.modes()..end).map(Some);
+        kept.chain(modes).collect()
     }
 
     fn of_row(&self, matrices: usize, number: RowNumber) -> Option<usize> {

@@ -21,6 +21,11 @@ pub fn listed(template: &Template, elements: &[u32]) -> String {
         1 => format!("{}.1.S", bar.name),
         n => format!("{0}.1.S to {0}.{n}.S", bar.name),
     }));
+    let forces = template.matrices.iter().flat_map(|own| {
+        let forces = own.imported.dofs.member_forces().iter();
+        forces.map(|force| format!("{}.{}", own.name, force.name))
+    });
+    parts.extend(forces);
     parts.push("base".to_owned());
     let supports = template.supports.iter();
     parts.extend(supports.map(|own| format!("base.{}", own.full_name())));

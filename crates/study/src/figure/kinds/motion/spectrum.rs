@@ -1,9 +1,11 @@
-//! Response spectra of ground motions.
+//! Response spectra of ground motions and of floors.
 
 use crate::Scale;
 use crate::figure::checker::{Checker, NARROW};
 use crate::figure::keys::{COLOUR, MARKERS, Takes, key};
+use crate::figure::kinds::motion::history;
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
+use slipgap_problem::problem::numbers::unit::Dimension;
 
 /// Damping ratio if none is given.
 const DAMPING: f64 = 0.05;
@@ -20,8 +22,14 @@ const MOST_CASES: usize = 1000;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "spectrum",
     needs: Needs::Structure,
-    meaning: "elastic response spectra of the whole ground motions of the cases, also after `duration`; one curve for each motion and damping ratio",
+    meaning: "elastic response spectra of the whole ground motions of the cases, also after `duration`, or of floors; one curve for each motion and damping ratio",
     keys: &[
+        key(
+            "of",
+            Takes::Quantity,
+            false,
+            "acceleration of a floor, such as f2.a_abs, instead of the ground",
+        ),
         key(
             "y",
             Takes::Ordinates,
@@ -46,6 +54,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     decode: |values, _| {
         let ratios = values.numbers("damping");
         Some(FigureKind::Spectrum(Spectrum {
+            of: values.row("of"),
             y: values.rows("y")?.into_iter().map(Ordinate::of).collect(),
             damping: if ratios.is_empty() {
                 vec![DAMPING]
@@ -57,9 +66,11 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     },
 };
 
-/// Response spectra of ground motions over the period.
+/// Response spectra of ground motions or of an acceleration over the period.
 #[derive(Debug)]
 pub struct Spectrum {
+    /// Row of `problem.schema().quantities`; `None` for the ground.
+    pub of: Option<usize>,
     /// What is drawn, one panel each.
     pub y: Vec<Ordinate>,
     /// Damping ratios.
@@ -102,7 +113,21 @@ impl Decoded for Spectrum {
         }
     }
 
+    fn draws_histories(&self) -> bool {
+        self.of.is_some()
+    }
+
     fn check_cases(&self, checker: &mut Checker) {
+        if let Some(of) = self.of {
+            let schema = checker.scope.problem.schema();
+            let of = &schema.quantities[of];
+            if of.error || schema.channels[of.channel].dimension != Dimension::Acceleration {
+                let message = "must be an acceleration, such as NODE.a_abs";
+                checker.fault("of", message);
+            }
+            history::check(checker, None, None, 1, KIND.name);
+            return;
+        }
         if checker.has_more_cases_than(MOST_CASES) {
             checker.fault("where", format!("more than {MOST_CASES} cases; {NARROW}"));
             return;
@@ -167,6 +192,10 @@ mod tests {
             (
                 r#", "y": "displacement", "damping": -0.1"#,
                 "s:3:79: figures[0].damping: must be >= 0",
+            ),
+            (
+                r#", "y": "displacement", "of": "m""#,
+                "figures[0].of: must be an acceleration, such as NODE.a_abs",
             ),
             (
                 r#", "y": "displacement", "periods": [0, 1]"#,

@@ -24,8 +24,8 @@ pub const OF_NODES: [(&str, &str); 4] = [
     ),
 ];
 
-/// Channels of springs and bars.
-pub const OF_SPRINGS: [(&str, &str); 2] = [
+/// Channels of springs, bars and members of matrices.
+pub const OF_SPRINGS: [(&str, &str); 3] = [
     (
         "SPRING.S",
         "force k e + c e' of a spring with a name, positive where its extension e is; without Rayleigh and modal damping",
@@ -33,6 +33,10 @@ pub const OF_SPRINGS: [(&str, &str); 2] = [
     (
         "BAR.3.S",
         "force of an element of a bar, from 1 at the left end on, positive in tension",
+    ),
+    (
+        "MATRICES.FORCE",
+        "force or moment of members, a line of the file \"forces\" of the matrices: the sum of factor times displacement",
     ),
 ];
 
@@ -97,7 +101,7 @@ pub const UNKNOWN: &str = "no node or contact '";
 pub(super) fn unknown(word: &str, names: &Names) -> String {
     let known: Vec<String> = names.channels().take(MOST_NAMES).collect();
     format!(
-        "{UNKNOWN}{word}'; channels are u, v, a and a_abs of nodes, S of named springs and of elements of bars, {} of contacts, base, ground and energies: {}",
+        "{UNKNOWN}{word}'; channels are u, v, a and a_abs of nodes, S of named springs and of elements of bars, {} of contacts, forces of members, base, ground and energies: {}",
         joined(&QUANTITIES),
         known.join(", ")
     )
@@ -115,9 +119,12 @@ impl Names {
         let bars = self.bars.iter();
         let bars = bars.flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
         let masses = self.masses.iter().cloned();
-        let dofs = self.matrices.iter().map(|(name, imported)| {
+        let dofs = self.matrices.iter().flat_map(|(name, imported)| {
             let first = imported.dofs.name(0);
-            format!("{name}.{first} and the other dofs of {name}")
+            let dofs = format!("{name}.{first} and the other dofs of {name}");
+            let forces = imported.dofs.member_forces().iter();
+            let forces = forces.map(move |force| format!("{name}.{}", force.name));
+            std::iter::once(dofs).chain(forces)
         });
         let contacts = self.contacts.iter().map(|contact| format!("{contact}.S"));
         let supports = self.supports.iter().map(|(name, _)| format!("{name}.u"));

@@ -3,8 +3,10 @@
 use super::number::Energy;
 use super::term::Term;
 use super::{ALL, QUANTITIES, describe};
+use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::channels::names::Names;
 use crate::problem::structure::given::node::{GROUND, NodeRef};
+use crate::system::import::ForceKind;
 use crate::system::structure::{Direction, Quantity as OfMotion};
 
 pub(super) fn of_contact(contact: usize, quantity: &str) -> Result<Term, String> {
@@ -60,6 +62,21 @@ pub(super) fn of_node(word: &str, names: &Names) -> Option<Vec<(f64, Term)>> {
         _ => return None,
     };
     Some(of_all(names.nodes(name)?, quantity))
+}
+
+/// A force of members of matrices, such as `tower.base_shear`.
+pub(super) fn of_members(word: &str, names: &Names) -> Option<Vec<(f64, Term)>> {
+    let (matrices, force) = names.member_force(word)?;
+    let dimension = match force.kind {
+        ForceKind::Force => Dimension::Force,
+        ForceKind::Moment => Dimension::Energy,
+    };
+    let terms = force.along.iter();
+    let terms = terms.map(|(row, factor)| {
+        let node = NodeRef::Dof(matrices, *row);
+        (*factor, Term::Member(node, dimension))
+    });
+    Some(terms.collect())
 }
 
 /// The motion of the ground: `ground`, `ground.v`, `ground.y.a`.
@@ -214,6 +231,9 @@ impl Term {
             return found.map(alone);
         }
         if let Some(found) = of_node(word, names) {
+            return Ok(found);
+        }
+        if let Some(found) = of_members(word, names) {
             return Ok(found);
         }
         if let Some(why) = names.why_no_dof(word) {

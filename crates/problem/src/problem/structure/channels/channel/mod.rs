@@ -18,7 +18,7 @@ use crate::problem::structure::given::node::Numbering;
 pub struct Channel {
     /// The text in the study, with single blanks.
     pub name: String,
-    /// The quantities with their factors: +1 or -1, or those of tied dofs.
+    /// The quantities with their factors: +1 or -1, those that the study writes, of tied dofs, and of forces of members.
     pub terms: Vec<(f64, Term)>,
 }
 
@@ -108,33 +108,50 @@ impl Channel {
     /// The first part that is no channel, and what is allowed.
     pub fn parse(text: &str, names: &Names) -> Result<Channel, String> {
         let (mut terms, mut shown) = (Vec::new(), String::new());
-        let mut sign = 1.0;
-        let mut expects_term = true;
-        let spaced = text.replace('-', " - ").replace('+', " + ");
-        for word in spaced.split_whitespace() {
-            match (word, expects_term) {
-                ("-" | "+", false) => {
-                    sign = if word == "-" { -1.0 } else { 1.0 };
-                    shown += &format!(" {word} ");
-                    expects_term = true;
-                }
-                ("-" | "+", true) => return Err(format!("expected a channel before '{word}'")),
-                (_, false) => return Err(format!("expected - or + before '{word}'")),
-                (_, true) => {
-                    for (factor, term) in Term::parse(word, names)? {
-                        if let Some((_, first)) = terms.first() {
-                            of_one_dimension(text, *first, term)?;
-                        }
-                        terms.push((sign * factor, term));
-                    }
-                    shown += word;
-                    expects_term = false;
-                }
+        let (mut sign, mut rest) = (1.0, text.trim_start());
+        loop {
+            let factor = factor(rest);
+            if let Some((_, written)) = factor {
+                shown += &format!("{}*", written.trim_end());
+                rest = rest[written.len() + 1..].trim_start();
             }
-        }
-        match expects_term {
-            true => Err("expected a channel at the end".into()),
-            false => Ok(Channel { name: shown, terms }),
+            let end = rest.find(|c: char| c.is_whitespace() || "+-*".contains(c));
+            let (word, after) = rest.split_at(end.unwrap_or(rest.len()));
+            rest = after.trim_start();
+            match (word, rest.chars().next()) {
+                ("", Some(sign @ ('+' | '-'))) => {
+                    return Err(format!("expected a channel before '{sign}'"));
+                }
+                ("", None) => return Err("expected a channel at the end".into()),
+                ("", Some(_)) | (_, Some('*')) => {
+                    return Err(format!(
+                        "a factor is a number before a channel, as in 3*p1, got '{}'",
+                        text.trim()
+                    ));
+                }
+                _ => {}
+            }
+            let factor = sign * factor.map_or(1.0, |(factor, _)| factor);
+            for (own, term) in Term::parse(word, names)? {
+                if let Some((_, first)) = terms.first() {
+                    of_one_dimension(text, *first, term)?;
+                }
+                terms.push((factor * own, term));
+            }
+            shown += word;
+            let Some(operator) = rest.chars().next() else {
+                return Ok(Channel { name: shown, terms });
+            };
+            sign = match operator {
+                '-' => -1.0,
+                '+' => 1.0,
+                _ => {
+                    let word = rest.split_whitespace().next().unwrap_or_default();
+                    return Err(format!("expected - or + before '{word}'"));
+                }
+            };
+            shown += &format!(" {operator} ");
+            rest = rest[1..].trim_start();
         }
     }
 
@@ -188,6 +205,14 @@ impl Channel {
     }
 }
 
+/// The number with `*` behind it that a text begins with, and its text.
+fn factor(text: &str) -> Option<(f64, &str)> {
+    let (written, _) = text.split_once('*')?;
+    let number: f64 = written.trim_end().parse().ok()?;
+    let is_number = written.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    (is_number && number.is_finite()).then_some((number, written))
+}
+
 /// A sum has quantities of one dimension.
 fn of_one_dimension(text: &str, first: Term, term: Term) -> Result<(), String> {
     match first.dimension() == term.dimension() {
@@ -229,6 +254,10 @@ mod tests {
         assert_eq!(channel("gap.S").terms, [(1.0, force)]);
         assert_eq!(channel("gap.S").contact(), Some(0));
         assert_eq!(channel("gap.S - bearing.S").contact(), None);
+        let factors = channel("3 * g1.right-.5e-1*p2");
+        assert_eq!(factors.terms, [(3.0, right), (-0.05, p2)]);
+        assert_eq!(factors.name, "3*g1.right - .5e-1*p2");
+        assert_eq!(channel(&factors.name), factors);
     }
 
     #[test]
@@ -238,6 +267,13 @@ mod tests {
             ("p1 -", "at the end"),
             ("- p1", "before '-'"),
             ("p1 p2", "before 'p2'"),
+            ("3 p1", "no node or contact '3'"),
+            ("p1*3", "as in 3*p1, got 'p1*3'"),
+            ("3*2*p1", "as in 3*p1"),
+            ("p1 - inf*p2", "as in 3*p1"),
+            ("3*", "at the end"),
+            ("3* - p1", "before '-'"),
+            ("2*p1 + gap.S", "a length and a force"),
             ("gap", "'gap' is a contact"),
             ("gap.F", "got 'F'"),
             ("g1", "no node or contact 'g1'"),

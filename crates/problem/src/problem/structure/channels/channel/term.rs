@@ -23,6 +23,8 @@ pub enum Term {
     Spring(usize),
     /// Force of an element of a bar, from 1 at its left end on.
     Element(usize, u32),
+    /// u of a node in a force of members, which its factor makes a force, or a moment.
+    Member(NodeRef, Dimension),
     /// A quantity of the motion of the ground.
     Ground(Direction, OfMotion),
     /// Force of the ground and of all supports on the structure.
@@ -53,6 +55,7 @@ impl Term {
             Term::Spring(_) | Term::Element(..) | Term::Base(_) | Term::Reaction(_) => {
                 Dimension::Force
             }
+            Term::Member(_, dimension) => dimension,
             Term::Energy(_) => Dimension::Energy,
         }
     }
@@ -60,7 +63,9 @@ impl Term {
     /// Whether it needs more of a structure than its equations and its motion.
     pub fn is_derived(self) -> bool {
         match self {
-            Term::Displacement(_) | Term::Velocity(_) | Term::Contact(..) => false,
+            Term::Displacement(_) | Term::Velocity(_) | Term::Contact(..) | Term::Member(..) => {
+                false
+            }
             Term::Acceleration(node) => !matches!(node, NodeRef::Support(_) | NodeRef::Ground),
             Term::Absolute(_)
             | Term::Spring(_)
@@ -78,7 +83,8 @@ impl Term {
             Term::Displacement(node)
             | Term::Velocity(node)
             | Term::Acceleration(node)
-            | Term::Absolute(node) => Some(node),
+            | Term::Absolute(node)
+            | Term::Member(node, _) => Some(node),
             Term::Contact(..)
             | Term::Spring(_)
             | Term::Element(..)
@@ -96,7 +102,9 @@ impl Term {
     pub fn number(self, numbering: &Numbering) -> Result<Option<Number>, String> {
         let derived = |derived| Some(Number::Derived(derived));
         Ok(match self {
-            Term::Displacement(node) => numbering.find(node)?.map(Number::Displacement),
+            Term::Displacement(node) | Term::Member(node, _) => {
+                numbering.find(node)?.map(Number::Displacement)
+            }
             Term::Velocity(node) => numbering.find(node)?.map(Number::Velocity),
             Term::Acceleration(NodeRef::Support(support))
             | Term::Absolute(NodeRef::Support(support)) => Some(Number::Acceleration(support)),

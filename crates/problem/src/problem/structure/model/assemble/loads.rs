@@ -3,10 +3,12 @@
 use super::{Detail, Draft};
 use crate::problem::Violation;
 use crate::problem::numbers::short::short;
+use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::given::shape::Scaled;
 use crate::problem::structure::given::supports::Course;
 use crate::problem::structure::parts::template::{Moved, StaticLoad};
-use crate::system::structure::{Direction, Ground, Load, Node, Signal};
+use crate::system::reduction::Reduced;
+use crate::system::structure::{Direction, Ground, Load, Node, Signal, Structure};
 use std::sync::Arc;
 
 impl Draft<'_> {
@@ -95,39 +97,10 @@ impl Draft<'_> {
 
     /// M times 1 in the nodes of a direction and 0 in the others.
     pub(super) fn shaken(&self, direction: Direction) -> Vec<f64> {
-        let all = &self.structure.nodes;
-        // Supports come after the nodes.
-        let direction_of = |i: usize| match all.get(i) {
-            Some(node) => Some(node.direction),
-            None => self
-                .template
-                .supports
-                .get(i - all.len())
-                .map(|own| own.direction),
-        };
-        let is_shaken = |i: usize| direction_of(i) == Some(direction);
-        let nodes = self.structure.nodes.iter().enumerate();
-        let mut shaken: Vec<f64> = nodes
-            .map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 })
-            .collect();
-        for ((i, j), mass) in self.structure.coupled_mass.entries() {
-            for (row, column) in [(i, j), (j, i)] {
-                if let (Some(sum), true) = (shaken.get_mut(row), is_shaken(column)) {
-                    *sum += mass;
-                }
-            }
-        }
-        for (place, reduced) in self.reduced.iter().enumerate() {
-            if let Some(reduced) = reduced {
-                let inertia = reduced.inertia(direction).into_iter();
-                for (node, inertia) in self.coordinates(place, reduced).into_iter().zip(inertia) {
-                    if let Some(node) = node {
-                        shaken[node] = inertia;
-                    }
-                }
-            }
-        }
-        shaken
+        let supports = self.template.supports.iter();
+        let supports: Vec<Direction> = supports.map(|own| own.direction).collect();
+        let reduced = (&self.reduced[..], &self.numbering);
+        inertia(&self.structure, &supports, reduced, direction)
     }
 
     /// The nodes on which a load acts, with the forces of a load of 1.
@@ -139,7 +112,7 @@ impl Draft<'_> {
                 true => reduced.forces(*direction),
                 false => Vec::new(),
             };
-            let nodes = self.coordinates(*matrices, reduced).into_iter();
+            let nodes = self.numbering.coordinates(*matrices, reduced).into_iter();
             return nodes
                 .zip(forces)
                 .filter_map(|(node, force)| Some((node?, force)))
@@ -226,4 +199,41 @@ impl Draft<'_> {
             contact.along.retain(|(node, _)| *node < nodes);
         }
     }
+}
+
+/// M times 1 in the nodes of a direction and 0 in the others: with these directions of supports and reductions of matrices.
+pub fn inertia(
+    structure: &Structure,
+    supports: &[Direction],
+    (reduced, numbering): (&[Option<Reduced>], &Numbering),
+    direction: Direction,
+) -> Vec<f64> {
+    let nodes = &structure.nodes;
+    // Supports come after the nodes.
+    let is_shaken = |i: usize| match nodes.get(i) {
+        Some(node) => node.direction == direction,
+        None => supports.get(i - nodes.len()) == Some(&direction),
+    };
+    let own = nodes.iter().enumerate();
+    let own = own.map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 });
+    let mut shaken: Vec<f64> = own.collect();
+    for ((i, j), mass) in structure.coupled_mass.entries() {
+        for (row, column) in [(i, j), (j, i)] {
+            if let (Some(sum), true) = (shaken.get_mut(row), is_shaken(column)) {
+                *sum += mass;
+            }
+        }
+    }
+    for (place, reduced) in reduced.iter().enumerate() {
+        if let Some(reduced) = reduced {
+            let inertia = reduced.inertia(direction).into_iter();
+            let nodes = numbering.coordinates(place, reduced).into_iter();
+            for (node, inertia) in nodes.zip(inertia) {
+                if let Some(node) = node {
+                    shaken[node] = inertia;
+                }
+            }
+        }
+    }
+    shaken
 }

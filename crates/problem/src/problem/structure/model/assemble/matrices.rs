@@ -1,7 +1,6 @@
 //! The matrices of other programs in a structure under construction.
 
 use super::Draft;
-use crate::system::reduction::Reduced;
 use crate::system::structure::{Direction, Node, Structure, Symmetric};
 
 impl Draft<'_> {
@@ -60,18 +59,6 @@ impl Draft<'_> {
                 }
             }
         }
-    }
-
-    /// The nodes of the kept rows and the modes of reduced matrices; `None` for a row of a support.
-    pub(super) fn coordinates(&self, place: usize, reduced: &Reduced) -> Vec<Option<usize>> {
-        let nodes = self.numbering.nodes();
-        let kept = reduced.kept().iter().map(|row| {
-            let node = self.numbering.row(place, *row);
-            node.filter(|node| *node < nodes)
-        });
-        let end = self.numbering.first_row(place + 1);
-        let modes = (end - reduced.modes()..end).map(Some);
-        kept.chain(modes).collect()
     }
 }
 

@@ -7,6 +7,7 @@ mod parts;
 mod pressing;
 mod start;
 
+pub use loads::inertia;
 pub use parts::damping_stiffness;
 
 use super::massless;

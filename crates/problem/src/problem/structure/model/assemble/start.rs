@@ -45,7 +45,7 @@ impl Draft<'_> {
         }
         for (place, start) in starts.iter().enumerate() {
             if let Some(reduced) = &self.reduced[place] {
-                let nodes = self.coordinates(place, reduced);
+                let nodes = self.numbering.coordinates(place, reduced);
                 let Structure {
                     displacement,
                     velocity,
