@@ -25,9 +25,9 @@ pub fn has_place(scale: Scale, x: f64) -> bool {
 }
 
 /// The caption that gives the number of cases without a dot; empty if there are none.
-pub fn without_dot(some: usize, all: usize) -> String {
-    match all - some {
+pub fn without_dot(some: usize, cases: usize) -> String {
+    match cases - some {
         0 => String::new(),
-        lacking => format!("{lacking} of {all} cases without a value"),
+        lacking => format!("{lacking} of {cases} cases without a value"),
     }
 }

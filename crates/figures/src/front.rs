@@ -25,11 +25,11 @@ const APART: f64 = 0.02;
 
 /// The points to mark along a logarithmic axis, so that no marker hides the next.
 fn apart(points: &[[f64; 2]], range: [f64; 2]) -> Vec<usize> {
-    let place = |x: f64| log10(x / range[0]) / log10(range[1] / range[0]);
+    let share = |x: f64| log10(x / range[0]) / log10(range[1] / range[0]);
     let mut marked: Vec<usize> = Vec::new();
     for (i, point) in points.iter().enumerate() {
-        let last = marked.last().map(|last| place(points[*last][0]));
-        if last.is_none_or(|last| place(point[0]) - last >= APART) {
+        let last = marked.last().map(|last| share(points[*last][0]));
+        if last.is_none_or(|last| share(point[0]) - last >= APART) {
             marked.push(i);
         }
     }

@@ -62,10 +62,10 @@ pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
     let given = |row: usize| study.blocks.iter().any(|block| block.gives(row));
     let worked_out =
         |row: &usize| matches!(table[*row].default, Default::Follows(_)) && !given(*row);
-    let all = Filter::default();
+    let no_filter = Filter::default();
     let follows = |row: &usize| {
         let mut blocks = study.blocks.iter();
-        blocks.all(|block| block.follows(&all, *row, &[x]))
+        blocks.all(|block| block.follows(&no_filter, *row, &[x]))
     };
     // Blocks may give different values at the same place.
     let one_a_place = |row: usize| settled_by(cases, &[x], row);
@@ -191,15 +191,15 @@ fn joined<'a>(values: impl Iterator<Item = (&'a Parameter, Value, usize)>) -> St
     let mut before = None;
     let part = |(parameter, value, digits): (&Parameter, Value, usize)| {
         let whole = value_label(parameter, value, digits);
-        let place = match value {
+        let parts = match value {
             Value::Name(name) if parameter.shown(name) != name => whole.rsplit_once(", "),
             Value::Number(_) | Value::Whole(_) | Value::Name(_) => None,
         };
-        let place = place.map(|(place, component)| (place.to_owned(), component.to_owned()));
-        match place {
-            Some((place, component)) if before.as_ref() == Some(&place) => component,
-            place => {
-                before = place.map(|place| place.0).or(before.take());
+        let parts = parts.map(|(stem, component)| (stem.to_owned(), component.to_owned()));
+        match parts {
+            Some((stem, component)) if before.as_ref() == Some(&stem) => component,
+            parts => {
+                before = parts.map(|parts| parts.0).or(before.take());
                 whole
             }
         }

@@ -97,8 +97,11 @@ pub fn sheet(data: &FigureData) -> Sheet {
     if kind.has_dense_curves() {
         envelope::find(&mut sheet, data.dpi);
     }
-    let own = Some(std::mem::take(&mut sheet.description));
-    let mut parts: Vec<String> = own.into_iter().filter(|text| !text.is_empty()).collect();
+    let description = Some(std::mem::take(&mut sheet.description));
+    let mut parts: Vec<String> = description
+        .into_iter()
+        .filter(|text| !text.is_empty())
+        .collect();
     for entry in &sheet.legend {
         let label = markup::plain(&entry.label);
         match parts.last_mut() {
@@ -128,16 +131,16 @@ pub fn sheet(data: &FigureData) -> Sheet {
 /// The remark on a figure with cases that run away; with `collapse` those are counted for what they are.
 fn run_away(data: &FigureData) -> Option<String> {
     let fragility = data.figure.kind.fragility();
-    let is_counted = fragility.is_some_and(|own| own.collapse.is_some());
+    let is_counted = fragility.is_some_and(|curve| curve.collapse.is_some());
     let away = data.cases.iter().filter(|shown| shown.has_run_away());
-    let (away, all) = (away.count(), data.cases.len());
-    let is_cloud = fragility.is_some_and(|own| own.fit == Fit::Cloud);
+    let (away, count) = (away.count(), data.cases.len());
+    let is_cloud = fragility.is_some_and(|curve| curve.fit == Fit::Cloud);
     let of_fit = match is_cloud {
         true => ", and the line goes through them: give collapse",
         false => "",
     };
     (away > 0 && !is_counted).then(|| {
-        format!("{away} of {all} cases run away: their peaks grow with the duration{of_fit}.")
+        format!("{away} of {count} cases run away: their peaks grow with the duration{of_fit}.")
     })
 }
 

@@ -45,13 +45,13 @@ impl MeasuredMotion {
     pub fn sheet(&self) -> Sheet {
         let width = style::MIDDLE;
         let end = |panel: &MeasuredPanel| {
-            let curves = panel.curves.iter().map(|own| own.2.last());
+            let curves = panel.curves.iter().map(|curve| curve.2.last());
             let ends = curves.chain([panel.measured.last()]).flatten();
             ends.fold(0.0, |end: f64, point| end.max(point[0]))
         };
         let end = self.panels.iter().map(end).fold(0.0, f64::max);
         let axis = |panel: &MeasuredPanel| {
-            let curves = panel.curves.iter().map(|own| &own.2);
+            let curves = panel.curves.iter().map(|curve| &curve.2);
             let points = curves.chain([&panel.measured]).flatten();
             ticks::around(&panel.title, points.map(|point| point[1]), HEIGHT / 17.0)
         };
@@ -61,7 +61,7 @@ impl MeasuredMotion {
             .panels
             .iter()
             .flat_map(|panel| &panel.curves)
-            .map(|own| own.0 + 1);
+            .map(|curve| curve.0 + 1);
         let count = count.max().unwrap_or(1);
         let mut sheet = Sheet {
             title: self.title.clone(),
@@ -69,7 +69,7 @@ impl MeasuredMotion {
             ..Sheet::default()
         };
         let last = self.panels.len().saturating_sub(1);
-        for (i, (own, y)) in self.panels.iter().zip(axes).enumerate() {
+        for (i, (compared, y)) in self.panels.iter().zip(axes).enumerate() {
             let end = if end > 0.0 { end } else { 1.0 };
             let mut x = ticks::linear(&self.time, [0.0, end], grid.width / 38.0);
             if i != last {
@@ -78,8 +78,8 @@ impl MeasuredMotion {
             }
             let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
             panel.zero = true;
-            panel.caption = own.caption.clone();
-            panel.series = own.series(count);
+            panel.caption = compared.caption.clone();
+            panel.series = compared.series(count);
             sheet.panels.push(panel);
         }
         layout::letter_panels(&mut sheet.panels);
@@ -130,9 +130,9 @@ mod tests {
             panels: vec![panel(1.0), panel(5.0)],
         };
         let sheet = motion.sheet();
-        for (panel, own) in sheet.panels.iter().zip(&motion.panels) {
-            assert_eq!(panel.series[0].points, own.measured);
-            assert_eq!(panel.series[1].points, own.curves[0].2);
+        for (panel, compared) in sheet.panels.iter().zip(&motion.panels) {
+            assert_eq!(panel.series[0].points, compared.measured);
+            assert_eq!(panel.series[1].points, compared.curves[0].2);
         }
         assert_eq!(sheet.small_print[0].text, "3 further tests are not drawn.");
     }

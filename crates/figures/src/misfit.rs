@@ -67,7 +67,12 @@ impl Misfits {
         let rows: Vec<(&AlternativeMisfit, &[MisfitPanel])> = self
             .alternatives
             .iter()
-            .flat_map(|own| own.panels.chunks(COLUMNS).map(move |panels| (own, panels)))
+            .flat_map(|alternative| {
+                alternative
+                    .panels
+                    .chunks(COLUMNS)
+                    .map(move |panels| (alternative, panels))
+            })
             .collect();
         let columns = rows
             .iter()
@@ -81,7 +86,7 @@ impl Misfits {
         };
         let axes: Vec<Axis> = rows
             .iter()
-            .map(|(own, _)| own.vertical(&self.axis))
+            .map(|(alternative, _)| alternative.vertical(&self.axis))
             .collect();
         let grid = layout::grid(width, columns, &vec![HEIGHT; rows.len()], &axes, 4.0);
         // The titles of the axes of the parameters are between the rows.
@@ -93,10 +98,10 @@ impl Misfits {
         let mut below = 0.0;
         for (((alternative, panels), y), frames) in rows.iter().zip(&axes).zip(&grid.frames) {
             let mut deepest: f64 = 0.0;
-            for (column, own) in panels.iter().enumerate() {
+            for (column, panel_data) in panels.iter().enumerate() {
                 let mut frame = frames[column];
                 frame.top += below;
-                let x = own.horizontal(grid.width);
+                let x = panel_data.horizontal(grid.width);
                 deepest = deepest.max(layout::below(&x));
                 let mut y = y.clone();
                 if column > 0 {
@@ -107,7 +112,7 @@ impl Misfits {
                 if column == 0 {
                     panel.caption = alternative.label.clone();
                 }
-                panel.series = own.series(alternative.least);
+                panel.series = panel_data.series(alternative.least);
                 sheet.panels.push(panel);
             }
             below += deepest;
@@ -122,17 +127,17 @@ impl Misfits {
 impl AlternativeMisfit {
     /// The axis of the misfit, the same in all panels of the alternative.
     fn vertical(&self, title: &str) -> Axis {
-        let all = || {
-            let points = self.panels.iter().flat_map(|own| &own.points);
+        let largest_of = || {
+            let points = self.panels.iter().flat_map(|profile| &profile.points);
             points
                 .map(|point| point[1])
                 .filter(|x| x.is_finite())
                 .chain([self.least, limit(self.least)])
         };
-        let largest = all().fold(0.0, f64::max);
+        let largest = largest_of().fold(0.0, f64::max);
         match self.least > 0.0 && largest > WIDE * self.least {
-            true => ticks::log(title, all(), HEIGHT / 24.0),
-            false => ticks::around(title, all(), HEIGHT / 17.0),
+            true => ticks::log(title, largest_of(), HEIGHT / 24.0),
+            false => ticks::around(title, largest_of(), HEIGHT / 17.0),
         }
     }
 }
@@ -181,15 +186,15 @@ impl MisfitPanel {
 
     /// The ends of the axis: those of all points that have a misfit, a little wider, within the range that was searched.
     fn shown(&self) -> [f64; 2] {
-        let all = || {
+        let known = || {
             let points = self.points.iter();
             points
                 .filter(|point| point[1].is_finite())
                 .map(|point| point[0])
         };
         let [low, high] = [
-            all().fold(f64::INFINITY, f64::min),
-            all().fold(f64::NEG_INFINITY, f64::max),
+            known().fold(f64::INFINITY, f64::min),
+            known().fold(f64::NEG_INFINITY, f64::max),
         ];
         if low >= high || !(high - low).is_finite() {
             return self.range;
@@ -250,21 +255,21 @@ mod tests {
         };
         let sheet = misfits.sheet();
         assert_eq!(sheet.panels.len(), 6);
-        for (place, own) in sheet.panels.iter().enumerate() {
-            let (at, width, least) = if place < 2 { other } else { best };
-            let curve = &own.series[0];
-            let places = curve.points[..7].iter().map(|point| own.place(*point));
+        for (i, panel) in sheet.panels.iter().enumerate() {
+            let (at, width, least) = if i < 2 { other } else { best };
+            let curve = &panel.series[0];
+            let places = curve.points[..7].iter().map(|point| panel.place(*point));
             let places: Vec<[f64; 2]> = places.collect();
             let extent = |k: usize| {
-                let all = places.iter().map(|place| place[k]);
-                all.clone().fold(f64::MIN, f64::max) - all.fold(f64::MAX, f64::min)
+                let coordinates = places.iter().map(|point| point[k]);
+                coordinates.clone().fold(f64::MIN, f64::max) - coordinates.fold(f64::MAX, f64::min)
             };
             // Padded by 3 % at each side; the axis of the misfit has round ends.
-            assert!(extent(0) > 0.9 * own.frame.width, "{}", extent(0));
-            assert!(extent(1) > 0.4 * own.frame.height, "{}", extent(1));
+            assert!(extent(0) > 0.9 * panel.frame.width, "{}", extent(0));
+            assert!(extent(1) > 0.4 * panel.frame.height, "{}", extent(1));
             // The interval and the best point are on the curve's minimum.
             let of = |label: &str| {
-                let found = own.series.iter().find(|series| series.label == label);
+                let found = panel.series.iter().find(|series| series.label == label);
                 found.unwrap().points.clone()
             };
             assert_eq!(of("best"), [[at, least]]);
@@ -278,9 +283,9 @@ mod tests {
                     .all(|point| point[1] == 1.1 * least)
             );
             // A point without a solution does not widen the axis.
-            assert!(own.x.range[1] < at + 1.2 * width);
+            assert!(panel.x.range[1] < at + 1.2 * width);
         }
-        let captions: Vec<&str> = sheet.panels.iter().map(|own| &*own.caption).collect();
+        let captions: Vec<&str> = sheet.panels.iter().map(|panel| &*panel.caption).collect();
         let wanted = [
             "(a)  kelvin-voigt",
             "(b)",
@@ -291,7 +296,7 @@ mod tests {
         ];
         assert_eq!(captions, wanted);
         // Rows are below each other with the titles of their axes.
-        let tops = [0, 2, 5].map(|place| sheet.panels[place].frame.top);
+        let tops = [0, 2, 5].map(|i| sheet.panels[i].frame.top);
         for pair in tops.windows(2) {
             assert!(pair[1] > pair[0] + HEIGHT + layout::below(&sheet.panels[0].x) - 1.0);
         }

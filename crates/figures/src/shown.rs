@@ -65,41 +65,41 @@ impl ShownCases {
         self.cases.extend(cases, rows, |row| needed.parameters[row]);
         self.metrics.resize(needed.measures.len(), Vec::new());
         let columns = self.metrics.iter_mut().zip(&needed.measures).enumerate();
-        for (metric, (own, _)) in columns.filter(|(_, (_, needed))| **needed) {
+        for (metric, (values, _)) in columns.filter(|(_, (_, needed))| **needed) {
             match metrics.numbers(metric) {
-                Some(all) if rows.len() == all.len() => own.extend_from_slice(all),
-                Some(all) => own.extend(rows.iter().map(|row| all[*row as usize])),
-                None => own.resize(before + rows.len(), f64::NAN),
+                Some(column) if rows.len() == column.len() => values.extend_from_slice(column),
+                Some(column) => values.extend(rows.iter().map(|row| column[*row as usize])),
+                None => values.resize(before + rows.len(), f64::NAN),
             }
         }
         let has_more = !solutions.is_empty() || metrics.failures().next().is_some();
         let warned = metrics.warned();
         let warned = warned.filter(|(_, warnings)| warnings.has(Warning::Runaway));
         for (row, _) in warned {
-            let place = rows.binary_search(&(row as u32)).ok();
-            self.runaway.extend(place.map(|place| before + place));
+            let found = rows.binary_search(&(row as u32)).ok();
+            self.runaway.extend(found.map(|index| before + index));
         }
-        for (place, row) in (before..).zip(rows).filter(|_| has_more) {
+        for (index, row) in (before..).zip(rows).filter(|_| has_more) {
             let row = *row as usize;
             if let Some(solution) = solutions.remove(&row) {
-                self.solutions.insert(place, Arc::from(solution));
+                self.solutions.insert(index, Arc::from(solution));
             }
             if metrics.failure(row).is_some() {
-                self.failed.insert(place);
+                self.failed.insert(index);
             }
         }
     }
 
     /// Adds a case with its metrics, the first ones of the measures.
     pub fn push(&mut self, case: &Case, metrics: &[Option<f64>], solution: Option<Solution>) {
-        let place = self.len();
+        let index = self.len();
         self.metrics.resize(metrics.len(), Vec::new());
-        for (own, metric) in self.metrics.iter_mut().zip(metrics) {
-            own.push(metric.unwrap_or(f64::NAN));
+        for (values, metric) in self.metrics.iter_mut().zip(metrics) {
+            values.push(metric.unwrap_or(f64::NAN));
         }
         self.cases.push(case);
         if let Some(solution) = solution {
-            self.solutions.insert(place, Arc::new(solution));
+            self.solutions.insert(index, Arc::new(solution));
         }
     }
 
@@ -112,18 +112,18 @@ impl ShownCases {
             false => rows.iter().map(|row| column[*row as usize]).collect(),
         };
         some.metrics = self.metrics.iter().map(chosen).collect();
-        for (place, row) in rows.iter().enumerate() {
+        for (index, row) in rows.iter().enumerate() {
             let row = *row as usize;
             let solution = self.solutions.get(&row).cloned();
             some.solutions
-                .extend(solution.map(|solution| (place, solution)));
+                .extend(solution.map(|solution| (index, solution)));
             let snapshots = self.snapshots.get(&row).cloned();
             some.snapshots
-                .extend(snapshots.map(|snapshots| (place, snapshots)));
+                .extend(snapshots.map(|snapshots| (index, snapshots)));
             some.failed
-                .extend(self.failed.contains(&row).then_some(place));
+                .extend(self.failed.contains(&row).then_some(index));
             some.runaway
-                .extend(self.runaway.contains(&row).then_some(place));
+                .extend(self.runaway.contains(&row).then_some(index));
         }
         some
     }

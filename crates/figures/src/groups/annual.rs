@@ -55,10 +55,10 @@ impl Annual {
             })
         };
         let mut shares: Vec<Share> = members.iter().filter_map(share).collect();
-        let sum: f64 = shares.iter().map(|own| own.frequency).sum();
+        let sum: f64 = shares.iter().map(|share| share.frequency).sum();
         shares
             .iter_mut()
-            .for_each(|own| own.share = own.frequency / sum);
+            .for_each(|share| share.share = share.frequency / sum);
         Annual {
             frequency: hazard.annual(&fit.function),
             interval,

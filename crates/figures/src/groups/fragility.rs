@@ -74,7 +74,7 @@ fn curve(study: &Study, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCu
     let of_cases = members.iter().flat_map(|member| &member.cases);
     let collapsed = of_cases.filter(|(_, point)| point[1].is_infinite());
     let bounded =
-        |is: fn(&Capacity) -> bool| members.iter().filter(|own| is(&own.capacity)).count();
+        |is: fn(&Capacity) -> bool| members.iter().filter(|member| is(&member.capacity)).count();
     let fitted = fit.as_ref().ok();
     let trend = |column: &ColumnRef| Line::through(&residuals(fitted?, *column, &members));
     let annual = fitted
@@ -90,15 +90,15 @@ fn curve(study: &Study, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCu
             (Way::Incremental, _) => by_capacities(&members),
             (Way::Cloud | Way::Likelihood, _) => by_cases(figure, cases),
         },
-        bootstrap: interval(&|own| own.median)
-            .zip(interval(&|own| own.dispersion))
+        bootstrap: interval(&|sample| sample.median)
+            .zip(interval(&|sample| sample.dispersion))
             .map(<[_; 2]>::from),
         trends: figure.against.iter().map(trend).collect(),
         annual,
         collapsed: collapsed.count(),
         bounded: [
-            bounded(|own| matches!(own, Capacity::Beyond(_))),
-            bounded(|own| matches!(own, Capacity::Before(_))),
+            bounded(|capacity| matches!(capacity, Capacity::Beyond(_))),
+            bounded(|capacity| matches!(capacity, Capacity::Before(_))),
         ],
         fit,
     }

@@ -81,19 +81,19 @@ impl<'a> Members<'a> {
     pub fn new(figure: &'a Fragility, ensemble: &[usize], cases: &[&DrawnCase<'a>]) -> Self {
         let groups = alike::grouped(cases, |shown| shown.identity(ensemble));
         let member = |group: Vec<&&DrawnCase<'a>>| Member::of(figure, &group);
-        let mut all: Vec<Member> = groups.into_iter().filter_map(member).collect();
-        let places = all.iter().flat_map(|member| &member.cases);
+        let mut found: Vec<Member> = groups.into_iter().filter_map(member).collect();
+        let places = found.iter().flat_map(|member| &member.cases);
         let mut places: Vec<f64> = places.map(|(_, point)| point[0]).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
-        for member in &mut all {
-            let place = |x: f64| places.partition_point(|place| *place < x);
-            let trial = |(_, [x, y]): &(DrawnCase, [f64; 2])| (place(*x), *y > figure.limit);
+        for member in &mut found {
+            let index = |x: f64| places.partition_point(|known| *known < x);
+            let trial = |(_, [x, y]): &(DrawnCase, [f64; 2])| (index(*x), *y > figure.limit);
             member.trials = member.cases.iter().map(trial).collect();
         }
         Members {
             figure,
-            all,
+            all: found,
             places,
         }
     }
@@ -134,29 +134,29 @@ impl<'a> Members<'a> {
             exceeded: 0,
             count: 0,
         };
-        let mut all: Vec<Trials> = self.places.iter().map(none).collect();
-        for (place, exceeds) in members.iter().flat_map(|member| &member.trials) {
-            all[*place].count += 1;
-            all[*place].exceeded += u64::from(*exceeds);
+        let mut by_place: Vec<Trials> = self.places.iter().map(none).collect();
+        for (index, exceeds) in members.iter().flat_map(|member| &member.trials) {
+            by_place[*index].count += 1;
+            by_place[*index].exceeded += u64::from(*exceeds);
         }
-        all.retain(|trials| trials.count > 0);
-        all
+        by_place.retain(|trials| trials.count > 0);
+        by_place
     }
 }
 
 /// The capacities of members, by rising value.
 fn capacities(members: &[&Member]) -> Capacities {
-    let mut all = Capacities::default();
+    let mut capacities = Capacities::default();
     for member in members {
         match member.capacity {
             Capacity::None => {}
-            Capacity::Before(x) => all.before.push(x),
-            Capacity::Beyond(x) => all.beyond.push(x),
-            Capacity::At(x, _) => all.reached.push(x),
+            Capacity::Before(x) => capacities.before.push(x),
+            Capacity::Beyond(x) => capacities.beyond.push(x),
+            Capacity::At(x, _) => capacities.reached.push(x),
         }
     }
-    all.reached.sort_by(f64::total_cmp);
-    all
+    capacities.reached.sort_by(f64::total_cmp);
+    capacities
 }
 
 impl<'a> Member<'a> {

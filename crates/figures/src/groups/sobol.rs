@@ -72,11 +72,11 @@ impl DesignMetrics {
     /// The designs with as many cases, which are these.
     #[cfg(test)]
     pub fn of_cases(study: &Study, cases: &[DrawnCase]) -> DesignMetrics {
-        let mut all = DesignMetrics::new(study);
+        let mut metrics = DesignMetrics::new(study);
         let count = cases.len() as u64;
-        let own = |design: &DesignColumns| design.cases.end - design.cases.start == count;
-        all.designs.retain(own);
-        for column in all
+        let is_complete = |design: &DesignColumns| design.cases.end - design.cases.start == count;
+        metrics.designs.retain(is_complete);
+        for column in metrics
             .designs
             .iter_mut()
             .flat_map(|design| &mut design.columns)
@@ -84,7 +84,7 @@ impl DesignMetrics {
             let values = cases.iter().map(|shown| shown.metric(column.metric));
             column.values.extend(values.map(|x| x.unwrap_or(f64::NAN)));
         }
-        all
+        metrics
     }
 
     /// Adds the metrics of cases, which are numbered from `first` on.
@@ -110,13 +110,13 @@ impl DesignMetrics {
         count: usize,
         metrics: &[usize],
     ) -> GroupResults<'_> {
-        let own = |design: &&DesignColumns| {
+        let is_complete = |design: &&DesignColumns| {
             let cases = &design.cases;
             let first = study.case(cases.start);
             cases.end - cases.start == count as u64
                 && first.is_some_and(|first| figure.filter.matches(&first))
         };
-        let Some(design) = self.designs.iter().find(own) else {
+        let Some(design) = self.designs.iter().find(is_complete) else {
             return GroupResults::None;
         };
         let column = |metric: &usize| {

@@ -55,8 +55,8 @@ impl Draw for Budget {
         let rows = budgets.len() * groups.len().div_ceil(columns);
         let height = if columns == 1 { 190.0 } else { 165.0 };
         let axis_of = |budget: &problem::Budget| {
-            let own = content.iter().filter(|(b, ..)| b.name == budget.name);
-            let series = own.flat_map(|(_, _, series)| series);
+            let of_budget = content.iter().filter(|(b, ..)| b.name == budget.name);
+            let series = of_budget.flat_map(|(_, _, series)| series);
             let heights = limits::heights(limits::points(series), x_range).into_iter();
             limits::axis(&budget.title, heights, Scale::Log, y_range, height / 24.0)
         };
@@ -73,7 +73,7 @@ impl Draw for Budget {
             ..Sheet::default()
         };
         let count = content.len();
-        let mut place = (0, 0);
+        let mut cell = (0, 0);
         for (i, (budget, group, series)) in content.into_iter().enumerate() {
             let row = budgets
                 .iter()
@@ -84,11 +84,11 @@ impl Draw for Budget {
                 x_axis.title.clear();
                 x_axis.numbered = false;
             }
-            if place.1 > 0 {
+            if cell.1 > 0 {
                 y_axis.title.clear();
                 y_axis.numbered = false;
             }
-            let mut panel = Panel::new(grid.frames[place.0][place.1], grid.margin, x_axis, y_axis);
+            let mut panel = Panel::new(grid.frames[cell.0][cell.1], grid.margin, x_axis, y_axis);
             if let (Some(row), Some(value)) = (panels, group) {
                 panel.caption =
                     label::value_label(&parameters[*row], value, label::digits(cases, *row));
@@ -96,11 +96,11 @@ impl Draw for Budget {
             panel.series = series;
             slope::write(&mut panel);
             sheet.panels.push(panel);
-            let last_of_row = place.1 + 1 == columns || (i + 1) % groups.len() == 0;
-            place = if last_of_row {
-                (place.0 + 1, 0)
+            let last_of_row = cell.1 + 1 == columns || (i + 1) % groups.len() == 0;
+            cell = if last_of_row {
+                (cell.0 + 1, 0)
             } else {
-                (place.0, place.1 + 1)
+                (cell.0, cell.1 + 1)
             };
         }
         layout::letter_panels(&mut sheet.panels);

@@ -41,8 +41,8 @@ impl Draw for Samples {
             value(shown, column).filter(|x| has_place(scale, *x))
         };
         let complete = |shown: &&DrawnCase| {
-            let mut all = across.iter().chain(&up);
-            all.all(|column| of(shown, *column).is_some())
+            let mut columns = across.iter().chain(&up);
+            columns.all(|column| of(shown, *column).is_some())
         };
         let drawn: Vec<&DrawnCase> = cases.iter().filter(complete).collect();
         let column = |of_it| drawn.iter().filter_map(move |shown| of(shown, of_it));

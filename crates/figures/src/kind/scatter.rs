@@ -28,7 +28,7 @@ impl Draw for Scatter {
             scales,
         } = self;
         // A case has a dot if it has a place along both axes and the colour bar.
-        let place = |shown: &DrawnCase| {
+        let point = |shown: &DrawnCase| {
             let of = |column, scale| value(shown, column).filter(|x| has_place(scale, *x));
             let at = [of(*x, scales[0])?, of(*y, scales[1])?];
             match colour {
@@ -36,7 +36,7 @@ impl Draw for Scatter {
                 None => Some((at, None)),
             }
         };
-        let points: Vec<([f64; 2], Option<f64>)> = cases.iter().filter_map(place).collect();
+        let points: Vec<([f64; 2], Option<f64>)> = cases.iter().filter_map(point).collect();
         let height = 190.0;
         let [x_range, y_range] = figure.ranges;
         let heights = limits::heights(points.iter().map(|(at, _)| at), x_range).into_iter();

@@ -60,10 +60,10 @@ fn a_map_rises_along_the_axis_that_its_metric_rises_along() {
         .find(|area| area.0 == level + 1)
         .unwrap();
     let ends = |k: usize| {
-        let all = above.1.iter().map(|p| p[k]);
+        let heights = above.1.iter().map(|p| p[k]);
         [
-            all.clone().fold(f64::MAX, f64::min),
-            all.fold(f64::MIN, f64::max),
+            heights.clone().fold(f64::MAX, f64::min),
+            heights.fold(f64::MIN, f64::max),
         ]
     };
     assert!(
@@ -138,9 +138,9 @@ fn a_sobol_figure_has_first_order_left_and_total_right_of_each_parameter() {
         (1.0..1.5, Marker::Light, 0.5),
     ];
     assert_eq!(panel.bars.len(), 4);
-    for (k, (place, marker, height)) in expected.into_iter().enumerate() {
+    for (k, (span, marker, height)) in expected.into_iter().enumerate() {
         let bar = &panel.bars[k];
-        assert!(place.contains(&middle(k)), "{k}");
+        assert!(span.contains(&middle(k)), "{k}");
         assert_eq!(bar.shade, marker.shade());
         // 256 points; random ones would err by 0.06.
         let found = bar.y[0] + bar.y[1];

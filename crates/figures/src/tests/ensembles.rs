@@ -28,8 +28,8 @@ fn drawn(study: &Study, value: impl Fn(&Case) -> Option<f64>) -> (Sheet, String)
     let cases: Vec<Case> = study.cases().filter(|c| figure.filter.matches(c)).collect();
     let row = |case: &Case| -> Vec<Option<f64>> {
         let table = study.problem.metrics().iter();
-        let own = |name: &str| value(case).filter(|_| name == "peak_force");
-        table.map(|metric| own(&metric.name)).collect()
+        let metric_value = |name: &str| value(case).filter(|_| name == "peak_force");
+        table.map(|metric| metric_value(&metric.name)).collect()
     };
     let metrics: Vec<Vec<Option<f64>>> = cases.iter().map(row).collect();
     let shown = super::shown(study, &cases, &metrics);
@@ -334,16 +334,16 @@ fn a_fragility_has_parts_intervals_and_a_fit() {
         assert_eq!(ends(3 + i), binomial::interval(0, 9));
         // At their place, with ends of different widths around it.
         let gamma = [1.0, 2.0, 4.0][i];
-        for own in [i, 3 + i] {
+        for curve in [i, 3 + i] {
             assert!(
-                [point(own), interval(own)[2], interval(own)[3]]
+                [point(curve), interval(curve)[2], interval(curve)[3]]
                     .iter()
                     .all(|at| at[0] == gamma)
             );
         }
-        let place = panel.place([gamma, 0.0])[0];
+        let centre = panel.place([gamma, 0.0])[0];
         let caps =
-            [i, 3 + i].map(|own| [0, 1].map(|end| panel.place(interval(own)[end])[0] - place));
+            [i, 3 + i].map(|curve| [0, 1].map(|end| panel.place(interval(curve)[end])[0] - centre));
         assert!(caps.iter().all(|[left, right]| (left + right).abs() < 1e-9));
         assert!(caps[1][1] > caps[0][1] + 0.4 * style::MARKER && caps[0][1] > 0.0);
     }

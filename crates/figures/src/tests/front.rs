@@ -83,17 +83,17 @@ fn each_line_has_the_best_cases_of_its_value_and_the_band_those_of_all() {
         0 => case.choice("law").to_owned(),
         _ => number(case, "dT").to_string(),
     };
-    let place = |case: &Case| match metrics(case) {
+    let point = |case: &Case| match metrics(case) {
         [Some(x), Some(y)] => Some([x, y]),
         _ => None,
     };
-    let all: Vec<[f64; 2]> = cases.iter().filter_map(place).collect();
+    let points: Vec<[f64; 2]> = cases.iter().filter_map(point).collect();
     assert_eq!(sheet.panels.len(), 2);
     for (of, panel) in sheet.panels.iter().enumerate() {
         let band = &panel.series[0];
         assert_eq!(
             (band.points.clone(), band.stroke),
-            (best(&all), Stroke::LIGHT)
+            (best(&points), Stroke::LIGHT)
         );
         let mut values: Vec<String> = cases.iter().map(|case| value(case, of)).collect();
         values.dedup();
@@ -103,9 +103,9 @@ fn each_line_has_the_best_cases_of_its_value_and_the_band_those_of_all() {
         let found: Vec<Vec<[f64; 2]>> =
             panel.series[1..].iter().map(|s| s.points.clone()).collect();
         for wanted in values {
-            let own = cases.iter().filter(|case| value(case, of) == wanted);
-            let own: Vec<[f64; 2]> = own.filter_map(place).collect();
-            assert!(found.contains(&best(&own)), "{wanted}");
+            let of_design = cases.iter().filter(|case| value(case, of) == wanted);
+            let chosen: Vec<[f64; 2]> = of_design.filter_map(point).collect();
+            assert!(found.contains(&best(&chosen)), "{wanted}");
         }
     }
     let captions: Vec<&str> = sheet.panels.iter().map(|p| p.caption.as_str()).collect();
@@ -223,8 +223,8 @@ fn twelve_entries_are_readable_beside_or_over_their_panel() {
                 .iter()
                 .map(|e| (e.stroke.pattern(), e.stroke.colour()))
                 .collect();
-            for (i, own) in styles.iter().enumerate() {
-                assert!(!styles[..i].contains(own), "{own:?}");
+            for (i, style) in styles.iter().enumerate() {
+                assert!(!styles[..i].contains(style), "{style:?}");
             }
         }
     }

@@ -18,8 +18,9 @@ fn bars(parameters: &str, more: &str, figure: &str) -> Study {
 
 /// The curves of cases.
 fn computed(sheet: &Sheet) -> Vec<&Series> {
-    let all = sheet.panels[0].series.iter();
-    all.filter(|series| series.label != "exact" && !series.label.is_empty())
+    let drawn = sheet.panels[0].series.iter();
+    drawn
+        .filter(|series| series.label != "exact" && !series.label.is_empty())
         .collect()
 }
 
@@ -33,11 +34,11 @@ fn curves_are_unbroken_in_colour_and_have_markers_only_where_asked() {
         let solutions = cases
             .iter()
             .map(|case| study.problem.solve(case, &[]).unwrap());
-        let mut all = crate::ShownCases::new(study.problem.schema());
+        let mut shown = crate::ShownCases::new(study.problem.schema());
         for (case, solution) in cases.iter().zip(solutions) {
-            all.push(case, &[], Some(solution));
+            shown.push(case, &[], Some(solution));
         }
-        let sheet = super::with_data(&study, &study.figures[0], &all.all(), |data| {
+        let sheet = super::with_data(&study, &study.figures[0], &shown.all(), |data| {
             sheet(&FigureData { black, ..*data })
         });
         // The exact curve stays black.
@@ -94,9 +95,9 @@ fn curves_and_waves_show_a_window_of_time() {
     let study = |keys: &str| bars(r#""gamma": 1"#, "", keys);
     let curve = r#""kind": "curve", "x": "r", "y": "force""#;
     let part = drawn(&study(&format!(r#"{curve}, "time_range": [0.4, 0.8]"#)), 0).0;
-    let all = drawn(&study(curve), 0).0;
+    let whole = drawn(&study(curve), 0).0;
     // Steps of 0.02: 20 to 40.
-    let points = &computed(&all)[0].points;
+    let points = &computed(&whole)[0].points;
     assert_eq!(computed(&part)[0].points, points[20..=40]);
     let exact = |sheet: &Sheet| {
         sheet.panels[0]
@@ -107,7 +108,7 @@ fn curves_and_waves_show_a_window_of_time() {
             .points
             .len()
     };
-    assert!(exact(&part) > 100 && exact(&part) < exact(&all) / 2);
+    assert!(exact(&part) > 100 && exact(&part) < exact(&whole) / 2);
     let wave = drawn(
         &study(r#""kind": "wave", "x_range": [-0.5, 0.25], "y_range": [0.4, 0.8]"#),
         0,
@@ -161,17 +162,17 @@ fn an_inset_enlarges_a_window_where_no_curve_is() {
         for line in inset::joins(panel, part) {
             assert!(
                 line.iter()
-                    .all(|place| frame.inflated(1e-9).contains(*place))
+                    .all(|corner| frame.inflated(1e-9).contains(*corner))
             );
         }
         for key in &sheet.legend {
-            let own = slipgap_drawing::layout::sheet::Rect {
+            let bounds = slipgap_drawing::layout::sheet::Rect {
                 left: key.at[0],
                 top: key.at[1] - 4.0,
                 width: style::SAMPLE,
                 height: 8.0,
             };
-            assert!(!own.overlaps(&area));
+            assert!(!bounds.overlaps(&area));
         }
     }
     assert!(svg(&sheet, style::DPI).is_ok());
@@ -195,9 +196,9 @@ fn metric(keys: &str) -> Sheet {
         .unwrap();
     let metrics = cases.iter().map(|case| {
         let number = |name: &str| case.number(name).unwrap();
-        let mut own = vec![None; study.measures.len()];
-        own[row] = Some(number("gamma") * number("n"));
-        own
+        let mut values = vec![None; study.measures.len()];
+        values[row] = Some(number("gamma") * number("n"));
+        values
     });
     let metrics: Vec<_> = metrics.collect();
     sheet_of(&study, figure, &shown(&study, &cases, &metrics).all())
@@ -258,8 +259,8 @@ fn limits_of_checks_are_drawn_where_they_apply() {
 
 /// The lines without a label.
 fn lines_of(sheet: &Sheet) -> Vec<&Series> {
-    let all = sheet.panels.iter().flat_map(|panel| &panel.series);
-    all.filter(|series| series.label.is_empty()).collect()
+    let lines = sheet.panels.iter().flat_map(|panel| &panel.series);
+    lines.filter(|series| series.label.is_empty()).collect()
 }
 
 #[test]

@@ -59,8 +59,8 @@ fn study(folder: &Path, file: &str, figures: &str) -> Study {
 
 /// The measured curves of a panel.
 fn measured(sheet: &Sheet, panel: usize) -> Vec<&Series> {
-    let all = sheet.panels[panel].series.iter();
-    all.filter(|series| series.label == "measured").collect()
+    let drawn = sheet.panels[panel].series.iter();
+    drawn.filter(|series| series.label == "measured").collect()
 }
 
 fn assert_near(a: [f64; 2], b: [f64; 2]) {
@@ -71,8 +71,10 @@ fn assert_near(a: [f64; 2], b: [f64; 2]) {
 
 /// Times within the motion, as those of the file.
 fn within([from, to]: [f64; 2]) -> Vec<f64> {
-    let all = times().into_iter();
-    all.filter(|t| (from..=to).contains(&(t - DELAY))).collect()
+    let sampled = times().into_iter();
+    sampled
+        .filter(|t| (from..=to).contains(&(t - DELAY)))
+        .collect()
 }
 
 #[test]
@@ -86,11 +88,11 @@ fn a_history_has_the_measured_points_at_their_own_times() {
     let counts = [0, 1, 2].map(|panel| measured(&sheet, panel).len());
     assert_eq!(counts, [1, 0, 1]);
     for (panel, of) in [(0, 0), (2, 1)] {
-        let own = measured(&sheet, panel)[0];
-        assert_eq!((own.stroke, own.marker), (Stroke::Grey, None));
+        let line = measured(&sheet, panel)[0];
+        assert_eq!((line.stroke, line.marker), (Stroke::Grey, None));
         let times = within([0.0, 1.5]);
-        assert_eq!(own.points.len(), times.len());
-        for (point, t) in own.points.iter().zip(times) {
+        assert_eq!(line.points.len(), times.len());
+        for (point, t) in line.points.iter().zip(times) {
             assert_near(*point, [t - DELAY, 1e-3 * at(t, 1.0)[of]]);
         }
     }
@@ -100,9 +102,9 @@ fn a_history_has_the_measured_points_at_their_own_times() {
     );
     // A part of the time has the points beside its ends, so that the line does not end within the frame.
     let (sheet, _) = drawn(&study, 1);
-    let own = measured(&sheet, 0)[0];
-    assert_eq!(own.points.len(), within([0.5, 1.0]).len() + 2);
-    assert!(own.points[0][0] < 0.5 && own.points[own.points.len() - 1][0] > 1.0);
+    let line = measured(&sheet, 0)[0];
+    assert_eq!(line.points.len(), within([0.5, 1.0]).len() + 2);
+    assert!(line.points[0][0] < 0.5 && line.points[line.points.len() - 1][0] > 1.0);
     // A single computed curve needs no marker beside a grey one.
     assert!(
         sheet.panels[0]
@@ -122,17 +124,17 @@ fn each_test_has_its_own_curve() {
     assert_eq!(measured(&sheet, 0).len(), 2);
     let (sheet, _) = drawn(&study, 1);
     for (panel, scale) in [(0, 1.0), (1, 2.0)] {
-        let [own] = measured(&sheet, panel)[..] else {
+        let [line] = measured(&sheet, panel)[..] else {
             panic!("one curve in a panel");
         };
         let first = within([0.0, 1.5])[0];
-        assert_near(own.points[0], [first - DELAY, 1e-3 * at(first, scale)[0]]);
+        assert_near(line.points[0], [first - DELAY, 1e-3 * at(first, scale)[0]]);
     }
     assert_eq!(
         sheet
             .legend
             .iter()
-            .filter(|own| own.label == "measured")
+            .filter(|entry| entry.label == "measured")
             .count(),
         1
     );
@@ -146,18 +148,18 @@ fn loops_and_sums_have_what_was_measured_of_all_their_quantities() {
         { "name": "n", "kind": "history", "y": ["m", "other"], "stacked": true, "where": { "k": 20 } }"#;
     let study = study(folder.path(), "", figures);
     let (sheet, _) = drawn(&study, 0);
-    let [own] = measured(&sheet, 0)[..] else {
+    let [line] = measured(&sheet, 0)[..] else {
         panic!("one loop");
     };
     let times = within([0.0, 1.5]);
-    assert_eq!(own.points.len(), times.len());
-    for (point, t) in own.points.iter().zip(&times) {
+    assert_eq!(line.points.len(), times.len());
+    for (point, t) in line.points.iter().zip(&times) {
         assert_near(*point, at(*t, 1.0).map(|x| 1e-3 * x));
     }
     assert!(measured(&sheet, 1).is_empty());
     let (sheet, _) = drawn(&study, 1);
-    let own = measured(&sheet, 0)[0];
-    for (point, t) in own.points.iter().zip(&times) {
+    let line = measured(&sheet, 0)[0];
+    for (point, t) in line.points.iter().zip(&times) {
         assert_near(*point, [t - DELAY, 2e-3 * at(*t, 1.0)[0]]);
     }
     // Two areas, none of what was measured.

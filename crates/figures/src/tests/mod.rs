@@ -401,14 +401,14 @@ fn nothing_to_draw_is_drawn_all_the_same() {
 }
 
 /// Red, green and blue of a sheet at a place.
-pub(super) fn colour_at(sheet: &Sheet, place: [f64; 2]) -> [u8; 3] {
+pub(super) fn colour_at(sheet: &Sheet, point: [f64; 2]) -> [u8; 3] {
     let bytes = png(sheet, style::DPI).unwrap();
     let decoder = png::Decoder::new(std::io::Cursor::new(&bytes));
     let mut reader = decoder.read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
     assert_eq!(info.color_type, png::ColorType::Rgb);
-    let [x, y] = place.map(|at| (at * style::pixels(style::DPI)) as usize);
+    let [x, y] = point.map(|at| (at * style::pixels(style::DPI)) as usize);
     let at = 3 * (y * info.width as usize + x);
     [pixels[at], pixels[at + 1], pixels[at + 2]]
 }

@@ -44,8 +44,8 @@ fn a_curve_shows_what_was_computed_over_the_exact_loop() {
         panic!("{} panels", sheet.panels.len());
     };
     let curves = |panel: usize| -> Vec<_> {
-        let all = sheet.panels[panel].series.iter();
-        all.filter(|series| series.marker.is_some()).collect()
+        let drawn = sheet.panels[panel].series.iter();
+        drawn.filter(|series| series.marker.is_some()).collect()
     };
     for (i, solution) in run.solutions.iter().enumerate() {
         let computed = &solution.computed;
@@ -117,7 +117,11 @@ fn the_spectra_of_a_set_are_those_of_its_motions_over_the_target() {
     let [panel] = sheet.panels.as_slice() else {
         panic!("{} panels", sheet.panels.len());
     };
-    let labels: Vec<&str> = panel.series.iter().map(|own| own.label.as_str()).collect();
+    let labels: Vec<&str> = panel
+        .series
+        .iter()
+        .map(|line| line.label.as_str())
+        .collect();
     let expected = [
         "motions",
         "motions",
@@ -292,9 +296,9 @@ fn assert_clear(sheet: &Sheet) {
         let inside = |rect: &&Rect| {
             rect.contains([area.left, area.top]) && rect.contains([area.right(), area.bottom()])
         };
-        let own = boxes.iter().filter(inside).count();
+        let inside_count = boxes.iter().filter(inside).count();
         let met = boxes.iter().filter(|rect| area.overlaps(rect)).count();
-        assert_eq!(met, own, "{text}");
+        assert_eq!(met, inside_count, "{text}");
         assert!(
             words[..i].iter().all(|(_, other)| !area.overlaps(other)),
             "{text}"
@@ -516,9 +520,9 @@ fn stacked_energies_reach_up_to_the_input() {
     // The load is a sine and not a ground motion, so that the work has both signs.
     let parts = r#""masses": {"m": 2}, "springs": [{"name": "k", "between": ["ground", "m"], "k": "80*s", "c": 0.5}],
                    "loads": [{"at": "m", "sine": {"amplitude": 3, "omega": 9}}]"#;
-    let all = r#"["energy.damping", "energy.elastic", "energy.kinetic", "energy.method"]"#;
+    let energies = r#"["energy.damping", "energy.elastic", "energy.kinetic", "energy.method"]"#;
     let figure = format!(
-        r#"{{"name": "e", "kind": "history", "stacked": true, "y": {all}, "where": {{"n": 4}}}},
+        r#"{{"name": "e", "kind": "history", "stacked": true, "y": {energies}, "where": {{"n": 4}}}},
            {{"name": "i", "kind": "history", "y": ["energy.input", "k.S"], "where": {{"n": 4}}}}"#
     );
     let study = structure(parts, &figure);
@@ -527,7 +531,7 @@ fn stacked_energies_reach_up_to_the_input() {
         panic!("{} panels", sheet.panels.len());
     };
     for (panel, input) in [first, second].into_iter().zip(&input.panels[0].series) {
-        let labels: Vec<&str> = panel.series.iter().map(|own| &*own.label).collect();
+        let labels: Vec<&str> = panel.series.iter().map(|line| &*line.label).collect();
         assert_eq!(
             labels,
             [
@@ -557,7 +561,7 @@ fn stacked_energies_reach_up_to_the_input() {
             "",
             "quantities of one dimension",
         ),
-        (all, r#""by": "s", "#, "one panel for each case"),
+        (energies, r#""by": "s", "#, "one panel for each case"),
     ] {
         let text = format!(
             r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 1, "s": [1, 2]}}, "structure": {{"units": "t, kN, m, s", {}}},

@@ -33,7 +33,7 @@ impl Draw for Distribution {
             ..
         } = *data;
         let look = data.look();
-        let (found, all) = ensembles(study, cases, self.by, None);
+        let (found, ensemble_count) = ensembles(study, cases, self.by, None);
         let banded = found.len() <= MOST_BANDS;
         let height = if self.y.len() == 1 { 190.0 } else { 130.0 };
         let [x_range, y_range] = figure.ranges;
@@ -77,9 +77,11 @@ impl Draw for Distribution {
             sheet.panels.push(panel);
         }
         layout::letter_panels(&mut sheet.panels);
-        layout::left_out(&mut sheet, found.len(), all);
-        let mut all = sheet.panels.iter().flat_map(|panel| &panel.series);
-        let measured = all.find(|own| own.label == MEASURED).map(Key::of);
+        layout::left_out(&mut sheet, found.len(), ensemble_count);
+        let mut every_series = sheet.panels.iter().flat_map(|panel| &panel.series);
+        let measured = every_series
+            .find(|line| line.label == MEASURED)
+            .map(Key::of);
         layout::finish(
             &mut sheet,
             vec![
@@ -190,11 +192,11 @@ fn thinned(steps: &[[f64; 2]]) -> Vec<[f64; 2]> {
     if steps.len() <= MOST_STEPS {
         return steps.to_vec();
     }
-    let place = |step: &[f64; 2]| (step[1] * MOST_STEPS as f64).floor();
+    let level_of = |step: &[f64; 2]| (step[1] * MOST_STEPS as f64).floor();
     let mut before = 0.0;
     let new = steps.iter().filter(|step| {
-        let place = place(step);
-        std::mem::replace(&mut before, place) < place
+        let level = level_of(step);
+        std::mem::replace(&mut before, level) < level
     });
     new.copied().collect()
 }

@@ -53,9 +53,9 @@ pub fn ensembles<'a, 'c>(
             ensemble.label = label;
         }
     }
-    let all = found.len();
+    let count = found.len();
     found.truncate(MOST_CURVES);
-    (found, all)
+    (found, count)
 }
 
 impl<'a, 'c> Ensemble<'a, 'c> {
@@ -96,10 +96,10 @@ pub fn keys(look: Look, found: &[Ensemble], marker: impl Fn(usize) -> Option<Mar
 pub fn without_value(sheet: &mut Sheet, study: &Study, cases: &[DrawnCase], metrics: &[usize]) {
     for metric in metrics {
         let empty = cases.iter().filter(|shown| shown.metric(*metric).is_none());
-        let (empty, all) = (empty.count(), cases.len());
+        let (empty, count) = (empty.count(), cases.len());
         if empty > 0 {
             let name = markup::escape(&study.measures[*metric].name);
-            let words = format!("Without {empty} of {all} cases, in which {name} is empty.");
+            let words = format!("Without {empty} of {count} cases, in which {name} is empty.");
             layout::small_print(sheet, &words);
         }
     }

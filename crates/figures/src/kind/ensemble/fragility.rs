@@ -36,7 +36,7 @@ impl Draw for Fragility {
             ..
         } = *data;
         let look = data.look();
-        let (found, all) = of_curves(self, study, cases);
+        let (found, curve_count) = of_curves(self, study, cases);
         let curves = curves(groups);
         let height = 190.0;
         let width = figure.width.unwrap_or(1.2 * style::SINGLE);
@@ -71,7 +71,7 @@ impl Draw for Fragility {
             panels: vec![panel],
             ..Sheet::default()
         };
-        layout::left_out(&mut sheet, found.len(), all);
+        layout::left_out(&mut sheet, found.len(), curve_count);
         let key = |(k, (ensemble, curve)): (usize, (&Ensemble, &FragilityCurve))| Key {
             label: text::label(&ensemble.label, curve),
             stroke: stroke(look, k),
@@ -144,8 +144,8 @@ fn drawn(curve: &FragilityCurve) -> impl Iterator<Item = (f64, Probability)> {
 
 /// The fitted function over the whole axis.
 fn line(panel: &Panel, fit: &Function, stroke: Stroke) -> Series {
-    let place = |i: u32| panel.x.value(f64::from(i) / f64::from(POINTS));
-    let point = |i: u32| [place(i), fit.probability(place(i))];
+    let x = |i: u32| panel.x.value(f64::from(i) / f64::from(POINTS));
+    let point = |i: u32| [x(i), fit.probability(x(i))];
     Series {
         label: String::new(),
         points: (0..=POINTS).map(point).collect(),

@@ -27,7 +27,7 @@ impl Draw for Quantiles {
             cases,
             ..
         } = *data;
-        let (found, all) = ensembles(study, cases, self.by, Some(self.x));
+        let (found, ensemble_count) = ensembles(study, cases, self.by, Some(self.x));
         let points = |metric: &usize| -> Vec<Vec<Point>> {
             let of = |ensemble: &Ensemble| points_of(self, ensemble, *metric);
             found.iter().map(of).collect()
@@ -39,9 +39,9 @@ impl Draw for Quantiles {
         let [x_scale, y_scale] = self.scales;
         let up = |(metric, curves): (&usize, &Vec<Vec<Point>>)| {
             let points = curves.iter().flatten();
-            let all = points.flat_map(|(x, of)| of.map(|y| [*x, y]));
-            let all: Vec<[f64; 2]> = all.collect();
-            let values = limits::heights(all.iter(), x_range).into_iter();
+            let ends = points.flat_map(|(x, of)| of.map(|y| [*x, y]));
+            let ends: Vec<[f64; 2]> = ends.collect();
+            let values = limits::heights(ends.iter(), x_range).into_iter();
             let title = &study.title(*metric);
             limits::axis(title, values, y_scale, y_range, height / 24.0)
         };
@@ -86,7 +86,7 @@ impl Draw for Quantiles {
             sheet.panels.push(panel);
         }
         layout::letter_panels(&mut sheet.panels);
-        layout::left_out(&mut sheet, found.len(), all);
+        layout::left_out(&mut sheet, found.len(), ensemble_count);
         let keys = keys(look, &found, marker);
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         layout::small_print(&mut sheet, &meaning(self, banded));
@@ -136,7 +136,7 @@ fn points_of(figure: &Quantiles, ensemble: &Ensemble, metric: usize) -> Vec<Poin
 fn bands(panel: &mut Panel, points: &[Point], stroke: Stroke) {
     let has_place = |(x, of): &Point| {
         let mut ends = of.iter().map(|y| panel.place([*x, *y]));
-        ends.all(|place| place.iter().all(|v| v.is_finite()))
+        ends.all(|end| end.iter().all(|v| v.is_finite()))
     };
     let parts = points.chunk_by(|a, b| has_place(a) == has_place(b));
     let parts: Vec<&[Point]> = parts.filter(|part| has_place(&part[0])).collect();

@@ -86,9 +86,9 @@ pub fn lines(
 
 /// The best of the points chosen.
 pub fn best_of(points: &[Point], chosen: impl Fn(&Point) -> bool) -> Vec<usize> {
-    let own: Vec<usize> = (0..points.len()).filter(|i| chosen(&points[*i])).collect();
-    let places: Vec<[f64; 2]> = own.iter().map(|i| points[*i].at).collect();
-    best(&places).into_iter().map(|k| own[k]).collect()
+    let indices: Vec<usize> = (0..points.len()).filter(|i| chosen(&points[*i])).collect();
+    let places: Vec<[f64; 2]> = indices.iter().map(|i| points[*i].at).collect();
+    best(&places).into_iter().map(|k| indices[k]).collect()
 }
 
 /// A value of a parameter, in markup.

@@ -151,7 +151,7 @@ impl Draw for Front {
 fn small_print(
     figure: &Front,
     study: &Study,
-    all: usize,
+    cases: usize,
     lacking: usize,
     best: &[DrawnCase],
 ) -> Vec<String> {
@@ -181,7 +181,7 @@ fn small_print(
         words.push(format!("Best of all by rising {x}; {}", among.join("; ")));
     }
     if lacking > 0 {
-        words.push(format!("{lacking} of {all} cases without a value"));
+        words.push(format!("{lacking} of {cases} cases without a value"));
     }
     words
 }

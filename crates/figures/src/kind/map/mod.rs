@@ -66,12 +66,12 @@ impl Draw for Map {
             let (Some(column), Some(row)) = (found(&xs, *x), found(&ys, *y)) else {
                 continue;
             };
-            let place = column * ys.len() + row;
+            let cell = column * ys.len() + row;
             let Some(value) = value else {
-                empty.insert(place);
+                empty.insert(cell);
                 continue;
             };
-            values[place] = value;
+            values[cell] = value;
             if !contoured {
                 cells.push(Cell {
                     x: [x_edges[column], x_edges[column + 1]],
@@ -247,7 +247,7 @@ const DOTS: &str = "Dots: the cases, between which the shades are interpolated."
 /// How many values are outside of the range of the shades; `None` if none is.
 fn outside(values: &[f64], range: Option<[f64; 2]>) -> Option<String> {
     let [low, high] = range?;
-    let all = values.iter().filter(|x| x.is_finite()).count();
+    let finite = values.iter().filter(|x| x.is_finite()).count();
     let below = values.iter().filter(|x| **x < low).count();
     let above = values.iter().filter(|x| **x > high).count();
     let count = |some: usize, word: &str, end: f64| {
@@ -257,7 +257,7 @@ fn outside(values: &[f64], range: Option<[f64; 2]>) -> Option<String> {
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     (!parts.is_empty()).then(|| {
         format!(
-            "Of {all} values, {} lie outside of the range of colours.",
+            "Of {finite} values, {} lie outside of the range of colours.",
             parts.join(" and ")
         )
     })

@@ -16,9 +16,9 @@ pub fn places(
     value: impl Fn(&DrawnCase) -> Option<f64>,
 ) -> Vec<f64> {
     let has_place = |x: &f64| scale == Scale::Linear || *x > 0.0;
-    let all = cases.iter().filter_map(value).filter(has_place);
+    let positions = cases.iter().filter_map(value).filter(has_place);
     // There are far fewer places than cases.
-    let different: HashSet<u64> = all.map(f64::to_bits).collect();
+    let different: HashSet<u64> = positions.map(f64::to_bits).collect();
     let mut places: Vec<f64> = different.into_iter().map(f64::from_bits).collect();
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| same(*a, *b));

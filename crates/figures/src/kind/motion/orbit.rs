@@ -14,8 +14,8 @@ const POINTS: u32 = 360;
 
 impl Draw for Orbit {
     fn sheet(&self, data: &FigureData) -> Sheet {
-        let all = &data.study.problem.schema().quantities;
-        let of = &all[self.0.x];
+        let quantities = &data.study.problem.schema().quantities;
+        let of = &quantities[self.0.x];
         let solved = data.cases.iter().filter(|c| c.solution().is_some());
         let limits = solved.filter_map(|shown| limit(data.study, of, shown));
         let largest = limits.fold(0.0, f64::max);
@@ -39,17 +39,20 @@ fn limit(study: &Study, of: &Quantity, shown: &DrawnCase) -> Option<f64> {
         .or(of.name.strip_suffix(".S.2"))?;
     let (case, solution) = (shown.case(), shown.solution()?);
     let columns = study.problem.history_columns(&case);
-    let names: Vec<&str> = columns.iter().map(|own| &*own.column.name).collect();
+    let names: Vec<&str> = columns.iter().map(|shown| &*shown.column.name).collect();
     // Each contact has one rdot; lengths have one besides.
     let is_length = |name: &str| names.contains(&&*format!("{name}.1"));
     let mut rates = names.iter().filter(|name| {
-        let own = name.trim_end_matches(".1").trim_end_matches(".2");
-        own.ends_with(".rdot") && !is_length(name)
+        let plain = name.trim_end_matches(".1").trim_end_matches(".2");
+        plain.ends_with(".rdot") && !is_length(name)
     });
-    let place = rates.position(|name| **name == format!("{contact}.rdot.1"))?;
-    let limits = study.problem.as_structure().map_or(Vec::new(), |own| {
-        own.friction_limits(&case, &solution.computed)
-    });
-    let own = limits.get(place)?.as_ref()?;
-    Some(own.iter().copied().fold(0.0, f64::max))
+    let row = rates.position(|name| **name == format!("{contact}.rdot.1"))?;
+    let limits = study
+        .problem
+        .as_structure()
+        .map_or(Vec::new(), |structure| {
+            structure.friction_limits(&case, &solution.computed)
+        });
+    let limit = limits.get(row)?.as_ref()?;
+    Some(limit.iter().copied().fold(0.0, f64::max))
 }

@@ -63,7 +63,7 @@ impl Draw for Profile {
         let places = (0..y.len()).flat_map(along).map(|point| point[0]);
         let most = grids.first().map_or(1.0, |grid| grid.width / 32.0);
         let title = &problem.schema().place_title;
-        let place = limits::axis(title, places, Scale::Linear, x_range, most);
+        let position = limits::axis(title, places, Scale::Linear, x_range, most);
         let ends = ends(drawn);
 
         let mut sheet = Sheet {
@@ -72,7 +72,7 @@ impl Draw for Profile {
         };
         for (r, row) in panels.into_iter().enumerate() {
             for (k, series) in row.into_iter().enumerate() {
-                let mut x = place.clone();
+                let mut x = position.clone();
                 let (grid, frame) = match across {
                     true => (&grids[k], grids[k].frames[r][0]),
                     false => (&grids[0], grids[0].frames[r * y.len() + k][0]),

@@ -29,7 +29,7 @@ impl Draw for Set {
             ..
         } = *data;
         let (mut shown, units) = sets(study, cases);
-        let all = shown.len();
+        let count = shown.len();
         shown.truncate(MOST);
         let named = label::labels(study.problem.parameters(), &shown, None, &[]);
         let drawn = shown.iter().filter_map(|shown| drawn(self, study, shown));
@@ -77,7 +77,7 @@ impl Draw for Set {
             sheet.panels.push(panel);
         }
         layout::letter_panels(&mut sheet.panels);
-        layout::left_out(&mut sheet, drawn.len(), all);
+        layout::left_out(&mut sheet, drawn.len(), count);
         let first = sheet.panels.first().map(|panel| &panel.series);
         let keys = first.into_iter().flatten();
         let mut keys: Vec<Key> = keys
@@ -99,7 +99,7 @@ fn sets<'a>(study: &Study, cases: &[DrawnCase<'a>]) -> (Vec<DrawnCase<'a>>, [Str
     let (mut first, mut units) = (Vec::new(), Default::default());
     for shown in cases {
         // Without periods: what tells sets apart, for little work.
-        if let Some((set, own)) = study
+        if let Some((set, of_set)) = study
             .problem
             .as_structure()
             .and_then(|structure| structure.set_spectra(&shown.case(), &[]))
@@ -107,7 +107,7 @@ fn sets<'a>(study: &Study, cases: &[DrawnCase<'a>]) -> (Vec<DrawnCase<'a>>, [Str
         {
             known.push(set);
             first.push(*shown);
-            units = own;
+            units = of_set;
         }
     }
     (first, units)
@@ -145,13 +145,13 @@ fn curves(periods: &[f64], set: &SetSpectra, look: Look) -> Vec<Series> {
         marker: None,
         marked: Vec::new(),
     };
-    let motion = |own: &Vec<f64>| curve(own, "motions", Stroke::Grey, style::EXACT_LINE);
-    let mut all: Vec<Series> = set.motions.iter().map(motion).collect();
+    let motion = |values: &Vec<f64>| curve(values, "motions", Stroke::Grey, style::EXACT_LINE);
+    let mut curves: Vec<Series> = set.motions.iter().map(motion).collect();
     let coloured = |i: u8, black| match look.colour {
         true => Stroke::Colour(i),
         false => black,
     };
-    let component = set.component.map(|own| match own.name() {
+    let component = set.component.map(|component| match component.name() {
         "srss" => "SRSS".to_owned(),
         "geometric-mean" => "geometric means".to_owned(),
         rotated => rotated.replace("rotd", "RotD"),
@@ -159,26 +159,26 @@ fn curves(periods: &[f64], set: &SetSpectra, look: Look) -> Vec<Series> {
     let statistic = match (set.is_envelope, component) {
         (true, None) => "envelope".to_owned(),
         (false, None) => "mean".to_owned(),
-        (true, Some(own)) => format!("envelope of {own}"),
-        (false, Some(own)) => format!("mean of {own}"),
+        (true, Some(name)) => format!("envelope of {name}"),
+        (false, Some(name)) => format!("mean of {name}"),
     };
     let target = |label: &str, factor: f64, stroke| {
         let values: Vec<f64> = set.target.iter().map(|y| factor * y).collect();
         curve(&values, label, stroke, style::CASE_LINE)
     };
-    all.push(target("target", 1.0, coloured(1, Stroke::Dashed)));
+    curves.push(target("target", 1.0, coloured(1, Stroke::Dashed)));
     if set.least != 1.0 {
         let label = format!("{} × target", number::plain(set.least));
-        all.push(target(&label, set.least, coloured(2, Stroke::DashDot)));
+        curves.push(target(&label, set.least, coloured(2, Stroke::DashDot)));
     }
     let bold = BOLD * style::CASE_LINE;
-    all.push(curve(
+    curves.push(curve(
         &set.statistic,
         &statistic,
         coloured(0, Stroke::Solid),
         bold,
     ));
-    all
+    curves
 }
 
 /// What the lines of the range are, and the state of the set.

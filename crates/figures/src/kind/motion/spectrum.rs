@@ -41,7 +41,7 @@ impl Draw for Spectrum {
         let ratios = number::digits(self.damping.iter().copied());
         let periods = over_periods(self.periods);
         let mut curves: Vec<(String, Vec<spectrum::Ordinate>)> = Vec::new();
-        let all = motions.len() * self.damping.len();
+        let curve_count = motions.len() * self.damping.len();
         for (motion, name) in motions.iter().zip(&named) {
             for ratio in &self.damping {
                 let Some(ordinates) = spectrum(&motion.acceleration, &periods, *ratio) else {
@@ -127,7 +127,7 @@ impl Draw for Spectrum {
             sheet.panels.push(panel);
         }
         layout::letter_panels(&mut sheet.panels);
-        layout::left_out(&mut sheet, count, drawable.max(all));
+        layout::left_out(&mut sheet, count, drawable.max(curve_count));
         let first = sheet.panels.first();
         let keys: Vec<Key> = first
             .iter()

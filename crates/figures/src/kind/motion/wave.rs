@@ -53,15 +53,15 @@ impl Draw for Wave {
         };
         let panels = [("computed", cells(computed)), ("exact", cells(exact))];
 
-        let all = panels.iter().flat_map(|panel| &panel.1);
+        let both_maps = panels.iter().flat_map(|panel| &panel.1);
         let title = &study.problem.schema().profiles[y].title;
         let colours = bar::axis(
             title,
-            all.clone().map(|cell| cell.value),
+            both_maps.clone().map(|cell| cell.value),
             Scale::Linear,
             None,
         );
-        let [left, right] = all.fold([0.0, 0.0], |[a, b]: [f64; 2], cell| {
+        let [left, right] = both_maps.fold([0.0, 0.0], |[a, b]: [f64; 2], cell| {
             [a.min(cell.x[0]), b.max(cell.x[1])]
         });
         let across = match figure.ranges[0] {
@@ -84,7 +84,7 @@ impl Draw for Wave {
         let columns = layout::side_by_side(2, figure.width);
         let heights = vec![HEIGHT; 2 / columns];
         let grid = layout::grid(width, columns, &heights, axis, bar::room(&colours));
-        let place = ticks::linear(
+        let position = ticks::linear(
             &study.problem.schema().place_title,
             across,
             grid.width / 32.0,
@@ -95,7 +95,7 @@ impl Draw for Wave {
         };
         for (k, (what, cells)) in panels.into_iter().enumerate() {
             let frame = grid.frames[k / columns][k % columns];
-            let (mut x, mut y) = (place.clone(), time.clone());
+            let (mut x, mut y) = (position.clone(), time.clone());
             if k % columns > 0 {
                 y.title.clear();
                 y.numbered = false;

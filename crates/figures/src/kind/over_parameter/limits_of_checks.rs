@@ -30,14 +30,14 @@ pub fn of<'a>(
     cases: impl Iterator<Item = DrawnCase<'a>>,
     at: impl Fn(&DrawnCase) -> Option<f64>,
 ) -> Vec<Limits> {
-    let own: Vec<&Check> = checks
+    let of_metric: Vec<&Check> = checks
         .iter()
         .filter(|check| check.metric == metric)
         .collect();
     let mut found: Vec<Limits> = Vec::new();
-    for shown in cases.filter(|_| !own.is_empty()) {
+    for shown in cases.filter(|_| !of_metric.is_empty()) {
         let case = shown.case();
-        for check in own.iter().filter(|check| check.filter.matches(&case)) {
+        for check in of_metric.iter().filter(|check| check.filter.matches(&case)) {
             let Some(at) = at(&shown) else { continue };
             let limits = Limits {
                 at,
@@ -65,8 +65,8 @@ pub fn key() -> Key {
 impl Limits {
     /// Adds the interval to a panel: a line with a cap at each end; a stem where it has no other end.
     pub fn draw(&self, panel: &mut Panel) {
-        let place = panel.x.fraction(self.at);
-        let [left, right] = [-CAP, CAP].map(|by| panel.x.value(place + by / panel.frame.width));
+        let centre = panel.x.fraction(self.at);
+        let [left, right] = [-CAP, CAP].map(|by| panel.x.value(centre + by / panel.frame.width));
         let moved = |y: f64, by: f64| panel.y.value(panel.y.fraction(y) + by / panel.frame.height);
         let stem = match (self.min, self.max) {
             (Some(min), Some(max)) => [min, max],

@@ -73,7 +73,7 @@ impl Curves<'_> {
         let labels = label::labels(table, &cases, by, &except);
         let (indices, mut labels) = label::numbered(&labels);
         let named = label::named(table, &cases, by, &except);
-        let all = labels.len();
+        let label_count = labels.len();
         labels.truncate(style::MOST_STYLES);
         let order = order(&named, &cases, &indices, labels.len());
         let (strokes, width, marked) = match &order {
@@ -89,8 +89,8 @@ impl Curves<'_> {
         let marker = |index| look.marker(index).filter(|_| marked);
         let curves = |metric: usize, group: &[usize]| -> Vec<Series> {
             let curve = |(index, label): (usize, &String)| {
-                let own = group.iter().filter(|i| indices[**i] == index);
-                let mut points: Vec<[f64; 2]> = own
+                let members = group.iter().filter(|i| indices[**i] == index);
+                let mut points: Vec<[f64; 2]> = members
                     .filter_map(|i| {
                         let value = cases[*i].metric(metric);
                         Some([at(&cases[*i])?, value.unwrap_or(f64::NAN)])
@@ -115,9 +115,9 @@ impl Curves<'_> {
         let exact = |metric: usize, group: &[usize]| {
             let row = reference::row(&study.measures, &study.columns, metric).filter(|_| !orders);
             row.map_or(Vec::new(), |row| {
-                let own: Vec<DrawnCase> = group.iter().map(|i| cases[*i]).collect();
+                let line_cases: Vec<DrawnCase> = group.iter().map(|i| cases[*i]).collect();
                 let indices: Vec<usize> = group.iter().map(|i| indices[*i]).collect();
-                reference::lines(&own, &indices, &strokes, at, row)
+                reference::lines(&line_cases, &indices, &strokes, at, row)
             })
         };
         let groups = match self.panels {
@@ -137,8 +137,8 @@ impl Curves<'_> {
             .collect();
         let limits_of = |metric: usize, group: &[usize]| match self.checks {
             true => {
-                let own = group.iter().map(|i| cases[*i]);
-                limits_of_checks::of(&study.checks, metric, own, at)
+                let panel_cases = group.iter().map(|i| cases[*i]);
+                limits_of_checks::of(&study.checks, metric, panel_cases, at)
             }
             false => Vec::new(),
         };
@@ -194,7 +194,7 @@ impl Curves<'_> {
         for (r, row) in rows.iter().enumerate() {
             for (column, cell) in row.iter().enumerate() {
                 let (grid, frame) = match grids.get(column) {
-                    Some(own) if grids.len() > 1 => (own, own.frames[r][0]),
+                    Some(grid) if grids.len() > 1 => (grid, grid.frames[r][0]),
                     _ => (&grids[0], grids[0].frames[r][column]),
                 };
                 let (mut x, mut y_axis) = (across.clone(), axes[cell.quantity].clone());
@@ -228,7 +228,7 @@ impl Curves<'_> {
             }
         }
         layout::letter_panels(&mut sheet.panels);
-        layout::left_out(&mut sheet, labels.len(), all);
+        layout::left_out(&mut sheet, labels.len(), label_count);
         // The legend of a single panel gives the orders; in several panels they are at the curves.
         if let (true, [panel]) = (orders, &sheet.panels[..]) {
             for (label, series) in labels.iter_mut().zip(&panel.series) {

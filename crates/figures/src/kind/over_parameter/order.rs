@@ -29,8 +29,8 @@ pub fn order(
 /// The stroke of each curve by its place in the order.
 pub fn graded(order: &[usize]) -> Vec<Stroke> {
     let mut strokes = vec![Stroke::Solid; order.len()];
-    for (place, index) in order.iter().enumerate() {
-        strokes[*index] = Stroke::graded(place, order.len());
+    for (rank, index) in order.iter().enumerate() {
+        strokes[*index] = Stroke::graded(rank, order.len());
     }
     strokes
 }

@@ -14,14 +14,14 @@ pub const SEVERAL: &str = "exact (thin, dashed like its curve)";
 /// Row of the metric that is the exact value of another, called `NAME_exact`, in units like the other or not, if it is
 /// among the `listed`.
 pub fn row(table: &[Measure], listed: &[usize], metric: usize) -> Option<usize> {
-    let own = &table[metric];
+    let drawn = &table[metric];
     // The exact values of reduced cases are not reduced.
-    if own.reduction.is_some() {
+    if drawn.reduction.is_some() {
         return None;
     }
-    let name = format!("{}_exact", table[own.metric?].name);
+    let name = format!("{}_exact", table[drawn.metric?].name);
     let exact = table.iter().position(|metric| metric.name == name)?;
-    let is_it = |row: &Measure| row.metric == Some(exact) && row.dimension == own.dimension;
+    let is_it = |row: &Measure| row.metric == Some(exact) && row.dimension == drawn.dimension;
     let row = table.iter().position(is_it)?;
     listed.contains(&row).then_some(row)
 }
@@ -36,7 +36,7 @@ pub fn lines(
     row: usize,
 ) -> Vec<Series> {
     let mut lines: Vec<Series> = Vec::new();
-    let mut own: Vec<Stroke> = Vec::new();
+    let mut of_lines: Vec<Stroke> = Vec::new();
     for index in 0..indices.iter().max().map_or(0, |last| last + 1) {
         let its = cases.iter().zip(indices).filter(|(_, its)| **its == index);
         let mut points: Vec<[f64; 2]> = its
@@ -44,7 +44,7 @@ pub fn lines(
             .collect();
         points.sort_by(|a, b| a[0].total_cmp(&b[0]));
         if !points.is_empty() && lines.iter().all(|line| line.points != points) {
-            own.push(strokes.get(index).copied().unwrap_or(Stroke::Solid));
+            of_lines.push(strokes.get(index).copied().unwrap_or(Stroke::Solid));
             lines.push(Series {
                 label: LABEL.into(),
                 points,
@@ -55,11 +55,11 @@ pub fn lines(
             });
         }
     }
-    let black = own
+    let black = of_lines
         .iter()
         .all(|stroke| stroke.colour() == Stroke::Solid.colour());
     if lines.len() > 1 && black {
-        for (line, stroke) in lines.iter_mut().zip(own) {
+        for (line, stroke) in lines.iter_mut().zip(of_lines) {
             (line.label, line.stroke) = (SEVERAL.into(), stroke);
         }
     }
@@ -111,10 +111,10 @@ mod tests {
         let table = problem.parameters();
         let x = table.iter().position(|p| p.name == "x0").unwrap();
         let places = [3.0, 1.0, 2.0];
-        let case = |place: &f64| {
+        let case = |x0: &f64| {
             let mut case = Case::new(problem.schema());
             case.values[x] = Some(slipgap_problem::problem::numbers::parameter::Value::Number(
-                *place,
+                *x0,
             ));
             case
         };
@@ -140,8 +140,8 @@ mod tests {
         assert!(alone[0].stroke == Stroke::Solid && alone[0].label == LABEL);
         let lines = lines(&shown, &indices, &strokes, at, 1);
         let points: Vec<_> = lines.iter().map(|line| line.points.clone()).collect();
-        let all = vec![[1.0, 10.0], [2.0, 20.0], [3.0, 30.0]];
-        assert_eq!(points, [all, vec![[1.0, 15.0], [3.0, 35.0]]]);
+        let whole = vec![[1.0, 10.0], [2.0, 20.0], [3.0, 30.0]];
+        assert_eq!(points, [whole, vec![[1.0, 15.0], [3.0, 35.0]]]);
         assert!(
             lines
                 .iter()

@@ -76,8 +76,8 @@ fn describe(scheme: &Structure) -> String {
         .count();
     let contacts = scheme.links.iter().filter(|link| !link.name.is_empty());
     let contacts: Vec<&str> = contacts.map(|link| link.name.as_str()).collect();
-    let own = scheme.parts.iter().filter(|part| !part::is_node(part));
-    let parts: Vec<&str> = own.map(|part| part.name.as_str()).collect();
+    let bodies = scheme.parts.iter().filter(|part| !part::is_node(part));
+    let parts: Vec<&str> = bodies.map(|part| part.name.as_str()).collect();
     let models = scheme.parts.iter().filter(|part| part.model.is_some());
     let models = models.count();
     let matrices = match models {

@@ -125,8 +125,8 @@ fn spring(track: &Track, elastic: bool, viscous: bool) -> Vec<Shape> {
         let mut zigzag = vec![[from, -apart]];
         for i in 0..TEETH {
             let side = if i % 2 == 0 { 3.2 } else { -3.2 };
-            let place = from + LONG * (i as f64 + 0.5) / TEETH as f64;
-            zigzag.push([place, side - apart]);
+            let tooth = from + LONG * (i as f64 + 0.5) / TEETH as f64;
+            zigzag.push([tooth, side - apart]);
         }
         zigzag.push([to, -apart]);
         shapes.push(track.line(&zigzag, OUTLINE));
@@ -147,8 +147,8 @@ fn spring(track: &Track, elastic: bool, viscous: bool) -> Vec<Shape> {
         shapes.push(track.line(&[[middle + 0.5, apart], [to, apart]], OUTLINE));
     }
     if apart > 0.0 {
-        for place in [from, to] {
-            shapes.push(track.line(&[[place, -apart], [place, apart]], OUTLINE));
+        for end in [from, to] {
+            shapes.push(track.line(&[[end, -apart], [end, apart]], OUTLINE));
         }
     }
     shapes.push(track.line(&[[0.0, 0.0], [from, 0.0]], OUTLINE));
@@ -195,18 +195,18 @@ fn sliding(track: &Track, horizontal: bool) -> Vec<Shape> {
     let [start, end] = [track.at(0.0, 0.0), track.at(track.length, 0.0)];
     let mut shapes = Vec::new();
     // The rods lead to the lower plate from below or the left, to the upper one from above or the right.
-    for place in [start, end] {
+    for corner in [start, end] {
         let lower = if horizontal {
-            place[0] < middle[0]
+            corner[0] < middle[0]
         } else {
-            place[1] > middle[1]
+            corner[1] > middle[1]
         };
         let y = middle[1] + if lower { half } else { -half };
         let line = if horizontal {
             let side = if lower { -SLIDING } else { SLIDING };
-            vec![place, [middle[0] + side, place[1]], [middle[0] + side, y]]
+            vec![corner, [middle[0] + side, corner[1]], [middle[0] + side, y]]
         } else {
-            vec![place, [middle[0], y]]
+            vec![corner, [middle[0], y]]
         };
         shapes.push(Shape::Line(line, OUTLINE));
         shapes.push(Shape::Line(plate(y), OUTLINE));
@@ -244,10 +244,10 @@ pub const MOST_TICKS: u32 = 20;
 /// A bar with ticks at the ends of its elements; of many elements only at the first and last ones.
 pub fn bar(picture: &mut Picture, rect: Rect, elements: u32) {
     picture.shapes.push(Shape::Box(rect, 255));
-    let all = (1..elements).filter(|i| elements <= MOST_TICKS || *i < 4 || elements - *i < 4);
+    let drawn = (1..elements).filter(|i| elements <= MOST_TICKS || *i < 4 || elements - *i < 4);
     // The first ticks of many elements have the distance of 40 elements.
     let shown = f64::from(elements.min(2 * MOST_TICKS));
-    for i in all {
+    for i in drawn {
         let from_left = match i < 4 || elements <= MOST_TICKS {
             true => f64::from(i) / shown,
             false => 1.0 - f64::from(elements - i) / shown,

@@ -72,11 +72,11 @@ impl DrawWith for Curve {
         let arranged = Arrangement::of(self.y.len(), groups.len(), figure.width);
         let columns = arranged.columns(self.y.len(), groups.len());
         let rows = arranged.rows(self.y.len(), groups.len());
-        let all = &study.problem.schema().quantities;
-        let quantities: Vec<&Quantity> = self.y.iter().map(|row| &all[*row]).collect();
+        let offered = &study.problem.schema().quantities;
+        let quantities: Vec<&Quantity> = self.y.iter().map(|row| &offered[*row]).collect();
         let pairs = Pairs {
             study,
-            x: &all[self.x],
+            x: &offered[self.x],
             in_units: units.is_some(),
             times: self.times,
         };
@@ -127,8 +127,8 @@ impl DrawWith for Curve {
             _ => style::DOUBLE,
         });
         if with.equal {
-            let own = vec![height; rows.len()];
-            height = layout::grid(width, columns, &own, &axes, 4.0).width;
+            let heights = vec![height; rows.len()];
+            height = layout::grid(width, columns, &heights, &axes, 4.0).width;
         }
         let heights = vec![height; rows.len()];
         let grids = match arranged {
@@ -149,7 +149,7 @@ impl DrawWith for Curve {
         for (r, row) in rows.iter().enumerate() {
             for (column, cell) in row.iter().enumerate() {
                 let (grid, frame) = match grids.get(column) {
-                    Some(own) if grids.len() > 1 => (own, own.frames[r][0]),
+                    Some(grid) if grids.len() > 1 => (grid, grid.frames[r][0]),
                     _ => (&grids[0], grids[0].frames[r][column]),
                 };
                 let (mut x, mut y) = (across.clone(), axes[cell.quantity].clone());

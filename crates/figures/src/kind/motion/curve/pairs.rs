@@ -71,7 +71,7 @@ impl Pairs<'_> {
         let mut found: Vec<Series> = Vec::new();
         for shown in group.iter().map(|i| &drawn[*i]) {
             let measured = Measured::of(self.study, &shown.case());
-            let [Some((time, xs)), Some((_, ys))] = [self.x, y].map(|own| measured.quantity(own))
+            let [Some((time, xs)), Some((_, ys))] = [self.x, y].map(|row| measured.quantity(row))
             else {
                 continue;
             };

@@ -97,11 +97,11 @@ impl Curves<'_> {
         let time = |i| first + (last - first) * i as f64 / EXACT_POINTS as f64;
         // It starts at 0 even if the first time shown is later.
         let start = (first > 0.0).then_some(0.0);
-        let all: Vec<f64> = start
+        let exact_times: Vec<f64> = start
             .into_iter()
             .chain((0..=EXACT_POINTS).map(time))
             .collect();
-        let exact = self.study.problem.exact(&shown.case(), &all)?;
+        let exact = self.study.problem.exact(&shown.case(), &exact_times)?;
         let values = exact.channel(quantity.channel);
         // No exact motion has energies by kind.
         if values.is_empty() {
@@ -136,12 +136,12 @@ impl Curves<'_> {
 
 /// Takes the marker from the only curve of each panel: it needs none if no exact curve is with it. Measured ones are grey.
 pub fn unmark_alone<'a>(series: impl Iterator<Item = &'a mut Series>, labels: &[String]) {
-    let all: Vec<&mut Series> = series.collect();
+    let lines: Vec<&mut Series> = series.collect();
     let alone = labels.len() == 1
-        && all
+        && lines
             .iter()
             .all(|series| series.label == labels[0] || series.label == MEASURED);
-    for series in all.into_iter().filter(|_| alone) {
+    for series in lines.into_iter().filter(|_| alone) {
         series.marker = None;
     }
 }

@@ -14,8 +14,8 @@ impl Measured {
 
     /// Times and values of a quantity, if it was measured; an error was not.
     pub fn quantity(&self, quantity: &Quantity) -> Option<(&[f64], &[f64])> {
-        let mut all = self.0.iter().filter(|_| !quantity.error);
-        let own = all.find(|own| own.column == quantity.channel)?;
-        Some((&own.time, &own.values))
+        let mut series = self.0.iter().filter(|_| !quantity.error);
+        let channel = series.find(|measured| measured.column == quantity.channel)?;
+        Some((&channel.time, &channel.values))
     }
 }

@@ -157,7 +157,7 @@ impl Draw for History {
         for (r, row) in rows.iter().enumerate() {
             for (column, cell) in row.iter().enumerate() {
                 let (grid, frame) = match grids.get(column) {
-                    Some(own) if grids.len() > 1 => (own, own.frames[r][0]),
+                    Some(grid) if grids.len() > 1 => (grid, grid.frames[r][0]),
                     _ => (&grids[0], grids[0].frames[r][column]),
                 };
                 let mut y = axes[cell.quantity].clone();

@@ -78,7 +78,7 @@ pub fn sheet(figure: &History, data: &FigureData) -> Sheet {
         }
         let mut panel = Panel::new(grid.frames[row][0], grid.margin, x, axis.clone());
         panel.zero = panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
-        panel.bands = bands(series.iter().filter(|own| own.label != MEASURED));
+        panel.bands = bands(series.iter().filter(|line| line.label != MEASURED));
         panel.series = series;
         if let (Some(label), true) = (labels.get(row), drawn.len() > 1) {
             panel.caption.clone_from(label);
@@ -142,7 +142,10 @@ fn measured(study: &Study, quantities: &[&Quantity], case: &DrawnCase, end: f64)
         let (time, values) = measured.quantity(quantity)?;
         match k {
             0 => sum.extend(time.iter().zip(values).map(|(t, x)| [*t, *x])),
-            _ => sum.iter_mut().zip(values).for_each(|(own, x)| own[1] += x),
+            _ => sum
+                .iter_mut()
+                .zip(values)
+                .for_each(|(point, x)| point[1] += x),
         }
     }
     sum.retain(|[t, _]| (0.0..=end).contains(t));
@@ -153,14 +156,14 @@ fn measured(study: &Study, quantities: &[&Quantity], case: &DrawnCase, end: f64)
 fn bands<'a>(series: impl Iterator<Item = &'a Series>) -> Vec<Band> {
     let mut lower: Option<&Series> = None;
     let mut bands = Vec::new();
-    for own in series {
-        let zero = || own.points.iter().map(|[t, _]| [*t, 0.0]).collect();
+    for line in series {
+        let zero = || line.points.iter().map(|[t, _]| [*t, 0.0]).collect();
         bands.push(Band {
-            upper: own.points.clone(),
+            upper: line.points.clone(),
             lower: lower.map_or_else(zero, |before| before.points.clone()),
-            stroke: own.stroke,
+            stroke: line.stroke,
         });
-        lower = Some(own);
+        lower = Some(line);
     }
     bands
 }

@@ -42,8 +42,8 @@ pub fn sheet(data: &FigureData, laws: &[Option<ContactLaw>]) -> Sheet {
     });
     let [displacement, velocity, force] = titles(study);
     let curves: Vec<Vec<Curve>> = groups.iter().map(|group| curves(&group.1, table)).collect();
-    let all = || curves.iter().flatten().flat_map(|curve| &curve.points);
-    let forces = all().fold([0.0, 0.0], |[low, high]: [f64; 2], [_, s]| {
+    let drawn_points = || curves.iter().flatten().flat_map(|curve| &curve.points);
+    let forces = drawn_points().fold([0.0, 0.0], |[low, high]: [f64; 2], [_, s]| {
         [low.min(*s), high.max(*s)]
     });
     let y = ticks::around(force, forces.into_iter(), 6.0);
@@ -74,15 +74,15 @@ pub fn sheet(data: &FigureData, laws: &[Option<ContactLaw>]) -> Sheet {
             false => displacement,
         };
         let x = ticks::around(title, range.into_iter(), grid.width / 32.0);
-        let mut own = y.clone();
+        let mut unlabelled = y.clone();
         if k % columns > 0 {
-            own.title.clear();
-            own.numbered = false;
+            unlabelled.title.clear();
+            unlabelled.numbered = false;
         }
         let mut frame = grid.frames[k / columns][k % columns];
         // Each row has a horizontal axis.
         frame.top += (k / columns) as f64 * layout::below(&x).ceil();
-        let mut panel = Panel::new(frame, grid.margin, x, own);
+        let mut panel = Panel::new(frame, grid.margin, x, unlabelled);
         panel.zero = true;
         panel.caption = markup::escape(group.0);
         let count = curves.len();
@@ -131,7 +131,7 @@ fn curves(
             continue;
         }
         seen.push(*law);
-        let own = table.iter().enumerate().filter_map(|(row, parameter)| {
+        let values = table.iter().enumerate().filter_map(|(row, parameter)| {
             let value = shown.value(row);
             let of_law =
                 parameter.name == "law" || parameter.applies.is_some_and(|on| on.governor == "law");
@@ -141,7 +141,7 @@ fn curves(
             Some(label::value_label(parameter, value?, 3))
         });
         curves.push(Curve {
-            label: own.collect::<Vec<_>>().join(", "),
+            label: values.collect::<Vec<_>>().join(", "),
             points: law.cycle(reach).0,
         });
     }

@@ -88,13 +88,13 @@ pub fn sheet(data: &FigureData) -> Sheet {
     layout::letter_panels(&mut sheet.panels);
     // Panels below one another share a legend.
     if columns == 1 {
-        let mut all: Vec<Key> = Vec::new();
+        let mut shared: Vec<Key> = Vec::new();
         for key in std::mem::take(&mut keys).into_iter().flatten() {
-            if !all.iter().any(|other| other.label == key.label) {
-                all.push(key);
+            if !shared.iter().any(|other| other.label == key.label) {
+                shared.push(key);
             }
         }
-        keys = vec![all];
+        keys = vec![shared];
     }
     layout::finish(&mut sheet, keys, figure.title.as_deref());
     sheet

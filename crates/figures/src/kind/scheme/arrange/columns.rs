@@ -67,7 +67,7 @@ impl<'a> Columns<'a> {
         for part in 0..count {
             let members = columns.members(columns.of[part]).into_iter();
             let alike = |other: &usize| *other == part || !has_places(&scheme.parts[*other]);
-            let widths = members.filter(alike).map(|own| columns.sizes.width[own]);
+            let widths = members.filter(alike).map(|part| columns.sizes.width[part]);
             let widest = widths.fold(0.0, f64::max);
             columns.sizes.width[part] = widest;
         }
@@ -81,8 +81,8 @@ impl<'a> Columns<'a> {
             let members = self.members(column).into_iter();
             members.map(|part| self.relations.rows[part]).collect()
         };
-        let (own, other) = (rows(a), rows(b));
-        if a != b && own.iter().all(|row| !other.contains(row)) {
+        let (rows_of_a, other) = (rows(a), rows(b));
+        if a != b && rows_of_a.iter().all(|row| !other.contains(row)) {
             self.of
                 .iter_mut()
                 .filter(|column| **column == b)
@@ -155,15 +155,15 @@ impl<'a> Columns<'a> {
         for group in groups {
             let columns =
                 (0..count).filter(|i| self.of[*i] == *i && self.relations.groups[*i] == group);
-            let all: Vec<usize> = columns.collect();
-            let own: Vec<usize> = all
+            let of_group: Vec<usize> = columns.collect();
+            let without_bars: Vec<usize> = of_group
                 .iter()
                 .copied()
                 .filter(|c| self.to_bars(*c).is_empty())
                 .collect();
             // The last part of each row.
             let mut last: Vec<Option<usize>> = vec![None; count + 1];
-            for column in self.order(&own) {
+            for column in self.order(&without_bars) {
                 let members = self.members(column);
                 let middle = members.iter().map(|part| {
                     let before = match last[self.relations.rows[*part]] {
@@ -185,7 +185,11 @@ impl<'a> Columns<'a> {
                 self.left[i] + self.sizes.width[i] + reach(self.scheme, self.relations, i, 1)
             };
             // Masses below the ends of bars may be farther out.
-            let below = if own.len() < all.len() { 60.0 } else { 0.0 };
+            let below = if without_bars.len() < of_group.len() {
+                60.0
+            } else {
+                0.0
+            };
             start = parts.map(edge).fold(start, f64::max) + APART + below;
         }
     }
@@ -209,11 +213,11 @@ impl<'a> Columns<'a> {
             }
             let low = places
                 .iter()
-                .map(|place| place[0])
+                .map(|span| span[0])
                 .fold(f64::INFINITY, f64::min);
             let high = places
                 .iter()
-                .map(|place| place[1])
+                .map(|span| span[1])
                 .fold(f64::NEG_INFINITY, f64::max);
             for part in self.members(column) {
                 let width = self.sizes.width[part].max(high - low);

@@ -17,6 +17,6 @@ pub enum Join {
 pub fn end(link: &Link, k: usize) -> Option<(usize, Place)> {
     match link.between[k] {
         End::Ground => None,
-        End::Part(part, place) => Some((part, place)),
+        End::Part(part, at) => Some((part, at)),
     }
 }

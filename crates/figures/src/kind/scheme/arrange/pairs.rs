@@ -110,7 +110,7 @@ fn steps(
             for [from, to] in [[0, 1], [1, 0]] {
                 if let (Some(known), Some((part, _))) = (of(end(link, from), &steps), end(link, to))
                     && through(part)
-                    && steps[part].is_none_or(|own| own > known + 1)
+                    && steps[part].is_none_or(|step| step > known + 1)
                 {
                     steps[part] = Some(known + 1);
                 }

@@ -26,7 +26,8 @@ pub fn reach(scheme: &Scheme, relations: &Relations, part: usize, side: usize) -
     } else {
         0.0
     };
-    let loaded = |end: &End| matches!(*end, End::Part(loaded, place) if loaded == part && at_side(place, side));
+    let loaded =
+        |end: &End| matches!(*end, End::Part(loaded, at) if loaded == part && at_side(at, side));
     match scheme.loads.iter().any(loaded) {
         true => wall.max(ARROW),
         false => wall,
@@ -34,8 +35,8 @@ pub fn reach(scheme: &Scheme, relations: &Relations, part: usize, side: usize) -
 }
 
 /// Whether an arrow at this place may be at a side.
-fn at_side(place: Place, side: usize) -> bool {
-    match place {
+fn at_side(at: Place, side: usize) -> bool {
+    match at {
         Place::Left => side == 0,
         Place::Right => side == 1,
         Place::Mass | Place::Dof(_) => true,

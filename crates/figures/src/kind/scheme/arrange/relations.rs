@@ -129,7 +129,7 @@ impl Relations {
         for l in order {
             done[l] = true;
             let first_is_ground = end(link(l), 0).is_none();
-            let Some((part, place)) = end(link(l), usize::from(first_is_ground)) else {
+            let Some((part, loaded_place)) = end(link(l), usize::from(first_is_ground)) else {
                 // From ground to ground: it does nothing.
                 continue;
             };
@@ -149,7 +149,7 @@ impl Relations {
                 [_, Face::Wall] => at_right,
                 [Face::Part, Face::Part] => below,
             };
-            self.joins[l] = match (link(l).kind, place) {
+            self.joins[l] = match (link(l).kind, loaded_place) {
                 (LinkKind::Friction, _) | (_, Place::Inner(_)) => below,
                 (_, Place::Left) => at(left, at_left),
                 (_, Place::Right) => at(right, at_right),

@@ -63,8 +63,8 @@ fn nodes(part: &Part) -> Option<[f64; 2]> {
 
 /// Width of the names at the edges of a block; 0 for other parts.
 fn room(scheme: &Scheme, relations: &Relations, part: usize) -> f64 {
-    let own = |join: &&Join| matches!(**join, Join::Over(a, b) if a == part || b == part);
-    let over = relations.joins.iter().filter(own).count().max(1);
+    let has_part = |join: &&Join| matches!(**join, Join::Over(a, b) if a == part || b == part);
+    let over = relations.joins.iter().filter(has_part).count().max(1);
     match longest(&scheme.parts[part]) {
         0.0 => 0.0,
         longest => 2.0 * over as f64 * (longest + BESIDE),
@@ -168,28 +168,28 @@ impl Sizes {
                 if !of {
                     continue;
                 }
-                let own = [0, 1]
+                let part_end = [0, 1]
                     .into_iter()
                     .filter_map(|k| end(link, k))
                     .find(|end| end.0 == bar);
                 let half = symbols::across(link.kind) / 2.0;
-                let place = own.map_or(Place::Left, |own| own.1);
-                let known = taken.iter().position(|taken| taken.0 == place);
+                let at = part_end.map_or(Place::Left, |end| end.1);
+                let known = taken.iter().position(|taken| taken.0 == at);
                 let index = known.unwrap_or_else(|| {
-                    taken.push((place, -half));
+                    taken.push((at, -half));
                     taken.len() - 1
                 });
                 let length = &mut taken[index].1;
-                let x = match place {
+                let x = match at {
                     Place::Right => -(*length + half),
                     Place::Left | Place::Inner(_) | Place::Mass | Place::Dof(_) => *length + half,
                 };
                 *length += with_name(link) + BETWEEN;
                 self.slots[l] = Some(Slot {
                     of: bar,
-                    place,
+                    place: at,
                     x,
-                    name_right: place != Place::Right,
+                    name_right: at != Place::Right,
                 });
             }
             longest = longest.max(taken.iter().map(|taken| taken.1.max(0.0)).sum());
@@ -217,17 +217,17 @@ impl Sizes {
             }
             Join::Beside(_) | Join::Over(..) => false,
         };
-        let own: Vec<usize> = (0..scheme.links.len()).filter(is_own).collect();
+        let own_links: Vec<usize> = (0..scheme.links.len()).filter(is_own).collect();
         let longest = longest(&scheme.parts[mass]);
         let wide = |l: usize| with_name(&scheme.links[l]).max(longest);
-        let sums = own.iter().map(|l| wide(*l) + BETWEEN);
+        let sums = own_links.iter().map(|l| wide(*l) + BETWEEN);
         let total = sums.sum::<f64>() - BETWEEN;
         let mut x = -total / 2.0;
         let mut widest = total;
-        for l in &own {
+        for l in &own_links {
             let link = &scheme.links[*l];
             let across = symbols::across(link.kind);
-            let alone = own.len() == 1;
+            let alone = own_links.len() == 1;
             if alone {
                 // The symbol is in the middle, its name right of it.
                 x = -across / 2.0;

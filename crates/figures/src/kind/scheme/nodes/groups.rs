@@ -13,17 +13,17 @@ pub fn move_apart(
     beside: [f64; 2],
 ) {
     let groups = groups(model);
-    let mut all: Vec<usize> = groups.clone();
-    all.sort_unstable();
-    all.dedup();
+    let mut kinds: Vec<usize> = groups.clone();
+    kinds.sort_unstable();
+    kinds.dedup();
     let of = |group: usize| -> Vec<usize> {
         (0..groups.len())
             .filter(|node| groups[*node] == group)
             .collect()
     };
     // Groups that no link names move with those left of or above them.
-    let members: Vec<Vec<usize>> = match all.len() <= MOST_GROUPS {
-        true => all.iter().map(|group| of(*group)).collect(),
+    let members: Vec<Vec<usize>> = match kinds.len() <= MOST_GROUPS {
+        true => kinds.iter().map(|group| of(*group)).collect(),
         false => return,
     };
     for axis in [0, 1] {
@@ -34,14 +34,14 @@ pub fn move_apart(
         let mut order: Vec<usize> = (0..members.len()).collect();
         let starts: Vec<f64> = order.iter().map(|group| range(model, *group)[0]).collect();
         order.sort_by(|a, b| starts[*a].total_cmp(&starts[*b]));
-        for place in 1..order.len() {
-            let (before, after) = order.split_at(place);
+        for cut in 1..order.len() {
+            let (before, after) = order.split_at(cut);
             let mut by = 0.0_f64;
             for link in links {
                 let Some([a, b]) = ends(model, link) else {
                     continue;
                 };
-                let group = |node: usize| all.binary_search(&groups[node]).unwrap_or(0);
+                let group = |node: usize| kinds.binary_search(&groups[node]).unwrap_or(0);
                 let (first, next) = match (group(a), group(b)) {
                     (i, j) if before.contains(&i) && j == after[0] => (a, b),
                     (i, j) if before.contains(&j) && i == after[0] => (b, a),
@@ -49,8 +49,8 @@ pub fn move_apart(
                 };
                 let end = range(model, group(first))[1];
                 if end - range(model, after[0])[0] <= beside[axis] {
-                    let own = model.nodes[next][axis] - model.nodes[first][axis];
-                    by = by.max(length(link) - own);
+                    let known = model.nodes[next][axis] - model.nodes[first][axis];
+                    by = by.max(length(link) - known);
                 }
             }
             for node in after.iter().flat_map(|group| &members[*group]) {

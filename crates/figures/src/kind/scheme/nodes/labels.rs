@@ -75,19 +75,19 @@ impl Labels {
         let mut tables: Vec<(&str, Vec<usize>)> = Vec::new();
         for (l, link) in links.iter().enumerate() {
             let table = link.name.split('.').next().unwrap_or_default();
-            match tables.iter_mut().find(|own| own.0 == table) {
-                Some(own) => own.1.push(l),
+            match tables.iter_mut().find(|entry| entry.0 == table) {
+                Some(entry) => entry.1.push(l),
                 None => tables.push((table, vec![l])),
             }
         }
-        for (table, own) in tables.into_iter().filter(|own| !own.0.is_empty()) {
-            let text = match own.as_slice() {
+        for (table, of_table) in tables.into_iter().filter(|entry| !entry.0.is_empty()) {
+            let text = match of_table.as_slice() {
                 [one] => markup::escape(&links[*one].name),
-                _ => format!("{} ({})", markup::escape(table), own.len()),
+                _ => format!("{} ({})", markup::escape(table), of_table.len()),
             };
-            let heights = own.iter().map(|l| middles[*l]);
+            let heights = of_table.iter().map(|l| middles[*l]);
             let highest = heights.reduce(|a, b| if b[1] < a[1] { b } else { a });
-            let lowest = own.iter().map(|l| middles[*l]);
+            let lowest = of_table.iter().map(|l| middles[*l]);
             let lowest = lowest.reduce(|a, b| if b[1] > a[1] { b } else { a });
             let (Some(high), Some(low)) = (highest, lowest) else {
                 continue;
@@ -118,9 +118,9 @@ impl Labels {
             height: 0.95 * size,
         };
         let cost = |point: Point| {
-            let own = rect(point);
-            let hidden = self.symbols.iter().filter(|other| own.overlaps(other));
-            let lines = self.lines.iter().filter(|point| own.contains(**point));
+            let bounds = rect(point);
+            let hidden = self.symbols.iter().filter(|other| bounds.overlaps(other));
+            let lines = self.lines.iter().filter(|point| bounds.contains(**point));
             1000 * hidden.count() + lines.count()
         };
         let best = (0..2 * STEPS).map(at).min_by_key(|point| cost(*point));

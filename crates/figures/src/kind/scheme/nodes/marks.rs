@@ -56,11 +56,11 @@ pub fn draw(picture: &mut Picture, placed: &Placed, model: &Model, places: &[Poi
     marks.walls.draw(picture, &mut labels);
     marks.forces(picture, &mut labels);
     for (name, [first, end]) in &placed.names {
-        let own = &places[*first..*end];
-        let lowest = own
+        let points = &places[*first..*end];
+        let lowest = points
             .iter()
-            .fold(f64::NEG_INFINITY, |y, place| y.max(place[1]));
-        labels.below([middle(own)[0], lowest], markup::escape(name));
+            .fold(f64::NEG_INFINITY, |y, point| y.max(point[1]));
+        labels.below([middle(points)[0], lowest], markup::escape(name));
     }
     labels.links(&placed.inner, &middles);
     marks.names(&mut labels);
@@ -79,8 +79,8 @@ fn middle(points: &[Point]) -> Point {
 }
 
 /// Half the length of the faces of a contact, so that those of its neighbours stay apart.
-fn half(at: Point, all: &[Point]) -> f64 {
-    let distances = all.iter().filter(|other| **other != at);
+fn half(at: Point, points: &[Point]) -> f64 {
+    let distances = points.iter().filter(|other| **other != at);
     let distances = distances.map(|other| libm::hypot(other[0] - at[0], other[1] - at[1]));
     (0.38 * distances.fold(f64::INFINITY, f64::min)).clamp(FACES[1], FACES[0])
 }
@@ -227,16 +227,16 @@ impl Marks<'_> {
         if self.model.interface.len() > MANY {
             return;
         }
-        for own in &self.model.interface {
-            if named.contains(&own.node) {
+        for dof in &self.model.interface {
+            if named.contains(&dof.node) {
                 continue;
             }
-            named.push(own.node);
-            let name = own
+            named.push(dof.node);
+            let name = dof
                 .name
                 .rsplit_once('.')
-                .map_or(&own.name[..], |(node, _)| node);
-            labels.near(self.places[own.node], markup::escape(name));
+                .map_or(&dof.name[..], |(node, _)| node);
+            labels.near(self.places[dof.node], markup::escape(name));
         }
     }
 

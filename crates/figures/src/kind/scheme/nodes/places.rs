@@ -30,42 +30,43 @@ pub struct Placed {
 impl Placed {
     /// `None` if no matrices have places.
     pub fn of(scheme: &Scheme) -> Option<Placed> {
-        let (own, others): (Vec<usize>, Vec<usize>) =
+        let (with_nodes, others): (Vec<usize>, Vec<usize>) =
             (0..scheme.parts.len()).partition(|i| has_places(&scheme.parts[*i]));
-        if own.is_empty() {
+        if with_nodes.is_empty() {
             return None;
         }
-        let mut all = Model::default();
+        let mut joined = Model::default();
         let mut names = Vec::new();
         let mut first_named = vec![0; scheme.parts.len()];
-        for i in own {
+        for i in with_nodes {
             let Some(model) = &scheme.parts[i].model else {
                 continue;
             };
-            let first = all.nodes.len();
-            first_named[i] = all.interface.len();
-            all.nodes.extend(&model.nodes);
-            all.names.extend(model.names.iter().cloned());
-            all.held.extend(&model.held);
+            let first = joined.nodes.len();
+            first_named[i] = joined.interface.len();
+            joined.nodes.extend(&model.nodes);
+            joined.names.extend(model.names.iter().cloned());
+            joined.held.extend(&model.held);
             let moved = model.couplings.iter();
-            all.couplings
+            joined
+                .couplings
                 .extend(moved.map(|pair| pair.map(|node| node + first)));
             for named in &model.interface {
                 let mut named = named.clone();
                 named.node += first;
-                all.interface.push(named);
+                joined.interface.push(named);
             }
-            names.push((scheme.parts[i].name.clone(), [first, all.nodes.len()]));
+            names.push((scheme.parts[i].name.clone(), [first, joined.nodes.len()]));
         }
-        let axes = axes(&all.nodes);
+        let axes = axes(&joined.nodes);
         let merged = others.len();
         let end = |end: End| match end {
             End::Part(part, Place::Dof(dof)) if has_places(&scheme.parts[part]) => {
                 End::Part(merged, Place::Dof(first_named[part] + dof))
             }
-            End::Part(part, place) => {
+            End::Part(part, at) => {
                 let before = others.iter().filter(|other| **other < part);
-                End::Part(before.count(), place)
+                End::Part(before.count(), at)
             }
             End::Ground => End::Ground,
         };
@@ -80,9 +81,9 @@ impl Placed {
         });
         let (on_nodes, loads): (Vec<End>, Vec<End>) =
             scheme.loads.iter().copied().map(end).partition(is_inner);
-        scale(&mut all, axes);
+        scale(&mut joined, axes);
         groups::move_apart(
-            &mut all,
+            &mut joined,
             &inner,
             |link| symbols::along(link.kind).max(length(&link.name)) + 8.0,
             LARGEST.map(|length| BESIDE * length),
@@ -91,7 +92,7 @@ impl Placed {
         parts.push(Part {
             name: String::new(),
             elements: None,
-            model: Some(all),
+            model: Some(joined),
         });
         let dof = |end: End| match end {
             End::Part(_, Place::Dof(dof)) => Some(dof),

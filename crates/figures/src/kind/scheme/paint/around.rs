@@ -97,11 +97,11 @@ impl Painter<'_> {
         let crossed = |to: f64| {
             let others = middles.iter().enumerate().filter(|(other, _)| {
                 self.lower_and_upper(*other)
-                    .is_some_and(|own| own.1 == upper)
+                    .is_some_and(|rows| rows.1 == upper)
             });
             let places = others.filter_map(|(other, _)| self.straight(other));
             places
-                .filter(|own| *own != x && x.min(to) <= *own && *own <= x.max(to))
+                .filter(|edge| *edge != x && x.min(to) <= *edge && *edge <= x.max(to))
                 .count()
         };
         let ends = taken.iter().flatten().copied();

@@ -26,10 +26,10 @@ impl Painter<'_> {
     /// Nodes of a part in the picture.
     pub fn node_places(&self, part: usize, model: &Model) -> Vec<[f64; 2]> {
         let rect = self.rects[part];
-        let own = [self.sizes.width[part], self.sizes.height[part]];
+        let size = [self.sizes.width[part], self.sizes.height[part]];
         let corner = [
-            rect.left + (rect.width - own[0]) / 2.0 + AROUND_NODES,
-            rect.top + (rect.height - own[1]) / 2.0 + AROUND_NODES,
+            rect.left + (rect.width - size[0]) / 2.0 + AROUND_NODES,
+            rect.top + (rect.height - size[1]) / 2.0 + AROUND_NODES,
         ];
         let least = [0, 1].map(|axis| extent(&model.nodes, axis)[0]);
         let nodes = model.nodes.iter();
@@ -44,9 +44,9 @@ impl Painter<'_> {
             self.joined.push((part, at));
         }
         let link = &self.scheme.links[l];
-        let own = [end(link, 0), end(link, 1)].into_iter().flatten();
-        let own = own.filter(|end| end.0 == part);
-        if let Some((_, Place::Dof(dof))) = own.take(which + 1).last() {
+        let ends = [end(link, 0), end(link, 1)].into_iter().flatten();
+        let ends = ends.filter(|end| end.0 == part);
+        if let Some((_, Place::Dof(dof))) = ends.take(which + 1).last() {
             self.attach_dof(part, dof, at);
         }
     }

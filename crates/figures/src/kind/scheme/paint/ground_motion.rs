@@ -18,20 +18,20 @@ pub fn draw(
     directions: &[Direction],
     axes: [usize; 2],
 ) -> f64 {
-    let place = |direction: &Direction| {
+    let axis_shown = |direction: &Direction| {
         let axis = Direction::TRANSLATIONS
             .iter()
-            .position(|own| own == direction);
-        axis.and_then(|axis| axes.iter().position(|own| *own == axis))
+            .position(|known| known == direction);
+        axis.and_then(|axis| axes.iter().position(|shown| *shown == axis))
     };
     let along = |which: usize| {
         directions
             .iter()
-            .any(|direction| place(direction) == Some(which))
+            .any(|direction| axis_shown(direction) == Some(which))
     };
     let names = directions.iter().map(|direction| direction.name());
     let names: Vec<&str> = names.collect();
-    let in_plane = |direction: &Direction| place(direction).is_some();
+    let in_plane = |direction: &Direction| axis_shown(direction).is_some();
     let text = match directions.iter().all(in_plane) {
         true => "ground motion".to_owned(),
         false => format!("ground motion ({})", names.join(", ")),

@@ -19,8 +19,8 @@ impl Painter<'_> {
             .enumerate()
             .filter(|(_, part)| is_node(part))
         {
-            let own = self.joined.iter().filter(|(part, _)| *part == i);
-            let places: Vec<[f64; 2]> = own.map(|(_, at)| *at).collect();
+            let joints = self.joined.iter().filter(|(part, _)| *part == i);
+            let places: Vec<[f64; 2]> = joints.map(|(_, at)| *at).collect();
             let count = places.len().max(1) as f64;
             let middle = [0, 1].map(|k| places.iter().map(|at| at[k]).sum::<f64>() / count);
             for at in &places {

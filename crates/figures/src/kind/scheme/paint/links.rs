@@ -36,11 +36,11 @@ pub struct LinkPlace {
 impl Painter<'_> {
     /// All links, then the ground that they need.
     pub fn links(&mut self) {
-        for place in self.link_places() {
-            self.link(&place);
+        for drawn in self.link_places() {
+            self.link(&drawn);
         }
-        for place in self.ground_places() {
-            symbols::ground(&mut self.picture, place.ends, place.away);
+        for drawn in self.ground_places() {
+            symbols::ground(&mut self.picture, drawn.ends, drawn.away);
         }
     }
 
@@ -66,24 +66,24 @@ impl Painter<'_> {
     }
 
     /// Draws a link at its place.
-    fn link(&mut self, place: &LinkPlace) {
-        let own = &self.scheme.links[place.link];
+    fn link(&mut self, drawn: &LinkPlace) {
+        let scheme_link = &self.scheme.links[drawn.link];
         let rod = |(_, points): &(usize, Vec<Point>)| Shape::Line(points.clone(), symbols::OUTLINE);
-        self.picture.shapes.extend(place.rods[0].iter().map(rod));
-        link(&mut self.picture, own.kind, place.ends, place.opens);
-        self.picture.shapes.extend(place.rods[1].iter().map(rod));
-        if !own.name.is_empty() {
-            let (at, anchor) = place.name;
-            self.word(at, anchor, markup::escape(&own.name));
+        self.picture.shapes.extend(drawn.rods[0].iter().map(rod));
+        link(&mut self.picture, scheme_link.kind, drawn.ends, drawn.opens);
+        self.picture.shapes.extend(drawn.rods[1].iter().map(rod));
+        if !scheme_link.name.is_empty() {
+            let (at, anchor) = drawn.name;
+            self.word(at, anchor, markup::escape(&scheme_link.name));
         }
-        for (part, which, at) in &place.attached {
-            self.attach(place.link, *part, *which, *at);
+        for (part, which, at) in &drawn.attached {
+            self.attach(drawn.link, *part, *which, *at);
         }
     }
 
     /// Where a vertical link is.
     fn above(&self, l: usize, lower: Option<usize>, upper: usize) -> Option<LinkPlace> {
-        let own = &self.scheme.links[l];
+        let link = &self.scheme.links[l];
         let slot = self.sizes.slots[l]?;
         let (at, x) = (self.straight(l)?, self.middles[l]?);
         let bottom = self.rects[upper].bottom();
@@ -102,7 +102,7 @@ impl Painter<'_> {
         } else {
             top
         };
-        let low_is_first = end(own, 0).map(|end| end.0) == lower;
+        let low_is_first = end(link, 0).map(|end| end.0) == lower;
         // The symbol of a long rod is at its foot.
         let end = bottom.max(top - ROWS);
         if end > bottom {
@@ -118,11 +118,11 @@ impl Painter<'_> {
             }
             rods[1].push((1, rod));
             // The post of an impact is at one side of the rod.
-            if own.kind == LinkKind::Impact {
+            if link.kind == LinkKind::Impact {
                 rods[1].push((1, vec![[x - symbols::GAP, end], [x + symbols::GAP, end]]));
             }
         }
-        let away = symbols::across(own.kind) / 2.0 + NAME_GAP;
+        let away = symbols::across(link.kind) / 2.0 + NAME_GAP;
         let y = (top + end + style::CAP_HEIGHT * style::LABEL) / 2.0;
         let mut attached = Vec::new();
         if let Some(lower) = lower {
@@ -173,16 +173,16 @@ impl Painter<'_> {
         {
             rect = self.rects[right];
         }
-        let all: f64 = alike.iter().map(|l| lane(&self.scheme.links[*l])).sum();
-        let free = (rect.height - all) / (alike.len() + 1) as f64;
+        let height: f64 = alike.iter().map(|l| lane(&self.scheme.links[*l])).sum();
+        let free = (rect.height - height) / (alike.len() + 1) as f64;
         let mut y = rect.top + free;
         for other in alike {
-            let own = &self.scheme.links[other];
-            let next = y + lane(own);
+            let link = &self.scheme.links[other];
+            let next = y + lane(link);
             if other == l {
-                let y = next - symbols::height(own.kind) / 2.0;
+                let y = next - symbols::height(link.kind) / 2.0;
                 let ends = [[from, y], [to, y]];
-                let first = end(own, 0).map(|end| end.0) == parts[0];
+                let first = end(link, 0).map(|end| end.0) == parts[0];
                 let attached = parts.into_iter().zip(ends);
                 let attached = attached.filter_map(|(part, at)| Some((part?, 0, at)));
                 return Some(LinkPlace {
@@ -192,7 +192,7 @@ impl Painter<'_> {
                     parts,
                     opens: 1.0,
                     rods: [Vec::new(), Vec::new()],
-                    name: over_symbol(own, ends),
+                    name: over_symbol(link, ends),
                     attached: attached.collect(),
                 });
             }
@@ -203,7 +203,7 @@ impl Painter<'_> {
 
     /// Where a link over the parts between its own is.
     fn over(&self, l: usize, a: usize, b: usize, count: usize) -> LinkPlace {
-        let own = &self.scheme.links[l];
+        let link = &self.scheme.links[l];
         let parts = match self.rects[a].left <= self.rects[b].left {
             true => [a, b],
             false => [b, a],
@@ -217,7 +217,7 @@ impl Painter<'_> {
             false => (first.right() - in_[0], second.left + in_[1]),
         };
         let ends = [[from, y], [to, y]];
-        let in_order = end(own, 0).map(|end| end.0) == Some(parts[0]);
+        let in_order = end(link, 0).map(|end| end.0) == Some(parts[0]);
         LinkPlace {
             link: l,
             ends,
@@ -231,7 +231,7 @@ impl Painter<'_> {
                 ],
                 Vec::new(),
             ],
-            name: over_symbol(own, ends),
+            name: over_symbol(link, ends),
             attached: vec![
                 (parts[0], 0, [from, first.top]),
                 (parts[1], usize::from(a == b), [to, second.top]),
@@ -241,7 +241,7 @@ impl Painter<'_> {
 }
 
 /// The place of the name over a horizontal symbol.
-fn over_symbol(own: &Link, [from, to]: [Point; 2]) -> (Point, Anchor) {
-    let y = from[1] - symbols::height(own.kind) / 2.0 - 2.0;
+fn over_symbol(link: &Link, [from, to]: [Point; 2]) -> (Point, Anchor) {
+    let y = from[1] - symbols::height(link.kind) / 2.0 - 2.0;
     ([(from[0] + to[0]) / 2.0, y], Anchor::Middle)
 }

@@ -43,7 +43,7 @@ impl Painter<'_> {
         let mut done: Vec<(usize, usize)> = Vec::new();
         let mut places = Vec::new();
         for load in &self.scheme.loads {
-            let End::Part(part, place) = *load else {
+            let End::Part(part, at) = *load else {
                 continue;
             };
             let rect = self.rects[part];
@@ -52,18 +52,18 @@ impl Painter<'_> {
                 !shown && self.at_face(part, side).next().is_none()
             };
             let middle = rect.top + rect.height / 2.0;
-            let side = match place {
+            let side = match at {
                 Place::Left | Place::Mass | Place::Dof(_) if is_free(0) => 0,
                 Place::Right | Place::Mass | Place::Dof(_) if is_free(1) => 1,
                 Place::Left | Place::Right | Place::Mass | Place::Inner(_) | Place::Dof(_) => 2,
             };
             done.push((part, side));
             let mut post = None;
-            let arrow = match (side, place) {
+            let arrow = match (side, at) {
                 (0, _) => [[rect.left - FORCE, middle], [rect.left - 0.5, middle]],
                 (1, _) => [[rect.right(), middle], [rect.right() + FORCE, middle]],
-                (_, place) => {
-                    let x = match place {
+                (_, at) => {
+                    let x = match at {
                         Place::Left => rect.left + 4.0,
                         Place::Right | Place::Mass | Place::Dof(_) => rect.right() - 4.0,
                         Place::Inner(part) => rect.left + part * rect.width,

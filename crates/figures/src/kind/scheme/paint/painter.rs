@@ -59,12 +59,12 @@ impl Painter<'_> {
                 .filter(|i| !has_places(&self.scheme.parts[**i]));
             let of_others = others.map(|i| self.sizes.height[*i]).fold(0.0, f64::max);
             for part in members {
-                let own = match has_places(&self.scheme.parts[part]) {
+                let inner = match has_places(&self.scheme.parts[part]) {
                     true => height,
                     false => of_others,
                 };
                 let rect = &mut self.rects[part];
-                (rect.top, rect.height) = (top + (height - own) / 2.0, own);
+                (rect.top, rect.height) = (top + (height - inner) / 2.0, inner);
             }
             let links = self.scheme.links.iter().zip(&self.relations.joins);
             let mut below = links
