@@ -34,7 +34,9 @@ impl Measure {
             format!(", {}", set_unit(&self.unit)),
             format!(" ({})", escape(&self.unit)),
         ];
-        let mut bare = units.iter().filter_map(|own| self.symbol.strip_suffix(own));
+        let mut bare = units
+            .iter()
+            .filter_map(|unit| self.symbol.strip_suffix(unit));
         bare.next().unwrap_or(&self.symbol)
     }
 

@@ -40,7 +40,7 @@ pub(super) fn check_applicability(
         Some(given) if !applies => {
             let allowed = table.iter().filter(|p| match &p.applies {
                 Some(other) => {
-                    other.governor == governor && chosen.iter().any(|own| other.allows(own))
+                    other.governor == governor && chosen.iter().any(|value| other.allows(value))
                 }
                 None => true,
             });

@@ -73,9 +73,9 @@ fn together(a: f64, b: f64) -> Option<([i128; 2], i32)> {
         (_, 0) => a.exponent,
         _ => a.exponent.min(b.exponent),
     };
-    let digits = |own: Decimal| match own.digits {
+    let digits = |decimal: Decimal| match decimal.digits {
         0 => Some(0),
-        _ => own.digits_at(exponent),
+        _ => decimal.digits_at(exponent),
     };
     Some(([digits(a)?, digits(b)?], exponent))
 }
@@ -172,25 +172,26 @@ impl Ratios {
         let mut rounded = (11..15)
             .rev()
             .map(|digits| format!("{x:.digits$e}").parse().ok());
-        rounded.find_map(|own: Option<f64>| own.filter(|own| self.is_exact(*own, [p, q])))
+        rounded.find_map(|power: Option<f64>| power.filter(|power| self.is_exact(*power, [p, q])))
     }
 
     /// Whether own^q = a^(q - p) b^p. Numbers that agree to 11 digits and modulo both primes are equal.
-    fn is_exact(&self, own: f64, [p, q]: [u64; 2]) -> bool {
-        let Some(own) = Decimal::of(own) else {
+    fn is_exact(&self, number: f64, [p, q]: [u64; 2]) -> bool {
+        let Some(decimal) = Decimal::of(number) else {
             return false;
         };
         let [a, b] = self.ends;
-        let exponent = |own: Decimal, power: u64| i64::from(own.exponent) * power as i64;
-        let tens = exponent(own, q) - exponent(a, q - p) - exponent(b, p);
+        let exponent = |decimal: Decimal, power: u64| i64::from(decimal.exponent) * power as i64;
+        let tens = exponent(decimal, q) - exponent(a, q - p) - exponent(b, p);
         let same = |prime: &u128| {
             let power = |digits: u128, power: u64| power_modulo(digits, power, *prime);
-            let of = |own: Decimal, exponent: u64| power(own.digits.unsigned_abs(), exponent);
+            let of =
+                |decimal: Decimal, exponent: u64| power(decimal.digits.unsigned_abs(), exponent);
             let ends = of(a, q - p) * of(b, p) % prime;
             let shift = power(10, tens.unsigned_abs());
             match tens >= 0 {
-                true => of(own, q) * shift % prime == ends,
-                false => of(own, q) == ends * shift % prime,
+                true => of(decimal, q) * shift % prime == ends,
+                false => of(decimal, q) == ends * shift % prime,
             }
         };
         PRIMES.iter().all(same)

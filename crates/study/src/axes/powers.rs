@@ -156,8 +156,8 @@ mod tests {
             for steps in [2.0, 3.0, 7.0, 64.0, 1000.0, 999_999.0] {
                 for i in (1..steps as u64).step_by((steps as usize / 100).max(1)) {
                     let y = i as f64 / steps;
-                    let (own, expected) = (powers.at(y), libm::pow(base, y));
-                    assert_eq!(own.to_bits(), expected.to_bits(), "{base:e}^{y}");
+                    let (found, expected) = (powers.at(y), libm::pow(base, y));
+                    assert_eq!(found.to_bits(), expected.to_bits(), "{base:e}^{y}");
                 }
             }
         }

@@ -33,7 +33,7 @@ struct Member {
 impl Study {
     /// The alternatives in the order of the cases; none without `calibrate`.
     pub fn alternatives(&self) -> Vec<Alternative> {
-        let tests = self.calibrate.as_ref().map(|own| own.tests);
+        let tests = self.calibrate.as_ref().map(|calibrate| calibrate.tests);
         tests.map_or(Vec::new(), |tests| {
             self.grouped(tests, |group| !tests.is_some_and(|row| group.has(row)))
         })
@@ -71,11 +71,11 @@ impl Study {
         for (number, block) in self.blocks.iter().enumerate() {
             for raw in (0..block.raw_len()).filter(|raw| block.is_case(problem, *raw)) {
                 let positions = block.positions(raw).into_iter().enumerate();
-                let own = positions.filter(|(group, _)| is_own(&block.groups[*group]));
+                let of_alternative = positions.filter(|(group, _)| is_own(&block.groups[*group]));
                 members.push(Member {
                     block: number,
                     raw,
-                    own: own.map(|(_, position)| position).collect(),
+                    own: of_alternative.map(|(_, position)| position).collect(),
                     case: block.completed(problem, raw),
                 });
             }
@@ -87,8 +87,8 @@ impl Study {
     fn names(&self, firsts: &[&Case], tests: Option<usize>) -> Vec<Named> {
         let table = self.problem.parameters();
         let derived = |row: usize| {
-            let mut all = self.blocks.iter().flat_map(|block| &block.derived);
-            all.any(|derived| derived.parameter == row)
+            let mut derived_parameters = self.blocks.iter().flat_map(|block| &block.derived);
+            derived_parameters.any(|derived| derived.parameter == row)
         };
         let differs = |row: &usize| {
             let mut cases = firsts.iter();
@@ -103,9 +103,9 @@ impl Study {
         let distinct = |rows: &[usize]| {
             let mut known: Vec<Identity> = Vec::new();
             firsts.iter().all(|case| {
-                let own = identity(case, rows);
-                let is_new = !known.contains(&own);
-                known.push(own);
+                let key = identity(case, rows);
+                let is_new = !known.contains(&key);
+                known.push(key);
                 is_new
             })
         };

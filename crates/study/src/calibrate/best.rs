@@ -70,25 +70,25 @@ fn add_metric(root: &mut Node, metric: Option<&Node>) {
     let Some(metric) = metric else {
         return;
     };
-    let mut all = match take(root, "metrics") {
+    let mut metrics = match take(root, "metrics") {
         Some(Node {
             tree: Tree::List(items),
             ..
         }) => items,
         one => one.into_iter().collect(),
     };
-    let is_it = |own: &Node| match &own.tree {
+    let is_it = |node: &Node| match &node.tree {
         Tree::Object(members) => members
             .iter()
-            .any(|own| matches!(&metric.tree, Tree::Text(text) if *text == own.key)),
+            .any(|member| matches!(&metric.tree, Tree::Text(text) if *text == member.key)),
         tree @ (Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null) => {
             *tree == metric.tree
         }
     };
-    if !all.iter().any(is_it) {
-        all.push(metric.clone());
+    if !metrics.iter().any(is_it) {
+        metrics.push(metric.clone());
     }
-    put(root, "metrics", list(all));
+    put(root, "metrics", list(metrics));
 }
 
 /// Keeps one block of several.
@@ -101,13 +101,16 @@ fn keep_block(root: &mut Node, block: usize) {
 /// Gives a block the values of an alternative in the place of its axes, and those of the free parameters.
 fn fix(block: &mut Node, study: &Study, alternative: &Alternative, values: &[(usize, f64)]) {
     let table = study.problem.parameters();
-    let tests = study.calibrate.as_ref().and_then(|own| own.tests);
-    let own = &study.blocks[alternative.block];
+    let tests = study
+        .calibrate
+        .as_ref()
+        .and_then(|calibrate| calibrate.tests);
+    let given = &study.blocks[alternative.block];
     let Some(raw) = alternative.raws.first() else {
         return;
     };
     let mut fixed: Vec<(String, Value)> = Vec::new();
-    for (group, position) in own.groups.iter().zip(own.positions(*raw)) {
+    for (group, position) in given.groups.iter().zip(given.positions(*raw)) {
         if tests.is_some_and(|row| group.has(row)) {
             continue;
         }
@@ -115,7 +118,7 @@ fn fix(block: &mut Node, study: &Study, alternative: &Alternative, values: &[(us
             let free = values.iter().find(|(row, _)| *row == axis.parameter);
             let value = match free {
                 Some((_, x)) => Value::Number(*x),
-                None if axis.values.len() > 1 || own.design.is_some() => {
+                None if axis.values.len() > 1 || given.design.is_some() => {
                     axis.values.at(position as usize)
                 }
                 None => continue,
@@ -131,9 +134,9 @@ fn fix(block: &mut Node, study: &Study, alternative: &Alternative, values: &[(us
                 return false;
             };
             let is_fixed = |name: &Node| {
-                fixed
-                    .iter()
-                    .any(|(own, _)| matches!(&name.tree, Tree::Text(text) if text == own))
+                fixed.iter().any(
+                    |(parameter, _)| matches!(&name.tree, Tree::Text(text) if text == parameter),
+                )
             };
             names.iter().any(is_fixed)
         };

@@ -53,10 +53,10 @@ pub(crate) fn calibrate(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
         return None;
     }
     let names = scope.parameters();
-    let own = KEYS.map(|key| key.0);
-    let allowed: Vec<&str> = names.iter().copied().chain(own).collect();
+    let keys = KEYS.map(|key| key.0);
+    let allowed: Vec<&str> = names.iter().copied().chain(keys).collect();
     let object = Object::open(node, &path, &allowed, faults)?;
-    let free = free(&object, &own, scope, faults);
+    let free = free(&object, &keys, scope, faults);
     if free.is_empty() && faults.count() == before {
         let message = format!(
             "names no free parameter; give the range of one, as in \"k_h\": {{\"log\": [1e4, 1e7]}}; parameters: {}",
@@ -92,12 +92,17 @@ pub(crate) fn calibrate(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
 }
 
 /// The free parameters: the members of an object but those with its `own` keys.
-pub(super) fn free(object: &Object, own: &[&str], scope: &Scope, faults: &mut Faults) -> Vec<Free> {
+pub(super) fn free(
+    object: &Object,
+    keys: &[&str],
+    scope: &Scope,
+    faults: &mut Faults,
+) -> Vec<Free> {
     let names = scope.parameters();
     let mut free = Vec::new();
     for member in &object.members {
         let row = names.iter().position(|name| *name == member.key);
-        let Some(row) = row.filter(|_| !own.contains(&member.key.as_str())) else {
+        let Some(row) = row.filter(|_| !keys.contains(&member.key.as_str())) else {
             continue;
         };
         let path = object.path(&member.key);
@@ -132,7 +137,10 @@ fn varies(
         return Vec::new();
     }
     let table = scope.problem.parameters();
-    let names: Vec<&str> = free.iter().map(|own| &*table[own.parameter].name).collect();
+    let names: Vec<&str> = free
+        .iter()
+        .map(|parameter| &*table[parameter.parameter].name)
+        .collect();
     let each = match &node.tree {
         Tree::List(items) => &items[..],
         Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
@@ -140,8 +148,8 @@ fn varies(
         }
     };
     let row = |one: &Node| {
-        let place = name(one, &path, "free parameter", &names, faults)?;
-        Some(free[place].parameter)
+        let index = name(one, &path, "free parameter", &names, faults)?;
+        Some(free[index].parameter)
     };
     each.iter().filter_map(row).collect()
 }
@@ -168,19 +176,21 @@ pub(crate) fn refuse_figures(root: &Object, figures: &[Figure], faults: &mut Fau
     };
     for figure in figures
         .iter()
-        .filter(|own| FIGURES.contains(&own.name.as_str()))
+        .filter(|figure| FIGURES.contains(&figure.name.as_str()))
     {
         let message = format!(
             "{} is the name of a figure of `slipgap calibrate`; choose another name",
             quoted(&figure.name)
         );
-        let place = items(node, "figures").into_iter().find_map(|(own, path)| {
-            let mut members = members(own);
-            let name = members.find(|member| member.key == "name")?;
-            let is_it = matches!(&name.node.tree, Tree::Text(text) if *text == figure.name);
-            is_it.then(|| (name.node.at, join(&path, "name")))
-        });
-        let (at, path) = place.unwrap_or((node.at, "figures".to_owned()));
+        let figure_at = items(node, "figures")
+            .into_iter()
+            .find_map(|(drawn, path)| {
+                let mut members = members(drawn);
+                let name = members.find(|member| member.key == "name")?;
+                let is_it = matches!(&name.node.tree, Tree::Text(text) if *text == figure.name);
+                is_it.then(|| (name.node.at, join(&path, "name")))
+            });
+        let (at, path) = figure_at.unwrap_or((node.at, "figures".to_owned()));
         faults.add(at, &path, message);
     }
 }
@@ -253,7 +263,10 @@ pub(super) fn measure(
         return None;
     };
     let measure = &scope.measures[row];
-    let late = measure.computed.as_ref().is_some_and(|own| own.late);
+    let late = measure
+        .computed
+        .as_ref()
+        .is_some_and(|computed| computed.late);
     if measure.reduction.is_some() || late {
         let message = format!(
             "{} needs several cases; {verb} a metric of one case, or arithmetic of such metrics",

@@ -38,7 +38,7 @@ impl Input {
             let mut metrics = needed(root, sources::kept);
             for text in more {
                 let tree = Tree::Text((*text).to_owned());
-                if !metrics.iter().any(|own| own.tree == tree) {
+                if !metrics.iter().any(|known| known.tree == tree) {
                     metrics.push(Node { at, tree });
                 }
             }
@@ -58,10 +58,13 @@ impl Input {
                 at,
                 tree: Tree::Text(metric.clone()),
             };
-            let own = minimised(root);
+            let minimised_metric = minimised(root);
             put_metrics(
                 root,
-                own.into_iter().chain(metrics.iter().map(text)).collect(),
+                minimised_metric
+                    .into_iter()
+                    .chain(metrics.iter().map(text))
+                    .collect(),
             );
             if let Some(structure) = root.member("structure") {
                 remove(structure, &[REFERENCE]);
@@ -103,33 +106,33 @@ fn needed(root: &Node, of: impl for<'a> Fn(&Object<'a>) -> Vec<Source<'a>>) -> V
     let listed = sources::listed(&object);
     let named: Vec<(&Member, &Source)> = listed
         .iter()
-        .filter_map(|own| Some((own.name?, own)))
+        .filter_map(|source| Some((source.name?, source)))
         .collect();
-    let mut texts: Vec<&str> = wanted.iter().map(|own| own.text).collect();
+    let mut texts: Vec<&str> = wanted.iter().map(|source| source.text).collect();
     let mut kept: Vec<&Member> = Vec::new();
     while let Some(text) = texts.pop() {
         let words: Vec<&str> = text
             .split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
             .collect();
-        for (member, own) in &named {
+        for (member, source) in &named {
             let is_known = kept.iter().any(|known| known.key == member.key);
             if words.contains(&member.key.as_str()) && !is_known {
                 kept.push(member);
-                texts.push(own.text);
+                texts.push(source.text);
             }
         }
     }
     // In the order of the file.
     let kept = named
         .iter()
-        .filter(|(member, _)| kept.iter().any(|own| own.key == member.key));
-    let object = |(member, own): &(&Member, &Source)| Node {
-        at: own.at,
+        .filter(|(member, _)| kept.iter().any(|kept_member| kept_member.key == member.key));
+    let object = |(member, source): &(&Member, &Source)| Node {
+        at: source.at,
         tree: Tree::Object(vec![(*member).clone()]),
     };
-    let metric = |own: &Source| Node {
-        at: own.at,
-        tree: Tree::Text(own.text.to_owned()),
+    let metric = |source: &Source| Node {
+        at: source.at,
+        tree: Tree::Text(source.text.to_owned()),
     };
     kept.map(object).chain(wanted.iter().map(metric)).collect()
 }

@@ -57,8 +57,10 @@ impl Study {
     /// free parameters are not searched here, in words.
     pub fn notes(&self) -> Vec<String> {
         let table = self.problem.parameters();
-        let names = self.calibrate.iter().flat_map(|own| &own.free);
-        let names: Vec<&str> = names.map(|own| &*table[own.parameter].name).collect();
+        let names = self.calibrate.iter().flat_map(|calibrate| &calibrate.free);
+        let names: Vec<&str> = names
+            .map(|parameter| &*table[parameter.parameter].name)
+            .collect();
         let free = (!names.is_empty()).then(|| {
             format!(
                 "{}: the values are those of the study; `slipgap calibrate` finds the best ones",

@@ -25,8 +25,8 @@ pub(super) fn members(node: &mut Node) -> Option<&mut Vec<Member>> {
 
 /// Puts a value under a key, at the end of the object if it is new.
 pub(super) fn put(node: &mut Node, key: &str, value: Node) {
-    if let Some(own) = node.member(key) {
-        *own = value;
+    if let Some(present) = node.member(key) {
+        *present = value;
     } else if let Some(members) = members(node) {
         members.push(Member {
             key: key.to_owned(),
@@ -39,8 +39,8 @@ pub(super) fn put(node: &mut Node, key: &str, value: Node) {
 /// Takes the value of a key.
 pub(super) fn take(node: &mut Node, key: &str) -> Option<Node> {
     let members = members(node)?;
-    let place = members.iter().position(|member| member.key == key)?;
-    Some(members.remove(place).node)
+    let index = members.iter().position(|member| member.key == key)?;
+    Some(members.remove(index).node)
 }
 
 /// Puts a remark before all other keys.
@@ -57,7 +57,7 @@ pub(super) fn put_remark(root: &mut Node, remark: &str) {
 
 /// The study, or its blocks.
 pub(super) fn blocks(root: &mut Node) -> Vec<&mut Node> {
-    let has = members(root).is_some_and(|all| all.iter().any(|own| own.key == "blocks"));
+    let has = members(root).is_some_and(|top| top.iter().any(|member| member.key == "blocks"));
     if !has {
         return vec![root];
     }

@@ -35,14 +35,20 @@ impl Study {
 
     /// The free parameters that the block of an alternative gives, in the order of the file.
     pub fn free_of(&self, alternative: &Alternative) -> Vec<Free> {
-        let own = self.calibrate.iter().flat_map(|own: &Calibrate| &own.free);
-        self.given(alternative, own)
+        let parameters = self
+            .calibrate
+            .iter()
+            .flat_map(|calibrate: &Calibrate| &calibrate.free);
+        self.given(alternative, parameters)
     }
 
     /// The same of a candidate of `recommend`.
     pub fn free_of_candidate(&self, candidate: &Alternative) -> Vec<Free> {
-        let own = self.recommend.iter().flat_map(|own: &Recommend| &own.free);
-        self.given(candidate, own)
+        let parameters = self
+            .recommend
+            .iter()
+            .flat_map(|recommend: &Recommend| &recommend.free);
+        self.given(candidate, parameters)
     }
 
     fn given<'a>(
@@ -85,13 +91,13 @@ impl PointCases<'_> {
         let problem = &*self.study.problem;
         let mut cases = Cases::new(problem.schema());
         let mut case = Case::new(problem.schema());
-        let own = &self.study.blocks[self.alternative.block];
+        let given = &self.study.blocks[self.alternative.block];
         for raw in &self.alternative.raws {
-            let block = self.block(own, *raw, values);
-            for place in 0..values.len() as u64 {
-                let met = block.put_and_test(problem, place, &mut case);
+            let block = self.block(given, *raw, values);
+            for case_number in 0..values.len() as u64 {
+                let met = block.put_and_test(problem, case_number, &mut case);
                 if met != Some(true) {
-                    block.put(problem, place, &mut case);
+                    block.put(problem, case_number, &mut case);
                 }
                 let violations = block.complete(problem, &mut case);
                 let unmet = || {
@@ -108,12 +114,12 @@ impl PointCases<'_> {
     }
 
     /// The block with the values of one combination and an axis of points.
-    fn block(&self, own: &Block, raw: u64, values: &[Vec<f64>]) -> Block {
+    fn block(&self, template: &Block, raw: u64, values: &[Vec<f64>]) -> Block {
         let is_free = |axis: &Axis| {
             let mut free = self.free.iter();
             free.any(|free| free.parameter == axis.parameter)
         };
-        let positions = own.positions(raw);
+        let positions = template.positions(raw);
         let one = |(group, position): (&AxisGroup, &u64)| AxisGroup {
             axes: {
                 let axes = group.axes.iter().filter(|axis| !is_free(axis));
@@ -124,17 +130,20 @@ impl PointCases<'_> {
                 .collect()
             },
         };
-        let groups = own.groups.iter().zip(&positions).map(one);
+        let groups = template.groups.iter().zip(&positions).map(one);
         let points = |(i, free): (usize, &Free)| Axis {
             parameter: free.parameter,
-            values: values.iter().map(|own| Value::Number(own[i])).collect(),
+            values: values
+                .iter()
+                .map(|column| Value::Number(column[i]))
+                .collect(),
         };
         let points = AxisGroup {
             axes: self.free.iter().enumerate().map(points).collect(),
         };
         let groups = groups.chain([points]);
         let mut block = Block::of(groups.filter(|group| !group.axes.is_empty()).collect());
-        for derived in &own.derived {
+        for derived in &template.derived {
             // A table would have a value for each point, too.
             let formula = FormulaTable::new(derived.formula.formula.clone(), &block);
             block.derived.push(Derived {
@@ -143,7 +152,7 @@ impl PointCases<'_> {
                 ..*derived
             });
         }
-        block.when = own.when.as_ref().map(|when| Condition {
+        block.when = template.when.as_ref().map(|when| Condition {
             text: when.text.clone(),
             formula: FormulaTable::new(when.formula.formula.clone(), &block),
         });

@@ -61,7 +61,8 @@ fn one_line(node: &Node) -> String {
     match &node.tree {
         Tree::Object(members) if members.is_empty() => "{}".to_owned(),
         Tree::Object(members) => {
-            let one = |own: &Member| format!("{}: {}", quoted(&own.key), one_line(&own.node));
+            let one =
+                |member: &Member| format!("{}: {}", quoted(&member.key), one_line(&member.node));
             format!("{{ {} }}", joined(members.iter().map(one).collect()))
         }
         Tree::List(items) => format!("[{}]", joined(items.iter().map(one_line).collect())),

@@ -61,16 +61,16 @@ impl FreeRange {
                     // An unknown key is most often this one.
                     return None;
                 }
-                let own = object.need(LOG.0, LOG.1, faults)?;
+                let log = object.need(LOG.0, LOG.1, faults)?;
                 let path = join(path, LOG.0);
-                match &own.tree {
+                match &log.tree {
                     Tree::List(items) => (items, path, true),
                     Tree::Object(_)
                     | Tree::Text(_)
                     | Tree::Number(_)
                     | Tree::Bool(_)
                     | Tree::Null => {
-                        faults.must_be(own, &path, "[a, b]");
+                        faults.must_be(log, &path, "[a, b]");
                         return None;
                     }
                 }

@@ -44,11 +44,11 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
     let node = root.get("recommend")?;
     let (path, before) = (root.path("recommend"), faults.count());
     let parameters = scope.parameters();
-    let own = KEYS.map(|key| key.0);
-    let allowed: Vec<&str> = own.iter().chain(&parameters).copied().collect();
+    let keys = KEYS.map(|key| key.0);
+    let allowed: Vec<&str> = keys.iter().chain(&parameters).copied().collect();
     let object = Object::open(node, &path, &allowed, faults)?;
-    let over = object.need(own[0], KEYS[0].1, faults).and_then(|node| {
-        let path = object.path(own[0]);
+    let over = object.need(keys[0], KEYS[0].1, faults).and_then(|node| {
+        let path = object.path(keys[0]);
         let rows = names(node, &path, "parameter", &parameters, faults)?;
         // A parameter of one law has its values in the blocks of this law.
         let count = |row: usize| scope.blocks.iter().filter(|block| block.gives(row)).count();
@@ -60,14 +60,14 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
         }
         Some(rows)
     });
-    let free = free(&object, &own, scope, faults);
+    let free = free(&object, &keys, scope, faults);
     let neighbours = object.get(KEYS[2].0).map(|node| {
         let rows = over.iter().flatten();
         let chosen: Vec<usize> = rows.copied().filter(|row| is_number(scope, *row)).collect();
         let allowed: Vec<&str> = chosen.iter().map(|row| parameters[*row]).collect();
         let path = object.path(KEYS[2].0);
         let places = names(node, &path, "number in over", &allowed, faults);
-        places.map(|places| places.into_iter().map(|place| chosen[place]).collect())
+        places.map(|places| places.into_iter().map(|index| chosen[index]).collect())
     });
     let within = object.need(WITHIN, KEYS[1].1, faults);
     let within = within.map(|node| {
@@ -89,7 +89,7 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
     });
     (faults.count() == before).then_some(Recommend {
         over: over?,
-        neighbours: neighbours.map_or(Some(Vec::new()), |own| own)?,
+        neighbours: neighbours.map_or(Some(Vec::new()), |rows| rows)?,
         free,
         within: within?,
     })

@@ -19,12 +19,12 @@ impl Study {
 
     /// A measure in each test that is compared as one of a sample, by rising value; `None` if the tests do not have it.
     pub fn in_tests(&self, measure: usize) -> Option<Vec<f64>> {
-        let own = &self.measures[measure];
-        let plain = own.dimension.is_none() && own.reduction.is_none();
+        let of_row = &self.measures[measure];
+        let plain = of_row.dimension.is_none() && of_row.reduction.is_none();
         let mut values = self
             .problem
             .as_structure()
-            .and_then(|structure| structure.in_tests(own.metric.filter(|_| plain)?))?;
+            .and_then(|structure| structure.in_tests(of_row.metric.filter(|_| plain)?))?;
         values.sort_unstable_by(f64::total_cmp);
         Some(values)
     }

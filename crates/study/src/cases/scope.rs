@@ -188,9 +188,9 @@ impl Scope {
 
     /// Whether a block has so many combinations that testing all of them would take very long.
     fn too_many(&self) -> bool {
-        let all = Filter::default();
+        let no_filter = Filter::default();
         let mut blocks = self.blocks.iter();
-        blocks.any(|block| block.candidates(&all) > MOST_TRIED)
+        blocks.any(|block| block.candidates(&no_filter) > MOST_TRIED)
     }
 
     /// The message that a filter selects no case, with the value that no case has, if that is the reason.
@@ -230,11 +230,11 @@ impl Scope {
     pub fn follows(&self, filter: &Filter, parameter: usize, from: &[usize]) -> bool {
         let selected = |block: &&Block| block.select(&*self.problem, filter).next().is_some();
         let table = self.problem.parameters();
-        let own = &table[parameter];
-        let has_default = matches!(own.default, Default::Is(_));
+        let described = &table[parameter];
+        let has_default = matches!(described.default, Default::Is(_));
         // Whether no case of a block has a name that the parameter applies to.
         let unsuitable = |block: &Block| {
-            own.applies.as_ref().is_some_and(|on| {
+            described.applies.as_ref().is_some_and(|on| {
                 let row = table.iter().position(|p| p.name == on.governor);
                 let names = row.map(|row| block.levels(&*self.problem, filter, row));
                 let mut names = names.iter().flatten();

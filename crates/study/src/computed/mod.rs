@@ -72,13 +72,14 @@ impl Computed {
 /// The rows of `problem.metrics()` that a measure is made of.
 pub(super) fn metrics_of(measures: &[Measure], row: usize, parameters: usize) -> Vec<usize> {
     let measure = &measures[row];
-    let own = measure.metric.into_iter();
+    let of_measure = measure.metric.into_iter();
     let used = measure.computed.iter();
     let used = used.flat_map(|computed| computed.uses(parameters));
     let reduced = measure.reduction.iter().map(|reduction| reduction.of);
     // A measure is computed from earlier ones.
     let parts = used.chain(reduced).filter(|part| *part < row);
-    own.chain(parts.flat_map(|part| metrics_of(measures, part, parameters)))
+    of_measure
+        .chain(parts.flat_map(|part| metrics_of(measures, part, parameters)))
         .collect()
 }
 

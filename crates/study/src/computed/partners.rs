@@ -59,7 +59,7 @@ impl Partners {
             groups: Vec::new(),
         };
         let mut groups: HashMap<Vec<bool>, usize> = HashMap::new();
-        for (place, case) in cases.into_iter().enumerate() {
+        for (number, case) in cases.into_iter().enumerate() {
             let places = partners.places(case);
             let has = places.iter().map(Option::is_some).collect();
             let next = partners.groups.len();
@@ -70,7 +70,7 @@ impl Partners {
                     found: HashMap::new(),
                 });
             }
-            partners.groups[group].cases.push((place, places));
+            partners.groups[group].cases.push((number, places));
         }
         partners
     }
@@ -83,40 +83,40 @@ impl Partners {
 
     /// The reference case of a case.
     pub fn find(&mut self, case: &Case) -> Found {
-        let own = self.places(case);
+        let values = self.places(case);
         let mut found = Found::None;
         for group in &mut self.groups {
-            found = found.and(group.find(&own));
+            found = found.and(group.find(&values));
         }
         found
     }
 }
 
 impl Group {
-    fn find(&mut self, own: &Places) -> Found {
+    fn find(&mut self, wanted: &Places) -> Found {
         let Some((_, first)) = self.cases.first() else {
             return Found::None;
         };
-        let pairs = own.iter().zip(first);
+        let pairs = wanted.iter().zip(first);
         let compared: Vec<bool> = pairs
-            .map(|(own, other)| own.is_some() && other.is_some())
+            .map(|(value, other)| value.is_some() && other.is_some())
             .collect();
         let key = |places: &Places| -> Places {
             let pairs = places.iter().zip(&compared);
             pairs
-                .map(|(place, compared)| place.filter(|_| *compared))
+                .map(|(value, compared)| value.filter(|_| *compared))
                 .collect()
         };
         let cases = &self.cases;
         let found = self.found.entry(compared.clone()).or_insert_with(|| {
             let mut found: HashMap<Places, Found> = HashMap::new();
-            for (place, places) in cases {
+            for (number, places) in cases {
                 let known = found.entry(key(places)).or_insert(Found::None);
-                *known = known.and(Found::One(*place));
+                *known = known.and(Found::One(*number));
             }
             found
         });
-        found.get(&key(own)).copied().unwrap_or(Found::None)
+        found.get(&key(wanted)).copied().unwrap_or(Found::None)
     }
 }
 
@@ -149,12 +149,12 @@ impl Levels {
 
     fn place(&self, value: Value) -> usize {
         let Some(x) = value.as_f64() else {
-            let place = self.names.iter().position(|name| *name == value.name());
-            return place.unwrap_or(NOWHERE);
+            let index = self.names.iter().position(|name| *name == value.name());
+            return index.unwrap_or(NOWHERE);
         };
         let next = self.numbers.partition_point(|level| *level < x);
         let near = next.saturating_sub(1)..self.numbers.len().min(next + 1);
-        let mut near = near.filter(|place| Value::Number(self.numbers[*place]).matches(value));
+        let mut near = near.filter(|index| Value::Number(self.numbers[*index]).matches(value));
         near.next().unwrap_or(NOWHERE)
     }
 }

@@ -47,17 +47,17 @@ impl Reference {
 
     /// The message about a first case of the study that has several reference cases, or that no case has one.
     pub fn fault_of_ratio(&self, scope: &Scope, key: &str) -> Option<String> {
-        let all = Filter::default();
-        let several = self.first(&all, scope, key, |found| {
+        let no_filter = Filter::default();
+        let several = self.first(&no_filter, scope, key, |found| {
             matches!(found, Found::Several(..))
         });
         several.or_else(|| {
             let others = self.others(scope);
             let mut partners = Partners::new(self, others.iter());
-            let mut cases = scope.cases(&all).take(MOST_TESTED);
+            let mut cases = scope.cases(&no_filter).take(MOST_TESTED);
             match cases.any(|case| matches!(partners.find(&case), Found::One(_))) {
                 true => None,
-                false => self.first(&all, scope, key, |_| true),
+                false => self.first(&no_filter, scope, key, |_| true),
             }
         })
     }
@@ -124,10 +124,10 @@ impl Reference {
 
     /// The values of a case that vary in the study.
     fn described(&self, scope: &Scope, case: &Case) -> String {
-        let all = Filter::default();
+        let no_filter = Filter::default();
         let given = self.filter.0.iter().map(|(row, _)| *row);
         let mut rows: Vec<usize> = given.chain(self.shared.iter().copied()).collect();
-        rows.retain(|row| scope.levels(&all, *row).len() > 1);
+        rows.retain(|row| scope.levels(&no_filter, *row).len() > 1);
         rows.sort_unstable();
         alike::values(case, &rows)
     }

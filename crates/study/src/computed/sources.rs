@@ -118,13 +118,13 @@ pub fn reduced<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
         return Vec::new();
     };
     let of = |(item, path): (&'a Node, String)| {
-        let own = source(item, path, None)?;
-        let metric = decode::parts(own.text)?.metric;
-        let before = metric.as_ptr() as usize - own.text.as_ptr() as usize;
+        let source_of_text = source(item, path, None)?;
+        let metric = decode::parts(source_of_text.text)?.metric;
+        let before = metric.as_ptr() as usize - source_of_text.text.as_ptr() as usize;
         Some(Source {
-            at: own.place(before).saturating_sub(1),
+            at: source_of_text.place(before).saturating_sub(1),
             text: metric,
-            ..own
+            ..source_of_text
         })
     };
     items(node, decode::KEY.0)
@@ -187,9 +187,9 @@ fn takes_metric(figure: &Node, key: &str) -> bool {
     };
     let mut kinds = KINDS.iter().filter(|kind| of_kind(kind.name));
     kinds.any(|kind| {
-        kind.keys.iter().any(|own| {
+        kind.keys.iter().any(|key_kind| {
             use Takes::{Column, Columns, Metric, Metrics};
-            own.name == key && matches!(own.takes, Metric | Metrics | Column | Columns)
+            key_kind.name == key && matches!(key_kind.takes, Metric | Metrics | Column | Columns)
         })
     })
 }
@@ -227,7 +227,7 @@ fn is_call(text: &str) -> bool {
         depth == 0 && c == ','
     });
     let one = !["max", "min"].contains(&name);
-    FUNCTIONS.iter().any(|own| own.0 == name) && (one || has_comma)
+    FUNCTIONS.iter().any(|function| function.0 == name) && (one || has_comma)
 }
 
 #[cfg(test)]

@@ -154,11 +154,11 @@ fn faults_have_their_place_in_the_text() {
     ] {
         let why = study(metrics, "").err().unwrap_or_default();
         assert!(why.contains(says), "{metrics}: {why}");
-        let all = text(metrics, "");
-        let line = all.lines().nth(1).unwrap_or_default();
+        let written = text(metrics, "");
+        let line = written.lines().nth(1).unwrap_or_default();
         let column = line.find(metrics).unwrap() + offset + 1;
-        let place = format!("s:2:{column}: metrics");
-        assert!(why.starts_with(&place), "{metrics}: {column} {why}");
+        let start = format!("s:2:{column}: metrics");
+        assert!(why.starts_with(&start), "{metrics}: {column} {why}");
         assert_eq!(why.matches("s:2:").count(), 1, "{metrics}: {why}");
     }
 }
@@ -252,14 +252,14 @@ fn partners_are_those_of_a_comparison_with_all() {
         let others: Vec<Case> = others.cloned().collect();
         let mut partners = Partners::new(reference, others.iter());
         for case in &cases {
-            let own = partners.find(case);
+            let partner = partners.find(case);
             assert_eq!(
-                own,
+                partner,
                 by_comparison(reference, case, &others),
                 "{}",
                 measure.name
             );
-            match own {
+            match partner {
                 Found::One(_) => found += 1,
                 Found::None => missing += 1,
                 Found::Several(..) => {}
@@ -275,8 +275,8 @@ fn names_are_those_of_figures() {
     let found = with(r#"{"h": ["height_1", "m"], "k": ["stiffness"]}"#).unwrap();
     let titles = |name: &str| {
         let table = found.problem.parameters();
-        let own = table.iter().find(|own| own.name == name).unwrap();
-        (own.title(), own.symbol.to_string())
+        let metric = table.iter().find(|metric| metric.name == name).unwrap();
+        (metric.title(), metric.symbol.to_string())
     };
     assert_eq!(titles("h"), ("height\\_1, m".into(), "height\\_1".into()));
     assert_eq!(titles("k"), ("Stiffness".into(), "stiffness".into()));

@@ -144,18 +144,17 @@ impl<'a> Checker<'a> {
     }
 
     /// Reports a mark outside of the values of a parameter.
-    pub fn reaches(&mut self, row: usize, place: f64, mark: usize) {
+    pub fn reaches(&mut self, row: usize, value: f64, mark: usize) {
         let levels = self.levels(row);
         let numbers = levels.iter().filter_map(|level| level.as_f64());
         let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
             (a.min(x), b.max(x))
         });
-        let slack = 1e-12 * place.abs();
-        if low <= high && !(place >= low - slack && place <= high + slack) {
+        let slack = 1e-12 * value.abs();
+        if low <= high && !(value >= low - slack && value <= high + slack) {
             let name = &self.scope.problem.parameters()[row].name;
-            let (low, high, place) = (shortest(low), shortest(high), shortest(place));
-            let message =
-                format!("{name} of mark {mark} must lie within {low}..{high}, got {place}");
+            let (low, high, x) = (shortest(low), shortest(high), shortest(value));
+            let message = format!("{name} of mark {mark} must lie within {low}..{high}, got {x}");
             self.fault("marks", message);
         }
     }

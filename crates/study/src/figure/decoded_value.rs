@@ -49,14 +49,14 @@ pub(crate) fn take(
             return extent::range(node, path, faults).map(DecodedValue::Range);
         }
         Takes::Scale | Takes::ScaleOrLog => {
-            let all = [Scale::Linear, Scale::Log];
+            let scales = [Scale::Linear, Scale::Log];
             return name(node, path, "scale", &SCALES, faults)
-                .map(|row| DecodedValue::Scale(all[row]));
+                .map(|row| DecodedValue::Scale(scales[row]));
         }
         Takes::Ridge => {
-            let all = [Ridge::Least, Ridge::Greatest, Ridge::NearestToOne];
+            let ridges = [Ridge::Least, Ridge::Greatest, Ridge::NearestToOne];
             return name(node, path, "ridge", &RIDGES, faults)
-                .map(|row| DecodedValue::Ridge(all[row]));
+                .map(|row| DecodedValue::Ridge(ridges[row]));
         }
         Takes::Fit => {
             return name(node, path, "fit", &FITS, faults)
@@ -79,15 +79,15 @@ pub(crate) fn take(
                 |row: &usize| !matches!(parameters[*row].kind, parameter::Kind::Choice(_));
             let rows: Vec<usize> = (0..parameters.len()).filter(numeric).collect();
             let named = rows.iter().map(|row| &*parameters[*row].name);
-            let all: Vec<&str> = named.chain(scope.metrics()).collect();
+            let offered: Vec<&str> = named.chain(scope.metrics()).collect();
             let what = "parameter or metric";
             let places = match key.takes == Takes::Columns {
-                true => names(node, path, what, &all, faults)?,
-                false => vec![name(node, path, what, &all, faults)?],
+                true => names(node, path, what, &offered, faults)?,
+                false => vec![name(node, path, what, &offered, faults)?],
             };
-            let column = |place: &usize| match rows.get(*place) {
+            let column = |index: &usize| match rows.get(*index) {
                 Some(row) => ColumnRef::Parameter(*row),
-                None => ColumnRef::Metric(*place - rows.len()),
+                None => ColumnRef::Metric(*index - rows.len()),
             };
             return Some(DecodedValue::Columns(places.iter().map(column).collect()));
         }
@@ -96,8 +96,8 @@ pub(crate) fn take(
         }
         Takes::Quantities => names(node, path, "quantity", &quantities(scope), faults),
         Takes::Ordinates => {
-            let all = ORDINATES.map(|ordinate| ordinate.0);
-            names(node, path, "ordinate", &all, faults)
+            let ordinates = ORDINATES.map(|ordinate| ordinate.0);
+            names(node, path, "ordinate", &ordinates, faults)
         }
         Takes::Number => {
             return number(node, path, Range::Any, faults).map(|x| DecodedValue::Numbers(vec![x]));
@@ -119,14 +119,14 @@ pub(crate) fn take(
         }
         Takes::Profiles => names(node, path, "profile", &scope.profiles(), faults),
         Takes::Budgets => {
-            let all: Vec<&str> = scope
+            let budgets: Vec<&str> = scope
                 .problem
                 .schema()
                 .budgets
                 .iter()
                 .map(|b| &*b.name)
                 .collect();
-            names(node, path, "budget", &all, faults)
+            names(node, path, "budget", &budgets, faults)
         }
         Takes::Switch => {
             let Tree::Bool(on) = node.tree else {
@@ -155,8 +155,8 @@ pub(crate) fn take(
 
 /// Names of the problem's quantities over time.
 fn quantities(scope: &Scope) -> Vec<&str> {
-    let all = scope.problem.schema().quantities.iter();
-    all.map(|quantity| &*quantity.name).collect()
+    let quantities = scope.problem.schema().quantities.iter();
+    quantities.map(|quantity| &*quantity.name).collect()
 }
 
 fn ratios(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
@@ -224,11 +224,11 @@ fn hazard(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<[f64; 2]>>
         faults.must_be(node, path, what);
         return None;
     }
-    let own = |i: usize| format!("{path}[{i}]");
+    let item_path = |i: usize| format!("{path}[{i}]");
     let point = |(i, item): (usize, &Node)| {
         pair(
             item,
-            &own(i),
+            &item_path(i),
             "a point [x, annual frequency]",
             Range::Positive,
             faults,
@@ -241,7 +241,7 @@ fn hazard(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<[f64; 2]>>
     let wrong = |pair: &[[f64; 2]]| pair[1][0] <= pair[0][0] || pair[1][1] >= pair[0][1];
     if let Some(i) = points.windows(2).position(wrong) {
         let message = "must have a larger x and a smaller frequency than the point before";
-        faults.add(items[i + 1].at, &own(i + 1), message);
+        faults.add(items[i + 1].at, &item_path(i + 1), message);
         return None;
     }
     Some(points)

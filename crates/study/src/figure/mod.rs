@@ -51,10 +51,10 @@ pub(crate) fn figures(object: &Object, scope: &Scope, faults: &mut Faults) -> Ve
 fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option<(Figure, usize)> {
     let before = faults.count();
     let object = Object::open(node, path, &kinds::all_keys(), faults)?;
-    let all = kinds::names();
+    let kind_names = kinds::names();
     let kind = object
-        .need("kind", &format!("one of {}", all.join(", ")), faults)
-        .and_then(|node| name(node, &object.path("kind"), "kind", &all, faults))
+        .need("kind", &format!("one of {}", kind_names.join(", ")), faults)
+        .and_then(|node| name(node, &object.path("kind"), "kind", &kind_names, faults))
         .map(|row| &KINDS[row]);
     if let Some(kind) = kind {
         unsuitable(&object, kind, scope, faults);

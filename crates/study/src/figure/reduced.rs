@@ -37,9 +37,9 @@ pub fn hidden(
     // What the problem computes may be the same in the cases of each group.
     let mut found = HashMap::new();
     let same = |case: Case| {
-        let own = case.values[row];
-        let first = *found.entry(reduction.group(&case)).or_insert(own);
-        Value::identical(first, own)
+        let value = case.values[row];
+        let first = *found.entry(reduction.group(&case)).or_insert(value);
+        Value::identical(first, value)
     };
     match cases.all(same) {
         true => None,

@@ -33,18 +33,18 @@ pub(super) fn check<'a>(
     }
     for (key, i, row) in taken {
         let other = &scope.measures[row];
-        let own = &other.name;
+        let plain_name = &other.name;
         let message = match &other.reduction {
             // Faults of their own.
             Some(other) if other.over.is_empty() || reduction.over.is_empty() => continue,
             Some(other) if other.groups_like(reduction) => continue,
             Some(_) => format!(
                 "{} and {} are over different parameters; a figure needs reductions over the same ones",
-                quoted(own),
+                quoted(plain_name),
                 quoted(name)
             ),
             None => format!(
-                "{own} is not reduced, but {} is; a figure shows reductions only, or none",
+                "{plain_name} is not reduced, but {} is; a figure shows reductions only, or none",
                 quoted(name)
             ),
         };

@@ -34,7 +34,7 @@ pub fn reduced_cases(
     let mut found: Vec<CaseMetrics> = Vec::new();
     let mut number = 0;
     each(&mut |case, value| {
-        let (place, is_new) = groups.add(number, case, value);
+        let (index, is_new) = groups.add(number, case, value);
         number += 1;
         if is_new {
             let mut case = case.clone();
@@ -44,16 +44,16 @@ pub fn reduced_cases(
                 metrics: vec![None; study.measures.len()],
             });
         }
-        let values = found[place].case.values.iter_mut();
-        for (own, other) in values.zip(&case.values) {
-            if !Value::identical(*own, *other) {
-                *own = None;
+        let values = found[index].case.values.iter_mut();
+        for (shared, other) in values.zip(&case.values) {
+            if !Value::identical(*shared, *other) {
+                *shared = None;
             }
         }
     });
     for (which, (row, _)) in reductions.iter().enumerate() {
-        for (own, reduced) in found.iter_mut().zip(groups.values(which)) {
-            own.metrics[*row] = reduced.value;
+        for (reduced_case, reduced) in found.iter_mut().zip(groups.values(which)) {
+            reduced_case.metrics[*row] = reduced.value;
         }
     }
     Some(found)

@@ -72,8 +72,8 @@ impl<'a> Groups<'a> {
             return (0, false);
         };
         let next = self.groups.len();
-        let place = *self.places.entry(first.group(case)).or_insert(next);
-        if place == next {
+        let index = *self.places.entry(first.group(case)).or_insert(next);
+        if index == next {
             let empty = |reduction: &&Reduction| match reduction.operator.is_of_a_case() {
                 true => Values::One(None, 0),
                 false => Values::All(Vec::new()),
@@ -84,14 +84,14 @@ impl<'a> Groups<'a> {
                 values: self.reductions.iter().map(empty).collect(),
             });
         }
-        let group = &mut self.groups[place];
+        let group = &mut self.groups[index];
         group.cases += 1;
         for (values, reduction) in group.values.iter_mut().zip(&self.reductions) {
             if let Some(x) = value(reduction.of).filter(|x| x.is_finite()) {
                 values.add(reduction.operator, number, x);
             }
         }
-        (place, place == next)
+        (index, index == next)
     }
 
     /// The value of reduction `which` in every group.
@@ -99,9 +99,9 @@ impl<'a> Groups<'a> {
         self.groups.iter().map(move |group| {
             let (value, at, count) = match &group.values[which] {
                 Values::One(one, count) => (one.map(|one| one.1), one.map(|one| one.0), *count),
-                Values::All(all) => {
-                    let value = self.reductions[which].operator.of(all);
-                    (value, None, all.len() as u64)
+                Values::All(numbers) => {
+                    let value = self.reductions[which].operator.of(numbers);
+                    (value, None, numbers.len() as u64)
                 }
             };
             Reduced {
@@ -124,7 +124,7 @@ impl Values {
                     *one = Some((number, x));
                 }
             }
-            Values::All(all) => all.push(x),
+            Values::All(numbers) => numbers.push(x),
         }
     }
 }

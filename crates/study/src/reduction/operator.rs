@@ -43,7 +43,7 @@ pub enum Operator {
 impl Operator {
     /// The operator in a row of [`OPERATORS`]; `None` for the last one, which needs a number.
     pub(super) fn at(row: usize) -> Option<Operator> {
-        let all = [
+        let operators = [
             Operator::Least,
             Operator::Greatest,
             Operator::Best,
@@ -51,7 +51,7 @@ impl Operator {
             Operator::Mean,
             Operator::Quantile(0.5),
         ];
-        all.get(row).copied()
+        operators.get(row).copied()
     }
 
     /// How figures write it before the symbol of a metric.

@@ -65,7 +65,7 @@ fn each_word_has_its_value_and_the_first_case_with_it() {
 #[test]
 fn a_group_without_values_has_none_and_large_values_have_a_mean() {
     for word in ["least", "mean", "median"] {
-        let all = values(
+        let reduced = values(
             word,
             [
                 None,
@@ -76,8 +76,11 @@ fn a_group_without_values_has_none_and_large_values_have_a_mean() {
                 Some(1.0),
             ],
         );
-        assert_eq!((all[0].value, all[0].at, all[0].empty), (None, None, 3));
-        assert_eq!((all[1].value, all[1].empty), (Some(1.0), 0));
+        assert_eq!(
+            (reduced[0].value, reduced[0].at, reduced[0].empty),
+            (None, None, 3)
+        );
+        assert_eq!((reduced[1].value, reduced[1].empty), (Some(1.0), 0));
     }
     let large = values("mean", [Some(1.5e308); 6]);
     let mean = large[0].value.unwrap();
@@ -100,16 +103,22 @@ fn groups_have_the_same_values_of_what_neither_is_reduced_nor_changes_with_it() 
         "",
     )
     .unwrap();
-    let all: Vec<&Reduction> = study
+    let reductions: Vec<&Reduction> = study
         .reductions()
         .map(|(_, _, reduction)| reduction)
         .collect();
-    assert_eq!(names(&study, &all[0].kept), ["dT", "duration", "law", "x0"]);
-    assert_eq!(names(&study, &all[0].lost), ["alpha", "beta"]);
-    assert_eq!(names(&study, &all[1].kept), ["alpha", "beta", "law", "x0"]);
-    assert_eq!(names(&study, &all[1].lost), ["dT", "duration"]);
-    assert_eq!(names(&study, &all[2].kept), ["dT", "duration", "x0"]);
-    assert!(!all[0].groups_like(all[1]));
+    assert_eq!(
+        names(&study, &reductions[0].kept),
+        ["dT", "duration", "law", "x0"]
+    );
+    assert_eq!(names(&study, &reductions[0].lost), ["alpha", "beta"]);
+    assert_eq!(
+        names(&study, &reductions[1].kept),
+        ["alpha", "beta", "law", "x0"]
+    );
+    assert_eq!(names(&study, &reductions[1].lost), ["dT", "duration"]);
+    assert_eq!(names(&study, &reductions[2].kept), ["dT", "duration", "x0"]);
+    assert!(!reductions[0].groups_like(reductions[1]));
     // The first block has 12 cases in 4 groups; the second 8 in 2 for each law.
     let count = |reduction| {
         let mut groups = Groups::new(vec![reduction]);
@@ -121,11 +130,11 @@ fn groups_have_the_same_values_of_what_neither_is_reduced_nor_changes_with_it() 
             .map(|reduced| reduced.cases)
             .collect::<Vec<_>>()
     };
-    assert_eq!(count(all[0]), [3, 3, 3, 3, 2, 2, 2, 2]);
+    assert_eq!(count(reductions[0]), [3, 3, 3, 3, 2, 2, 2, 2]);
     // "80*dT" is 8 pi to the last bit for dT = pi/10.
     let case = |number| study.case(number).unwrap().values[row(&study, "duration")];
     assert_eq!(case(0), case(12));
-    assert_eq!(count(all[2]), [3 + 4, 3, 3 + 4, 3]);
+    assert_eq!(count(reductions[2]), [3 + 4, 3, 3 + 4, 3]);
     // What is reduced is computed, also if it is in no other list.
     let metric = study
         .problem

@@ -75,10 +75,10 @@ mod tests {
 
     #[test]
     fn every_file_that_is_read_is_listed_once() {
-        let place = tempfile::tempdir().unwrap();
-        std::fs::write(place.path().join("b.csv"), "abc").unwrap();
-        std::fs::write(place.path().join("a.csv"), "").unwrap();
-        let folder = Folder::new(place.path());
+        let temporary = tempfile::tempdir().unwrap();
+        std::fs::write(temporary.path().join("b.csv"), "abc").unwrap();
+        std::fs::write(temporary.path().join("a.csv"), "").unwrap();
+        let folder = Folder::new(temporary.path());
         for name in ["b.csv", "a.csv", "b.csv"] {
             folder.bytes(name, 3).unwrap();
         }

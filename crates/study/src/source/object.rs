@@ -34,7 +34,7 @@ impl<'a> Object<'a> {
         allowed: Option<&[&str]>,
         faults: &mut Faults,
     ) -> Option<Object<'a>> {
-        let Tree::Object(all) = &node.tree else {
+        let Tree::Object(listed) = &node.tree else {
             let keys = allowed.map(|keys| format!("an object with keys from {}", keys.join(", ")));
             faults.must_be(node, path, keys.as_deref().unwrap_or("an object"));
             return None;
@@ -44,7 +44,7 @@ impl<'a> Object<'a> {
             known.map(|known| unknown("key", key, known))
         };
         let mut members: Vec<&Member> = Vec::new();
-        for member in all.iter().filter(|member| member.key != "//") {
+        for member in listed.iter().filter(|member| member.key != "//") {
             let path = join(path, &member.key);
             if let Some(message) = unknown_key(&member.key) {
                 faults.add(member.node.at, &path, message);

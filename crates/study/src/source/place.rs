@@ -66,12 +66,12 @@ impl<'a> Texts<'a> {
     pub fn push(&mut self, name: String, text: &'a str) -> usize {
         let end = |last: &Part| last.start + last.text.len() + 1;
         let start = self.0.last().map_or(0, end);
-        let place = Place::start(text);
+        let first = Place::start(text);
         self.0.push(Part {
             name,
             text,
             start,
-            place,
+            place: first,
         });
         start
     }
@@ -127,13 +127,13 @@ mod tests {
     #[test]
     fn counts_characters_not_bytes_and_knows_windows_line_ends() {
         let text = "αβ\r\nγ x\n";
-        let mut place = Place::start(text);
-        assert_eq!(place.at(0), (1, 1));
-        assert_eq!(place.at(2), (1, 2));
-        assert_eq!(place.at(6), (2, 1));
-        assert_eq!(place.at(9), (2, 3));
-        assert_eq!(place.at(999), (3, 1));
-        assert_eq!(place.at(2), (1, 2));
+        let mut start = Place::start(text);
+        assert_eq!(start.at(0), (1, 1));
+        assert_eq!(start.at(2), (1, 2));
+        assert_eq!(start.at(6), (2, 1));
+        assert_eq!(start.at(9), (2, 3));
+        assert_eq!(start.at(999), (3, 1));
+        assert_eq!(start.at(2), (1, 2));
     }
 
     #[test]

@@ -70,7 +70,7 @@ pub(super) fn refused(
             "{shown} cannot name a metric; a name is letters, digits and _, beginning with a letter"
         ));
     }
-    let has_meaning = FUNCTIONS.iter().any(|own| own.0 == name)
+    let has_meaning = FUNCTIONS.iter().any(|function| function.0 == name)
         || CONSTANTS.contains(&name)
         || ["and", "or", "not", "case"].contains(&name);
     if has_meaning {

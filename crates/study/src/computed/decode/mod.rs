@@ -33,32 +33,32 @@ pub(crate) fn computed(object: &Object, scope: &mut Scope, faults: &mut Faults) 
     let listed = sources::listed(object);
     let known: Vec<&str> = scope.metrics();
     let mut names: Vec<Named> = Vec::new();
-    for own in &listed {
-        let Some(member) = own.name else {
+    for source in &listed {
+        let Some(member) = source.name else {
             continue;
         };
         let taken = names.iter().any(|known| known.name.key == member.key);
         match refused(member, taken, scope, &known) {
-            Some(message) => faults.add(member.at, &own.path, message),
+            Some(message) => faults.add(member.at, &source.path, message),
             None => names.push(Named {
                 name: member,
-                source: own.clone(),
+                source: source.clone(),
                 state: State::New,
             }),
         }
     }
     let mut decoder = Decoder { scope, names };
     let mut found = Listed::default();
-    for own in &listed {
-        let row = match own.name {
-            Some(member) => decoder.row_of_name(&member.key, own, faults),
-            None => decoder.row_of_item(own, faults),
+    for source in &listed {
+        let row = match source.name {
+            Some(member) => decoder.row_of_name(&member.key, source, faults),
+            None => decoder.row_of_item(source, faults),
         };
         found.add(row, &decoder.scope.measures);
     }
     let others = sources::reduced(object).into_iter();
-    for own in others.chain(sources::shown(object)) {
-        let row = decoder.row_of_text(&own, faults);
+    for source in others.chain(sources::shown(object)) {
+        let row = decoder.row_of_text(&source, faults);
         found.add(row, &decoder.scope.measures);
     }
     found
@@ -115,15 +115,15 @@ impl Decoder<'_, '_> {
     }
 
     /// An item of the list.
-    fn row_of_item(&mut self, own: &Source, faults: &mut Faults) -> Option<usize> {
-        if let Some(row) = self.row_of_text(own, faults) {
+    fn row_of_item(&mut self, source: &Source, faults: &mut Faults) -> Option<usize> {
+        if let Some(row) = self.row_of_text(source, faults) {
             return Some(row);
         }
-        let name = own.text;
+        let name = source.text;
         if self.known(name).is_none() && !self.names.iter().any(|named| named.name.key == name) {
             faults.add(
-                own.at,
-                &own.path,
+                source.at,
+                &source.path,
                 unknown("metric", name, &self.scope.metrics()),
             );
         }
@@ -131,15 +131,15 @@ impl Decoder<'_, '_> {
     }
 
     /// A text that may be arithmetic; `None` for another name that is not known.
-    fn row_of_text(&mut self, own: &Source, faults: &mut Faults) -> Option<usize> {
-        let name = own.text.trim();
+    fn row_of_text(&mut self, source: &Source, faults: &mut Faults) -> Option<usize> {
+        let name = source.text.trim();
         if let Some(row) = self.known(name) {
             return Some(row);
         }
         if self.names.iter().any(|named| named.name.key == name) {
-            return self.row_of_name(name, own, faults);
+            return self.row_of_name(name, source, faults);
         }
-        if !is_arithmetic(name) || crate::reduction::decode::parts(own.text).is_some() {
+        if !is_arithmetic(name) || crate::reduction::decode::parts(source.text).is_some() {
             return None;
         }
         // A name with a hyphen.
@@ -150,18 +150,21 @@ impl Decoder<'_, '_> {
         if is_word && nearest(name, &metrics).is_some() {
             return None;
         }
-        let decoded = self.rule(own, own.text, 0, faults);
-        Some(self.push(name.to_owned(), own.text, decoded))
+        let decoded = self.rule(source, source.text, 0, faults);
+        Some(self.push(name.to_owned(), source.text, decoded))
     }
 
     /// The metric with a name of the study.
     fn row_of_name(&mut self, name: &str, from: &Source, faults: &mut Faults) -> Option<usize> {
-        let place = self.names.iter().position(|own| own.name.key == name)?;
-        match self.names[place].state {
+        let index = self.names.iter().position(|known| known.name.key == name)?;
+        match self.names[index].state {
             State::Done(row) => return Some(row),
             State::Open => {
-                let open = self.names.iter().filter(|own| own.state == State::Open);
-                let names: Vec<&str> = open.map(|own| own.name.key.as_str()).collect();
+                let open = self
+                    .names
+                    .iter()
+                    .filter(|metric| metric.state == State::Open);
+                let names: Vec<&str> = open.map(|metric| metric.name.key.as_str()).collect();
                 let message = format!(
                     "{} is computed from itself: {}",
                     quoted(name),
@@ -172,11 +175,11 @@ impl Decoder<'_, '_> {
             }
             State::New => {}
         }
-        self.names[place].state = State::Open;
-        let (member, source) = (self.names[place].name, self.names[place].source.clone());
+        self.names[index].state = State::Open;
+        let (member, source) = (self.names[index].name, self.names[index].source.clone());
         let mut decoded = self.rule(&source, source.text, 0, faults);
         let given = |key: &str| {
-            let found = members(&member.node).find(|own| own.key == key)?;
+            let found = members(&member.node).find(|key_member| key_member.key == key)?;
             match &found.node.tree {
                 Tree::Text(text) => Some(text.clone()),
                 Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
@@ -192,14 +195,14 @@ impl Decoder<'_, '_> {
             decoded.unit = given(NAMED[1].0).unwrap_or(decoded.unit.clone());
         }
         let row = self.push(name.to_owned(), source.text, decoded);
-        self.names[place].state = State::Done(row);
+        self.names[index].state = State::Done(row);
         Some(row)
     }
 
     /// The measure of an expression that begins at byte `start` of the text of a source.
     fn row_of_part(
         &mut self,
-        own: &Source,
+        source: &Source,
         part: &str,
         start: usize,
         faults: &mut Faults,
@@ -209,16 +212,16 @@ impl Decoder<'_, '_> {
             return Some(row);
         }
         if self.names.iter().any(|named| named.name.key == name) {
-            return self.row_of_name(name, own, faults);
+            return self.row_of_name(name, source, faults);
         }
-        let decoded = self.rule(own, part, start, faults)?;
+        let decoded = self.rule(source, part, start, faults)?;
         Some(self.push(name.to_owned(), part, Some(decoded)))
     }
 
     /// The rule of an expression that begins at byte `start` of the text of a source.
     fn rule(
         &mut self,
-        own: &Source,
+        source: &Source,
         part: &str,
         start: usize,
         faults: &mut Faults,
@@ -226,9 +229,9 @@ impl Decoder<'_, '_> {
         match part.rsplit_once(sources::RELATIVE) {
             Some((metric, values)) => {
                 let after = start + part.len() - values.len();
-                self.ratio(own, (metric, start), (values, after), faults)
+                self.ratio(source, (metric, start), (values, after), faults)
             }
-            None => self.arithmetic(own, part, start, faults),
+            None => self.arithmetic(source, part, start, faults),
         }
     }
 

@@ -17,16 +17,20 @@ const FORM: &str = "\"METRIC relative to PARAMETER = VALUE, ...\", as in \"peak(
 impl Decoder<'_, '_> {
     pub(super) fn arithmetic(
         &mut self,
-        own: &Source,
+        source: &Source,
         part: &str,
         start: usize,
         faults: &mut Faults,
     ) -> Option<Decoded> {
         let mut report = |fault: ExpressionFault| {
-            let message = format!("{}: {}", quoted(own.text.trim()), in_words(&fault));
-            faults.add(own.place(start + fault.offset), &own.path, message);
+            let message = format!("{}: {}", quoted(source.text.trim()), in_words(&fault));
+            faults.add(source.place(start + fault.offset), &source.path, message);
         };
-        let names: Vec<String> = self.names.iter().map(|own| own.name.key.clone()).collect();
+        let names: Vec<String> = self
+            .names
+            .iter()
+            .map(|known| known.name.key.clone())
+            .collect();
         let others: Vec<&str> = names.iter().map(String::as_str).collect();
         let problem = self.scope.problem.clone();
         let table = formula::table(&*problem, &self.scope.measures, &others);
@@ -39,8 +43,8 @@ impl Decoder<'_, '_> {
             }
         };
         // A name that has its measure is known as one.
-        for place in uses {
-            self.row_of_name(&names[place], own, faults)?;
+        for index in uses {
+            self.row_of_name(&names[index], source, faults)?;
         }
         let table = formula::table(&*problem, &self.scope.measures, &[]);
         let first = problem.parameters().len();
@@ -76,8 +80,10 @@ impl Decoder<'_, '_> {
                     (range, known.map(|known| known.bare_symbol()))
                 }
                 Piece::Name(range) => {
-                    let own = table.iter().find(|own| own.name == text[range.clone()]);
-                    (range, own.map(|own| &*own.symbol))
+                    let metric = table
+                        .iter()
+                        .find(|metric| metric.name == text[range.clone()]);
+                    (range, metric.map(|metric| &*metric.symbol))
                 }
             };
             let Some(symbol) = symbol else { continue };
@@ -90,20 +96,20 @@ impl Decoder<'_, '_> {
 
     pub(super) fn ratio(
         &mut self,
-        own: &Source,
+        source: &Source,
         (metric, start): (&str, usize),
         (values, after): (&str, usize),
         faults: &mut Faults,
     ) -> Option<Decoded> {
-        let of = self.row_of_part(own, metric, start, faults)?;
+        let of = self.row_of_part(source, metric, start, faults)?;
         let before = faults.count();
-        let node = self.values(own, values, after, faults)?;
-        let filter = self.scope.filter(&node, &own.path, faults)?;
+        let node = self.values(source, values, after, faults)?;
+        let filter = self.scope.filter(&node, &source.path, faults)?;
         let reference = Reference::new(filter, &*self.scope.problem, &self.scope.blocks);
         if !self.scope.blocks.is_empty()
             && let Some(message) = reference.fault_of_ratio(self.scope, "\"relative to\"")
         {
-            faults.add(own.place(after), &own.path, message);
+            faults.add(source.place(after), &source.path, message);
         }
         let table = self.scope.problem.parameters();
         let value = |(row, wanted): &(usize, Vec<Value>)| {
@@ -122,19 +128,19 @@ impl Decoder<'_, '_> {
     /// The values of a reference case as an object.
     fn values(
         &self,
-        own: &Source,
+        source: &Source,
         values: &str,
         after: usize,
         faults: &mut Faults,
     ) -> Option<Node> {
-        let mut all = Vec::new();
+        let mut terms = Vec::new();
         let mut start = after;
         for term in values.split(',') {
-            let at = own.place(start + term.len() - term.trim_start().len());
+            let at = source.place(start + term.len() - term.trim_start().len());
             start += term.len() + 1;
             let Some((name, value)) = term.split_once('=') else {
-                let message = format!("must be {FORM}, got {}", quoted(own.text));
-                faults.add(at, &own.path, message);
+                let message = format!("must be {FORM}, got {}", quoted(source.text));
+                faults.add(at, &source.path, message);
                 return None;
             };
             let value = value.trim().trim_matches('\'');
@@ -142,15 +148,15 @@ impl Decoder<'_, '_> {
                 Ok(_) => Tree::Number(value.to_owned()),
                 Err(_) => Tree::Text(value.to_owned()),
             };
-            all.push(Member {
+            terms.push(Member {
                 key: name.trim().to_owned(),
                 at,
                 node: Node { at, tree },
             });
         }
         Some(Node {
-            at: own.place(after),
-            tree: Tree::Object(all),
+            at: source.place(after),
+            tree: Tree::Object(terms),
         })
     }
 }

@@ -64,9 +64,9 @@ pub(crate) fn nearest<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
 }
 
 fn synonym<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
-    let own = SYNONYMS.iter().find(|(words, _)| words.contains(&name));
+    let synonym = SYNONYMS.iter().find(|(words, _)| words.contains(&name));
     let law = LAWS.iter().find(|law| law.offer.also.contains(&name));
-    let names = own.map_or(&[][..], |own| own.1).iter().copied();
+    let names = synonym.map_or(&[][..], |synonym| synonym.1).iter().copied();
     let mut names = names.chain(law.map(|law| law.offer.name));
     names.find_map(|right| allowed.iter().find(|known| **known == right).copied())
 }
@@ -103,8 +103,8 @@ fn begun<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
         .filter(|right| plain(right).starts_with(name));
     let longer: Vec<&str> = longer.copied().collect();
     if let Some(shortest) = longer.iter().min_by_key(|right| right.len()) {
-        let all = longer.iter().all(|right| right.starts_with(shortest));
-        return all.then_some(shortest);
+        let is_start = longer.iter().all(|right| right.starts_with(shortest));
+        return is_start.then_some(shortest);
     }
     let part = |right: &&&str| {
         let right = plain(right);

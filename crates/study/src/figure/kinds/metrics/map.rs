@@ -111,8 +111,8 @@ impl Decoded for Map {
             checker.has_two_values(key, row, KIND.name);
         }
         for (i, at) in self.marks.iter().flat_map(|marks| &marks.at).enumerate() {
-            for ((_, row), place) in axes.into_iter().zip(at) {
-                checker.reaches(row, *place, i);
+            for ((_, row), x) in axes.into_iter().zip(at) {
+                checker.reaches(row, *x, i);
             }
         }
     }

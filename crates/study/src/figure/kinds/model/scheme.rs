@@ -73,12 +73,12 @@ mod tests {
             assert!(other.contains(message), "{other}");
         }
         let masses = |count: usize| -> String {
-            let all: Vec<String> = (0..count).map(|i| format!("\"m{i}\": 1")).collect();
+            let masses: Vec<String> = (0..count).map(|i| format!("\"m{i}\": 1")).collect();
             told(&format!(
                 r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 1}}, "metrics": ["peak(m1)"],
 "structure": {{"masses": {{{}}}}},
 "figures": [{{"name": "f", "kind": "scheme"}}]}}"#,
-                all.join(", ")
+                masses.join(", ")
             ))
         };
         assert_eq!(masses(40), "");

@@ -114,8 +114,12 @@ impl History {
         let schema = checker.scope.problem.schema();
         let mut quantities = self.y.iter().map(|row| &schema.quantities[*row]);
         let dimension = |channel: usize| schema.channels[channel].dimension;
-        let first = quantities.clone().next().map(|own| dimension(own.channel));
-        let fits = quantities.all(|own| !own.error && Some(dimension(own.channel)) == first);
+        let first = quantities
+            .clone()
+            .next()
+            .map(|quantity| dimension(quantity.channel));
+        let fits = quantities
+            .all(|quantity| !quantity.error && Some(dimension(quantity.channel)) == first);
         if !fits {
             checker.fault(
                 "stacked",
