@@ -58,7 +58,7 @@ class UnknownNameError(SlipgapError, KeyError):
     def of(cls, what: str, name: object, known: Iterable[str]) -> UnknownNameError:
         """The error for a name of this kind that is not among the known ones."""
         names = list(known)
-        plain = {own.casefold(): own for own in names}
+        plain = {known_name.casefold(): known_name for known_name in names}
         near = get_close_matches(str(name).casefold(), plain, n=1, cutoff=0.7)
         hint = f"; did you mean {plain[near[0]]}?" if near else f"; there are {_listed(names)}"
         return cls(f"no {what} {name}{hint}")

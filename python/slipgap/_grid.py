@@ -26,7 +26,7 @@ class Axis:
         self.name = name
         if isinstance(column, list):
             places: dict[Any, int] = {}
-            codes = [-1 if own is None else places.setdefault(own, len(places)) for own in column]
+            codes = [-1 if value is None else places.setdefault(value, len(places)) for value in column]
             self.values: Any = numpy.array(list(places), dtype=object)
             self.codes = numpy.array(codes, dtype=numpy.int64)
         else:
@@ -55,7 +55,7 @@ def dataset(
     """What ``Results.to_xarray`` returns."""
     make = library("xarray", "to_xarray").Dataset
     axes = {name: Axis(name, table[name]) for name in parameters}
-    dimensions = _dimensions([own for own in axes.values() if own.varies], set(study.axes))
+    dimensions = _dimensions([axis for axis in axes.values() if axis.varies], set(study.axes))
     if dimensions is None:
         variables, coordinates = _by_case(table, axes, metrics)
     else:
@@ -77,11 +77,11 @@ def _dimensions(axes: list[Axis], given: set[str]) -> list[Axis] | None:
         return None
     kept = list(axes)
     for axis in sorted(reversed(axes), key=lambda axis: axis.name in given):
-        others = [own for own in kept if own is not axis]
+        others = [other for other in kept if other is not axis]
         if _follows(axis, others):
             kept = others
     cases = len(axes[0].codes)
-    if _places(_joined(kept)) < cases or numpy.prod([float(len(own.values)) for own in kept]) > 2 * cases:
+    if _places(_joined(kept)) < cases or numpy.prod([float(len(axis.values)) for axis in kept]) > 2 * cases:
         return None
     return kept
 
@@ -112,7 +112,7 @@ def _by_case(table: Table, axes: Mapping[str, Axis], metrics: Sequence[str]) -> 
     coordinates: dict[str, Any] = {CASE: ((CASE,), table[CASE], {})}
     for name, axis in axes.items():
         coordinates[name] = ((CASE,), _cells(table[name]), {}) if axis.varies else _constant(axis)
-    known = {name: own for name, own in coordinates.items() if own is not None}
+    known = {name: coordinate for name, coordinate in coordinates.items() if coordinate is not None}
     return {name: ((CASE,), table[name], {}) for name in metrics}, known
 
 
@@ -138,19 +138,19 @@ def _on_grid(
             coordinates[name] = ((name,), axis.values, {})
         elif axis.varies:
             over = list(dimensions)
-            for own in dimensions:
-                fewer = [other for other in over if other is not own]
+            for axis_over in dimensions:
+                fewer = [other for other in over if other is not axis_over]
                 over = fewer if _follows(axis, fewer) else over
             cells = _cells(table[name])
             is_name = cells.dtype == object
             array = numpy.full(
-                [len(own.values) for own in over], None if is_name else numpy.nan, cells.dtype if is_name else float
+                [len(axis_over.values) for axis_over in over], None if is_name else numpy.nan, cells.dtype if is_name else float
             )
-            array[tuple(own.codes for own in over)] = cells
-            coordinates[name] = (tuple(own.name for own in over), array, {})
+            array[tuple(axis_over.codes for axis_over in over)] = cells
+            coordinates[name] = (tuple(axis_over.name for axis_over in over), array, {})
         else:
             coordinates[name] = _constant(axis)
-    return variables, {name: own for name, own in coordinates.items() if own is not None}
+    return variables, {name: coordinate for name, coordinate in coordinates.items() if coordinate is not None}
 
 
 def _cells(column: Any) -> Any:

@@ -64,7 +64,7 @@ def _measured(study: Mapping[str, Any]) -> dict[str, Any]:
     arrays = [given["time"], *columns.values()]
     if any(isinstance(values, str | Mapping) for values in arrays):
         return dict(study)
-    names = ["t", *(f"c{place}" for place in range(len(columns)))]
+    names = ["t", *(f"c{i}" for i in range(len(columns)))]
     rows = zip(*([float(x) for x in values] for values in arrays), strict=True)
     content = "\n".join([",".join(names), *(",".join(map(repr, row)) for row in rows)]) + "\n"
     file = _folder() / f"measured-{sha256(content.encode()).hexdigest()[:16]}.csv"
@@ -131,7 +131,7 @@ def axes(data: dict[str, Any]) -> list[str]:
     for block in _blocks(data):
         for name, value in block.items():
             inner = value if isinstance(value, dict) else {}
-            names = [f"{name}.{key}" for key, own in inner.items() if isinstance(own, list | dict)]
+            names = [f"{name}.{key}" for key, member in inner.items() if isinstance(member, list | dict)]
             found.update(dict.fromkeys([name, *names] if isinstance(value, list | dict) else []))
     return list(found)
 
@@ -140,8 +140,8 @@ def _blocks(data: dict[str, Any]) -> list[dict[str, Any]]:
     """The parameters of a study and of its blocks."""
     inner = data.get("blocks", [])
     inner = [block.get("parameters") for block in inner] if isinstance(inner, list) else []
-    own = data.get("parameters") if inner else data.setdefault("parameters", {})
-    return [block for block in (own, *inner) if isinstance(block, dict)]
+    outer = data.get("parameters") if inner else data.setdefault("parameters", {})
+    return [block for block in (outer, *inner) if isinstance(block, dict)]
 
 
 def _gives(block: dict[str, Any], keys: list[str]) -> bool:

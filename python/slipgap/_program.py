@@ -22,8 +22,8 @@ UNSOLVED = 3
 
 def program() -> str:
     """The path of the program: that of this environment, else the first one in PATH."""
-    own = shutil.which("slipgap", path=sysconfig.get_path("scripts"))
-    found = own or shutil.which("slipgap")
+    installed = shutil.which("slipgap", path=sysconfig.get_path("scripts"))
+    found = installed or shutil.which("slipgap")
     if found is None:
         raise SlipgapError("the program slipgap is neither in this environment nor in PATH")
     return found

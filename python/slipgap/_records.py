@@ -180,7 +180,7 @@ class Alternative(NamedTuple):
     @property
     def values(self) -> dict[str, float]:
         """The best values by name."""
-        return {name: own.best for name, own in self.parameters.items()}
+        return {name: parameter.best for name, parameter in self.parameters.items()}
 
 
 class Calibration(NamedTuple):

@@ -25,10 +25,10 @@ PARTS = ("figures", "folder", "checks", "failures", "warnings", "parameters", "m
 class Results:
     """The results of a study, as ``slipgap.run`` returns them. They can be pickled, with the figures drawn."""
 
-    def __init__(self, own: _slipgap.Results | dict[str, Any]) -> None:
-        self._own = own
+    def __init__(self, compiled: _slipgap.Results | dict[str, Any]) -> None:
+        self._own = compiled
         # What was asked for.
-        self._parts: dict[str, Any] = own if isinstance(own, dict) else {}
+        self._parts: dict[str, Any] = compiled if isinstance(compiled, dict) else {}
 
     def _part(self, name: str) -> Any:
         if name not in self._parts:

@@ -69,10 +69,10 @@ class Solution:
 
     __slots__ = ("_found", "_known", "_own", "_saved")
 
-    def __init__(self, own: _slipgap.Solution | dict[str, Any], study: Study | None = None) -> None:
+    def __init__(self, compiled: _slipgap.Solution | dict[str, Any], study: Study | None = None) -> None:
         # What was pickled has no compiled solution.
-        self._saved = own if isinstance(own, dict) else None
-        self._own = None if isinstance(own, dict) else own
+        self._saved = compiled if isinstance(compiled, dict) else None
+        self._own = None if isinstance(compiled, dict) else compiled
         self._known = study
         # Channels beyond the columns of a history, by part and name.
         self._found: dict[tuple[str, str], NDArray[numpy.float64]] = {}
@@ -147,8 +147,8 @@ class Solution:
         if self._own is not None and (found := _in(self._own, name, part)) is not None:
             return found
         # The figure shows this case alone.
-        own = {key: value for key, value in self.parameters.items() if key in self._study.axes}
-        figure = {"name": "channel", "kind": "history", "y": [name], "where": own}
+        case = {key: value for key, value in self.parameters.items() if key in self._study.axes}
+        figure = {"name": "channel", "kind": "history", "y": [name], "where": case}
         drawn = self._study.replace(figures=[figure], checks=None)
         try:
             return _in(_slipgap.solve(drawn, self.case_number), name, part)
@@ -209,9 +209,9 @@ class Solution:
         return html.solution(self)
 
 
-def _in(own: _slipgap.Solution, name: str, part: str) -> NDArray[numpy.float64] | None:
+def _in(compiled: _slipgap.Solution, name: str, part: str) -> NDArray[numpy.float64] | None:
     """A channel of a solution that is not only a column of its history, also with other blanks."""
     plain = " ".join(name.replace("-", " - ").replace("+", " + ").split())
-    all_channels = {**getattr(own, part), **own.drawn(part == "references")}
+    all_channels = {**getattr(compiled, part), **compiled.drawn(part == "references")}
     column = next((known for known in (name, plain, f"{plain}.u") if known in all_channels), None)
     return None if column is None else all_channels[column]

@@ -11,8 +11,8 @@ fn functions(py: Python<'_>) -> PyResult<&[Py<PyAny>; 3]> {
     FROM_BUFFER.get_or_try_init(py, || {
         let numpy = py.import("numpy")?;
         let dtype = |name: &str| numpy.call_method1("dtype", (name,));
-        let all = [numpy.getattr("frombuffer")?, dtype("f8")?, dtype("i8")?];
-        Ok(all.map(Bound::unbind))
+        let attributes = [numpy.getattr("frombuffer")?, dtype("f8")?, dtype("i8")?];
+        Ok(attributes.map(Bound::unbind))
     })
 }
 
@@ -24,8 +24,8 @@ fn array<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let functions = functions(py)?;
     let bytes = PyBytes::new_with(py, 8 * words.len(), |bytes| {
-        for (place, word) in bytes.chunks_exact_mut(8).zip(words) {
-            place.copy_from_slice(&word);
+        for (target, word) in bytes.chunks_exact_mut(8).zip(words) {
+            target.copy_from_slice(&word);
         }
         Ok(())
     })?;
@@ -51,9 +51,9 @@ pub fn whole<'py>(
 /// The numbers in the bytes of an array.
 pub fn of_bytes(bytes: &[u8]) -> Vec<f64> {
     let words = bytes.chunks_exact(8).map(|word| {
-        let mut own = [0; 8];
-        own.copy_from_slice(word);
-        f64::from_ne_bytes(own)
+        let mut native = [0; 8];
+        native.copy_from_slice(word);
+        f64::from_ne_bytes(native)
     });
     words.collect()
 }

@@ -35,10 +35,14 @@ pub fn calibrate<'py>(
     let folder = out.map(|out| out.join(&source.name));
     let (stop, bar) = (Stop::default(), ProgressBar::hidden());
     let (stops, path, counter) = (stop.clone(), folder.clone(), bar.clone());
-    let each = source.study.calibrate.as_ref().map_or(0, |own| own.cases);
+    let each = source
+        .study
+        .calibrate
+        .as_ref()
+        .map_or(0, |calibrate| calibrate.cases);
     let most = each * source.study.alternatives().len() as u64;
-    let report = |done: u64, all: u64| match progress {
-        Some(progress) => progress.call1((done, all)).map(|_| ()),
+    let report = |done: u64, count: u64| match progress {
+        Some(progress) => progress.call1((done, count)).map(|_| ()),
         None => Ok(()),
     };
     let (found, texts) = worker::wait(
@@ -75,11 +79,13 @@ fn alternative<'py>(
     let table = found.study.problem.parameters();
     let solved = fit.misfit().is_finite();
     let parameters = PyDict::new(py);
-    for (place, free) in fit.free.iter().enumerate().filter(|_| solved) {
-        parameters.set_item(&*table[free.parameter].name, parameter(py, fit, place)?)?;
+    for (index, free) in fit.free.iter().enumerate().filter(|_| solved) {
+        parameters.set_item(&*table[free.parameter].name, parameter(py, fit, index)?)?;
     }
     let unused = fit.unused.iter();
-    let unused: Vec<&str> = unused.map(|own| &*table[own.parameter].name).collect();
+    let unused: Vec<&str> = unused
+        .map(|parameter| &*table[parameter.parameter].name)
+        .collect();
     let json = py.import("json")?.getattr("loads")?;
     let study = text.map(|(_, text)| json.call1((text,))).transpose()?;
     let residuals = fit.residuals.as_ref();
@@ -87,8 +93,8 @@ fn alternative<'py>(
     class.call1((
         fit.alternative.name.as_str(),
         solved.then(|| fit.misfit()),
-        fit.numerical.as_ref().map(|own| own.total()),
-        residuals.map(|own| own.correlation),
+        fit.numerical.as_ref().map(|error| error.total()),
+        residuals.map(|found| found.correlation),
         parameters,
         unused,
         fit.found.correlation.clone(),
@@ -99,22 +105,24 @@ fn alternative<'py>(
 }
 
 /// A `slipgap.FreeParameter`.
-fn parameter<'py>(py: Python<'py>, fit: &Fit, place: usize) -> PyResult<Bound<'py, PyAny>> {
-    let profile = fit.found.profiles.get(place);
-    let range = fit.free[place].range;
+fn parameter<'py>(py: Python<'py>, fit: &Fit, index: usize) -> PyResult<Bound<'py, PyAny>> {
+    let profile = fit.found.profiles.get(index);
+    let range = fit.free[index].range;
     let ends = |ends: [End; 2]| {
-        let [from, to] = ends.map(|end| fit.value(place, end));
+        let [from, to] = ends.map(|end| fit.value(index, end));
         (from.unwrap_or(range.ends[0]), to.unwrap_or(range.ends[1]))
     };
-    let points = profile.iter().flat_map(|own| &own.points);
-    let points = points.filter(|own| own.misfit.is_finite());
-    let points: Vec<(f64, f64)> = points.map(|own| (range.at(own.at), own.misfit)).collect();
+    let points = profile.iter().flat_map(|profile| &profile.points);
+    let points = points.filter(|point| point.misfit.is_finite());
+    let points: Vec<(f64, f64)> = points
+        .map(|point| (range.at(point.at), point.misfit))
+        .collect();
     let class = FREE.import(py, "slipgap._records", "FreeParameter")?;
     class.call1((
-        fit.values[place],
-        profile.and_then(|own| own.interval).map(ends),
-        profile.map(|own| ends(own.within_tenth)),
-        fit.state(place).map(state_name),
+        fit.values[index],
+        profile.and_then(|profile| profile.interval).map(ends),
+        profile.map(|profile| ends(profile.within_tenth)),
+        fit.state(index).map(state_name),
         points,
     ))
 }

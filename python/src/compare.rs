@@ -48,8 +48,8 @@ pub fn compare<'py>(
         };
         let origins = comparison.origins.iter();
         notes.extend(origins.map(|origin| format!("{shown}: {origin}")));
-        let own = comparison.alone.iter().zip(&comparison.columns);
-        for ((cases, metrics), side) in own.zip(&sides) {
+        let alone = comparison.alone.iter().zip(&comparison.columns);
+        for ((cases, metrics), side) in alone.zip(&sides) {
             let side = side.display();
             if *cases > 0 {
                 notes.push(format!("{shown}: {cases} cases only in {side}"));

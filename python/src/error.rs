@@ -36,9 +36,9 @@ fn exception(py: Python<'_>, error: &Error) -> PyResult<PyErr> {
     let fields = PyDict::new(py);
     let message = match error {
         Error::Faults(faults) => {
-            let all = faults.iter().map(|fault| record(py, fault));
-            let all = all.collect::<PyResult<Vec<_>>>()?;
-            fields.set_item("faults", all)?;
+            let records = faults.iter().map(|fault| record(py, fault));
+            let records = records.collect::<PyResult<Vec<_>>>()?;
+            fields.set_item("faults", records)?;
             let lines: Vec<String> = faults.iter().map(text).collect();
             lines.join("\n")
         }

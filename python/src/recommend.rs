@@ -39,8 +39,8 @@ pub fn recommend<'py>(
         .study
         .recommend
         .iter()
-        .flat_map(|own| &own.within)
-        .map(|own| own.0)
+        .flat_map(|recommend| &recommend.within)
+        .map(|limit| limit.0)
         .collect();
     let class = CANDIDATE.import(py, "slipgap._records", "Candidate")?;
     let candidate = |(at, choice): (usize, &Choice)| {

@@ -208,7 +208,7 @@ def test_calibrate(tmp_path: Path) -> None:
     file = tmp_path / "law.json"
     file.write_text(json.dumps(study))
     found = slipgap.calibrate(file, out=tmp_path / "out", jobs=1)
-    assert [own.name for own in found.alternatives] == ["hertz", "impact"]
+    assert [alternative.name for alternative in found.alternatives] == ["hertz", "impact"]
     best = found.best
     # The motion is that of the same steps: only the search limits the agreement.
     assert abs(best.values["k_h"] / 20000 - 1) < 1e-3
@@ -253,10 +253,10 @@ def test_recommend_of_a_study() -> None:
     table = slipgap.run(study).table
     rows = {(step, width): error for step, width, error in zip(table["dT"], table["alpha"], table["rms_error"])}
     for candidate in found.front:
-        own = candidate.parameters
-        assert candidate.errors["rms_error"] == rows[own["dT"], own["alpha"]]
+        chosen = candidate.parameters
+        assert candidate.errors["rms_error"] == rows[chosen["dT"], chosen["alpha"]]
     assert found.best is not None and found.best.errors["rms_error"] <= 0.05
-    assert [own.cost for own in found.front] == sorted(own.cost for own in found.front)
+    assert [candidate.cost for candidate in found.front] == sorted(candidate.cost for candidate in found.front)
     assert found.best.verdict == "recommended" and found.sentences[-1].startswith("Recommended: ")
     # The softening with alpha = 0.1 has an error of its own above 0.02, whatever the step.
     hard = {**study, "recommend": {"over": ["dT", "alpha"], "within": {"rms_error": 0.02}}}

@@ -32,9 +32,9 @@ def test_sparse_matrices_give_what_masses_and_springs_give() -> None:
     K = sparse.csr_array(np.array([[170.0, -70.0], [-70.0, 70.0]]))
     model = {"M": sparse.diags_array([2.0, 1.0]), "K": K, "dofs": [("1", "x"), ("2", "x")]}
     expected = slipgap.solve(study(masses, "b")).metrics
-    own = slipgap.solve(study({"matrices": {"t": model}}, "t.2.x")).metrics
+    metrics = slipgap.solve(study({"matrices": {"t": model}}, "t.2.x")).metrics
     # The same structure with another order of elimination.
-    assert list(own.values()) == pytest.approx(list(expected.values()), rel=1e-12, abs=0)
+    assert list(metrics.values()) == pytest.approx(list(expected.values()), rel=1e-12, abs=0)
 
 
 def test_arrays_are_matrices_and_motions() -> None:

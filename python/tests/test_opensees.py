@@ -96,11 +96,11 @@ def storeys(floors: int, middle: bool) -> None:
             ends = 10 * floor + i, 10 * floor + i % 4 + 1
             ops.element("elasticBeamColumn", element, *ends, 0.01, 3e7, 1.25e7, 1e-5, 1e-5, 1e-5, 2)
         if middle:
-            own = 10 * floor + 9
-            ops.node(own, 2.9, 2.1, 3.2 * floor)
-            ops.mass(own, 10, 10, 0, 0, 0, 60)
-            ops.fix(own, 0, 0, 1, 1, 1, 0)
-            ops.rigidDiaphragm(3, own, *(10 * floor + i for i in range(1, 5)))
+            centre = 10 * floor + 9
+            ops.node(centre, 2.9, 2.1, 3.2 * floor)
+            ops.mass(centre, 10, 10, 0, 0, 0, 60)
+            ops.fix(centre, 0, 0, 1, 1, 1, 0)
+            ops.rigidDiaphragm(3, centre, *(10 * floor + i for i in range(1, 5)))
         else:
             ops.rigidDiaphragm(3, *(10 * floor + i for i in range(1, 5)))
 

@@ -142,8 +142,8 @@ def test_a_solution_is_the_history_of_the_program(
         columns = dict(solution.channels)
         columns |= {f"{key}_exact": values for key, values in solution.references.items()}
         assert solution.measured == {}
-        for place, column in enumerate(header):
-            expected = [float(row[place]) for row in history]
+        for index, column in enumerate(header):
+            expected = [float(row[index]) for row in history]
             assert columns[column].tolist() == expected, column
         assert solution.time.tolist() == [float(row[0]) for row in history]
         for metric, value in solution.metrics.items():

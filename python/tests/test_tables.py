@@ -40,8 +40,8 @@ def test_a_table_has_every_cell_of_the_file(name: str, tmp_path: Path) -> None:
     assert rows
     for table in (in_memory, in_folder):
         assert table.columns == header
-        for place, column in enumerate(header):
-            for cell, value in zip((row[place] for row in rows), table[column], strict=True):
+        for index, column in enumerate(header):
+            for cell, value in zip((row[index] for row in rows), table[column], strict=True):
                 if isinstance(value, str) or value is None:
                     assert (value or "") == cell
                 elif cell == "":

@@ -19,19 +19,19 @@ def curves(lines: Mapping[str, Sequence[Any]], x: str, y: str) -> str:
     """Curves of pairs of arrays (x, y), each with a name, and titles of both axes."""
     import numpy
 
-    points = {name: [numpy.asarray(own, dtype=float) for own in pair] for name, pair in lines.items()}
+    points = {name: [numpy.asarray(values, dtype=float) for values in pair] for name, pair in lines.items()}
     ends = [_ends([pair[axis] for pair in points.values()]) for axis in (0, 1)]
     if None in ends:
         return ""
     (left, right), (low, high) = ends  # type: ignore[misc]
     parts = [f'<rect x="{LEFT}" y="{ABOVE}" width="{COLUMNS}" height="{HEIGHT - ABOVE - BELOW}" fill="none" stroke="#999"/>']
-    for place, (name, (across, up)) in enumerate(points.items()):
+    for i, (name, (across, up)) in enumerate(points.items()):
         place_x = LEFT + (across - left) / (right - left) * COLUMNS
         place_y = HEIGHT - BELOW - (up - low) / (high - low) * (HEIGHT - ABOVE - BELOW)
-        colour = COLOURS[place % len(COLOURS)]
+        colour = COLOURS[i % len(COLOURS)]
         path = " ".join(f"{px:.1f},{py:.1f}" for px, py in _thinned(place_x, place_y))
-        parts.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="{1.5 - 0.5 * place}"/>')
-        parts.append(_text(LEFT + 6 + 90 * place, ABOVE - 5, name, "start", colour))
+        parts.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="{1.5 - 0.5 * i}"/>')
+        parts.append(_text(LEFT + 6 + 90 * i, ABOVE - 5, name, "start", colour))
     base = HEIGHT - BELOW
     parts += [
         _text(LEFT, base + 14, f"{left:.4g}", "start"),
@@ -67,8 +67,8 @@ def _thinned(across: Any, up: Any) -> list[tuple[float, float]]:
     across, up = across[known], up[known]
     if len(across) > 2 * COLUMNS:
         rows = numpy.array_split(numpy.arange(len(across)), COLUMNS)
-        ends = [sorted((int(own[up[own].argmin()]), int(own[up[own].argmax()]))) for own in rows]
-        kept = [place for pair in ends for place in pair]
+        ends = [sorted((int(column[up[column].argmin()]), int(column[up[column].argmax()]))) for column in rows]
+        kept = [row for pair in ends for row in pair]
         across, up = across[kept], up[kept]
     return list(zip(across.tolist(), up.tolist(), strict=True))
 

@@ -91,54 +91,54 @@ def _plain(value: Any) -> Any:
     return value.item() if hasattr(value, "item") else value
 
 
-def study(own: Study) -> str:
+def study(opened: Study) -> str:
     """The name, the parameters and the other keys of a study."""
-    parameters = {name: json.dumps(value, ensure_ascii=False) for name, value in own.parameters.items()}
-    title = own.get("title") or own.get("problem") or ""
-    others = ", ".join(key for key in own if key not in ("problem", "title", "parameters", "$schema", "//"))
+    parameters = {name: json.dumps(value, ensure_ascii=False) for name, value in opened.parameters.items()}
+    title = opened.get("title") or opened.get("problem") or ""
+    others = ", ".join(key for key in opened if key not in ("problem", "title", "parameters", "$schema", "//"))
     beside = f"<p>with {escape(others)}</p>" if others else ""
-    return f"<p><b>{escape(own.name)}</b>: {escape(str(title))}</p>{pairs('parameter', parameters, {})}{beside}"
+    return f"<p><b>{escape(opened.name)}</b>: {escape(str(title))}</p>{pairs('parameter', parameters, {})}{beside}"
 
 
-def solution(own: Solution) -> str:
+def solution(solved: Solution) -> str:
     """The parameters, the metrics and the first channel of a solved case."""
-    channels, exact = own.channels, own.references
+    channels, exact = solved.channels, solved.references
     time, first = list(channels)[:2]
     lines = {first: (channels[time], channels[first])}
     if first in exact:
         lines["exact"] = (exact[time], exact[first])
-    unit = own.units.get(first, "1")
+    unit = solved.units.get(first, "1")
     picture = curves(lines, time, first if unit == "1" else f"{first} ({unit})")
-    parameters = pairs("parameter", own.parameters, {})
-    return f"<p>{escape(repr(own)[1:-1])}</p>{side(parameters, pairs('metric', own.metrics, {}), picture)}"
+    parameters = pairs("parameter", solved.parameters, {})
+    return f"<p>{escape(repr(solved)[1:-1])}</p>{side(parameters, pairs('metric', solved.metrics, {}), picture)}"
 
 
-def results(own: Results) -> str:
+def results(found: Results) -> str:
     """What a run found: parameters and metrics, checks, warnings, and the first figure."""
-    table = own.table
-    values = {name: table[name] for name in own.parameters}
+    table = found.table
+    values = {name: table[name] for name in found.parameters}
     constant = {name: _plain(column[0]) for name, column in values.items() if _is_one(column)}
-    varying = [name for name in own.parameters if name not in constant]
+    varying = [name for name in found.parameters if name not in constant]
     constant = {name: value for name, value in constant.items() if cell(value)}
-    met = [check for check in own.checks if check.met]
+    met = [check for check in found.checks if check.met]
     failed = [
         f"case {check.case}: {check.metric} = {cell(check.value)}, allowed {cell(check.min)} .. {cell(check.max)}"
-        for check in own.checks
+        for check in found.checks
         if not check.met
     ]
-    unsolved = [f"case {failure.case}: {failure.reason}" for failure in own.failures]
-    checks = f"<p>{len(met)} of {count(len(own.checks), 'check')} met</p>" if own.checks else ""
-    figure = next(iter(own.figures.values()), None)
+    unsolved = [f"case {failure.case}: {failure.reason}" for failure in found.failures]
+    checks = f"<p>{len(met)} of {count(len(found.checks), 'check')} met</p>" if found.checks else ""
+    figure = next(iter(found.figures.values()), None)
     picture = "" if figure is None else figure.svg[figure.svg.find("<svg") :]
     return "".join(
         [
-            f"<p>{escape(repr(own)[1:-1])}</p>",
-            rows(table, ["case", *varying, *own.metrics]),
+            f"<p>{escape(repr(found)[1:-1])}</p>",
+            rows(table, ["case", *varying, *found.metrics]),
             side(pairs("parameter", constant, table.units), picture),
             checks,
             notes("Checks that are not met", failed),
             notes("Cases without a solution", unsolved),
-            notes("Warnings", [warned.message for warned in own.warnings]),
+            notes("Warnings", [warned.message for warned in found.warnings]),
         ]
     )
 
@@ -151,20 +151,20 @@ def _is_one(column: Any) -> bool:
     return bool(same.all() and len(column))
 
 
-def calibration(own: Calibration) -> str:
+def calibration(found: Calibration) -> str:
     """The alternatives with their best values, what is not determined, and the misfit around the best one."""
-    names = list(dict.fromkeys(name for each in own.alternatives for name in each.parameters))
+    names = list(dict.fromkeys(name for each in found.alternatives for name in each.parameters))
     lines = []
-    for each in own.alternatives:
+    for each in found.alternatives:
         line: list[Any] = [each.name, each.misfit, each.verdict]
         for name in names:
             free = each.parameters.get(name)
             line += [free.best, free.interval] if free else [None, None]
         lines.append(line)
     head = ["alternative", "misfit", "verdict", *(part for name in names for part in (name, "95 %"))]
-    profiles = {name: free.profile for name, free in own.best.parameters.items() if free.profile}
+    profiles = {name: free.profile for name, free in found.best.parameters.items() if free.profile}
     pictures = [
         curves({name: tuple(zip(*sorted(points), strict=True))}, name, "misfit")
         for name, points in profiles.items()
     ]
-    return f"{grid(head, lines)}{notes('What the measurement says', own.sentences)}{side(*pictures)}"
+    return f"{grid(head, lines)}{notes('What the measurement says', found.sentences)}{side(*pictures)}"

@@ -32,7 +32,7 @@ def plot(
     if case is not None:
         if x is not None or y is not None:
             raise SlipgapError("the history of a case is over time: x and y belong to metrics")
-        cases = [case] if isinstance(case, int) else [int(own) for own in case]
+        cases = [case] if isinstance(case, int) else [int(number) for number in case]
         return _history(results, metric, cases, ax, Figure)
     metrics = results.metrics
     metric = metric or metrics[0]
@@ -108,8 +108,8 @@ def _lines(
         key = tuple(f"{name} = {_text(values[name][row])}" for name in by)
         lines.setdefault(key, []).append((values[along][row], number))
     for key, points in lines.items():
-        places = [place for place, _ in points]
-        if not any(isinstance(place, str) for place in places):
+        places = [x_value for x_value, _ in points]
+        if not any(isinstance(x_value, str) for x_value in places):
             points.sort(key=lambda point: point[0])
         # Several cases at one place, as of an ensemble, are no line.
         style = "o-" if len(set(places)) == len(places) else "o"
@@ -171,8 +171,8 @@ def _history(
         figure, all_axes = ax.figure, [ax]
     labels = _labels(results, cases)
     for axes, name in zip(all_axes, shown, strict=True):
-        for place, (solution, label) in enumerate(zip(solutions, labels, strict=True)):
-            _draw(axes, solution, name, label, f"C{place}" if len(cases) > 1 else None)
+        for i, (solution, label) in enumerate(zip(solutions, labels, strict=True)):
+            _draw(axes, solution, name, label, f"C{i}" if len(cases) > 1 else None)
         if len(axes.lines) > 1:
             axes.legend()
         axes.set_ylabel(name)
@@ -189,8 +189,8 @@ def _labels(results: Results, cases: list[int]) -> list[str]:
     differing = _varying(few)
     by = [name for name in _others(values, []) if name in differing]
     texts = [
-        ", ".join(f"{name} = {_text(few[name][place])}" for name in by)
-        for place in range(len(cases))
+        ", ".join(f"{name} = {_text(few[name][i])}" for name in by)
+        for i in range(len(cases))
     ]
     return [text or f"case {case}" for text, case in zip(texts, cases, strict=True)]
 

@@ -141,9 +141,9 @@ impl Solution {
             if !measured.is_empty() {
                 let schema = self.problem.schema();
                 self.put(&dict, &schema.time.column, Dimension::Time, times)?;
-                for own in &measured {
-                    let dimension = schema.channels[own.column].dimension;
-                    self.put(&dict, &own.name, dimension, &own.at(times))?;
+                for channel in &measured {
+                    let dimension = schema.channels[channel.column].dimension;
+                    self.put(&dict, &channel.name, dimension, &channel.at(times))?;
                 }
             }
             Ok(dict.unbind())
@@ -188,14 +188,18 @@ impl Solution {
         }
         let columns = self.problem.history_columns(&self.case);
         let history = match exact {
-            true if columns.iter().any(|own| own.column.exact) => &self.solution.exact,
+            true if columns.iter().any(|shown| shown.column.exact) => &self.solution.exact,
             true => return Ok(dict),
             false => &self.solution.computed,
         };
-        let drawn = schema.quantities.iter().filter(|own| !own.error);
-        for own in drawn.filter(|own| columns.iter().all(|column| column.column.name != own.name)) {
-            let values = history.channel(own.channel).iter().copied();
-            dict.set_item(&*own.name, arrays::numbers(py, values)?)?;
+        let drawn = schema.quantities.iter().filter(|quantity| !quantity.error);
+        for quantity in drawn.filter(|quantity| {
+            columns
+                .iter()
+                .all(|column| column.column.name != quantity.name)
+        }) {
+            let values = history.channel(quantity.channel).iter().copied();
+            dict.set_item(&*quantity.name, arrays::numbers(py, values)?)?;
         }
         Ok(dict)
     }
@@ -207,19 +211,19 @@ impl Solution {
         let study = self
             .source
             .as_ref()
-            .and_then(|own| own.study.units.as_ref());
+            .and_then(|opened| opened.study.units.as_ref());
         let put = |name: &str, dimension: Dimension| -> PyResult<()> {
             if let Some(unit) = units::of_dimension(&*self.problem, dimension) {
                 dict.set_item(name, unit)?;
             }
-            let own = study.filter(|_| {
+            let known = study.filter(|_| {
                 self.problem
                     .as_textbook()
                     .and_then(|textbook| textbook.size(&self.case, dimension))
                     .is_some()
             });
-            own.map_or(Ok(()), |own| {
-                dict.set_item(own.column(name, dimension), own.of(dimension))
+            known.map_or(Ok(()), |units| {
+                dict.set_item(units.column(name, dimension), units.of(dimension))
             })
         };
         put(&schema.time.column, Dimension::Time)?;

@@ -33,9 +33,9 @@ pub fn solve(py: Python<'_>, study: &Bound<'_, PyAny>, case: i64) -> PyResult<So
         }
     };
     if case == 0
-        && let Some((problem, own)) = case_of_dict(parameters)?
+        && let Some((problem, case)) = case_of_dict(parameters)?
     {
-        return of_case(py, problem, own);
+        return of_case(py, problem, case);
     }
     let text = given::text_of_parameters(py, parameters)?;
     of_study(py, given::of_dict(py, &text)?, case)
@@ -52,8 +52,10 @@ fn is_study(dict: &Bound<'_, PyDict>) -> PyResult<bool> {
 
 /// A case without a study: its default metrics.
 fn of_case(py: Python<'_>, problem: Arc<dyn Problem>, case: Case) -> PyResult<Solution> {
-    let (own, copy) = (problem.clone(), case.clone());
-    let solution = solved(py, &problem, &case, 0, move || own.solve(&copy, &[]))?;
+    let (problem_copy, copy) = (problem.clone(), case.clone());
+    let solution = solved(py, &problem, &case, 0, move || {
+        problem_copy.solve(&copy, &[])
+    })?;
     let table = problem.metrics().iter().zip(&solution.metrics);
     let defaults = table.filter(|(metric, _)| metric.default);
     let defaults = defaults.map(|(metric, value)| (metric.name.to_string(), *value));

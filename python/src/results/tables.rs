@@ -127,23 +127,28 @@ fn of_csv(bytes: &[u8]) -> Result<Table, Error> {
 /// The kinds of warnings: a row for each, without rows if there is none.
 fn of_warnings(warnings: &[WarnedCases]) -> Result<Table, Error> {
     let whole = |of: fn(&WarnedCases) -> u64| -> ArrayRef {
-        let numbers = warnings.iter().map(|own| i64::try_from(of(own)).ok());
+        let numbers = warnings
+            .iter()
+            .map(|warning| i64::try_from(of(warning)).ok());
         Arc::new(numbers.collect::<Int64Array>())
     };
     let text = |of: fn(&WarnedCases) -> String| -> ArrayRef {
         Arc::new(
             warnings
                 .iter()
-                .map(|own| Some(of(own)))
+                .map(|warning| Some(of(warning)))
                 .collect::<StringArray>(),
         )
     };
     table(vec![
-        ("kind".into(), text(|own| own.kind.name().to_owned())),
-        ("cases".into(), whole(|own| own.cases)),
-        ("of".into(), whole(|own| own.of)),
-        ("case".into(), whole(|own| own.case)),
-        ("message".into(), text(|own| own.to_string())),
+        (
+            "kind".into(),
+            text(|warning| warning.kind.name().to_owned()),
+        ),
+        ("cases".into(), whole(|warning| warning.cases)),
+        ("of".into(), whole(|warning| warning.of)),
+        ("case".into(), whole(|warning| warning.case)),
+        ("message".into(), text(|warning| warning.to_string())),
     ])
 }
 

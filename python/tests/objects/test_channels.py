@@ -27,8 +27,8 @@ STUDY = Study(
 
 def test_names_of_studies_are_channels() -> None:
     solution = STUDY.solve()
-    own = list(solution.channels)
-    assert "b - a" not in own and "a.a_abs" not in own
+    columns = list(solution.channels)
+    assert "b - a" not in columns and "a.a_abs" not in columns
     channels, metrics = solution.channels, solution.metrics
     assert numpy.array_equal(channels["b - a"], channels["b.u"] - channels["a.u"])
     assert numpy.array_equal(channels["b-a"], channels["b - a"]) and numpy.array_equal(channels["a"], channels["a.u"])
@@ -42,7 +42,7 @@ def test_names_of_studies_are_channels() -> None:
     assert numpy.allclose(channels["ground"], ground, atol=1e-12)
     assert numpy.allclose(channels["a.a_abs"], channels["a.a"] + ground, atol=1e-9)
     # The columns of the history are as before.
-    assert list(channels) == own
+    assert list(channels) == columns
 
 
 def test_drawn_channels_are_there_at_once() -> None:

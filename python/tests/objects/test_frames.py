@@ -120,10 +120,10 @@ def test_a_grid_has_the_cells_of_the_file(results: slipgap.Results, rows: list[d
     assert grid["gap"].attrs == {"units": "m"} and grid["peak(stop.S)"].attrs == {"units": "kN"}
     assert grid.attrs == {"study": "study", "title": "A mass and a stop"}
     for row in rows:
-        place = grid.sel(law=row["law"], m=float(row["m"]), gap=float(row["gap"]))
-        assert int(place["case"]) == int(row["case"]) and float(place["k"]) == float(row["k"])
+        cell = grid.sel(law=row["law"], m=float(row["m"]), gap=float(row["gap"]))
+        assert int(cell["case"]) == int(row["case"]) and float(cell["k"]) == float(row["k"])
         for name in results.metrics:
-            assert numpy.array_equal(float(place[name]), float(row[name] or "nan"), equal_nan=True)
+            assert numpy.array_equal(float(cell[name]), float(row[name] or "nan"), equal_nan=True)
 
 
 def test_places_without_a_case_are_empty() -> None:
@@ -166,8 +166,8 @@ def test_a_motion_has_the_columns_of_a_history(program: str, tmp_path: Path) -> 
     assert sorted(solution.table.columns) == sorted(header)
     pandas, polars, dataset = solution.to_pandas(), solution.to_polars(), solution.to_xarray()
     assert pandas.index.name == "T" and dict(dataset.sizes) == {"T": 81} and dataset.attrs["alpha"] == 0.1
-    for place, name in enumerate(header):
-        cells = [float(line[place]) for line in lines]
+    for index, name in enumerate(header):
+        cells = [float(line[index]) for line in lines]
         assert polars[name].to_list() == dataset[name].values.tolist() == cells
         assert (pandas.reset_index()[name].tolist()) == cells
 

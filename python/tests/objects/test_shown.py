@@ -104,7 +104,7 @@ def test_a_long_curve_keeps_its_extremes() -> None:
     x = numpy.sin(400 * t)
     x[54321] = 7
     root = ElementTree.fromstring(curves({"x": (t, x)}, "t", "x (m)"))
-    texts = [own.text for own in root.iter("{http://www.w3.org/2000/svg}text")]
+    texts = [element.text for element in root.iter("{http://www.w3.org/2000/svg}text")]
     assert "7" in texts and "x (m)" in texts
     [line] = root.iter("{http://www.w3.org/2000/svg}polyline")
     points = line.attrib["points"].split()

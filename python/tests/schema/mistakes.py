@@ -187,10 +187,10 @@ CHANGES: list[tuple[str, dict[str, Any], str, Any]] = [
 ONLY_THE_PROGRAM = {"unknown law of a contact", "unknown law in a series", "alpha of hht"}
 
 
-def changed(study: dict[str, Any], place: str, value: Any) -> dict[str, Any]:
+def changed(study: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
     """The study with one change."""
     new = copy.deepcopy(study)
-    *folders, key = (int(part) if part.isdigit() else part for part in place.split("/"))
+    *folders, key = (int(part) if part.isdigit() else part for part in path.split("/"))
     at: Any = new
     for folder in folders:
         at = at[folder]
@@ -201,4 +201,4 @@ def changed(study: dict[str, Any], place: str, value: Any) -> dict[str, Any]:
     return new
 
 
-MISTAKES = {name: changed(study, place, value) for name, study, place, value in CHANGES}
+MISTAKES = {name: changed(study, path, value) for name, study, path, value in CHANGES}

@@ -49,7 +49,7 @@ def laws() -> list[tuple[str, list[str]]]:
     rules = [rule for rule in contact["allOf"] if "if" in rule]
     common = set.intersection(*(set(rule["then"]["propertyNames"]["enum"]) for rule in rules))
     keys = [sorted(set(rule["then"]["propertyNames"]["enum"]) - common) for rule in rules]
-    return [(rule["if"]["properties"]["law"]["const"], own) for rule, own in zip(rules, keys)]
+    return [(rule["if"]["properties"]["law"]["const"], law_keys) for rule, law_keys in zip(rules, keys)]
 
 
 VALUES: dict[str, Any] = {
@@ -70,14 +70,14 @@ def test_the_numbers_of_laws_are_those_of_the_program(
 ) -> None:
     """What the schema refuses, the program refuses, for every choice of few keys of a law."""
     most = 3 if len(keys) < 12 else 2
-    chosen = [own for count in range(most + 1) for own in combinations(keys, count)]
+    chosen = [few for count in range(most + 1) for few in combinations(keys, count)]
     valid = 0
-    for own in chosen:
+    for few in chosen:
         study = copy.deepcopy(STRUCTURE)
         contact = {"law": law, "between": ["ground", "a"]}
-        study["structure"]["contacts"]["gap"] = contact | {key: VALUES.get(key, 1) for key in own}
+        study["structure"]["contacts"]["gap"] = contact | {key: VALUES.get(key, 1) for key in few}
         if SCHEMA.is_valid(study):
             valid += 1
         else:
-            assert refused(program, study, tmp_path), own
+            assert refused(program, study, tmp_path), few
     assert valid > 0 or most < 3
