@@ -20,7 +20,9 @@ fn page(study: &Study, cases: &[u64], exact: bool) -> String {
 fn channel(study: &Study, number: u64, solution: &Solution, name: &str) -> Vec<f64> {
     let case = study.case(number).unwrap();
     let columns = study.problem.history_columns(&case).into_iter();
-    let column = { columns }.find(|own| own.column.name == name).unwrap();
+    let column = { columns }
+        .find(|channel| channel.column.name == name)
+        .unwrap();
     solution.computed.channel(column.index).to_vec()
 }
 

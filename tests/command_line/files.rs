@@ -325,6 +325,6 @@ fn several_studies_are_counted_and_their_files_listed_only_with_verbose() {
                  figures/b/c/results.csv\n";
     assert_eq!(done.out, files);
     // No colours, no control characters.
-    let mut all = done.err.chars().chain(done.out.chars());
-    assert!(!all.any(|c| c.is_control() && c != '\n'));
+    let mut characters = done.err.chars().chain(done.out.chars());
+    assert!(!characters.any(|c| c.is_control() && c != '\n'));
 }

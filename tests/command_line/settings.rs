@@ -374,7 +374,7 @@ fn a_record_replaces_synthetic_motions_of_the_studies_that_have_them() {
     assert!(bench.path("figures/synthetic").is_dir() && !bench.path("figures/drawn").exists());
     let results = bench.text("figures/synthetic/results.csv");
     let header: Vec<&str> = results.lines().next().unwrap().split(',').collect();
-    let column = |name: &str| header.iter().position(|own| *own == name).unwrap();
+    let column = |name: &str| header.iter().position(|cell| *cell == name).unwrap();
     let (record, pga) = (column("record"), column("ground.pga"));
     let rows: Vec<Vec<&str>> = results
         .lines()

@@ -61,8 +61,8 @@ fn with_value(study: &Study) -> Option<BTreeSet<String>> {
     for case in study.cases() {
         let values = study.problem.solve(&case, &study.metrics).ok()?.metrics;
         let names = study.problem.metrics().iter();
-        let own = names.zip(values).filter(|(_, value)| value.is_some());
-        found.extend(own.map(|(metric, _)| metric.name.to_string()));
+        let with_values = names.zip(values).filter(|(_, value)| value.is_some());
+        found.extend(with_values.map(|(metric, _)| metric.name.to_string()));
     }
     Some(found)
 }
@@ -89,8 +89,8 @@ fn every_metric_of_structures_is_computed() {
                 if computed.contains(&(name, form)) {
                     continue;
                 }
-                let own = shipped(study, changed, std::slice::from_ref(&text));
-                let Some(values) = own.and_then(|own| with_value(&own)) else {
+                let changed_study = shipped(study, changed, std::slice::from_ref(&text));
+                let Some(values) = changed_study.and_then(|study| with_value(&study)) else {
                     continue;
                 };
                 known.insert((name, form));
@@ -102,7 +102,7 @@ fn every_metric_of_structures_is_computed() {
     }
     for (name, _) in REDUCTIONS {
         assert!(
-            known.iter().any(|own| own.0 == name),
+            known.iter().any(|metric| metric.0 == name),
             "{name} has no study here"
         );
     }
@@ -120,10 +120,10 @@ fn every_metric_of_the_textbook_problems_is_computed() {
         r#"{"gamma": 1, "n": 10, "dt": 0.0125, "duration": 4}"#,
         r#"{"law": "hertz-damp", "restitution": 0.8, "gamma": 1, "n": 10, "dt": 0.0125, "duration": 4}"#,
     ];
-    for (problem, all) in [("friction-oscillator", oscillator), ("bar-impact", bars)] {
+    for (problem, sets) in [("friction-oscillator", oscillator), ("bar-impact", bars)] {
         let mut computed = BTreeSet::new();
         let mut names: Vec<String> = Vec::new();
-        for parameters in all {
+        for parameters in sets {
             let parse = |names: &[String]| {
                 let text = format!(
                     r#"{{"problem": "{problem}", "parameters": {parameters}, "metrics": {}}}"#,

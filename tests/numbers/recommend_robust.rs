@@ -12,7 +12,7 @@ fn advice(text: &str) -> Advice {
 
 fn number(advice: &Advice, choice: &Choice, name: &str) -> f64 {
     let mut table = advice.study.problem.parameters().iter();
-    let row = table.position(|own| own.name == name).unwrap();
+    let row = table.position(|parameter| parameter.name == name).unwrap();
     choice.value(row).and_then(Value::as_f64).unwrap()
 }
 
@@ -36,7 +36,10 @@ fn a_candidate_whose_contact_makes_energy_is_not_recommended() {
     let gain = r#""metrics": [{"gain": "-min(joint.dissipated)/peak(energy.kinetic + energy.elastic)"}], "recommend": "#;
     let text = towers("[1, 2, 3]", 0.1).replace("\"recommend\": ", gain);
     let study = parse("s.json", &text).unwrap();
-    let gain = study.measures.iter().position(|own| own.name == "gain");
+    let gain = study
+        .measures
+        .iter()
+        .position(|measure| measure.name == "gain");
     let mut makes = 0;
     for choice in &advice.choices {
         let [k, dt] = ["k", "dt"].map(|name| number(&advice, choice, name));
@@ -90,7 +93,10 @@ fn a_list_that_ends_before_a_metric_converges_gives_no_answer() {
             panic!("{:?}", advice.not_converged);
         };
         assert_eq!(found.metric, 0);
-        assert_eq!(found.values.map(|own| own.as_f64().unwrap()), [from, to]);
+        assert_eq!(
+            found.values.map(|value| value.as_f64().unwrap()),
+            [from, to]
+        );
         let change = 1.0 - (from / to).sqrt();
         // The force is that at the steps.
         assert!(
@@ -125,15 +131,15 @@ fn the_answer_holds_for_seeds_that_the_study_does_not_have() {
     let fresh = advice(&towers("[4, 5, 6, 7, 8]", 0.1));
     let of = |advice: &Advice, k: f64, dt: f64| {
         let mut choices = advice.choices.iter();
-        let own =
-            choices.find(|own| number(advice, own, "k") == k && number(advice, own, "dt") == dt);
-        own.unwrap().worst
+        let candidate = choices
+            .find(|choice| number(advice, choice, "k") == k && number(advice, choice, "dt") == dt);
+        candidate.unwrap().worst
     };
-    let (own, other) = (of(&known, 4e7, 5e-4), of(&fresh, 4e7, 5e-4));
+    let (of_known, other) = (of(&known, 4e7, 5e-4), of(&fresh, 4e7, 5e-4));
     assert_eq!(trial.fresh, Some(other));
-    assert!(other > own);
+    assert!(other > of_known);
     // A tolerance between the errors of both samples: the seeds of the study keep it, the others do not.
-    let between = 0.1 * 0.5 * (own + other);
+    let between = 0.1 * 0.5 * (of_known + other);
     let text = towers("[1, 2, 3]", between)
         .replace("\"peak(a)\": 0.1", &format!("\"peak(a)\": {between:?}"));
     let refused = advice(&text);

@@ -16,9 +16,13 @@ fn advice(text: &str) -> Advice {
 
 fn number(advice: &Advice, choice: &Choice, name: &str) -> f64 {
     let mut table = advice.study.problem.parameters().iter();
-    let row = table.position(|own| own.name == name).unwrap();
-    let own = choice.values.iter().find(|(own, _)| *own == row).unwrap();
-    own.1.as_f64().unwrap()
+    let row = table.position(|parameter| parameter.name == name).unwrap();
+    let chosen = choice
+        .values
+        .iter()
+        .find(|(row_of_value, _)| *row_of_value == row)
+        .unwrap();
+    chosen.1.as_f64().unwrap()
 }
 
 /// A mass on a spring of frequency 1 that is released at u = 1, with these numbers of steps up to this time.
@@ -53,8 +57,8 @@ fn the_step_is_the_one_that_the_error_of_the_period_allows() {
         assert_eq!(advice.choices.len(), steps.len());
         for (choice, n) in advice.choices.iter().zip(steps) {
             let error = (last(f64::from(n), end) - exact).abs();
-            for (own, wanted) in choice.errors.iter().zip([error, error / exact.abs()]) {
-                assert!((own - wanted).abs() < 1e-9, "{n}: {own}, not {wanted}");
+            for (found, wanted) in choice.errors.iter().zip([error, error / exact.abs()]) {
+                assert!((found - wanted).abs() < 1e-9, "{n}: {found}, not {wanted}");
             }
         }
         let keeps = |n: &u32| {
@@ -125,16 +129,16 @@ fn no_other_candidate_is_cheaper_of_all_solved_one_by_one() {
     let study = parse("s.json", &plain.replace("drift", "max(b.left - a)")).unwrap();
     let problem = &*study.problem;
     let solve = |case: &Case| -> Vec<f64> {
-        let all = problem.solve(case, &[]).unwrap().metrics;
+        let metrics = problem.solve(case, &[]).unwrap().metrics;
         let of = |name: &str| {
             problem
                 .metrics()
                 .iter()
-                .position(|own| own.name == name)
+                .position(|metric| metric.name == name)
                 .unwrap()
         };
         let names = ["max(b.left - a)", "peak(joint.S)", "impacts(joint)"];
-        names.map(|name| all[of(name)].unwrap()).to_vec()
+        names.map(|name| metrics[of(name)].unwrap()).to_vec()
     };
     let cases: Vec<Case> = (0..study.len()).map(|i| study.case(i).unwrap()).collect();
     let key = |case: &Case| {
@@ -151,7 +155,7 @@ fn no_other_candidate_is_cheaper_of_all_solved_one_by_one() {
         problem
             .metrics()
             .iter()
-            .position(|own| own.name == name)
+            .position(|metric| metric.name == name)
             .unwrap()
     });
     let reference = |of: f64| {
@@ -167,7 +171,7 @@ fn no_other_candidate_is_cheaper_of_all_solved_one_by_one() {
     let from = &advice.reference.as_ref().unwrap().from;
     assert_eq!(*from, [From::Exact, From::Exact, From::Finest]);
     let errors = |case: &Case, half: bool| -> Vec<f64> {
-        let own = match half {
+        let solved = match half {
             true => solve(&with_finer_step(problem, case, 2)),
             false => solve(case),
         };
@@ -176,33 +180,39 @@ fn no_other_candidate_is_cheaper_of_all_solved_one_by_one() {
             .find(|(of, _)| *of == seed(case))
             .unwrap()
             .1;
-        own.iter()
+        solved
+            .iter()
             .zip(reference)
-            .map(|(own, reference)| ((own - reference) / reference).abs())
+            .map(|(value, reference)| ((value - reference) / reference).abs())
             .collect()
     };
     let tolerances = [0.1, 0.6, 0.4];
     let largest = |of: (&str, f64, f64), half: bool| -> Vec<f64> {
-        let own = cases.iter().filter(|case| key(case) == of);
-        let own: Vec<Vec<f64>> = own.map(|case| errors(case, half)).collect();
+        let alike = cases.iter().filter(|case| key(case) == of);
+        let errors_of_cases: Vec<Vec<f64>> = alike.map(|case| errors(case, half)).collect();
         (0..3)
-            .map(|i| own.iter().map(|own| own[i]).fold(0.0, f64::max))
+            .map(|i| {
+                errors_of_cases
+                    .iter()
+                    .map(|of_case| of_case[i])
+                    .fold(0.0, f64::max)
+            })
             .collect()
     };
     let keeps = |errors: &[f64]| {
         errors
             .iter()
             .zip(tolerances)
-            .all(|(error, own)| *error <= own)
+            .all(|(error, tolerance)| *error <= tolerance)
     };
     let warned = |of: (&str, f64, f64)| {
-        let mut own = cases.iter().filter(|case| key(case) == of);
-        own.any(|case| {
+        let mut alike = cases.iter().filter(|case| key(case) == of);
+        alike.any(|case| {
             let warnings = problem.solve(case, &[]).unwrap().warnings;
             warnings.has(Warning::ShortContact) || warnings.has(Warning::ContactGain)
         })
     };
-    let mut all: Vec<(u64, bool)> = Vec::new();
+    let mut costs: Vec<(u64, bool)> = Vec::new();
     for choice in &advice.choices {
         let law = choice.values[0].1.name();
         let of = (
@@ -211,17 +221,17 @@ fn no_other_candidate_is_cheaper_of_all_solved_one_by_one() {
             number(&advice, choice, "n"),
         );
         let wanted = largest(of, false);
-        for (own, wanted) in choice.errors.iter().zip(&wanted) {
+        for (found, wanted) in choice.errors.iter().zip(&wanted) {
             // Drift is divided by 3 on both sides.
             assert!(
-                (own - wanted).abs() <= 1e-12 * (1.0 + wanted),
-                "{of:?}: {own}, not {wanted}"
+                (found - wanted).abs() <= 1e-12 * (1.0 + wanted),
+                "{of:?}: {found}, not {wanted}"
             );
         }
-        let own = cases.iter().filter(|case| key(case) == of);
+        let alike = cases.iter().filter(|case| key(case) == of);
         assert_eq!(
             choice.cost,
-            own.map(|case| cost(problem, case)).sum::<u64>()
+            alike.map(|case| cost(problem, case)).sum::<u64>()
         );
         let finer = (of.0, of.1, of.2 + 1.0);
         // The finest mesh has none that would show its error.
@@ -231,14 +241,14 @@ fn no_other_candidate_is_cheaper_of_all_solved_one_by_one() {
             matches!(choice.state, State::ContactEnergy),
             energy && !matches!(choice.state, State::Energy)
         );
-        all.push((
+        costs.push((
             choice.cost,
             keeps(&wanted) && keeps(&largest(of, true)) && holds && !energy,
         ));
     }
-    assert!(all.is_sorted_by_key(|own| own.0));
-    let wanted = all.iter().position(|own| own.1);
-    assert!(wanted.is_some_and(|at| at > 0), "{all:?}");
+    assert!(costs.is_sorted_by_key(|entry| entry.0));
+    let wanted = costs.iter().position(|entry| entry.1);
+    assert!(wanted.is_some_and(|at| at > 0), "{costs:?}");
     assert_eq!(advice.chosen, wanted);
     let mesh = |advice: &Advice| advice.choices[advice.chosen.unwrap()].trial.unwrap().mesh;
     assert!(matches!(mesh(&advice), Mesh::Next(_)));
@@ -307,7 +317,7 @@ fn free_parameters_have_their_best_values() {
         let again = again
             .choices
             .iter()
-            .find(|own| own.cost == choice.cost)
+            .find(|other| other.cost == choice.cost)
             .unwrap();
         assert_eq!((&again.errors, again.worst), (&choice.errors, choice.worst));
     }

@@ -79,18 +79,18 @@ const OTHERS: [(&str, &str); 10] = [
 ];
 
 /// Tests that a command is one of another program that is known.
-pub(crate) fn other_program(place: &str, command: &Command) {
+pub(crate) fn other_program(line: &str, command: &Command) {
     let program = command.program();
     let known = OTHERS.iter().any(|other| other.0 == program);
     assert!(
         known,
-        "{place}: {program} is not in the list of other programs"
+        "{line}: {program} is not in the list of other programs"
     );
     if program == "make" {
         let makefile = include_str!("../../Makefile");
         for target in command.args().iter().filter(|arg| !arg.contains('=')) {
             let rule = format!("\n{target}:");
-            assert!(makefile.contains(&rule), "{place}: no target {target}");
+            assert!(makefile.contains(&rule), "{line}: no target {target}");
         }
     }
 }

@@ -38,13 +38,13 @@ fn run(name: &str) -> (usize, usize) {
     let mut scene = Scene::new();
     let mut notes = Notes::default();
     let mut only_listed = false;
-    for (place, piece) in pieces(name) {
+    for (line, piece) in pieces(name) {
         match piece {
             Piece::Note(note) => {
                 only_listed |= note == "only listed";
                 read(&note, &mut notes, &mut scene);
             }
-            Piece::Span(span) => run_span(&mut scene, &place, &span),
+            Piece::Span(span) => run_span(&mut scene, &line, &span),
             Piece::Block {
                 language,
                 text,
@@ -52,7 +52,7 @@ fn run(name: &str) -> (usize, usize) {
             } => {
                 let notes = std::mem::take(&mut notes);
                 if !notes.skipped {
-                    run_block(&mut scene, &place, &language, &text, named, &notes);
+                    run_block(&mut scene, &line, &language, &text, named, &notes);
                 }
             }
         }
@@ -81,7 +81,7 @@ fn read(note: &str, notes: &mut Notes, scene: &mut Scene) {
 
 fn run_block(
     scene: &mut Scene,
-    place: &str,
+    at: &str,
     language: &str,
     text: &str,
     named: Option<String>,
@@ -89,14 +89,14 @@ fn run_block(
 ) {
     match language {
         "json" => match (&notes.into, notes.file.clone().or(named)) {
-            (Some((study, path)), _) => scene.merge(place, study, path, text),
-            (None, Some(file)) => scene.write(place, &file, text),
-            (None, None) => panic!("{place}: a note must say which study this belongs to"),
+            (Some((study, path)), _) => scene.merge(at, study, path, text),
+            (None, Some(file)) => scene.write(at, &file, text),
+            (None, None) => panic!("{at}: a note must say which study this belongs to"),
         },
         "sh" => {
             let lines = text.lines().map(str::trim);
             for line in lines.filter(|line| !line.is_empty() && !line.starts_with('#')) {
-                scene.run(place, line, &notes.more, notes.code);
+                scene.run(at, line, &notes.more, notes.code);
             }
         }
         // tests/recommend.rs compares the output of the command in the first line; other programs run the rest.
@@ -107,22 +107,22 @@ fn run_block(
                 .and_then(|line| line.strip_prefix("$ slipgap "));
             let verb = call.and_then(|call| call.split(' ').next());
             if let Some(verb) = verb {
-                assert_eq!(verb, "recommend", "{place}: put the command into ```sh");
+                assert_eq!(verb, "recommend", "{at}: put the command into ```sh");
             }
         }
         "python" | "sql" => {}
-        other => panic!("{place}: a block of {other:?}; allowed: json, sh, text, python, sql"),
+        other => panic!("{at}: a block of {other:?}; allowed: json, sh, text, python, sql"),
     }
 }
 
 /// A command inside the text runs if it is complete. Of any other one, and of searches, which take long, verb and options exist.
-fn run_span(scene: &mut Scene, place: &str, span: &str) {
+fn run_span(scene: &mut Scene, line: &str, span: &str) {
     if span.starts_with("{ \"") || span.starts_with('"') && span.contains("\": ") {
-        parse(place, span);
+        parse(line, span);
     }
     let is_file = [".png", ".csv"].iter().any(|end| span.ends_with(end));
     if is_file && span.starts_with("figures/") && span.split('/').count() > 2 {
-        scene.check_result(place, span);
+        scene.check_result(line, span);
     }
     let Some(call) = span.strip_prefix("slipgap ") else {
         return;
@@ -137,13 +137,13 @@ fn run_span(scene: &mut Scene, place: &str, span: &str) {
     let only_options = *verb != "schema" && rest.iter().all(|word| word.starts_with('-'));
     let open = rest.is_empty() || only_options || rest.iter().any(|word| is_placeholder(word));
     if !open && *verb != "recommend" {
-        return scene.run(place, span, &[], 0);
+        return scene.run(line, span, &[], 0);
     }
     let help = match (*verb, rest) {
         ("recommend", [problem, ..]) if !problem.starts_with('-') => {
-            scene.help(place, &format!("recommend {problem}"))
+            scene.help(line, &format!("recommend {problem}"))
         }
-        _ => scene.help(place, verb),
+        _ => scene.help(line, verb),
     };
     for option in rest
         .iter()
@@ -153,7 +153,7 @@ fn run_span(scene: &mut Scene, place: &str, span: &str) {
         let option = option.split('=').next().unwrap_or(option);
         assert!(
             help.contains(&format!("--{option}")),
-            "{place}: {span}: --{option}"
+            "{line}: {span}: --{option}"
         );
     }
 }

@@ -44,7 +44,7 @@ pub(crate) fn pieces(name: &str) -> Vec<(Place, Piece)> {
     let mut reader = Reader::default();
     let mut lines = page.lines().enumerate();
     while let Some((i, line)) = lines.next() {
-        let place = format!("{name}:{}", i + 1);
+        let at_line = format!("{name}:{}", i + 1);
         let trimmed = line.trim_start();
         if let Some(language) = trimmed.strip_prefix("```") {
             reader.end_paragraph();
@@ -64,22 +64,22 @@ pub(crate) fn pieces(name: &str) -> Vec<(Place, Piece)> {
                 text,
                 named,
             };
-            reader.pieces.push((place, block));
+            reader.pieces.push((at_line, block));
         } else if let Some(rest) = trimmed.strip_prefix("<!-- test: ") {
             reader.end_paragraph();
             let note = rest.strip_suffix(" -->");
-            let note = note.unwrap_or_else(|| panic!("{place}: a note ends with -->"));
-            reader.pieces.push((place, Piece::Note(note.to_owned())));
+            let note = note.unwrap_or_else(|| panic!("{at_line}: a note ends with -->"));
+            reader.pieces.push((at_line, Piece::Note(note.to_owned())));
         } else if trimmed.is_empty() {
             reader.end_paragraph();
         } else {
             let program = PROGRAMS.iter().any(|program| trimmed.starts_with(program));
             assert!(
                 !(line.starts_with("    ") && program),
-                "{place}: put the command into a block with ```sh"
+                "{at_line}: put the command into a block with ```sh"
             );
             if reader.paragraph.is_empty() {
-                reader.begins = place;
+                reader.begins = at_line;
             }
             reader.paragraph += trimmed;
             reader.paragraph.push('\n');

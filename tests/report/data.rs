@@ -38,14 +38,14 @@ pub fn data(page: &str) -> Data {
             0 => vec![stored[0]; rows],
             8 => stored,
             _ => {
-                let place = |code: &[u8]| {
+                let index_of = |code: &[u8]| {
                     code.iter()
                         .rev()
                         .fold(0, |sum, byte| 256 * sum + usize::from(*byte))
                 };
                 take(&mut bytes, width * rows)
                     .chunks(width)
-                    .map(|code| stored[place(code)])
+                    .map(|code| stored[index_of(code)])
                     .collect()
             }
         };

@@ -45,17 +45,17 @@ fn every_cell_of_results_csv_is_in_the_page() {
     assert!(data.head["limit"].is_null());
     let names = data.columns.iter().map(|column| &column.0);
     assert!(header[1..].iter().eq(names));
-    for (place, (name, cells)) in data.columns.iter().enumerate() {
+    for (number, (name, cells)) in data.columns.iter().enumerate() {
         let same = |(cell, row): (&Option<Cell>, &Vec<String>)| match cell {
-            None => row[place + 1].is_empty(),
-            Some(Cell::Name(name)) => row[place + 1] == *name,
+            None => row[number + 1].is_empty(),
+            Some(Cell::Name(name)) => row[number + 1] == *name,
             Some(Cell::Number(x)) => {
-                row[place + 1].parse::<f64>().unwrap().to_bits() == x.to_bits()
+                row[number + 1].parse::<f64>().unwrap().to_bits() == x.to_bits()
             }
         };
         assert!(cells.iter().zip(rows).all(same), "{name}");
         let varies = cells.iter().any(|cell| *cell != cells[0]);
-        assert_eq!(data.head["columns"][place]["varies"], varies, "{name}");
+        assert_eq!(data.head["columns"][number]["varies"], varies, "{name}");
     }
 }
 
@@ -115,8 +115,8 @@ fn in_a_browser_filter_and_sort_use_every_case() {
     let Some(program) = chromium() else { return };
     let (folder, page, (header, rows)) = &*REPORT;
     let probe = probe(&program, folder.path(), page, PROBE);
-    let place = |name: &str| header.iter().position(|known| known == name).unwrap();
-    let number = |row: &[String], name: &str| row[place(name)].parse::<f64>().unwrap();
+    let column_of = |name: &str| header.iter().position(|known| known == name).unwrap();
+    let number = |row: &[String], name: &str| row[column_of(name)].parse::<f64>().unwrap();
     assert_eq!(
         rows.iter().filter(|row| number(row, "beta") > 0.1).count(),
         OVER
@@ -198,7 +198,7 @@ fn in_a_browser_filter_and_sort_use_every_case() {
         worst
     );
     // Cases 1 and 3 have no work_error: they are last in both directions.
-    let work = |case: usize| rows[case][place("work_error")].clone();
+    let work = |case: usize| rows[case][column_of("work_error")].clone();
     let rising = number(&rows[0], "work_error") < number(&rows[2], "work_error");
     for (name, zero_first) in [("last", rising), ("falling", !rising)] {
         let [a, b] = if zero_first { [0, 2] } else { [2, 0] };

@@ -78,8 +78,8 @@ fn a_table_too_large_for_the_page_is_shortened_with_a_sentence() {
     );
     assert_eq!(held.head["limit"], LIMIT);
     assert!(part.contains(&format!("<p>{LIMIT}.</p>")));
-    for ((name, cells), (_, all)) in held.columns.iter().zip(data(&whole).columns) {
-        assert!(cells.iter().eq(&all[..1000]), "{name}");
+    for ((name, cells), (_, whole_cells)) in held.columns.iter().zip(data(&whole).columns) {
+        assert!(cells.iter().eq(&whole_cells[..1000]), "{name}");
     }
     let Some(program) = chromium() else { return };
     let folder = tempfile::tempdir().unwrap();

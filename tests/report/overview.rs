@@ -124,12 +124,12 @@ fn tables_have_the_metrics_that_are_used_to_six_digits() {
     assert_eq!(names, expected);
     assert!(of_beta.contains("results.csv of the study has all digits"));
     for (name, cells) in &data.columns {
-        let place = header.iter().position(|known| known == name).unwrap();
+        let column = header.iter().position(|known| known == name).unwrap();
         for (cell, row) in cells.iter().zip(&rows) {
             let Some(Cell::Number(x)) = cell else {
                 continue;
             };
-            let exact: f64 = row[place].parse().unwrap();
+            let exact: f64 = row[column].parse().unwrap();
             let expected = match used.contains(&&**name) {
                 true => format!("{exact:.5e}").parse().unwrap(),
                 false => exact,

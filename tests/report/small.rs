@@ -133,9 +133,9 @@ fn in_a_browser_it_loads_sorts_filters_and_prints() {
     let Some(program) = chromium() else { return };
     let (folder, page) = page_of(STUDY, &["report"]);
     let probe = probe(&program, folder.path(), &page, PROBE);
-    let all = cases();
-    assert_eq!(probe["begun"], format!("1 to 100 of {all} cases"));
-    assert_eq!(probe["next"], format!("101 to {all} of {all} cases"));
+    let count = cases();
+    assert_eq!(probe["begun"], format!("1 to 100 of {count} cases"));
+    assert_eq!(probe["next"], format!("101 to {count} of {count} cases"));
     assert_eq!(
         (&probe["hidden"], &probe["shown"]),
         (&Json::from(-1), &Json::from(true))

@@ -25,7 +25,7 @@ fn the_studies_meet_their_checks() {
     let is_last = |line: &str| {
         let count = line.split(" studies").next();
         let counts = count.and_then(|count| count.split_once(" of "));
-        counts.is_some_and(|(done, all)| done == all)
+        counts.is_some_and(|(done, total)| done == total)
     };
     assert!(err.lines().any(is_last), "{err}");
 }

@@ -58,19 +58,21 @@ fn text(laws: &[&str], dt: f64, more: &str) -> String {
 /// Times and forces of the law with a restitution, by steps of dt/8.
 fn force(restitution: f64) -> Vec<[f64; 2]> {
     let text = text(&[LAW], DT / 8.0, r#""metrics": ["peak(stop.S)"],"#);
-    let own = format!("\"restitution\": {restitution}");
-    let text = text.replace("\"restitution\": 0.6", &own);
+    let replacement = format!("\"restitution\": {restitution}");
+    let text = text.replace("\"restitution\": 0.6", &replacement);
     let study = study::parse("truth.json", &text).unwrap_or_else(|e| panic!("{e}"));
     let case = study.case(0).unwrap();
     let columns = study.problem.history_columns(&case);
-    let column = columns.iter().find(|own| own.column.name == "stop.S");
+    let column = columns
+        .iter()
+        .find(|channel| channel.column.name == "stop.S");
     let solution = study.problem.solve(&case, &[]).unwrap();
     let values = solution.computed.channel(column.unwrap().index);
     let steps = (DURATION / DT * 8.0).round();
     let at = |i: usize| {
         let time = i as f64 * EVERY;
-        let place = time / DURATION * steps;
-        let (step, part) = (place as usize, place.fract());
+        let at = time / DURATION * steps;
+        let (step, part) = (at as usize, at.fract());
         [
             time,
             values[step] + part * (values[step + 1] - values[step]),
@@ -263,7 +265,7 @@ fn mean_and_scatter_between_tests_are_held_in_95_of_100_sets() {
         ]
     };
     let held: Vec<[usize; 2]> = (1..=REPETITIONS).into_par_iter().map(of_set).collect();
-    let count = [0, 1].map(|k| held.iter().map(|own| own[k]).sum::<usize>());
+    let count = [0, 1].map(|k| held.iter().map(|of_test| of_test[k]).sum::<usize>());
     println!("{count:?}");
     assert!(count.iter().all(|count| *count >= FEWEST), "{count:?}");
 }
@@ -289,7 +291,7 @@ fn a_restitution_that_varies_has_a_mean_and_a_scatter() {
             test.values
         );
     }
-    let [restitution, gap] = [0, 1].map(|place| fit.scatter(&found, &fit.free[place]).unwrap());
+    let [restitution, gap] = [0, 1].map(|index| fit.scatter(&found, &fit.free[index]).unwrap());
     assert!(restitution.varies && !gap.varies);
     let [low, high] = restitution.between.scatter_interval;
     assert!(0.0 < low && low < SCATTER && SCATTER < high);

@@ -106,8 +106,8 @@ fn the_force_of_an_impact_of_bars() {
 #[test]
 fn the_velocity_and_later_impacts() {
     let pieces = ["0.23 at n = 10", "0.18 at n = 20", "0.14 at n = 40"];
-    let own = ["γ from 1 to 4", "Δt ≤ 0.49 T_I/n"];
-    row("ṙ and later impacts", &[&own[..], &pieces].concat());
+    let ranges = ["γ from 1 to 4", "Δt ≤ 0.49 T_I/n"];
+    row("ṙ and later impacts", &[&ranges[..], &pieces].concat());
     let law =
         json!({"law": "impact-spring", "method": "central-difference", "mass": "massless-contact"});
     for (n, limit) in [(10, 0.23), (20, 0.18), (40, 0.14)] {
@@ -117,10 +117,10 @@ fn the_velocity_and_later_impacts() {
         // The limit is that of the mesh: the finest step is not far below it, and the row must not promise less.
         assert!(largest[2] > 0.85 * limit, "n = {n}: {largest:?}");
     }
-    let own = ["γ from 0.6 to 8", "Δt ≤ 0.05 T_I/n"];
+    let ranges = ["γ from 0.6 to 8", "Δt ≤ 0.05 T_I/n"];
     row(
         "the same with an unconditionally stable method",
-        &[&own[..], &pieces[..2]].concat(),
+        &[&ranges[..], &pieces[..2]].concat(),
     );
     let law = json!({"law": "impact-spring", "method": "average-acceleration", "mass": "massless-contact"});
     for (n, limit) in [(10, 0.23), (20, 0.18)] {

@@ -402,10 +402,10 @@ fn names_of_what_is_not_modelled() {
         ),
         ("time_step", ", did you mean \"dT\"?; allowed: law, alpha"),
     ] {
-        let place = 4 + name.len();
+        let column = 4 + name.len();
         let expected = format!(
             "4:{}: parameters.{name}: unknown key \"{name}\"{says}",
-            place + 1
+            column + 1
         );
         assert_faults(&with(&format!("\"{name}\": 1, {rest}"), ""), &[&expected]);
     }
@@ -1166,14 +1166,14 @@ fn units_are_named_completely_and_in_letters() {
             "{{\n\"problem\": \"bar-impact\",\n\"parameters\": {{\"gamma\": 1, \"n\": 4, \"dt\": 0.1, \"duration\": 2}},\n{more}\n}}"
         )
     };
-    let all = "\"length\": \"m\", \"force\": \"kN\", \"time\": \"s\"";
-    assert_faults(&bars(&format!("\"units\": {{{all}}}")), &[]);
+    let units = "\"length\": \"m\", \"force\": \"kN\", \"time\": \"s\"";
+    assert_faults(&bars(&format!("\"units\": {{{units}}}")), &[]);
     assert_faults(
-        &bars(&format!("\"units\": {{{}}}", all.replace("kN", "µN2"))),
+        &bars(&format!("\"units\": {{{}}}", units.replace("kN", "µN2"))),
         &[],
     );
     assert_faults(
-        &bars(&format!("\"units\": {{{all}, \"mass\": \"t\"}}")),
+        &bars(&format!("\"units\": {{{units}, \"mass\": \"t\"}}")),
         &["4:62: units.mass: unknown key \"mass\""],
     );
     let named =
@@ -1188,7 +1188,7 @@ fn units_are_named_completely_and_in_letters() {
         ("abcdefghijklmnopq", "\"abcdefghijklmnopq\""),
     ] {
         assert_faults(
-            &bars(&format!("\"units\": {{{}}}", all.replace("kN", label))),
+            &bars(&format!("\"units\": {{{}}}", units.replace("kN", label))),
             &[&format!("4:35: units.force: {named} {shown}")],
         );
     }
@@ -1206,7 +1206,7 @@ fn units_are_named_completely_and_in_letters() {
     );
     // The parameters of friction have no units.
     assert_faults(
-        &with(GOOD, &format!(",\n\"units\": {{{all}}}")),
+        &with(GOOD, &format!(",\n\"units\": {{{units}}}")),
         &[
             "6:10: units: friction-oscillator has no units: all its parameters and results are dimensionless",
         ],

@@ -81,9 +81,9 @@ fn a_small_beta_is_good_for_every_release_and_beta_like_the_step_is_not() {
         (80.0, 0.00087, 0.0113, 0.00087, 0.0038, 93.0),
     ] {
         let step = PI / parts;
-        let own: Vec<_> = rows.iter().filter(|row| is(row, "dT", step)).collect();
+        let of_step: Vec<_> = rows.iter().filter(|row| is(row, "dT", step)).collect();
         let of = |column: &str, width: f64| {
-            let rows: Vec<_> = own
+            let rows: Vec<_> = of_step
                 .iter()
                 .copied()
                 .filter(|row| is(row, column, width))
@@ -175,13 +175,16 @@ fn the_error_of_r_falls_to_the_end_of_the_range_of_gamma() {
 fn a_step_that_is_not_iterated_makes_energy_on_the_way() {
     let root = Path::new(env!("SLIPGAP_ROOT"));
     let rows = table(&root.join("studies/claims/impact-once.json"));
-    let own = |dt: f64| {
+    let rows_of = |dt: f64| {
         let rows = rows
             .iter()
             .filter(move |row| is(row, "dt", dt) && is(row, "duration", 6.0));
         rows.collect::<Vec<_>>()
     };
-    let half = own(0.5).into_iter().find(|row| row["gap"] == 0.0).unwrap();
+    let half = rows_of(0.5)
+        .into_iter()
+        .find(|row| row["gap"] == 0.0)
+        .unwrap();
     near(
         1.0 + half["energy_drift_max"],
         46.7,
@@ -189,7 +192,7 @@ fn a_step_that_is_not_iterated_makes_energy_on_the_way() {
         "greatest energy",
     );
     near(1.0 + half["energy_drift_final"], 17.0, 0.5, "last energy");
-    let fine = own(0.05);
+    let fine = rows_of(0.05);
     let most = |column: &str| {
         fine.iter()
             .map(|row| row[column])
@@ -221,7 +224,7 @@ fn away(problem: &dyn Problem, gamma: f64, n: u32, t: f64, front: f64) -> (f64, 
         &json!({ "gamma": gamma, "n": n, "dt": 0.002, "duration": 1.0 }),
     );
     let snapshots = problem.as_textbook().unwrap().snapshots(&case, &[t]);
-    let (mut all, mut count, mut contact) = (0.0, 0.0, 0.0);
+    let (mut sum, mut count, mut contact) = (0.0, 0.0, 0.0);
     for (bar, points) in [1.0, -1.0]
         .into_iter()
         .zip(&snapshots[0].profiles[0].computed)
@@ -234,14 +237,14 @@ fn away(problem: &dyn Problem, gamma: f64, n: u32, t: f64, front: f64) -> (f64, 
             // 1 ahead of the front, 0 behind it; -1 behind it on its way back.
             let ahead = if t <= 0.5 { bar } else { -bar };
             let error = v - if x > front { ahead } else { 0.0 };
-            all += error * error;
+            sum += error * error;
             count += 1.0;
             if x < 1e-12 {
                 contact += error * error;
             }
         }
     }
-    (all, count, contact)
+    (sum, count, contact)
 }
 
 #[test]
@@ -249,17 +252,17 @@ fn away_from_fronts_the_difference_is_that_of_the_contact_nodes() {
     let problem = find("bar-impact").unwrap();
     for n in [10, 40] {
         for (t, front) in [(0.25, 0.5), (0.5, 1.0), (0.75, 0.5)] {
-            let (all, count, contact) = away(&*problem, 1.0, n, t, front);
-            let share = contact / all;
+            let (sum, count, contact) = away(&*problem, 1.0, n, t, front);
+            let share = contact / sum;
             assert!((0.615..0.955).contains(&share), "n = {n}, t = {t}: {share}");
-            let rest = ((all - contact) / (count - 2.0)).sqrt();
+            let rest = ((sum - contact) / (count - 2.0)).sqrt();
             assert!((0.035..0.175).contains(&rest), "n = {n}, t = {t}: {rest}");
         }
     }
     // A front at 9 is outside the bar, so nothing is left out, not even at the free end where the front stands.
     for (t, front, expected) in [(0.49, 0.98, 0.020), (0.5, 9.0, 0.183), (0.51, 0.98, 0.018)] {
-        let (all, count, _) = away(&*problem, 0.25, 40, t, front);
-        near((all / count).sqrt(), expected, 0.5e-3, "velocity");
+        let (sum, count, _) = away(&*problem, 0.25, 40, t, front);
+        near((sum / count).sqrt(), expected, 0.5e-3, "velocity");
     }
 }
 
@@ -296,7 +299,7 @@ fn a_small_change_grows_with_every_impact_and_the_step_decides_by_how_much() {
     let parameters = block["parameters"].as_object_mut().unwrap();
     for value in parameters.values_mut() {
         // The first of the three bridges.
-        if let Some(first) = value.as_array().filter(|all| all.len() == 3) {
+        if let Some(first) = value.as_array().filter(|members| members.len() == 3) {
             *value = json!([first[0]]);
         }
     }
@@ -318,10 +321,10 @@ fn a_small_change_grows_with_every_impact_and_the_step_decides_by_how_much() {
         (40.0, 1.32, [95.0, 95.0, 15.0]),
         (80.0, 1.07, [50.0, 0.0, 0.0]),
     ] {
-        let own: Vec<_> = rows.iter().filter(|row| is(row, "steps", steps)).collect();
-        assert_eq!(own.len(), 20);
+        let of_steps: Vec<_> = rows.iter().filter(|row| is(row, "steps", steps)).collect();
+        assert_eq!(of_steps.len(), 20);
         for (limit, share) in [1e-6, 1e-3, 1e-2].into_iter().zip(shares) {
-            let reached = own
+            let reached = of_steps
                 .iter()
                 .filter(|row| row["difference(g1.right)"] >= limit);
             assert_eq!(5.0 * reached.count() as f64, share, "T_I/{steps}, {limit}");
@@ -336,7 +339,7 @@ fn a_small_change_grows_with_every_impact_and_the_step_decides_by_how_much() {
             let count = impacts(name) - impacts("1e-9");
             (*last > 1e-8 && count > 0.0).then(|| (last / 1e-9).powf(1.0 / count))
         };
-        let mut factors: Vec<f64> = own.iter().filter_map(factor).collect();
+        let mut factors: Vec<f64> = of_steps.iter().filter_map(factor).collect();
         factors.sort_by(f64::total_cmp);
         let middle = factors.len() / 2;
         let median = (factors[middle] + factors[(factors.len() - 1) / 2]) / 2.0;

@@ -32,13 +32,15 @@ fn run(jobs: &str) -> [Vec<Vec<String>>; 2] {
 }
 
 fn place(table: &[Vec<String>], name: &str) -> usize {
-    table[0].iter().position(|own| own == name).unwrap()
+    table[0].iter().position(|cell| cell == name).unwrap()
 }
 
 /// The values of a metric in the cases of a slider, rising.
 fn cases(results: &[Vec<String>], slider: &str, metric: &str) -> Vec<f64> {
-    let (own, column) = (place(results, "slider"), place(results, metric));
-    let rows = results[1..].iter().filter(|row| row[own] == slider);
+    let (slider_column, column) = (place(results, "slider"), place(results, metric));
+    let rows = results[1..]
+        .iter()
+        .filter(|row| row[slider_column] == slider);
     let mut values: Vec<f64> = rows.map(|row| row[column].parse().unwrap()).collect();
     values.sort_by(f64::total_cmp);
     values
@@ -46,8 +48,9 @@ fn cases(results: &[Vec<String>], slider: &str, metric: &str) -> Vec<f64> {
 
 /// The largest distance of two distribution functions, by counts at each value.
 fn distance(a: &[f64], b: &[f64]) -> f64 {
-    let part =
-        |own: &[f64], x: f64| own.iter().filter(|y| **y <= x).count() as f64 / own.len() as f64;
+    let part = |values: &[f64], x: f64| {
+        values.iter().filter(|y| **y <= x).count() as f64 / values.len() as f64
+    };
     let gaps = a.iter().chain(b).map(|x| (part(a, *x) - part(b, *x)).abs());
     gaps.fold(0.0, f64::max)
 }
@@ -61,10 +64,10 @@ fn the_right_law_is_accepted_in_95_of_100_sets_and_wrong_ones_are_refused() {
     let folder = Path::new(env!("SLIPGAP_ROOT")).join("studies/calibrate/measured/sliding");
     let mut files: Vec<_> = fs::read_dir(folder)
         .unwrap()
-        .map(|own| own.unwrap().path())
+        .map(|entry| entry.unwrap().path())
         .collect();
     files.sort();
-    let own = |reduce: &dyn Fn(Vec<f64>) -> f64| -> Vec<f64> {
+    let reduced = |reduce: &dyn Fn(Vec<f64>) -> f64| -> Vec<f64> {
         let of = |file: &std::path::PathBuf| {
             let text = fs::read_to_string(file).unwrap();
             let rows = text
@@ -75,8 +78,8 @@ fn the_right_law_is_accepted_in_95_of_100_sets_and_wrong_ones_are_refused() {
         };
         files.iter().map(of).collect()
     };
-    let peak = own(&|u| u.iter().fold(0.0, |most: f64, x| most.max(x.abs())));
-    let rms = own(&|u| (u.iter().map(|x| x * x).sum::<f64>() / u.len() as f64).sqrt());
+    let peak = reduced(&|u| u.iter().fold(0.0, |most: f64, x| most.max(x.abs())));
+    let rms = reduced(&|u| (u.iter().map(|x| x * x).sum::<f64>() / u.len() as f64).sqrt());
     assert_eq!(tests.len(), 1 + 2 * 3);
     for row in &tests[1..] {
         let cell = |name: &str| &row[place(&tests, name)];

@@ -70,12 +70,12 @@ fn a_condition_drops_combinations_and_numbers_those_left() {
         let [gamma, n, dt] = ["gamma", "n", "dt"].map(|name| case.number(name).unwrap());
         dt <= 0.5 / n && (gamma != 2.0 || case.choice("mass") == "lumped") || n == 60.0
     };
-    let all: Vec<Case> = self::study(axes, "").cases().collect();
+    let cases: Vec<Case> = self::study(axes, "").cases().collect();
     let values = |case: &Case| format!("{:?}", case.values);
-    let expected: Vec<String> = all.iter().filter(|case| met(case)).map(values).collect();
-    assert!(expected.len() > 4096 && expected.len() < all.len());
+    let expected: Vec<String> = cases.iter().filter(|case| met(case)).map(values).collect();
+    assert!(expected.len() > 4096 && expected.len() < cases.len());
     assert_eq!(study.len(), expected.len() as u64);
-    assert_eq!(study.raw_len(), all.len() as u64);
+    assert_eq!(study.raw_len(), cases.len() as u64);
     let found: Vec<String> = study.cases().map(|case| values(&case)).collect();
     assert_eq!(found, expected);
     for index in [0, 1, 4000, 4097, expected.len() - 1] {
@@ -162,8 +162,8 @@ fn designs_fill_their_ranges_in_addition_to_a_grid() {
         // Evenly in the logarithm: a quarter in each two decades, to the Latin hypercube's and the net's precision.
         for quarter in 0..4 {
             let within = |x: &f64| {
-                let place = (x.log10() + 2.0) / 4.0;
-                (place * 4.0).floor() as i32 == quarter
+                let position = (x.log10() + 2.0) / 4.0;
+                (position * 4.0).floor() as i32 == quarter
             };
             let count = rows.iter().filter(|row| within(&row[0])).count();
             assert!((count as i32 - 200).abs() <= 4, "{kind} {quarter}: {count}");
@@ -261,16 +261,19 @@ fn cases_under_a_condition_are_numbered_without_making_the_others() {
         "gamma*n > 31",
     ] {
         let study = study(axes, &format!(r#", "when": "{when}""#));
-        let all: Vec<Vec<f64>> = numbers(&study, &["E", "gamma", "A", "n", "gap"]);
-        assert_eq!(all.len() as u64, study.len(), "{when}");
-        assert!(all.len() < 216 && all.is_sorted_by(|a, b| a < b), "{when}");
+        let points: Vec<Vec<f64>> = numbers(&study, &["E", "gamma", "A", "n", "gap"]);
+        assert_eq!(points.len() as u64, study.len(), "{when}");
+        assert!(
+            points.len() < 216 && points.is_sorted_by(|a, b| a < b),
+            "{when}"
+        );
         for from in [0, 5, 40, 107, 108, 215] {
             let mut numbered = study.range(from, 216);
             let skipped = (0..from).filter_map(|raw| study.combination(raw)).count() as u64;
             let first = numbered.next().map_or(skipped, |(number, _)| number);
             assert_eq!(first, skipped, "{when}");
         }
-        for (number, values) in (0..).zip(&all) {
+        for (number, values) in (0..).zip(&points) {
             let case = study.case(number).unwrap();
             let found = ["E", "gamma", "A", "n", "gap"].map(|name| case.number(name).unwrap());
             assert_eq!(&found[..], &values[..], "{when}");

@@ -53,9 +53,9 @@ fn cells(bytes: &[u8]) -> Vec<Vec<String>> {
 /// The numbers of a column.
 #[track_caller]
 fn column(table: &[Vec<String>], name: &str) -> Vec<f64> {
-    let place = table[0].iter().position(|column| column == name);
-    let place = place.unwrap_or_else(|| panic!("no column {name} in {:?}", table[0]));
-    let cells = table[1..].iter().map(|row| row[place].parse());
+    let column_index = table[0].iter().position(|column| column == name);
+    let column_index = column_index.unwrap_or_else(|| panic!("no column {name} in {:?}", table[0]));
+    let cells = table[1..].iter().map(|row| row[column_index].parse());
     cells.map(|cell| cell.unwrap_or(f64::NAN)).collect()
 }
 
@@ -228,8 +228,8 @@ fn the_scaled_cells_are_the_same_with_and_without_units() {
         .map(|row| kept.iter().map(|i| row[*i].clone()).collect());
     assert_eq!(scaled.collect::<Vec<Vec<String>>>(), without);
     // Each column in units follows its scaled one; a cell is empty where that one is: bars that never touch have no force.
-    let place = |name: &str| with[0].iter().position(|column| column == name).unwrap();
-    let [force, in_units] = ["peak_force", "peak_force_in_N"].map(place);
+    let index_of = |name: &str| with[0].iter().position(|column| column == name).unwrap();
+    let [force, in_units] = ["peak_force", "peak_force_in_N"].map(index_of);
     assert_eq!(in_units, force + 1);
     let empty: Vec<bool> = with[1..].iter().map(|row| row[force].is_empty()).collect();
     assert_eq!(empty, [false, true, false, true]);

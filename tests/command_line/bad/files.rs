@@ -222,14 +222,14 @@ fn an_object_store_needs_a_program_built_with_it() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     let why = "this slipgap is built without object stores; `cargo install slipgap --features object-store` builds it with them\n";
-    for (verb, place) in [
+    for (verb, action) in [
         (&["run"][..], "write in folder s3://bucket/s"),
         (&["run", "--shard", "1/2"], "read s3://bucket/s/store"),
         (&["merge"], "write in folder s3://bucket/s"),
         (&["report"], "write in folder s3://bucket"),
     ] {
         let done = bench.expect(1, &[verb, &["s.json", "--out", "s3://bucket"]].concat());
-        assert_eq!(done.err, format!("slipgap: cannot {place}: {why}"));
+        assert_eq!(done.err, format!("slipgap: cannot {action}: {why}"));
     }
     assert_eq!(bench.everything("."), ["s.json"]);
 }

@@ -6,10 +6,14 @@ use crate::Bench;
 fn column(bench: &Bench, name: &str) -> Vec<f64> {
     let table = bench.text("figures/s/results.csv");
     let mut lines = table.lines();
-    let place = lines.next().unwrap().split(',').position(|own| own == name);
+    let column = lines
+        .next()
+        .unwrap()
+        .split(',')
+        .position(|cell| cell == name);
     let of = |line: &str| {
         line.split(',')
-            .nth(place.unwrap())
+            .nth(column.unwrap())
             .unwrap()
             .parse()
             .unwrap()

@@ -60,7 +60,7 @@ fn a_motion_that_is_cut_acts_no_longer() {
 fn what_moves_supports_and_presses_contacts_is_looked_at() {
     let bench = Bench::new();
     record(&bench, 6, 7);
-    let own = r#"{"record": "quake.csv", "unit": "m/s2"}"#;
+    let record = r#"{"record": "quake.csv", "unit": "m/s2"}"#;
     let parameters = |duration: f64| format!(r#""dt": 0.01, "duration": {duration}"#);
     // A support that moves later: after 8 s, its motion of 6 to 7 s has not come.
     let support = |duration: f64, delay: f64| {
@@ -76,7 +76,7 @@ fn what_moves_supports_and_presses_contacts_is_looked_at() {
     // The vertical motion under a bearing.
     let bearing = |duration: f64| {
         let contact = format!(
-            r#""law": "displacement-control", "between": ["ground", "a"], "k": 1, "nu": 0.1, "N": {{"weight": 10, "vertical": {own}}}"#
+            r#""law": "displacement-control", "between": ["ground", "a"], "k": 1, "nu": 0.1, "N": {{"weight": 10, "vertical": {record}}}"#
         );
         body(&parameters(duration), &contact, "", "\"peak(a)\"")
     };

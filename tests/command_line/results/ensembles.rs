@@ -24,11 +24,13 @@ fn the_tables_of_an_ensemble_are_those_of_its_cases() {
     let at = |name: &str| results[0].iter().position(|cell| *cell == name).unwrap();
     let (alpha, error) = (at("alpha"), at("rms_error"));
     for row in rows(&quantiles).iter().filter(|row| row[0] == "rms_error") {
-        let own = results.iter().filter(|result| result[alpha] == row[1]);
-        let mut values: Vec<f64> = own.map(|result| result[error].parse().unwrap()).collect();
+        let of_alpha = results.iter().filter(|result| result[alpha] == row[1]);
+        let mut values: Vec<f64> = of_alpha
+            .map(|result| result[error].parse().unwrap())
+            .collect();
         values.sort_by(f64::total_cmp);
         assert_eq!(row[2..4], ["9", "0"]);
-        let number = |place: usize| row[place].parse::<f64>().unwrap();
+        let number = |column: usize| row[column].parse::<f64>().unwrap();
         // Of nine values the 5th is the median, the 3rd a quarter, the 2nd and 8th the ends of its interval.
         let found = [
             number(4),
@@ -95,8 +97,8 @@ fn the_points_of_fragility_figures_are_a_table() {
     let errors: Vec<f64> = {
         let text = bench.text("figures/s/results.csv");
         let table = rows(&text);
-        let place = table[0].iter().position(|name| *name == "rms_error");
-        let column = table[1..].iter().map(|row| row[place.unwrap()].parse());
+        let index = table[0].iter().position(|name| *name == "rms_error");
+        let column = table[1..].iter().map(|row| row[index.unwrap()].parse());
         column.map(Result::unwrap).collect()
     };
     // Narrow laws are near the exact motion, wide ones are not: two of four exceed at each x0.
@@ -148,11 +150,13 @@ fn the_points_of_fragility_figures_are_a_table() {
 
 /// The measures of the records of the Loma Prieta earthquake by an independent program: pga, and the spectral displacement at 1 s.
 fn measures() -> Vec<[f64; 2]> {
-    let all: serde_json::Value =
+    let reference: serde_json::Value =
         serde_json::from_str(include_str!("../../data/records.json")).unwrap();
-    let records = all["records"].as_array().unwrap().iter();
-    let own = records.filter(|own| own["file"].as_str().unwrap().starts_with("lomaprieta"));
-    own.map(|own| [&own["pga"], &own["sd"][2]].map(|x| x.as_f64().unwrap()))
+    let records = reference["records"].as_array().unwrap().iter();
+    let of_event =
+        records.filter(|record| record["file"].as_str().unwrap().starts_with("lomaprieta"));
+    of_event
+        .map(|record| [&record["pga"], &record["sd"][2]].map(|x| x.as_f64().unwrap()))
         .collect()
 }
 
@@ -187,7 +191,7 @@ fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
          dispersion,no_fit,median_low,median_high,dispersion_low,dispersion_high,median_low_bootstrap,median_high_bootstrap,\
          dispersion_low_bootstrap,dispersion_high_bootstrap,beyond,before,slope,deviation"
     );
-    let number = |row: &[&str], place: usize| row[place].parse::<f64>().unwrap();
+    let number = |row: &[&str], column: usize| row[column].parse::<f64>().unwrap();
     let of = |figure: &str| -> Vec<Vec<&str>> {
         rows.iter()
             .filter(|row| row[0] == figure)
@@ -196,11 +200,11 @@ fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
     };
     // Steps of 1/200 of the period: (omega dt)^2/12 = 8e-5 of the period, which a resonant peak shows some times over.
     let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 2e-3, "{a} {b}");
-    let mut capacities: Vec<f64> = measures().iter().map(|own| 0.1 / own[1]).collect();
+    let mut capacities: Vec<f64> = measures().iter().map(|measure| 0.1 / measure[1]).collect();
     capacities.sort_by(f64::total_cmp);
-    let own = of("i");
-    assert_eq!(own.len(), 5);
-    for (i, (row, capacity)) in own.iter().zip(&capacities).enumerate() {
+    let incremental = of("i");
+    assert_eq!(incremental.len(), 5);
+    for (i, (row, capacity)) in incremental.iter().zip(&capacities).enumerate() {
         near(number(row, 3), *capacity);
         assert_eq!((row[4], row[6], number(row, 8)), ("", "5", i as f64 + 1.0));
     }
@@ -208,18 +212,24 @@ fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
     let logs: Vec<f64> = capacities.iter().map(|x| x.ln()).collect();
     let median = mean(&logs);
     let deviation = (logs.iter().map(|z| (z - median).powi(2)).sum::<f64>() / 4.0).sqrt();
-    near(number(&own[0], 12), median.exp());
-    near(number(&own[0], 13), deviation);
+    near(number(&incremental[0], 12), median.exp());
+    near(number(&incremental[0], 13), deviation);
     // Student's t for 4, and chi-square for 4 at 0.975 and 0.025, from printed tables.
     let half = 2.7764 * deviation / 5f64.sqrt();
-    near(number(&own[0], 15), (median - half).exp());
-    near(number(&own[0], 16), (median + half).exp());
-    near(number(&own[0], 17), deviation * (4.0f64 / 11.1433).sqrt());
-    near(number(&own[0], 18), deviation * (4.0f64 / 0.484419).sqrt());
+    near(number(&incremental[0], 15), (median - half).exp());
+    near(number(&incremental[0], 16), (median + half).exp());
+    near(
+        number(&incremental[0], 17),
+        deviation * (4.0f64 / 11.1433).sqrt(),
+    );
+    near(
+        number(&incremental[0], 18),
+        deviation * (4.0f64 / 0.484419).sqrt(),
+    );
     // A line through the logarithms of all cases.
     let cloud: Vec<[f64; 2]> = measures()
         .iter()
-        .flat_map(|own| scales.map(|scale| own.map(|x| (x * scale).ln())))
+        .flat_map(|measure| scales.map(|scale| measure.map(|x| (x * scale).ln())))
         .collect();
     let column = |j: usize| cloud.iter().map(|point| point[j]).collect::<Vec<f64>>();
     let [x, y] = [mean(&column(0)), mean(&column(1))];
@@ -227,23 +237,26 @@ fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
     let slope = cloud.iter().map(|p| (p[0] - x) * (p[1] - y)).sum::<f64>() / sxx;
     let residual = |p: &[f64; 2]| (p[1] - y - slope * (p[0] - x)).powi(2);
     let deviation = (cloud.iter().map(residual).sum::<f64>() / 13.0).sqrt();
-    let own = of("c");
-    assert_eq!((own.len(), own[0][3]), (15, ""));
-    near(number(&own[0], 12), (x + (0.1f64.ln() - y) / slope).exp());
-    near(number(&own[0], 13), deviation / slope);
-    let [low, high] = [15, 16].map(|place| number(&own[0], place));
-    assert!(low < number(&own[0], 12) && number(&own[0], 12) < high);
+    let cloud_rows = of("c");
+    assert_eq!((cloud_rows.len(), cloud_rows[0][3]), (15, ""));
+    near(
+        number(&cloud_rows[0], 12),
+        (x + (0.1f64.ln() - y) / slope).exp(),
+    );
+    near(number(&cloud_rows[0], 13), deviation / slope);
+    let [low, high] = [15, 16].map(|column| number(&cloud_rows[0], column));
+    assert!(low < number(&cloud_rows[0], 12) && number(&cloud_rows[0], 12) < high);
     // The limit of 9 m is beyond all of them: one row says so.
-    let own = of("e");
+    let truncated = of("e");
     assert_eq!(
-        (own.len(), &own[0][3..9]),
+        (truncated.len(), &truncated[0][3..9]),
         (1, &["", "", "", "5", "0", "0"][..])
     );
     assert_eq!(
-        own[0][14],
+        truncated[0][14],
         "5 of the ensemble do not exceed the limit at the largest value"
     );
-    assert_eq!([own[0][23], own[0][24]], ["5", "0"]);
+    assert_eq!([truncated[0][23], truncated[0][24]], ["5", "0"]);
     let picture = bench.text("figures/s/i.svg");
     assert!(picture.contains("dispersion") && picture.contains('['));
 }
@@ -269,11 +282,11 @@ fn a_fragility_figure_over_a_metric_needs_a_fit() {
 
 /// The numbers of a fragility figure of `studies/recorded/recorded-fragility.json` by the independent program, and of its members.
 fn independent(figure: &str) -> (Vec<f64>, serde_json::Value) {
-    let all: serde_json::Value =
+    let reference: serde_json::Value =
         serde_json::from_str(include_str!("../../data/fragility.json")).unwrap();
-    let curve = all[figure]["curve"].as_array().unwrap().iter();
+    let curve = reference[figure]["curve"].as_array().unwrap().iter();
     let curve = curve.map(|x| x.as_f64().unwrap()).collect();
-    (curve, all[figure]["members"].clone())
+    (curve, reference[figure]["members"].clone())
 }
 
 #[test]
@@ -289,7 +302,7 @@ fn fragilities_agree_with_an_independent_program() {
     bench.expect(0, &["run", study, "--jobs", "3", "--out", "again"]);
     assert_eq!(bench.text("again/recorded-fragility/fragility.csv"), table);
     let (table, members) = (rows(&table), rows(&members));
-    let place = |name: &str| table[0].iter().position(|own| *own == name).unwrap();
+    let column_of = |name: &str| table[0].iter().position(|cell| *cell == name).unwrap();
     let numbers = [
         "median",
         "dispersion",
@@ -308,7 +321,8 @@ fn fragilities_agree_with_an_independent_program() {
         "frequency_closed_form",
     ];
     // The capacities are differences of results, which are the same; then rounding, most of it in an exponent of 30.
-    let near = |own: f64, other: f64| assert!((own / other - 1.0).abs() < 1e-11, "{own} {other}");
+    let near =
+        |found: f64, other: f64| assert!((found / other - 1.0).abs() < 1e-11, "{found} {other}");
     for (figure, bounds) in [
         ("pga", ["0", "0", ""]),
         ("sa", ["0", "0", ""]),
@@ -317,12 +331,12 @@ fn fragilities_agree_with_an_independent_program() {
         ("stripes", ["", "", "9"]),
     ] {
         let (expected, shares) = independent(figure);
-        let own = table.iter().find(|row| row[0] == figure).unwrap();
-        let found = numbers.map(|name| own[place(name)]);
+        let function_row = table.iter().find(|row| row[0] == figure).unwrap();
+        let found = numbers.map(|name| function_row[column_of(name)]);
         let found: Vec<f64> = found.iter().filter_map(|x| x.parse().ok()).collect();
         assert_eq!(found.len(), expected.len(), "{figure}");
         found.iter().zip(expected).for_each(|(x, y)| near(*x, y));
-        let counts = ["beyond", "before", "collapsed"].map(|name| own[place(name)]);
+        let counts = ["beyond", "before", "collapsed"].map(|name| function_row[column_of(name)]);
         assert_eq!(counts, bounds, "{figure}");
         let mut sum = 0.0;
         for row in members.iter().filter(|row| row[0] == figure) {
@@ -334,10 +348,10 @@ fn fragilities_agree_with_an_independent_program() {
         }
         near(sum, 1.0);
     }
-    let (own, _) = independent("truncated");
+    let (function, _) = independent("truncated");
     let legend = format!(
         "median {:.1} [{:.0}, {:.1}], dispersion {:.3} [{:.3}, {:.3}]",
-        own[0], own[2], own[3], own[1], own[4], own[5]
+        function[0], function[2], function[3], function[1], function[4], function[5]
     );
     let picture = bench.text("figures/recorded-fragility/truncated.svg");
     assert!(picture.contains(&legend), "{legend}");

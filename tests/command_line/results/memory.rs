@@ -47,7 +47,7 @@ fn peak(child: &mut Child) -> Option<u64> {
         let text = std::fs::read_to_string(&status).unwrap_or_default();
         let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
         let kilobytes = line.and_then(|line| line.trim_end_matches("kB").trim().parse().ok());
-        most = most.max(kilobytes.map(|own: u64| 1024 * own));
+        most = most.max(kilobytes.map(|size: u64| 1024 * size));
         std::thread::sleep(Duration::from_millis(2));
     }
     most

@@ -89,8 +89,8 @@ fn two_contacts_of_one_body_in_two_directions_are_a_square() {
     };
     bench.file("s.json", two("a.y"));
     for verb in ["run", "check", "explain"] {
-        let all = bench.expect(0, &[verb, "s.json"]);
-        let text = format!("{}{}", all.out, all.err);
+        let done = bench.expect(0, &[verb, "s.json"]);
+        let text = format!("{}{}", done.out, done.err);
         assert!(
             text.contains("contacts g in y and f in x"),
             "{verb}: {text}"
@@ -98,8 +98,8 @@ fn two_contacts_of_one_body_in_two_directions_are_a_square() {
     }
     // Two contacts in one direction are none.
     bench.file("s.json", two("a.x"));
-    let all = bench.expect(0, &["check", "s.json"]);
-    assert!(!all.err.contains("friction-directions"), "{}", all.err);
+    let done = bench.expect(0, &["check", "s.json"]);
+    assert!(!done.err.contains("friction-directions"), "{}", done.err);
 }
 
 #[test]
@@ -119,14 +119,14 @@ fn contacts_along_two_directions_are_a_square_unless_they_are_parallel() {
     };
     bench.file("s.json", study(r#""x": -0.8, "y": 0.6"#));
     for verb in ["run", "check", "explain"] {
-        let all = bench.expect(0, &[verb, "s.json"]);
-        let text = format!("{}{}", all.out, all.err);
+        let done = bench.expect(0, &[verb, "s.json"]);
+        let text = format!("{}{}", done.out, done.err);
         let told = "contacts f in (0.600 x, 0.800 y) and g in (-0.800 x, 0.600 y)";
         assert!(text.contains(told), "{verb}: {text}");
     }
     for parallel in [r#""x": 0.6, "y": 0.8"#, r#""x": -1.2, "y": -1.6"#] {
         bench.file("s.json", study(parallel));
-        let all = bench.expect(0, &["check", "s.json"]);
-        assert!(!all.err.contains("friction-directions"), "{}", all.err);
+        let done = bench.expect(0, &["check", "s.json"]);
+        assert!(!done.err.contains("friction-directions"), "{}", done.err);
     }
 }

@@ -13,16 +13,17 @@ fn table(text: &str) -> Vec<Vec<String>> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let header = reader.headers().unwrap().clone();
     let rows = reader.records().map(Result::unwrap);
-    let all = std::iter::once(header).chain(rows);
-    all.map(|row| row.iter().map(String::from).collect())
+    let lines = std::iter::once(header).chain(rows);
+    lines
+        .map(|row| row.iter().map(String::from).collect())
         .collect()
 }
 
 /// The cells of a column.
 fn column(table: &[Vec<String>], name: &str) -> Vec<String> {
-    let place = table[0].iter().position(|cell| cell == name);
-    let place = place.unwrap_or_else(|| panic!("{name} in {:?}", table[0]));
-    table[1..].iter().map(|row| row[place].clone()).collect()
+    let column = table[0].iter().position(|cell| cell == name);
+    let column = column.unwrap_or_else(|| panic!("{name} in {:?}", table[0]));
+    table[1..].iter().map(|row| row[column].clone()).collect()
 }
 
 fn numbers(table: &[Vec<String>], name: &str) -> Vec<Option<f64>> {
@@ -127,14 +128,21 @@ fn checks_choose_cases_before_they_are_reduced() {
         let errors = cases.iter().map(|case| (*case, errors[*case].unwrap()));
         errors.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap()
     };
-    let (all, two) = (least(&[0, 2, 4]), least(&[2, 4]));
-    assert_ne!(all.0, two.0);
+    let (of_three, two) = (least(&[0, 2, 4]), least(&[2, 4]));
+    assert_ne!(of_three.0, two.0);
     let check = |filter: &str, max: f64| {
         format!(r#"{{"metric": "{reduction}", "where": {{{filter}}}, "max": {max}}}"#)
     };
     let chosen = r#""dT": "pi/10", "law": "displacement-control""#;
     let fewer = format!(r#"{chosen}, "alpha": [1, 3]"#);
-    study(&[check(chosen, all.1), check(&fewer, all.1), check("", 1.0)].join(","));
+    study(
+        &[
+            check(chosen, of_three.1),
+            check(&fewer, of_three.1),
+            check("", 1.0),
+        ]
+        .join(","),
+    );
     let done = bench.expect(5, &["check", "s.json"]);
     let rows: Vec<&str> = done.out.lines().skip(1).collect();
     // One check of one group, another, and four groups.
@@ -144,7 +152,7 @@ fn checks_choose_cases_before_they_are_reduced() {
         words.nth(1) == Some(&case.to_string())
     };
     assert!(
-        starts(rows[0], all.0) && rows[0].ends_with("ok"),
+        starts(rows[0], of_three.0) && rows[0].ends_with("ok"),
         "{}",
         done.out
     );

@@ -17,13 +17,13 @@ fn collision(parameters: &str, contact: &str, more: &str) -> String {
 fn column(bench: &Bench, name: &str) -> Vec<Option<f64>> {
     let table = bench.text("figures/s/results.csv");
     let mut rows = table.lines().map(|row| row.split(',').collect::<Vec<_>>());
-    let place = rows
+    let column_index = rows
         .next()
         .unwrap()
         .iter()
-        .position(|own| *own == name)
+        .position(|cell| *cell == name)
         .unwrap();
-    rows.map(|row| row[place].parse().ok()).collect()
+    rows.map(|row| row[column_index].parse().ok()).collect()
 }
 
 /// The root e of W(-e) = W(1), W(u) = u/kappa - ln(1 + kappa u)/kappa^2, by bisection: k_h delta^1.5 (1 + kappa ddelta/v0).
@@ -74,11 +74,11 @@ fn the_restitution_of_two_bodies_is_that_of_the_closed_form() {
         };
         bench.file("s.json", collision(parameters, &contact, ""));
         bench.expect(0, &["run", "s.json"]);
-        for (own, [_, expected]) in column(&bench, "restitution(j)").into_iter().zip(expected) {
+        for (found, [_, expected]) in column(&bench, "restitution(j)").into_iter().zip(expected) {
             // Some (omega dt)^2, with omega dt = 0.009.
             assert!(
-                (own.unwrap() - expected).abs() < 5e-5,
-                "{contact}: {own:?} {expected}"
+                (found.unwrap() - expected).abs() < 5e-5,
+                "{contact}: {found:?} {expected}"
             );
         }
         if !used {
@@ -99,10 +99,10 @@ fn the_restitution_of_two_bodies_is_that_of_the_closed_form() {
         collision(rigid, r#""law": "rigid", "e": "e""#, ""),
     );
     bench.expect(0, &["run", "s.json"]);
-    for (own, expected) in column(&bench, "restitution(j)").into_iter().zip(targets) {
+    for (found, expected) in column(&bench, "restitution(j)").into_iter().zip(targets) {
         assert!(
-            (own.unwrap() - expected).abs() < 1e-12,
-            "{own:?} {expected}"
+            (found.unwrap() - expected).abs() < 1e-12,
+            "{found:?} {expected}"
         );
     }
 }
@@ -117,11 +117,11 @@ fn a_contact_without_a_whole_impact_has_no_restitution() {
         collision(parameters, r#""law": "impact", "k": 1e5"#, ""),
     );
     bench.expect(0, &["run", "s.json"]);
-    let all: Vec<bool> = column(&bench, "restitution(j)")
+    let collided: Vec<bool> = column(&bench, "restitution(j)")
         .iter()
         .map(Option::is_some)
         .collect();
-    assert_eq!(all, [false, false, true]);
+    assert_eq!(collided, [false, false, true]);
 }
 
 #[test]

@@ -28,9 +28,13 @@ fn kind(cell: &str) -> char {
 /// The kinds of a column's cells, without empty ones, each once.
 fn kinds(table: &str, column: &str) -> String {
     let mut rows = csv::Reader::from_reader(table.as_bytes());
-    let place = rows.headers().unwrap().iter().position(|own| own == column);
-    let place = place.unwrap_or_else(|| panic!("{column}"));
-    let cells = rows.records().map(|row| row.unwrap()[place].to_owned());
+    let index = rows
+        .headers()
+        .unwrap()
+        .iter()
+        .position(|header| header == column);
+    let index = index.unwrap_or_else(|| panic!("{column}"));
+    let cells = rows.records().map(|row| row.unwrap()[index].to_owned());
     let mut kinds: Vec<char> = cells
         .filter(|cell| !cell.is_empty())
         .map(|cell| kind(&cell))
@@ -77,11 +81,11 @@ fn values_of_a_rule_are_its_decimals() {
     bench.file("s.json", STUDY);
     bench.expect(0, &["run", "s.json"]);
     let text = bench.text("figures/s/results.csv");
-    let column = |place: usize| {
+    let column = |index: usize| {
         let cells = text
             .lines()
             .skip(1)
-            .filter_map(move |line| line.split(',').nth(place));
+            .filter_map(move |line| line.split(',').nth(index));
         let mut cells: Vec<String> = cells.map(str::to_owned).collect();
         cells.sort_by(|a, b| a.parse::<f64>().unwrap().total_cmp(&b.parse().unwrap()));
         cells.dedup();
@@ -93,7 +97,7 @@ fn values_of_a_rule_are_its_decimals() {
             .collect::<Vec<_>>()
     };
     let header: Vec<&str> = text.lines().next().unwrap().split(',').collect();
-    let at = |name: &str| header.iter().position(|own| *own == name).unwrap();
+    let at = |name: &str| header.iter().position(|cell| *cell == name).unwrap();
     assert_eq!(column(at("v")), tenths(30));
     assert_eq!(column(at("f")), tenths(3));
     assert_eq!(

@@ -132,13 +132,13 @@ fn files_of_the_user_remain_and_links_are_not_followed() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     bench.file("mine", "mine");
-    let own = [
+    let files = [
         ".slipgap-probe",
         "results.csv.partial",
         "manifest.json.partial",
         "store/results.csv.partial",
     ];
-    for name in own {
+    for name in files {
         bench.file(&format!("figures/s/{name}"), "mine");
     }
     for name in ["results.csv", "failures.csv.partial"] {
@@ -154,7 +154,7 @@ fn files_of_the_user_remain_and_links_are_not_followed() {
     fs::remove_file(bench.path("figures/s/results.csv")).unwrap();
     bench.expect(0, &["run", "s.json"]);
     assert_eq!(bench.text("mine"), "mine");
-    for name in own {
+    for name in files {
         assert_eq!(bench.text(&format!("figures/s/{name}")), "mine");
     }
     assert!(bench.text("figures/s/results.csv").starts_with("case,"));
@@ -243,8 +243,8 @@ fn all_unsolved_cases_are_in_the_table_and_the_first_are_reported() {
         .skip(1)
         .filter_map(|row| row.split(',').next())
         .collect();
-    let all: Vec<String> = (0..25).map(|case| case.to_string()).collect();
-    assert_eq!(numbers, all);
+    let expected: Vec<String> = (0..25).map(|case| case.to_string()).collect();
+    assert_eq!(numbers, expected);
     let checked = bench.expect(3, &["check", "s.json"]);
     assert!(
         checked

@@ -127,8 +127,8 @@ fn reports_of_one_study_wait_for_each_other() {
             .spawn()
             .unwrap()
     };
-    let all: Vec<_> = (0..6).map(begin).collect();
-    for mut one in all {
+    let runs: Vec<_> = (0..6).map(begin).collect();
+    for mut one in runs {
         assert!(one.wait().unwrap().success());
     }
     assert!(bench.text("figures/report.html").ends_with("</html>\n"));
@@ -311,7 +311,7 @@ fn other_blocks_do_not_change_the_indices_of_a_saltelli_design() {
         "dT": 0.5, "duration": 10}, "design": {"kind": "saltelli", "n": 32}}"#;
     let other = r#"{"parameters": {"law": "displacement-control", "alpha": [0.1, 0.5, 1], "dT": 0.5, "duration": 10}}"#;
     let mut tables = Vec::new();
-    for (place, blocks) in [
+    for (number, blocks) in [
         (0, vec![block]),
         (0, vec![block, other]),
         (1, vec![other, block, other]),
@@ -329,7 +329,7 @@ fn other_blocks_do_not_change_the_indices_of_a_saltelli_design() {
             .map(|row| row.split_once(',').unwrap());
         let rows: Vec<String> = rows
             .map(|(block, rest)| {
-                assert_eq!(block, place.to_string());
+                assert_eq!(block, number.to_string());
                 rest.to_owned()
             })
             .collect();

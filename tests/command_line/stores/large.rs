@@ -183,10 +183,10 @@ fn many_pairs_of_bodies_take_the_room_of_their_pairs() {
         let cells = rows.lines().nth(1).unwrap().rsplit(',').take(2);
         cells.map(|cell| cell.parse().unwrap()).collect()
     };
-    let (one, all) = (peaks(1), peaks(7_800));
+    let (one, of_many) = (peaks(1), peaks(7_800));
     assert!(one.iter().all(|peak| *peak > 0.0));
-    for (one, all) in one.iter().zip(&all) {
-        assert!((one / all - 1.0).abs() < 1e-9, "{one} {all}");
+    for (one, peak) in one.iter().zip(&of_many) {
+        assert!((one / peak - 1.0).abs() < 1e-9, "{one} {peak}");
     }
     // What is found for all contacts at once has the limit.
     bench.file(

@@ -297,7 +297,8 @@ fn a_full_disk_is_reported_and_complete_files_remain() {
         "{:?}",
         left.iter().map(|l| &l.0).collect::<Vec<_>>()
     );
-    let results = |all: &[(String, Vec<u8>)]| all.iter().find(|(n, _)| n == "results.csv").cloned();
+    let results =
+        |files: &[(String, Vec<u8>)]| files.iter().find(|(n, _)| n == "results.csv").cloned();
     assert_eq!(results(&left), results(&before));
     assert!(
         names
@@ -363,7 +364,7 @@ fn other_programs_read_the_store() {
     bench.file("figures/s/store/lock", "");
     bench.expect(0, &["run", "s.json"]);
     let csv = bench.text("figures/s/results.csv");
-    let place = csv
+    let number = csv
         .lines()
         .next()
         .unwrap()
@@ -373,7 +374,7 @@ fn other_programs_read_the_store() {
     let column = csv
         .lines()
         .skip(1)
-        .map(|row| row.split(',').nth(place).unwrap().parse().unwrap());
+        .map(|row| row.split(',').nth(number).unwrap().parse().unwrap());
     let column: Vec<f64> = column.collect();
     let python = std::env::var("SLIPGAP_PYTHON").unwrap_or("python3".into());
     let partial = "figures/s/store/.slipgap-0123456789aB.partial";

@@ -61,7 +61,11 @@ fn cell(table: &str, row: &[&str], column: &str) -> String {
     let mut lines = table.lines();
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();
     let at = names.iter().position(|name| *name == column).unwrap();
-    let begins = |line: &&str| line.split(',').zip(row).all(|(cell, own)| cell == *own);
+    let begins = |line: &&str| {
+        line.split(',')
+            .zip(row)
+            .all(|(cell, wanted)| cell == *wanted)
+    };
     let line = lines
         .find(begins)
         .unwrap_or_else(|| panic!("{row:?} in {table}"));
@@ -165,14 +169,14 @@ fn the_law_and_the_parameters_of_a_self_made_measurement_are_found() {
             &["run", &format!("1/two/best-{law}.json"), "--out", "best"],
         );
         let results = bench.text(&format!("best/best-{law}/results.csv"));
-        let own = cell(
+        let misfit = cell(
             &results
                 .replace("m.u, measured", "m.u measured")
                 .replace('"', ""),
             &["0"],
             "rms_error(m.u measured)",
         );
-        assert_eq!(own, cell(&alternatives, &[law], "misfit"));
+        assert_eq!(misfit, cell(&alternatives, &[law], "misfit"));
         // The other figure needs both laws.
         assert!(bench.path(&format!("best/best-{law}/u.png")).exists());
         assert!(!bench.path(&format!("best/best-{law}/both.png")).exists());

@@ -84,10 +84,15 @@ fn the_manifest_names_the_problem_and_the_columns_do_without_one() {
 /// A cell of results.csv.
 fn cell(text: &str, row: usize, column: &str) -> String {
     let mut lines = text.lines().map(|line| line.split(','));
-    let place = lines
+    let column_index = lines
         .next()
         .unwrap()
         .position(|name| name == column)
         .unwrap();
-    lines.nth(row - 1).unwrap().nth(place).unwrap().to_owned()
+    lines
+        .nth(row - 1)
+        .unwrap()
+        .nth(column_index)
+        .unwrap()
+        .to_owned()
 }

@@ -23,25 +23,25 @@ fn a_study_is_found_by_its_name() {
 fn a_study_is_found_by_its_name_in_any_folder_of_studies() {
     let bench = Bench::new();
     bench.file("studies/a/b/slide.json", friction(ONE, ""));
-    let place = "studies/a/b/slide.json";
+    let study_path = "studies/a/b/slide.json";
     for verb in ["run", "explain", "check", "list", "report", "status"] {
         for name in ["slide", "slide.json", "b/slide"] {
             bench.expect(0, &[verb, name]);
         }
     }
     let done = bench.expect(0, &["sbatch", "slide", "--shards", "2"]);
-    assert!(done.out.contains(place), "{}", done.out);
+    assert!(done.out.contains(study_path), "{}", done.out);
     // Two files of one name: both are named, and a path says which is meant.
     bench.file("studies/c/slide.json", friction(ONE, ""));
     let done = bench.expect(2, &["run", "slide", "--out", "none"]);
     let said = format!(
-        "slide: 2 files have this name: {place}, studies/c/slide.json; name one by its path"
+        "slide: 2 files have this name: {study_path}, studies/c/slide.json; name one by its path"
     );
     assert!(done.err.contains(&said), "{}", done.err);
     assert!(!bench.path("none").exists());
     let done = bench.expect(0, &["run", "c/slide"]);
     assert_eq!(done.out, "figures/c/slide\n");
-    bench.expect(0, &["run", place]);
+    bench.expect(0, &["run", study_path]);
 }
 
 #[test]

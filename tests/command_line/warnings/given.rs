@@ -279,7 +279,7 @@ fn weight_and_stops_on_both_sides_hold_a_part() {
         let kinds = bench.kinds(&study("y", more));
         kinds
             .into_iter()
-            .filter(|own| own.0 == "unheld-part")
+            .filter(|warning| warning.0 == "unheld-part")
             .collect::<Vec<_>>()
     };
     assert_eq!(found(&load(2.0)), unheld);
@@ -342,7 +342,9 @@ fn friction_in_two_directions_is_seen_at_tied_nodes_and_fans_have_polygons() {
     });
     let kinds = bench.kinds(&study(&two.join(", ")));
     assert!(
-        kinds.iter().any(|own| own.0 == "friction-directions"),
+        kinds
+            .iter()
+            .any(|warning| warning.0 == "friction-directions"),
         "{kinds:?}"
     );
     let fan = (0..8).map(|i| {

@@ -17,8 +17,9 @@ const SHAKEN: &str = r#", "ground": {"synthetic": 1}"#;
 
 /// The only kinds that matter here.
 fn long(bench: &Bench, study: &str) -> Vec<(String, u64, u64)> {
-    let all = bench.kinds(study).into_iter();
-    all.filter(|kind| ["long-step", "ends-early", "time-before"].contains(&&*kind.0))
+    let kinds = bench.kinds(study).into_iter();
+    kinds
+        .filter(|kind| ["long-step", "ends-early", "time-before"].contains(&&*kind.0))
         .collect()
 }
 
@@ -35,8 +36,10 @@ fn a_mode_of_a_metric_needs_twelve_steps() {
     let found = some(&[("long-step", 1, 0)]);
     let near = |period: f64| steps(period, [11.9, 12.1]);
     let of = |study: String| {
-        let all = long(&bench, &study).into_iter();
-        all.filter(|kind| kind.0 == "long-step").collect::<Vec<_>>()
+        let kinds = long(&bench, &study).into_iter();
+        kinds
+            .filter(|kind| kind.0 == "long-step")
+            .collect::<Vec<_>>()
     };
     // The second mode has 9 % of the accelerations of the roof, and (0.382/2.618)^2 of that in displacements.
     assert_eq!(of(storeys(&near(second), SHAKEN, "peak(b.a_abs)")), found);
@@ -99,8 +102,8 @@ fn peaks_with_twelve_steps_err_by_some_percent() {
     };
     let right = peaks(500.0);
     let errors = |count: f64| {
-        let own = peaks(count);
-        let errors = own
+        let found = peaks(count);
+        let errors = found
             .iter()
             .zip(&right)
             .map(|(x, right)| (x / right - 1.0).abs());
@@ -144,7 +147,7 @@ fn what_is_before_the_start_is_named() {
     let bench = Bench::new();
     let found = some(&[("time-before", 1, 0)]);
     let table = r#"{"table": {"t": [T, 0, 1, 2], "f": [0, 0, 1, 0]}}"#;
-    for place in [
+    for template in [
         format!(r#", "ground": {table}"#),
         format!(
             r#", "loads": [{{"at": "a", {}}}]"#,
@@ -154,17 +157,17 @@ fn what_is_before_the_start_is_named() {
             .to_owned(),
     ] {
         let study = |t: &str| {
-            let own = storeys("0.01", &place.replace('T', t), "peak(b)");
-            match place.contains("supports") {
-                true => own.replace(r#"["ground", "a"]"#, r#"["s", "a"]"#),
-                false => own,
+            let body = storeys("0.01", &template.replace('T', t), "peak(b)");
+            match template.contains("supports") {
+                true => body.replace(r#"["ground", "a"]"#, r#"["s", "a"]"#),
+                false => body,
             }
         };
-        assert_eq!(long(&bench, &study("-1")), found, "{place}");
+        assert_eq!(long(&bench, &study("-1")), found, "{template}");
         assert_eq!(
             long(&bench, &study("-1e-9").replace("-1e-9, 0,", "-0.0, 0.5,")),
             [],
-            "{place}"
+            "{template}"
         );
     }
 }

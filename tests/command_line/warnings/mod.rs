@@ -20,8 +20,8 @@ impl Bench {
     pub(super) fn kinds(&self, study: &str) -> Vec<(String, u64, u64)> {
         self.file("s.json", study);
         let done = self.expect(0, &["run", "s.json"]);
-        let all = self.warnings();
-        let lines = all.iter().map(|warning| {
+        let warnings = self.warnings();
+        let lines = warnings.iter().map(|warning| {
             let line = format!("s.json: {}\n", warning["message"].as_str().unwrap());
             assert!(done.err.contains(&line), "{line} {done:?}");
             let number = |key: &str| warning[key].as_u64().unwrap();
@@ -42,8 +42,8 @@ impl Bench {
 }
 
 pub(super) fn some(kinds: &[(&str, u64, u64)]) -> Vec<(String, u64, u64)> {
-    let own = |(kind, cases, first): &(&str, u64, u64)| (kind.to_string(), *cases, *first);
-    kinds.iter().map(own).collect()
+    let owned = |(kind, cases, first): &(&str, u64, u64)| (kind.to_string(), *cases, *first);
+    kinds.iter().map(owned).collect()
 }
 
 /// A body of 1 on a spring of 1 with the velocity -1, with these parameters and contact, other parts of the structure, and metrics.
@@ -305,10 +305,10 @@ fn a_restitution_that_the_method_ignores_is_a_fault() {
     let bench = Bench::new();
     let contact = r#""law": "LAW", "between": ["ground", "a"], "e": 0.5"#;
     for law in ["rigid", "impact"] {
-        let own = contact.replace("LAW", law);
+        let with_law = contact.replace("LAW", law);
         let study = |method: &str| {
             let parameters = format!(r#""method": {method}, "dt": 0.01, "duration": 1"#);
-            body(&parameters, &own, "", "\"peak(a)\"")
+            body(&parameters, &with_law, "", "\"peak(a)\"")
         };
         bench.file("good.json", study("\"moreau-jean\""));
         bench.expect(0, &["list", "good.json"]);
@@ -316,9 +316,9 @@ fn a_restitution_that_the_method_ignores_is_a_fault() {
             bench.file("bad.json", study(method));
             let done = bench.expect(2, &["list", "bad.json"]);
             let column = study(method).lines().nth(2).unwrap().find("0.5").unwrap() + 1;
-            let place = format!("bad.json:3:{column}: structure.contacts.c.e: ");
+            let start = format!("bad.json:3:{column}: structure.contacts.c.e: ");
             assert!(
-                done.err.starts_with(&place) && done.err.contains("moreau-jean"),
+                done.err.starts_with(&start) && done.err.contains("moreau-jean"),
                 "{done:?}"
             );
         }

@@ -27,9 +27,12 @@ const SPRING: &str =
 fn normal_forces_together_are_the_weight_of_what_rests_on_them() {
     let bench = Bench::new();
     // The weight is 981 kN: a quarter of it is 245, four times are 3923.
-    let own = |normal: &str| bearing("p", normal, "2");
+    let pressed = |normal: &str| bearing("p", normal, "2");
     let far = some(&[("normal-weight", 1, 0)]);
-    assert_eq!(bench.kinds(&body(&own("\"100*x\""), "", "peak(a)")), far);
+    assert_eq!(
+        bench.kinds(&body(&pressed("\"100*x\""), "", "peak(a)")),
+        far
+    );
     let told = bench.text("figures/s/manifest.json");
     assert!(
         told.contains("under a mass with the weight 980.665"),
@@ -42,7 +45,7 @@ fn normal_forces_together_are_the_weight_of_what_rests_on_them() {
         ("\"393*x\"", some(&[("normal-weight", 1, 1)])),
     ] {
         assert_eq!(
-            bench.kinds(&body(&own(normal), "", "peak(a)")),
+            bench.kinds(&body(&pressed(normal), "", "peak(a)")),
             expected,
             "{normal}"
         );
@@ -50,14 +53,17 @@ fn normal_forces_together_are_the_weight_of_what_rests_on_them() {
     // Two bearings share it; what a spring or a bearing without N holds rests elsewhere.
     let two = format!("{}, {}", bearing("p", "130", "2"), bearing("q", "130", "2"));
     assert_eq!(bench.kinds(&body(&two, "", "peak(a)")), []);
-    assert_eq!(bench.kinds(&body(&own("\"100*x\""), SPRING, "peak(a)")), []);
+    assert_eq!(
+        bench.kinds(&body(&pressed("\"100*x\""), SPRING, "peak(a)")),
+        []
+    );
     let rubber = format!(
         r#"{}, "r": {{"law": "bilinear", "between": ["ground", "a"], "k1": 1e4, "Fy": 50, "k2": 1e3}}"#,
-        own("\"100*x\"")
+        pressed("\"100*x\"")
     );
     assert_eq!(bench.kinds(&body(&rubber, "", "peak(a)")), []);
     let without =
-        body(&own("\"100*x\""), "", "peak(a)").replace("\"units\": \"t, kN, m, s\", ", "");
+        body(&pressed("\"100*x\""), "", "peak(a)").replace("\"units\": \"t, kN, m, s\", ", "");
     assert_eq!(bench.kinds(&without), []);
 }
 

@@ -41,22 +41,22 @@ impl Release {
 }
 
 fn releases() -> Vec<Release> {
-    let mut all = Vec::new();
+    let mut releases = Vec::new();
     for x0 in [12.0, 12.5, -11.2, 3.0, 0.6, 100.7] {
         for width in [
             1e-6, 0.01, 0.1, 0.499, 0.5, 0.500001, 1.0, 5.0, 40.0, 1000.0,
         ] {
             for force in [0.0, f64::signum(x0), -f64::signum(x0)] {
-                all.push(Displacement {
+                releases.push(Displacement {
                     alpha: width,
                     x0,
                     force,
                 });
             }
-            all.push(Velocity { beta: width, x0 });
+            releases.push(Velocity { beta: width, x0 });
         }
     }
-    all
+    releases
 }
 
 /// Samples without those with an event within `margin`.
@@ -248,7 +248,7 @@ fn integrated(release: Release, apart: f64, rows: usize) -> Vec<[f64; 3]> {
         Displacement { force, .. } => force,
         Velocity { .. } => 0.0,
     };
-    let (mut y, mut h, mut all) = ([release.x0(), 0.0, s], 1e-3_f64, vec![]);
+    let (mut y, mut h, mut states) = ([release.x0(), 0.0, s], 1e-3_f64, vec![]);
     for row in 0..rows {
         let (mut t, end) = (row as f64 * apart, (row + 1) as f64 * apart);
         while t < end {
@@ -268,9 +268,9 @@ fn integrated(release: Release, apart: f64, rows: usize) -> Vec<[f64; 3]> {
             let factor = 0.9 * (tolerance / error.max(1e-30)).powf(0.2);
             h = (step * factor.clamp(0.2, 4.0)).clamp(1e-11, 0.05);
         }
-        all.push(y);
+        states.push(y);
     }
-    all
+    states
 }
 
 #[test]

@@ -318,11 +318,11 @@ fn bodies_that_touch_at_rest_close_without_a_closing_speed() {
             continue;
         }
         for step in 0..end {
-            let [own, undamped] = [&solution.exact, &hertz].map(|exact| exact.channel(0)[step]);
+            let [damped, undamped] = [&solution.exact, &hertz].map(|exact| exact.channel(0)[step]);
             // The tolerance of the integration, 1e-12 a step of displacements up to 0.03.
             assert!(
-                (own - undamped).abs() < 1e-11,
-                "{law} {step} {own:e} {undamped:e}"
+                (damped - undamped).abs() < 1e-11,
+                "{law} {step} {damped:e} {undamped:e}"
             );
         }
     }

@@ -66,8 +66,8 @@ fn friction_by_a_spring_is_of_second_order() {
     let right = integrated(20.0);
     for method in ["average-acceleration", "moreau-jean", "bathe", "hht"] {
         let error = |dt: f64| {
-            let own = metrics(&study(dt, 20.0, method, &["last(m.x)", "last(m.x.v)"]));
-            f64::hypot(own[0] - right[0], own[1] - right[1])
+            let end = metrics(&study(dt, 20.0, method, &["last(m.x)", "last(m.x.v)"]));
+            f64::hypot(end[0] - right[0], end[1] - right[1])
         };
         let [coarse, fine] = [0.04, 0.02].map(error);
         assert!(

@@ -23,7 +23,10 @@ fn exact(study: &Json, case: u64, names: [&str; 2]) -> [f64; 2] {
     let solution = study.problem.solve(&case, &study.metrics).unwrap();
     let columns = study.problem.history_columns(&case);
     names.map(|name| {
-        let column = columns.iter().find(|own| own.column.name == name).unwrap();
+        let column = columns
+            .iter()
+            .find(|channel| channel.column.name == name)
+            .unwrap();
         *solution.exact.channels[column.index].last().unwrap()
     })
 }
@@ -62,7 +65,7 @@ fn the_published_numbers_of_two_masses_are_met() {
     for method in ["average-acceleration", "moreau-jean"] {
         for (case, published) in published.iter().enumerate() {
             let study = two_masses(method, 1e-5);
-            let own = metrics(&study, case as u64);
+            let of_case = metrics(&study, case as u64);
             let exact = exact(&study, case as u64, ["m1.u", "m2.u"]);
             for k in 0..2 {
                 if published[k].is_finite() {
@@ -73,9 +76,9 @@ fn the_published_numbers_of_two_masses_are_met() {
                     );
                 }
                 // The contact breaks loose at the end of a step: up to (Ls - L) dt/(2 m) of velocity, 1 mm/s, for 0.3 s.
-                assert!(own[2 + k].abs() < 1e-3, "{method} {own:?}");
+                assert!(of_case[2 + k].abs() < 1e-3, "{method} {of_case:?}");
             }
-            assert!(own[4] < 1e-10, "{method} {own:?}");
+            assert!(of_case[4] < 1e-10, "{method} {of_case:?}");
         }
     }
 }
@@ -139,11 +142,11 @@ fn held(load: f64) -> Json {
 
 #[test]
 fn a_static_load_is_held_up_to_the_static_limit() {
-    let own = metrics(&held(1.9), 0);
+    let at_limit = metrics(&held(1.9), 0);
     // Round-off.
     assert!(
-        own[0] < 1e-14 && (own[1] - 1.9).abs() < 1e-12 && own[2] < 1e-14,
-        "{own:?}"
+        at_limit[0] < 1e-14 && (at_limit[1] - 1.9).abs() < 1e-12 && at_limit[2] < 1e-14,
+        "{at_limit:?}"
     );
     // Nothing stops it, or a spring does, but where depends on the motion.
     let mut study = held(2.1);
@@ -172,10 +175,13 @@ fn limits_that_vary_have_both_parts() {
             "metrics": ["rms_error(m)", "energy_error"]
         })
     };
-    let own = [0.01, 0.001, 0.0001].map(|dt| metrics(&study(dt), 0));
+    let by_step = [0.01, 0.001, 0.0001].map(|dt| metrics(&study(dt), 0));
     // Order 1, of displacements of 0.3.
-    assert!(own[0][0] < 1e-2 && own[2][0] < 1e-4, "{own:?}");
-    assert!(own.iter().all(|own| own[1] < 1e-12), "{own:?}");
+    assert!(by_step[0][0] < 1e-2 && by_step[2][0] < 1e-4, "{by_step:?}");
+    assert!(
+        by_step.iter().all(|values| values[1] < 1e-12),
+        "{by_step:?}"
+    );
 }
 
 /// A block on a floor: N is the force of another contact, which is the weight.
@@ -201,10 +207,13 @@ fn the_force_of_another_contact_presses_with_both_limits() {
             "metrics": ["last(x)", "peak(x)", "peak(f.S)", "energy_error"]
         })
     };
-    let [own, number] = [true, false].map(|pressed| metrics(&study(pressed), 0));
-    for (own, number) in own.iter().zip(&number) {
+    let [of_pressure, number] = [true, false].map(|pressed| metrics(&study(pressed), 0));
+    for (metric, number) in of_pressure.iter().zip(&number) {
         // Round-off of the equilibrium on the floor.
-        assert!((own - number).abs() < 1e-9, "{own} {number}");
+        assert!((metric - number).abs() < 1e-9, "{metric} {number}");
     }
-    assert!(own[2] > 1.5 && own[1] > 0.1, "{own:?}");
+    assert!(
+        of_pressure[2] > 1.5 && of_pressure[1] > 0.1,
+        "{of_pressure:?}"
+    );
 }

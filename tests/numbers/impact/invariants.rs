@@ -58,9 +58,10 @@ fn energy_by_the_work_of_the_contact_is_that_of_all_modes() {
         let mut worst: f64 = 0.0;
         for (step, sum) in sums.iter().enumerate() {
             let Energy {
-                last: Lane([own]), ..
+                last: Lane([momentum]),
+                ..
             } = Energy::of_case(&track, &system, step + 1);
-            worst = worst.max((own - sum).abs() / sums[0]);
+            worst = worst.max((momentum - sum).abs() / sums[0]);
         }
         // Round-off of r in each step, of order 1, times the force; sums over up to 42 modes.
         let steps = sums.len() as f64;

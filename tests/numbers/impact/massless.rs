@@ -140,10 +140,10 @@ impl Nodes {
         }
         let unbalanced = &tangent * &self.v;
         let load = DVector::from_fn(nodes.len(), |i, _| -unbalanced[nodes[i]]);
-        let own = DMatrix::from_fn(nodes.len(), nodes.len(), |i, j| {
+        let inner = DMatrix::from_fn(nodes.len(), nodes.len(), |i, j| {
             tangent[(nodes[i], nodes[j])]
         });
-        let rates = own.lu().solve(&load).unwrap();
+        let rates = inner.lu().solve(&load).unwrap();
         for (i, rate) in nodes.iter().zip(rates.iter()) {
             self.v[*i] = *rate;
         }
@@ -167,11 +167,11 @@ impl Nodes {
 fn all_nodes_have_the_same_motion_and_energy() {
     for given in mixed() {
         let case = massless(&given);
-        let own = ImpactCase::new(&case).unwrap();
+        let impact = ImpactCase::new(&case).unwrap();
         let Solution {
             computed, metrics, ..
         } = problem().solve(&case, &[]).unwrap();
-        let mut nodes = Nodes::new(&own.scaled, own.dt);
+        let mut nodes = Nodes::new(&impact.scaled, impact.dt);
         let start = nodes.energy();
         let (mut worst, mut drift) = ([0.0_f64; 3], vec![0.0]);
         for i in 1..computed.len() {
@@ -184,7 +184,7 @@ fn all_nodes_have_the_same_motion_and_energy() {
             for (worst, (c, e)) in worst.iter_mut().zip(c.iter().zip(nodes.contact())) {
                 *worst = worst.max((c - e).abs());
             }
-            drift.push((nodes.energy() - start) / own.system().linear.energy());
+            drift.push((nodes.energy() - start) / impact.system().linear.energy());
         }
         let largest = drift
             .iter()
@@ -209,21 +209,21 @@ fn all_nodes_have_the_same_motion_and_energy() {
 #[test]
 fn energy_by_the_work_of_the_contact_is_that_of_all_modes() {
     for given in mixed() {
-        let own = ImpactCase::new(&massless(&given)).unwrap();
-        let system = own.system();
+        let impact = ImpactCase::new(&massless(&given)).unwrap();
+        let system = impact.system();
         let mut sums = Vec::new();
         // r of the modes times S/2 is the energy of the spring and of the elements without mass.
         solve::visit(&system, |_, stepper| {
             let contact = stepper.contact();
             let modes = (0..).zip(stepper.modes());
             let energy: f64 = modes
-                .map(|(j, [x, v])| own.scaled.pair.mode(j).energy(x, v))
+                .map(|(j, [x, v])| impact.scaled.pair.mode(j).energy(x, v))
                 .sum();
             sums.push(energy + 0.5 * contact.force.0[0] * contact.displacement.0[0]);
         });
         // The work of the contact is with r of the contact itself.
         let mut track = solve::run::<Track<1>>(&system).unwrap().track;
-        condense(&[own], &mut track);
+        condense(&[impact], &mut track);
         let mut worst: f64 = 0.0;
         for (step, sum) in sums.iter().enumerate() {
             let Lane([energy]) = Energy::of_case(&track, &system, step + 1).last;
@@ -299,20 +299,20 @@ fn a_long_mesh_repeats_the_front_of_a_short_one() {
 fn profiles_are_those_of_all_nodes() {
     for given in mixed() {
         let case = massless(&given);
-        let own = ImpactCase::new(&case).unwrap();
+        let impact = ImpactCase::new(&case).unwrap();
         let times: Vec<f64> = (0..=8)
-            .map(|i| 0.125 * f64::from(i) * own.duration)
+            .map(|i| 0.125 * f64::from(i) * impact.duration)
             .collect();
         let snapshots = problem().as_textbook().unwrap().snapshots(&case, &times);
-        let mut nodes = Nodes::new(&own.scaled, own.dt);
+        let mut nodes = Nodes::new(&impact.scaled, impact.dt);
         let mut worst: f64 = 0.0;
         let mut step = 0;
         for snapshot in &snapshots {
-            while (f64::from(step) + 0.5) * own.dt < snapshot.time {
+            while (f64::from(step) + 0.5) * impact.dt < snapshot.time {
                 nodes.step();
                 step += 1;
             }
-            worst = worst.max(difference(&own.scaled, &nodes, snapshot));
+            worst = worst.max(difference(&impact.scaled, &nodes, snapshot));
         }
         // As in the motion of the contact; a stress is the stretch of an element times up to 60.
         assert!(worst < 1e-9, "{given}: {worst:e}");
@@ -382,8 +382,8 @@ fn the_step_error_has_the_second_order() {
         let given = json!({"gamma": 1.0, "n": 7, "dt": dt, "duration": 1.5, "gap": 0.1});
         problem().solve(&massless(&given), &[12]).unwrap().metrics
     };
-    let all = [0.004, 0.002, 0.001, 0.0005].map(metrics);
-    for pair in all.windows(2) {
+    let by_step = [0.004, 0.002, 0.001, 0.0005].map(metrics);
+    for pair in by_step.windows(2) {
         // Rows of the step error of r and of rdot; the times of opening and closing relative to the steps differ.
         for row in [16, 17] {
             let [coarse, fine] = [0, 1].map(|i| pair[i][row].unwrap());
@@ -391,7 +391,7 @@ fn the_step_error_has_the_second_order() {
             assert!((1.8..2.2).contains(&order), "{coarse} {fine}");
         }
     }
-    for m in &all {
+    for m in &by_step {
         let shares: Vec<f64> = m[18..24].iter().map(|share| share.unwrap()).collect();
         for of in [0, 1] {
             let sum = shares[of] + shares[of + 2] + shares[of + 4];

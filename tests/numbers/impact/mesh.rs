@@ -138,8 +138,8 @@ fn converges_to_continuous_bars() {
         }
         sums.map(|s: f64| (s / 1500.0).sqrt())
     };
-    let all: Vec<[f64; 2]> = [10, 20, 40, 80, 160].map(errors).to_vec();
-    for pair in all.windows(2) {
+    let by_mesh: Vec<[f64; 2]> = [10, 20, 40, 80, 160].map(errors).to_vec();
+    for pair in by_mesh.windows(2) {
         let order = [0, 1].map(|i| (pair[0][i] / pair[1][i]).log2());
         assert!(order[0] > 1.0 && order[1] > 0.67, "{order:?}");
     }

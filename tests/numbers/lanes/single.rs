@@ -134,8 +134,8 @@ fn lanes_are_independent() {
         let fours: Vec<_> = four(0).into_iter().chain(four(4)).collect();
         for (i, alone) in (0..8).flat_map(one).enumerate() {
             assert!(alone == fours[i], "case {i} of four");
-            for all in many.iter().skip(i).step_by(8) {
-                assert!(alone == *all, "case {i} of many");
+            for together in many.iter().skip(i).step_by(8) {
+                assert!(alone == *together, "case {i} of many");
             }
             // Without motion equal bits would prove nothing.
             assert!(

@@ -87,8 +87,8 @@ fn cases_in_lanes_have_the_bits_of_single_cases() {
             for slice in order.chunks(size) {
                 let swept = study.problem.sweep(&cases, slice);
                 assert_eq!((swept.len(), swept.failures().count()), (slice.len(), 0));
-                for (place, i) in slice.iter().enumerate() {
-                    let found = bits(&study, &swept.row(place).collect::<Vec<_>>());
+                for (row, i) in slice.iter().enumerate() {
+                    let found = bits(&study, &swept.row(row).collect::<Vec<_>>());
                     assert_eq!(found, alone[*i as usize], "case {i} of {text}");
                 }
             }
@@ -104,12 +104,12 @@ fn a_motion_out_of_range_is_reported_among_others() {
     );
     let (_, cases) = study.columns(0, study.raw_len());
     let swept = study.problem.sweep(&cases, &[0, 1, 2]);
-    for (place, case) in study.cases().enumerate() {
+    for (row, case) in study.cases().enumerate() {
         let alone = study.problem.solve(&case, &[]);
-        match (swept.failure(place), alone) {
+        match (swept.failure(row), alone) {
             (None, Ok(alone)) => {
                 assert_eq!(
-                    bits(&study, &swept.row(place).collect::<Vec<_>>()),
+                    bits(&study, &swept.row(row).collect::<Vec<_>>()),
                     bits(&study, &alone.metrics)
                 );
             }
@@ -118,7 +118,7 @@ fn a_motion_out_of_range_is_reported_among_others() {
         }
     }
     assert_eq!(
-        swept.failures().map(|(place, _)| place).collect::<Vec<_>>(),
+        swept.failures().map(|(row, _)| row).collect::<Vec<_>>(),
         [1]
     );
 }
@@ -144,9 +144,9 @@ fn a_single_solution_of_a_case_does_not_change_the_sweep() {
         keep_history: Some(&|case| chosen.iter().any(|other| other.values == case.values)),
         ..RunOptions::METRICS
     };
-    let (all, shown) = (outcomes(&RunOptions::METRICS), outcomes(&options));
-    assert_eq!((all.len(), shown.len()), (9, 9));
-    for ((number, together), (same, other)) in all.iter().zip(&shown) {
+    let (metrics_only, shown) = (outcomes(&RunOptions::METRICS), outcomes(&options));
+    assert_eq!((metrics_only.len(), shown.len()), (9, 9));
+    for ((number, together), (same, other)) in metrics_only.iter().zip(&shown) {
         assert_eq!(number, same);
         assert_eq!(together.case.values, other.case.values);
         assert_eq!(together.metrics, other.metrics, "case {number}");

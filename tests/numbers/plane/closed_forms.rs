@@ -93,7 +93,7 @@ fn a_block_that_is_launched_across_a_slope_ends_with_half_its_speed() {
     let more = json!({"parameters": {"duration": 20}, "start": {"a.x": {"v": 1}},
         "loads": [{"at": "a.y", "table": {"t": [0, 1], "f": [1, 1]}}], "contacts_reference": "softened"});
     let metrics = ["last(a.x.v)", "last(a.y.v)", "rms_error(f.r)"];
-    let own = solve(&block(
+    let found = solve(&block(
         json!({"law": "coulomb", "limit": 1}),
         more,
         &metrics,
@@ -102,10 +102,10 @@ fn a_block_that_is_launched_across_a_slope_ends_with_half_its_speed() {
     .unwrap();
     // v = C tan(psi/2)/sin(psi): the velocity across falls as exp(-2 t/v0), the step changes it by its square.
     assert!(
-        own[0].abs() < 1e-9 && (own[1] - 0.5).abs() < 1e-6,
-        "{own:?}"
+        found[0].abs() < 1e-9 && (found[1] - 0.5).abs() < 1e-6,
+        "{found:?}"
     );
-    assert!(own[2] < 1e-5, "{own:?}");
+    assert!(found[2] < 1e-5, "{found:?}");
 }
 
 /// Code_Aster's test SDND100: a block released at 45 degrees from 0.85 mm stops at -0.65, 0.45, -0.25 and rests at 0.05 mm.
@@ -122,19 +122,19 @@ fn a_block_released_at_an_angle_turns_where_the_closed_form_does() {
         "rms_error(f.r)",
         "last_error(f.r)",
     ];
-    let own = solve(&block(
+    let found = solve(&block(
         json!({"law": "coulomb", "limit": 1}),
         more,
         &metrics,
     ))
     .pop()
     .unwrap();
-    let along = [own[0], own[1]].map(|x| x * 2.0_f64.sqrt());
+    let along = [found[0], found[1]].map(|x| x * 2.0_f64.sqrt());
     // The step has (omega dt)^2/12 of the period, and stops within a step.
     assert!((along[0] + 0.65e-3).abs() < 1e-9, "{along:?}");
     assert!((along[1] - 0.05e-3).abs() < 2e-9, "{along:?}");
-    assert_eq!(own[1], own[2]);
-    assert!(own[3] < 3e-8 && own[4] < 2e-9, "{own:?}");
+    assert_eq!(found[1], found[2]);
+    assert!(found[3] < 3e-8 && found[4] < 2e-9, "{found:?}");
 }
 
 /// A block at rest, whose loads begin at 0, sticks until they are large enough.
@@ -142,14 +142,14 @@ fn a_block_released_at_an_angle_turns_where_the_closed_form_does() {
 fn a_block_at_rest_has_an_exact_motion() {
     let more = json!({"ground": {"x": sine(3.0, 4.0, 0.0), "y": sine(1.0, 3.0, 0.0)}, "contacts_reference": "softened"});
     let metrics = ["rms_error(f.r)", "peak(f.r)"];
-    let own = solve(&block(
+    let found = solve(&block(
         json!({"law": "coulomb", "limit": 1}),
         more,
         &metrics,
     ))
     .pop()
     .unwrap();
-    assert!(own[0] < 1e-4 * own[1] && own[1] > 0.1, "{own:?}");
+    assert!(found[0] < 1e-4 * found[1] && found[1] > 0.1, "{found:?}");
 }
 
 /// The same motion in a plane that is turned by 45 degrees.
@@ -208,12 +208,14 @@ fn steps_converge_to_the_exact_motion() {
             "ground": {"x": sine(3.0, 4.0, 1.5), "y": sine(2.5, 5.0, 0.0)},
             "start": {"a.x": {"u": 0.1, "v": 1}}, "contacts_reference": "softened"});
         let metrics = ["rms_error(f.r)", "reference_error(f.r)", "energy_error"];
-        let all = solve(&block(law, more, &metrics));
-        let ratio = all[0][0] / all[1][0];
-        assert!((3.0..5.0).contains(&ratio), "{name} {all:?}");
+        let of_cases = solve(&block(law, more, &metrics));
+        let ratio = of_cases[0][0] / of_cases[1][0];
+        assert!((3.0..5.0).contains(&ratio), "{name} {of_cases:?}");
         assert!(
-            all.iter().all(|own| own[1] < 1e-9 && own[2] < 1e-12),
-            "{name} {all:?}"
+            of_cases
+                .iter()
+                .all(|metrics| metrics[1] < 1e-9 && metrics[2] < 1e-12),
+            "{name} {of_cases:?}"
         );
     }
 }
@@ -257,10 +259,10 @@ fn an_imposed_circle_takes_the_work_of_the_closed_form() {
     }
     // Other laws follow the motion, too.
     for law in laws().into_iter().skip(1) {
-        let own = work(law.clone(), 1);
+        let works = work(law.clone(), 1);
         assert!(
-            own.iter().all(|own| own.is_finite()) && own[0] > 0.0,
-            "{law} {own:?}"
+            works.iter().all(|work| work.is_finite()) && works[0] > 0.0,
+            "{law} {works:?}"
         );
     }
 }

@@ -16,8 +16,8 @@ fn exact(mut study: Json, channels: &[&str], steps: &[usize]) -> Vec<Vec<f64>> {
     let error = solution.metrics[1].unwrap();
     assert!(error < 1e-9, "reference_error {error}");
     let channel = |i: usize| -> Vec<f64> {
-        let all = solution.exact.channel(i);
-        steps.iter().map(|step| all[*step]).collect()
+        let values = solution.exact.channel(i);
+        steps.iter().map(|step| values[*step]).collect()
     };
     (0..channels.len()).map(channel).collect()
 }
@@ -43,15 +43,15 @@ fn stacked(nu: [f64; 2], x: Json, y: Json) -> Json {
 
 /// Compares with rows of a.x, a.y, b.x, b.y and of forces.
 fn compare(study: Json, channels: &[&str], steps: &[usize], known: &[&[f64]]) {
-    let own = exact(study, channels, steps);
+    let curves = exact(study, channels, steps);
     for (i, row) in known.iter().enumerate() {
-        for (own, (known, channel)) in own.iter().zip(row.iter().zip(channels)) {
+        for (curve, (known, channel)) in curves.iter().zip(row.iter().zip(channels)) {
             // Both integrations agree to 1e-10; the numbers have 13 digits.
             let tolerance = if channel.contains(".S.") { 2e-9 } else { 2e-10 };
             assert!(
-                (own[i] - known).abs() < tolerance,
+                (curve[i] - known).abs() < tolerance,
                 "{channel} {} {known}",
-                own[i]
+                curve[i]
             );
         }
     }

@@ -24,8 +24,8 @@ fn channels(study: &Json) -> Vec<Vec<f64>> {
     let study = parse(study);
     let solution = study.problem.solve(&study.case(0).unwrap(), &[]).unwrap();
     let figure = study.problem.schema().channels.len();
-    let all = (0..figure).map(|channel| solution.computed.channel(channel).to_vec());
-    all.collect()
+    let channels = (0..figure).map(|channel| solution.computed.channel(channel).to_vec());
+    channels.collect()
 }
 
 /// A deck on a column under a sine, with these contacts.
@@ -385,8 +385,8 @@ fn what_does_not_press_is_no_normal_force() {
     assert!(again.contains("other presses already"), "{again}");
     let unknown = fault(&study(push(), json!(["pat"])));
     assert!(unknown.contains("did you mean \"pad\""), "{unknown}");
-    let own = fault(&study(push(), json!("slide")));
-    assert!(own.contains("a contact does not press itself"), "{own}");
+    let why = fault(&study(push(), json!("slide")));
+    assert!(why.contains("a contact does not press itself"), "{why}");
     let empty = fault(&study(push(), json!([])));
     assert!(empty.contains("a list of one name or more"), "{empty}");
 }

@@ -124,8 +124,8 @@ fn errors(json: &Json, motion: &[[Vec<f64>; 5]]) -> [f64; 5] {
         let amplitude = number(&json["amplitude"][name]);
         let rows = list(&json["rows"][name]);
         assert_eq!(rows.len(), motion.len());
-        for (row, own) in rows.iter().zip(motion) {
-            for (expected, found) in numbers(row).iter().zip(&own[c]) {
+        for (row, channels) in rows.iter().zip(motion) {
+            for (expected, found) in numbers(row).iter().zip(&channels[c]) {
                 errors[c] = f64::max(errors[c], (expected - found).abs() / amplitude);
             }
         }

@@ -10,7 +10,7 @@ fn parse(text: &str) -> Study {
 fn one_mass_with_each_friction_law_is_the_friction_oscillator() {
     // In the oscillator's scales mass, stiffness and limit are 1.
     let time = "\"duration\": \"8*pi\"";
-    for (law, own, keys) in [
+    for (law, numbers, keys) in [
         (
             "velocity-control",
             "\"beta\": 0.1, \"nu_ratio\": 0.5, \"nu_rate\": 1.5",
@@ -43,7 +43,7 @@ fn one_mass_with_each_friction_law_is_the_friction_oscillator() {
         ),
     ] {
         let oscillator = parse(&format!(
-            r#"{{"problem": "friction-oscillator", "parameters": {{"law": "{law}", {own}, "dT": "pi/50", {time}}}}}"#
+            r#"{{"problem": "friction-oscillator", "parameters": {{"law": "{law}", {numbers}, "dT": "pi/50", {time}}}}}"#
         ));
         let structure = parse(&format!(
             r#"{{"problem": "structure", "parameters": {{"dt": "pi/50", {time}}}, "structure": {{"masses": {{"x": 1}},
@@ -82,7 +82,7 @@ const FRICTION: &str = "\"law\": \"tanh\", \"limit\": 0.1, \"rdotE\": 0.01";
 
 #[test]
 fn every_fault_has_its_place_and_says_what_is_allowed() {
-    for (stop, friction, place, message) in [
+    for (stop, friction, path, message) in [
         (
             "\"law\": \"hertz\", \"k\": 1",
             FRICTION,
@@ -177,7 +177,7 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
         let text = study(stop, friction, "rigid", "peak(x)");
         let faults = study::parse("study.json", &text).unwrap_err().to_string();
         assert!(
-            faults.contains(place) && faults.contains(message),
+            faults.contains(path) && faults.contains(message),
             "{stop} {friction}: {faults}"
         );
     }
@@ -202,6 +202,6 @@ fn errors_against_rigid_laws_and_against_curved_ones_exist() {
         "{error} {of_step} {of_law}"
     );
     // What the integration may err by is nothing against what the step does.
-    let own = solve("softened", "reference_error(x)").unwrap().unwrap();
-    assert!(own < 1e-3 * of_step, "{own} {of_step}");
+    let of_softened = solve("softened", "reference_error(x)").unwrap().unwrap();
+    assert!(of_softened < 1e-3 * of_step, "{of_softened} {of_step}");
 }

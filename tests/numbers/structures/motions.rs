@@ -77,9 +77,12 @@ fn near(a: f64, b: f64, tolerance: f64) {
 
 /// The row of the record in the data of the independent program.
 fn reference() -> Json {
-    let all: Json = serde_json::from_str(include_str!("../../data/records.json")).unwrap();
-    let mut records = all["records"].as_array().unwrap().iter();
-    records.find(|own| own["file"] == APEEL).unwrap().clone()
+    let reference: Json = serde_json::from_str(include_str!("../../data/records.json")).unwrap();
+    let mut records = reference["records"].as_array().unwrap().iter();
+    records
+        .find(|record| record["file"] == APEEL)
+        .unwrap()
+        .clone()
 }
 
 #[test]
@@ -100,10 +103,10 @@ fn a_part_of_a_record_begins_at_its_start() {
 fn baselines_remove_the_mean_of_the_points_or_the_velocity_at_the_end() {
     let count = reference()["count"].as_f64().unwrap();
     let mean = motion(r#", "baseline": "mean""#);
-    let own = mean.own_points().1;
+    let ordinates = mean.own_points().1;
     // The last point is at the jump to 0. Round-off of 7184 sums of numbers up to 3.
-    assert_eq!(own.len() as f64, count);
-    assert!((own.iter().sum::<f64>() / count).abs() < 1e-15);
+    assert_eq!(ordinates.len() as f64, count);
+    assert!((ordinates.iter().sum::<f64>() / count).abs() < 1e-15);
     let linear = motion(r#", "baseline": "linear""#);
     assert!(velocity(&linear).abs() < 1e-12, "{}", velocity(&linear));
     assert!(velocity(&motion("")).abs() > 1e-3);
@@ -119,11 +122,11 @@ fn a_motion_is_scaled_to_a_strength() {
     near(peak(&pga), 0.3 * G, 1e-14);
     // The spectral displacement of the independent program gives the factor.
     let sd = reference()["sd"][2].as_f64().unwrap();
-    let own = (2.0 * std::f64::consts::PI).powi(2) * sd;
+    let size_squared = (2.0 * std::f64::consts::PI).powi(2) * sd;
     let scaled = motion(r#", "scale_to": {"Sa": 4, "T": 1}"#);
     near(
         peak(&scaled),
-        4.0 / own * reference()["pga"].as_f64().unwrap(),
+        4.0 / size_squared * reference()["pga"].as_f64().unwrap(),
         1e-9,
     );
     near(spectral(&scaled, 1.0, 0.05), 4.0, 1e-12);
@@ -144,8 +147,11 @@ fn a_target_spectrum_is_met_by_least_squares() {
         .map(|i| 0.2 + 1.8 * f64::from(i) / 100.0)
         .collect();
     let spectrum_of = |table: &Table| -> Vec<f64> {
-        let all = spectrum::spectrum(table, &periods, 0.05).unwrap();
-        all.iter().map(|own| own.pseudo_acceleration()).collect()
+        let ordinates = spectrum::spectrum(table, &periods, 0.05).unwrap();
+        ordinates
+            .iter()
+            .map(|ordinate| ordinate.pseudo_acceleration())
+            .collect()
     };
     let wanted = |period: f64| {
         0.3 * G
@@ -157,34 +163,41 @@ fn a_target_spectrum_is_met_by_least_squares() {
             }
     };
     let wanted: Vec<f64> = periods.iter().map(|t| wanted(*t)).collect();
-    let own = spectrum_of(&motion(&keys(en)));
+    let ordinates = spectrum_of(&motion(&keys(en)));
     // At the least, the derivative of the squares by the factor is 0.
-    let slope: f64 = own
+    let slope: f64 = ordinates
         .iter()
         .zip(&wanted)
-        .map(|(own, wanted)| own * (own - wanted))
+        .map(|(ordinate, wanted)| ordinate * (ordinate - wanted))
         .sum();
-    let size: f64 = own.iter().map(|own| own * own).sum();
+    let size: f64 = ordinates.iter().map(|ordinate| ordinate * ordinate).sum();
     assert!(slope.abs() < 1e-12 * size, "{slope} {size}");
     // The same spectrum as a table, but for the chords of its curved part.
     let list = |f: &dyn Fn(usize) -> f64| {
-        let all = (0..periods.len()).map(f).map(|x| x.to_string());
-        all.collect::<Vec<_>>().join(", ")
+        let values = (0..periods.len()).map(f).map(|x| x.to_string());
+        values.collect::<Vec<_>>().join(", ")
     };
     let table = format!(
         r#"{{"T": [{}], "Sa": [{}]}}"#,
         list(&|i| periods[i]),
         list(&|i| wanted[i] / G)
     );
-    for (a, b) in spectrum_of(&motion(&keys(&table))).iter().zip(&own) {
+    for (a, b) in spectrum_of(&motion(&keys(&table))).iter().zip(&ordinates) {
         near(*a, *b, 1e-12);
     }
     let asce = motion(&keys(r#"{"ASCE 7": {"SDS": 1, "SD1": 0.6, "TL": 8}}"#));
     let wanted = |t: f64| G * if t <= 0.6 { 1.0 } else { 0.6 / t };
-    let own = spectrum_of(&asce);
-    let both = || own.iter().zip(&periods).map(|(own, t)| (own, wanted(*t)));
-    let slope: f64 = both().map(|(own, wanted)| own * (own - wanted)).sum();
-    let size: f64 = both().map(|(own, _)| own * own).sum();
+    let ordinates = spectrum_of(&asce);
+    let both = || {
+        ordinates
+            .iter()
+            .zip(&periods)
+            .map(|(ordinate, t)| (ordinate, wanted(*t)))
+    };
+    let slope: f64 = both()
+        .map(|(ordinate, wanted)| ordinate * (ordinate - wanted))
+        .sum();
+    let size: f64 = both().map(|(ordinate, _)| ordinate * ordinate).sum();
     assert!(slope.abs() < 1e-12 * size, "{slope} {size}");
 }
 
@@ -199,8 +212,8 @@ fn strengths_and_parts_may_be_axes() {
     let strengths: Vec<f64> = (0..4)
         .map(|case| spectral(&of_case(&study, case), 1.0, 0.05))
         .collect();
-    for (own, wanted) in strengths.iter().zip([1.0, 1.0, 3.0, 3.0]) {
-        near(*own, wanted, 1e-12);
+    for (strength, wanted) in strengths.iter().zip([1.0, 1.0, 3.0, 3.0]) {
+        near(*strength, wanted, 1e-12);
     }
     assert_ne!(of_case(&study, 0), of_case(&study, 1));
 }
@@ -222,15 +235,15 @@ fn the_baseline_and_delay_of_a_support_are_those_of_its_motion() {
             .unwrap()
             .metrics
     };
-    let own = solve(&support);
+    let found = solve(&support);
     let table = motion(&format!(", {keys}"));
     let at_steps = (0..=400).map(|i| table.at(f64::from(i) * 0.01));
     let largest = at_steps.fold(0.0, |a: f64, b| a.max(b));
-    near(own[0].unwrap(), largest, 1e-9);
+    near(found[0].unwrap(), largest, 1e-9);
     let by_direction = support
         .replace(r#""base": {"#, r#""base": {"x": {"#)
         .replace(r#""pga": 2}}"#, r#""pga": 2}}}"#);
-    assert_eq!(solve(&by_direction), own);
+    assert_eq!(solve(&by_direction), found);
 }
 
 #[test]
@@ -307,7 +320,10 @@ fn faulty_keys_of_a_motion_name_what_is_allowed() {
 /// The values of the parameter of each case.
 fn values(study: &Study, name: &str) -> Vec<String> {
     let table = study.problem.parameters();
-    let row = table.iter().position(|own| own.name == name).unwrap();
+    let row = table
+        .iter()
+        .position(|parameter| parameter.name == name)
+        .unwrap();
     let cases = 0..study.len();
     cases
         .map(|case| study.case(case).unwrap().name_at(row).to_owned())
@@ -335,9 +351,9 @@ fn the_files_of_a_pattern_are_an_axis_in_the_order_of_their_names() {
         r#""record": {"files": "../records"},"#,
         r#"{"record": "record"}"#,
     );
-    let all = values(&folder, "record");
-    assert_eq!(all.len(), 8);
-    assert!(all.is_sorted() && all.contains(&format!("../records/{APEEL}")));
+    let names = values(&folder, "record");
+    assert_eq!(names.len(), 8);
+    assert!(names.is_sorted() && names.contains(&format!("../records/{APEEL}")));
 }
 
 #[test]
@@ -403,8 +419,8 @@ fn measures_of_the_ground_are_those_of_an_independent_program() {
         .iter()
         .map(|name| format!("\"ground.{name}\""))
         .collect();
-    let all: Json = serde_json::from_str(include_str!("../../data/records.json")).unwrap();
-    let records = all["records"].as_array().unwrap();
+    let reference: Json = serde_json::from_str(include_str!("../../data/records.json")).unwrap();
+    let records = reference["records"].as_array().unwrap();
     let pattern = r#"{"files": "../records"}"#;
     let text = text(r#""T1": 1,"#, &format!(r#"{{"record": {pattern}}}"#));
     let study = parse(&text.replace(r#""peak(m)""#, &metrics.join(", ")))
@@ -418,14 +434,14 @@ fn measures_of_the_ground_are_those_of_an_independent_program() {
         let whole = text.replace(r#""dt": 0.01, "duration": 1"#, &steps);
         let study = parse(&whole.replace(r#""peak(m)""#, &metrics.join(", ")));
         let study = study.unwrap_or_else(|why| panic!("{why}"));
-        let own = study
+        let metrics = study
             .problem
             .solve(&study.case(case as u64).unwrap(), &[])
             .unwrap()
             .metrics;
         // The measures of all points, and with 1e-4 those at the steps, which are beside the points of some records.
         let whole = of_case(&study, case as u64);
-        let all = [
+        let measures = [
             Measure::PeakAcceleration,
             Measure::PeakVelocity,
             Measure::PeakDisplacement,
@@ -441,27 +457,27 @@ fn measures_of_the_ground_are_those_of_an_independent_program() {
                 ratio: 0.05,
             },
         ];
-        let all = all.map(|measure| measure.of(&whole, G));
-        for (own, of_points) in own.iter().zip(all) {
-            near(own.unwrap(), of_points.unwrap(), 1e-4);
+        let values_of_points = measures.map(|measure| measure.of(&whole, G));
+        for (metric, of_points) in metrics.iter().zip(values_of_points) {
+            near(metric.unwrap(), of_points.unwrap(), 1e-4);
         }
-        let own = all;
-        let sa = |place: usize, period: f64| {
+        let measured = values_of_points;
+        let sa = |direction: usize, period: f64| {
             let omega = 2.0 * std::f64::consts::PI / period;
-            omega * omega * expected["sd"][place].as_f64().unwrap()
+            omega * omega * expected["sd"][direction].as_f64().unwrap()
         };
         // Sums of some thousand numbers; the displacement is a double sum of accelerations that nearly cancel.
-        for (own, expected, tolerance) in [
-            (own[0], number("pga"), 1e-14),
-            (own[1], number("pgv"), 1e-10),
-            (own[2], number("pgd"), 1e-8),
-            (own[3], number("arias"), 1e-12),
-            (own[4], number("d5_95"), 1e-10),
-            (own[5], number("tm"), 1e-9),
-            (own[6], sa(0, 0.2), 1e-9),
-            (own[7], sa(2, 1.0), 1e-9),
+        for (found, expected, tolerance) in [
+            (measured[0], number("pga"), 1e-14),
+            (measured[1], number("pgv"), 1e-10),
+            (measured[2], number("pgd"), 1e-8),
+            (measured[3], number("arias"), 1e-12),
+            (measured[4], number("d5_95"), 1e-10),
+            (measured[5], number("tm"), 1e-9),
+            (measured[6], sa(0, 0.2), 1e-9),
+            (measured[7], sa(2, 1.0), 1e-9),
         ] {
-            near(own.unwrap(), expected, tolerance);
+            near(found.unwrap(), expected, tolerance);
         }
     }
 }
@@ -485,19 +501,19 @@ fn measures_are_those_of_the_motion_that_the_structure_gets() {
         study.problem.solve(&case, &[]).unwrap().metrics
     };
     let [x, y] = [measured(0.005, 35.0), measured(0.01, 30.0)];
-    let own = [x[0], x[1], y[2], y[3]];
+    let last_values = [x[0], x[1], y[2], y[3]];
     // The round-off of the times of the part.
-    near(own[0].unwrap(), 8.0, 1e-9);
+    near(last_values[0].unwrap(), 8.0, 1e-9);
     near(
-        own[1].unwrap(),
+        last_values[1].unwrap(),
         peak(&motion(
             r#", "scale": -2, "start": 5, "baseline": "linear", "scale_to": {"Sa": 4, "T": 0.5}"#,
         )),
         1e-9,
     );
-    near(own[2].unwrap(), 0.3 * G, 1e-14);
+    near(last_values[2].unwrap(), 0.3 * G, 1e-14);
     // Printed with the rule of synthetic motions.
-    assert!((own[3].unwrap() - 1.8006723669).abs() < 5e-11);
+    assert!((last_values[3].unwrap() - 1.8006723669).abs() < 5e-11);
     for (metric, part) in [
         (
             r#""ground.pga""#,

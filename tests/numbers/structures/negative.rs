@@ -27,7 +27,10 @@ fn exact(study: &Study, name: &str) -> Vec<f64> {
     let case = study.case(0).unwrap();
     let solution = study.problem.solve(&case, &study.metrics).unwrap();
     let columns = study.problem.history_columns(&case);
-    let column = columns.iter().find(|own| own.column.name == name).unwrap();
+    let column = columns
+        .iter()
+        .find(|channel| channel.column.name == name)
+        .unwrap();
     solution.exact.channels[column.index].clone()
 }
 
@@ -80,7 +83,7 @@ fn a_block_rocks_as_housner_says() {
         let quarter = |amplitude: f64| libm::acosh(1.0 / (1.0 - amplitude / alpha)) / p;
         let mut until = quarter(amplitude);
         let mut impacts = 0;
-        for (i, own) in motion.iter().enumerate() {
+        for (i, u) in motion.iter().enumerate() {
             let t = 0.01 * i as f64;
             while t > until {
                 let before = p * (alpha * alpha - (alpha - amplitude).powi(2)).sqrt();
@@ -96,10 +99,7 @@ fn a_block_rocks_as_housner_says() {
             }
             let expected = sign * (alpha - (alpha - amplitude) * libm::cosh(p * (t - begin)));
             // The motion between impacts grows as exp(p t), and round-off of 1e-12 of an event with it.
-            assert!(
-                (own - expected).abs() < 1e-9,
-                "{start} {t} {own} {expected}"
-            );
+            assert!((u - expected).abs() < 1e-9, "{start} {t} {u} {expected}");
         }
         assert!(impacts > 5, "{start} {impacts}");
     }
@@ -111,9 +111,9 @@ fn a_block_overturns() {
     let (alpha, inertia) = (B / H, 4.0 / 3.0 * (B * B + H * H));
     let p = (G * H / inertia).sqrt();
     let study = read(&block(0.26, json!({})));
-    for (i, own) in exact(&study, "B.t.z.u").iter().enumerate().take(600) {
+    for (i, u) in exact(&study, "B.t.z.u").iter().enumerate().take(600) {
         let expected = alpha + 0.01 * libm::cosh(p * 0.01 * i as f64);
-        assert!((own / expected - 1.0).abs() < 1e-9, "{i} {own} {expected}");
+        assert!((u / expected - 1.0).abs() < 1e-9, "{i} {u} {expected}");
     }
     // By steps, too.
     let solution = solve(&study, 0).unwrap();
@@ -176,7 +176,7 @@ fn a_pendulum_on_a_hinge_that_yields_moves_as_the_closed_form() {
             v
         };
         let mut compared = 0;
-        for (i, own) in motion.iter().enumerate() {
+        for (i, u) in motion.iter().enumerate() {
             let t = 0.002 * i as f64;
             let expected = match t < yields {
                 true => velocity / w * libm::sin(w * t),
@@ -194,8 +194,8 @@ fn a_pendulum_on_a_hinge_that_yields_moves_as_the_closed_form() {
             }
             compared += 1;
             assert!(
-                (own - expected).abs() < 1e-11,
-                "{velocity} {t} {own} {expected}"
+                (u - expected).abs() < 1e-11,
+                "{velocity} {t} {u} {expected}"
             );
         }
         assert!(compared > 100, "{compared}");

@@ -18,9 +18,9 @@ fn history(study: &Study) -> Vec<(String, Vec<f64>)> {
     let solution = study.problem.solve(&case, &[]).unwrap();
     let columns = study.problem.history_columns(&case).into_iter();
     columns
-        .map(|own| {
-            let values = solution.computed.channels[own.index].clone();
-            (own.column.name.to_string(), values)
+        .map(|channel| {
+            let values = solution.computed.channels[channel.index].clone();
+            (channel.column.name.to_string(), values)
         })
         .collect()
 }
@@ -35,25 +35,25 @@ fn number(json: &Json) -> f64 {
 
 #[test]
 fn imported_structures_move_as_an_independent_program_says() {
-    let all: Vec<Json> =
+    let references: Vec<Json> =
         serde_json::from_str(include_str!("../../data/own_structure.json")).unwrap();
     // The steps of the absolute displacements of supports are not those of slipgap: their motion with a common one of all supports
     // is not that of the ground.
-    let of_slipgap = all.iter().filter(|case| case["name"] != "supports");
+    let of_slipgap = references.iter().filter(|case| case["name"] != "supports");
     for case in of_slipgap {
         let name = case["name"].as_str().unwrap();
         let study = beside(&case["study"]);
         let columns = history(&study);
         let steps = case["steps"].as_array().unwrap();
         for (channel, expected) in case["channels"].as_object().unwrap() {
-            let (_, own) = columns.iter().find(|column| column.0 == *channel).unwrap();
+            let (_, values) = columns.iter().find(|column| column.0 == *channel).unwrap();
             let size = number(&expected["largest"]);
             for (step, value) in steps.iter().zip(expected["values"].as_array().unwrap()) {
-                let own = own[number(step) as usize];
+                let found = values[number(step) as usize];
                 // Both programs have round-off of some 1000 steps; agreement was 2e-13.
                 assert!(
-                    (own - number(value)).abs() <= 1e-11 * size,
-                    "{name}, {channel}, step {step}: {own} {value} of {size}"
+                    (found - number(value)).abs() <= 1e-11 * size,
+                    "{name}, {channel}, step {step}: {found} {value} of {size}"
                 );
             }
         }
@@ -62,7 +62,7 @@ fn imported_structures_move_as_an_independent_program_says() {
 
 /// A chain of three masses and a block, by masses and springs or by matrices.
 fn chain(by_matrices: bool, method: &str) -> Study {
-    let own = |name: &str, mass: f64| match by_matrices {
+    let of_tower = |name: &str, mass: f64| match by_matrices {
         true => String::new(),
         false => format!(r#""{name}": {mass}, "#),
     };
@@ -92,9 +92,9 @@ fn chain(by_matrices: bool, method: &str) -> Study {
           "ground": {{"sine": {{"amplitude": 1, "omega": 5}}}}, "rayleigh": {{"mass": 0.1, "stiffness": 0.001}},
           "start": {{"{t2}": {{"u": 0.02, "v": -0.1}}}}}},
           "parameters": {{"dt": 0.01, "duration": 5, "method": "{method}"}}, "metrics": ["energy_error"]}}"#,
-        own("t1", 2.0),
-        own("t2", 1.0),
-        own("t3", 3.0),
+        of_tower("t1", 2.0),
+        of_tower("t2", 1.0),
+        of_tower("t3", 3.0),
         t1 = name(1),
         t2 = name(2),
         t3 = name(3),
@@ -113,11 +113,11 @@ fn a_chain_by_matrices_moves_as_one_of_masses_and_springs() {
     ] {
         let [springs, matrices] = [false, true].map(|by| history(&chain(by, method)));
         assert_eq!(springs.len(), matrices.len());
-        for (name, own) in &matrices {
+        for (name, matrix) in &matrices {
             let other = name.replacen("t.", "t", 1).replacen(".x", "", 1);
             let (_, expected) = springs.iter().find(|column| column.0 == other).unwrap();
             let size = largest(expected);
-            for (x, y) in own.iter().zip(expected) {
+            for (x, y) in matrix.iter().zip(expected) {
                 // The order of elimination differs; impacts enlarge round-off.
                 assert!(
                     (x - y).abs() <= 1e-12 * size,
@@ -233,23 +233,23 @@ fn a_gap_and_soil_that_yields_need_no_light_plate_between_them() {
     let gaps = [0.005, 0.01, 0.0157, 0.02, 0.03];
     let velocities = [0.5, 0.625, 0.75, 0.875, 1.0, 1.125, 1.25, 1.5];
     let cases = gaps.iter().flat_map(|gap| velocities.map(|v| (*gap, v)));
-    for ((gap, v), own) in cases.zip(plate(5e-4)) {
+    for ((gap, v), peaks) in cases.zip(plate(5e-4)) {
         let [x, force] = series(gap, v);
         let energy = 250.0 * v * v;
         // The light plate of tests/command_line/warnings.rs makes energy in some of these cases.
         assert!(
-            (own[0] - x).abs() < 0.01 * x,
+            (peaks[0] - x).abs() < 0.01 * x,
             "gap {gap}, v {v}: {} {x}",
-            own[0]
+            peaks[0]
         );
         assert!(
-            (own[1] - force).abs() < 0.01 * force,
+            (peaks[1] - force).abs() < 0.01 * force,
             "gap {gap}, v {v}: {} {force}",
-            own[1]
+            peaks[1]
         );
         assert!(
-            own[2] > -1e-3 * energy && own[3] < 1e-9,
-            "gap {gap}, v {v}: {own:?}"
+            peaks[2] > -1e-3 * energy && peaks[3] < 1e-9,
+            "gap {gap}, v {v}: {peaks:?}"
         );
     }
 }
@@ -307,14 +307,14 @@ fn a_scheme_has_the_nodes_of_a_model_and_the_ends_of_its_links() {
     let ends: Vec<[String; 2]> = scheme
         .links
         .iter()
-        .map(|own| own.between.map(name))
+        .map(|link| link.between.map(name))
         .collect();
     assert_eq!(ends[0], ["chain.1.x", "block"]);
     assert_eq!(ends[1], ["frames.132.x", "frames.231.x"]);
     assert_eq!(ends[2], ["frames.232.x", "ground"]);
-    let directions: Vec<[f64; 3]> = scheme.links.iter().map(|own| own.direction).collect();
+    let directions: Vec<[f64; 3]> = scheme.links.iter().map(|link| link.direction).collect();
     assert_eq!(directions[1..], [[0.8, -0.6, 0.0], [1.0, 0.1, 0.0]]);
-    let nodes: Vec<usize> = frames.interface.iter().map(|own| own.node).collect();
+    let nodes: Vec<usize> = frames.interface.iter().map(|dof| dof.node).collect();
     assert_eq!(nodes, [5, 10, 11]);
     let text = study
         .problem
@@ -323,6 +323,6 @@ fn a_scheme_has_the_nodes_of_a_model_and_the_ends_of_its_links() {
         .description(&case)
         .unwrap();
     // examples/models/frame.py lumps 156 t, which move in x and y; the 12 rotations have none.
-    let own = "matrices frames: 36 dofs, 12 of them without mass, mass x 156, y 156\n";
-    assert!(text.contains(own), "{text}");
+    let line = "matrices frames: 36 dofs, 12 of them without mass, mass x 156, y 156\n";
+    assert!(text.contains(line), "{text}");
 }

@@ -49,18 +49,18 @@ fn the_files_have_the_values_of_an_independent_program() {
     assert_eq!(records.len(), 8);
     for expected in records {
         let file = expected["file"].as_str().unwrap();
-        let own = record(file);
+        let parsed = record(file);
         assert_eq!(
-            own.values.len() as f64,
+            parsed.values.len() as f64,
             number(&expected["count"]),
             "{file}"
         );
         assert_eq!(
-            own.unit.map(Unit::in_m_s2),
+            parsed.unit.map(Unit::in_m_s2),
             expected["unit"].as_f64(),
             "{file}"
         );
-        let ends = [own.values[0], own.values[own.values.len() - 1]];
+        let ends = [parsed.values[0], parsed.values[parsed.values.len() - 1]];
         assert_eq!(
             ends.map(Some),
             [0, 1].map(|i| expected["ends"][i].as_f64()),
@@ -68,13 +68,13 @@ fn the_files_have_the_values_of_an_independent_program() {
         );
         let dt = number(&expected["dt"]);
         // Round-off of i dt.
-        let even = own
+        let even = parsed
             .times
             .iter()
             .enumerate()
             .all(|(i, t)| (t - i as f64 * dt).abs() < 1e-12);
         assert!(even, "{file}");
-        let squares = own.values.iter().map(|a| a * a).sum::<f64>();
+        let squares = parsed.values.iter().map(|a| a * a).sum::<f64>();
         // numpy sums in another order: some thousand roundings.
         near(squares, number(&expected["sum_of_squares"]), 1e-12, file);
     }
@@ -114,8 +114,8 @@ fn spectral_displacements_are_those_of_the_source_and_of_an_independent_program(
         .collect();
     for expected in reference["records"].as_array().unwrap() {
         let file = expected["file"].as_str().unwrap();
-        let own = spectrum::spectrum(&acceleration(&record(file)), &periods, 0.05).unwrap();
-        for (i, ordinate) in own.iter().enumerate() {
+        let ordinates = spectrum::spectrum(&acceleration(&record(file)), &periods, 0.05).unwrap();
+        for (i, ordinate) in ordinates.iter().enumerate() {
             // Closed forms and Taylor coefficients with round-off of some thousand steps.
             near(
                 ordinate.displacement,
@@ -125,7 +125,7 @@ fn spectral_displacements_are_those_of_the_source_and_of_an_independent_program(
             );
         }
         if let Some((_, printed)) = printed.iter().find(|row| row.0 == file) {
-            for (ordinate, printed) in own.iter().zip(printed) {
+            for (ordinate, printed) in ordinates.iter().zip(printed) {
                 // Half a unit of the last printed digit, and round-off.
                 assert!((ordinate.displacement - printed).abs() < 5.1e-9, "{file}");
             }
@@ -164,8 +164,12 @@ fn the_page_has_every_file_with_its_hash_and_numbers() {
     assert_eq!(files, page.keys().cloned().collect::<Vec<_>>());
     let reference = reference();
     let of = |file: &str| {
-        let all = reference["records"].as_array().unwrap();
-        all.iter().find(|own| own["file"] == file).unwrap().clone()
+        let records = reference["records"].as_array().unwrap();
+        records
+            .iter()
+            .find(|record| record["file"] == file)
+            .unwrap()
+            .clone()
     };
     for (file, rows) in &page {
         let [about, measures, source] = &rows[..] else {
@@ -176,9 +180,9 @@ fn the_page_has_every_file_with_its_hash_and_numbers() {
             .map(|byte| format!("{byte:02x}"))
             .collect();
         assert_eq!(source.last(), Some(&hash), "{file}");
-        let (own, expected) = (record(file), of(file));
+        let (parsed, expected) = (record(file), of(file));
         let cell = |text: &String| text.parse::<f64>().unwrap();
-        assert_eq!(cell(&about[5]), own.values.len() as f64);
+        assert_eq!(cell(&about[5]), parsed.values.len() as f64);
         // Half a unit of the last printed digit; the page has velocities at the points, which leave out up to 1 % of a peak between.
         let pga = number(&expected["pga"]) / 9.80665;
         assert!((cell(&measures[0]) - pga).abs() <= 5.1e-5, "{file}");
@@ -221,19 +225,19 @@ fn real_files_have_the_values_beside_them() {
                 component: (channels.len() > 1).then_some(i + 1),
                 ..Reading::default()
             };
-            let own = parse(&what, &bytes, reading).unwrap_or_else(|why| panic!("{why}"));
-            let n = own.values.len();
+            let parsed = parse(&what, &bytes, reading).unwrap_or_else(|why| panic!("{why}"));
+            let n = parsed.values.len();
             assert_eq!(n as f64, number(&channel["n"]), "{what}");
             assert_eq!(
-                own.unit.map(Unit::in_m_s2),
+                parsed.unit.map(Unit::in_m_s2),
                 channel["to_m_per_s2"].as_f64(),
                 "{what}"
             );
             let dt = number(&channel["dt"]);
-            near(own.times[n - 1], (n - 1) as f64 * dt, 1e-14, &what);
+            near(parsed.times[n - 1], (n - 1) as f64 * dt, 1e-14, &what);
             for (values, key) in [
-                (&own.values[..5], "first5"),
-                (&own.values[n - 5..], "last5"),
+                (&parsed.values[..5], "first5"),
+                (&parsed.values[n - 5..], "last5"),
             ] {
                 let expected: Vec<f64> = channel[key]
                     .as_array()
@@ -244,8 +248,8 @@ fn real_files_have_the_values_beside_them() {
                 assert_eq!(values, expected, "{what}");
             }
             let peak = number(&channel["index_of_peak"]) as usize;
-            assert_eq!(own.values[peak], number(&channel["peak"]), "{what}");
-            let squares = own.values.iter().map(|a| a * a).sum::<f64>();
+            assert_eq!(parsed.values[peak], number(&channel["peak"]), "{what}");
+            let squares = parsed.values.iter().map(|a| a * a).sum::<f64>();
             near(squares, number(&channel["sum_of_squares"]), 1e-12, &what);
             compared += 1;
         }

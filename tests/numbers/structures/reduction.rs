@@ -87,8 +87,8 @@ fn a_bar_with_more_modes_tends_to_its_mesh() {
         let parts = format!(
             r#""matrices": {{ "b": {{ "M": "bar.M.mtx", "K": "bar.K.mtx", "dofs": "bar.dofs.csv", "reduce": {{ "modes": {modes} }} }} }}"#
         );
-        let all = format!(r#"{plain}, "reduction_error(stop.S)", "reduction_error(b.61.x)""#);
-        metrics(MODELS, &study(&parts, "b.61.x", "b.x", &all))
+        let errors = format!(r#"{plain}, "reduction_error(stop.S)", "reduction_error(b.61.x)""#);
+        metrics(MODELS, &study(&parts, "b.61.x", "b.x", &errors))
     };
     let errors: Vec<[f64; 2]> = [1, 4, 16, 59]
         .map(|modes| {
@@ -102,12 +102,12 @@ fn a_bar_with_more_modes_tends_to_its_mesh() {
             "{errors:?}"
         );
     }
-    let all = with(60);
-    for (own, mesh) in all.iter().zip(&mesh) {
+    let by_modes = with(60);
+    for (of_modes, mesh) in by_modes.iter().zip(&mesh) {
         // Round-off; contact times are whole steps.
-        assert!((own - mesh).abs() < 1e-10, "{all:?} {mesh:?}");
+        assert!((of_modes - mesh).abs() < 1e-10, "{by_modes:?} {mesh:?}");
     }
-    assert!(all[3] < 1e-9 && all[4] < 1e-10, "{all:?}");
+    assert!(by_modes[3] < 1e-9 && by_modes[4] < 1e-10, "{by_modes:?}");
 }
 
 #[test]
@@ -127,10 +127,10 @@ fn the_steps_agree_where_no_modes_are_needed() {
     };
     let whole = last("");
     for modes in [0, 2, 22] {
-        let own = last(&format!(r#", "reduce": {{ "modes": {modes} }}"#));
-        for (own, whole) in own.iter().zip(&whole) {
+        let reduced = last(&format!(r#", "reduce": {{ "modes": {modes} }}"#));
+        for (peak, whole) in reduced.iter().zip(&whole) {
             // exp(-2 * 60) is left of the motion; round-off of a condition of 1e5.
-            assert!((own / whole - 1.0).abs() < 1e-9, "{own} {whole}");
+            assert!((peak / whole - 1.0).abs() < 1e-9, "{peak} {whole}");
         }
     }
 }
@@ -144,7 +144,10 @@ fn histories_and_descriptions_name_what_is_left() {
     for (case, modes) in [(0, 2), (1, 5)] {
         let case = study.case(case).unwrap();
         let columns = study.problem.history_columns(&case);
-        let names: Vec<&str> = columns.iter().map(|own| &*own.column.name).collect();
+        let names: Vec<&str> = columns
+            .iter()
+            .map(|channel| &*channel.column.name)
+            .collect();
         assert_eq!(names.len(), 2 * (2 + modes));
         assert_eq!(
             names[..6],

@@ -17,7 +17,7 @@ fn metrics(more: &[(&str, Json)], metrics: &[&str]) -> Vec<f64> {
     for (key, value) in more {
         match (&mut study["structure"][key], value) {
             (Json::Array(list), Json::Array(more)) => list.extend(more.iter().cloned()),
-            (own, value) => *own = value.clone(),
+            (old, value) => *old = value.clone(),
         }
     }
     solved(&study)
@@ -47,7 +47,7 @@ fn orders(things: &[Json]) -> Vec<Vec<Json>> {
 
 #[test]
 fn laws_in_series_have_one_force_in_every_order() {
-    let all = [
+    let metrics_wanted = [
         "peak(a)",
         "peak(f.1.S)",
         "peak(f.2.S)",
@@ -77,13 +77,13 @@ fn laws_in_series_have_one_force_in_every_order() {
     for laws in lists {
         let mut first: Option<Vec<f64>> = None;
         for laws in orders(&laws) {
-            let own = metrics(&series(&laws), &all);
-            let [u, forces] = [own[0], own[1]];
-            assert!(own[4] < 1e-9, "{laws:?}: {own:?}");
-            for force in &own[2..4] {
-                assert_eq!(*force, forces, "{laws:?}: {own:?}");
+            let found = metrics(&series(&laws), &metrics_wanted);
+            let [u, forces] = [found[0], found[1]];
+            assert!(found[4] < 1e-9, "{laws:?}: {found:?}");
+            for force in &found[2..4] {
+                assert_eq!(*force, forces, "{laws:?}: {found:?}");
             }
-            let [u0, force0] = first.get_or_insert_with(|| own.clone())[..2] else {
+            let [u0, force0] = first.get_or_insert_with(|| found.clone())[..2] else {
                 unreachable!()
             };
             // Round-off of 1000 steps.
@@ -106,10 +106,10 @@ fn laws_in_series_that_do_not_yield_are_one_spring() {
         &["peak(a)", "peak(b)"],
     );
     let laws = stiff.map(|k| json!({"law": "bilinear", "k1": k, "Fy": 1e9, "k2": k}));
-    let own = metrics(&series(&laws), &["peak(a)", "peak(b)", "peak(f.3.S)"]);
-    for (own, alone) in own.iter().zip(alone) {
+    let found = metrics(&series(&laws), &["peak(a)", "peak(b)", "peak(f.3.S)"]);
+    for (peak, alone) in found.iter().zip(alone) {
         // Round-off of 1000 steps.
-        assert!((own / alone - 1.0).abs() < 1e-11, "{own} {alone}");
+        assert!((peak / alone - 1.0).abs() < 1e-11, "{peak} {alone}");
     }
 }
 
@@ -152,7 +152,9 @@ fn bearing([mu, radius, way]: [f64; 3]) -> Vec<Json> {
 }
 
 fn triple() -> Vec<Json> {
-    TRIPLE.map(|own| json!({"parallel": bearing(own)})).to_vec()
+    TRIPLE
+        .map(|given| json!({"parallel": bearing(given)}))
+        .to_vec()
 }
 
 /// How a bearing of the triple pendulum moves under a first loading of F.
@@ -169,12 +171,15 @@ fn a_triple_pendulum_has_its_five_regimes() {
     // Regimes: the inner bearing slides alone, then with one and with both of the others, of which one and both stop.
     let slopes = [0.8, 2.4, 4.0, 2.4, 0.8].map(|radius| WEIGHT / radius);
     let forces = [20.0, 60.0, 120.0, 60.0 + 125.0, 120.0 + 156.25, 320.0];
-    let total = |force: f64| TRIPLE.iter().map(|own| moved(*own, force)).sum::<f64>();
+    let total = |force: f64| TRIPLE.iter().map(|given| moved(*given, force)).sum::<f64>();
     for (pair, slope) in forces.windows(2).zip(slopes) {
         // Beside the elastic parts, which are some 1e-2 of the way.
         let [start, end] = [0.2, 0.9].map(|part| pair[0] + part * (pair[1] - pair[0]));
-        let own = (end - start) / (total(end) - total(start));
-        assert!((own / slope - 1.0).abs() < 0.03, "{pair:?} {own} {slope}");
+        let ratio = (end - start) / (total(end) - total(start));
+        assert!(
+            (ratio / slope - 1.0).abs() < 0.03,
+            "{pair:?} {ratio} {slope}"
+        );
         for sign in [1.0, -1.0] {
             for force in [start, end] {
                 let u = sign * total(force);
@@ -188,12 +193,12 @@ fn a_triple_pendulum_has_its_five_regimes() {
                     "metrics": ["last(f.1.1.S)", "last(f.1.2.S)", "last(f.1.3.S)", "last(f.2.1.S)", "last(f.2.2.S)", "last(f.2.3.S)",
                         "last(f.3.1.S)", "last(f.3.2.S)", "last(f.3.3.S)", "last(f.1.1.r)", "last(f.2.1.r)", "last(f.3.1.r)"]
                 });
-                let all = solved(&study);
-                for (i, own) in TRIPLE.iter().enumerate() {
-                    let sum: f64 = all[3 * i..3 * i + 3].iter().sum();
+                let forces_and_slips = solved(&study);
+                for (i, given) in TRIPLE.iter().enumerate() {
+                    let sum: f64 = forces_and_slips[3 * i..3 * i + 3].iter().sum();
                     // Round-off of 100 steps, of r through the slope of the stop.
                     assert!((sum - sign * force).abs() < 1e-9, "{i} {sum} {force}");
-                    let r = all[9 + i] - sign * moved(*own, force);
+                    let r = forces_and_slips[9 + i] - sign * moved(*given, force);
                     assert!(r.abs() < 1e-13, "{i} {r}");
                 }
             }
@@ -240,17 +245,17 @@ fn a_triple_pendulum_has_no_order_and_no_side() {
     };
     // Books: round-off of the forces of a bearing over those of a step.
     assert!(plain[5] < 1e-11, "{plain:?}");
-    let of = |own: [[f64; 3]; 3], turned: usize| {
-        own.map(|own| {
-            let mut laws = bearing(own);
+    let of = |numbers: [[f64; 3]; 3], turned: usize| {
+        numbers.map(|given| {
+            let mut laws = bearing(given);
             laws.rotate_left(turned);
             json!({"parallel": laws})
         })
     };
     for (order, turned) in [([second, first, third], 1), ([third, second, first], 2)] {
-        let own = shaken(["ground", "deck"], &of(order, turned), 1.0);
-        near(&own[..2], &plain[..2], "order");
-        assert!(own[5] < 1e-11, "{own:?}");
+        let found = shaken(["ground", "deck"], &of(order, turned), 1.0);
+        near(&found[..2], &plain[..2], "order");
+        assert!(found[5] < 1e-11, "{found:?}");
     }
     let other = shaken(["deck", "ground"], &triple(), 1.0);
     // Seen from the other side, restrainers and impacts change their parts.
@@ -263,7 +268,7 @@ fn a_triple_pendulum_has_no_order_and_no_side() {
 fn springs_in_series_and_parallel_are_one_spring() {
     let link = |k: f64| json!({"law": "bilinear", "k1": k, "Fy": 1e9, "k2": k});
     let beside = |a: f64, b: f64| json!({"parallel": [link(a), link(b)]});
-    let chain = |all: [f64; 3]| 1.0 / all.iter().map(|k| 1.0 / k).sum::<f64>();
+    let chain = |stiffnesses: [f64; 3]| 1.0 / stiffnesses.iter().map(|k| 1.0 / k).sum::<f64>();
     let names = ["peak(a)", "peak(b)"];
     let alone = |spring: f64| {
         metrics(
@@ -271,28 +276,28 @@ fn springs_in_series_and_parallel_are_one_spring() {
             &names,
         )
     };
-    let near = |own: &[f64], alone: &[f64]| {
-        for (own, alone) in own.iter().zip(alone) {
+    let near = |found: &[f64], alone: &[f64]| {
+        for (peak, alone) in found.iter().zip(alone) {
             // Round-off of 1000 steps.
-            assert!((own / alone - 1.0).abs() < 1e-11, "{own} {alone}");
+            assert!((peak / alone - 1.0).abs() < 1e-11, "{peak} {alone}");
         }
     };
     let laws = [beside(1e4, 2e4), link(4e4), beside(5e4, 1e3)];
-    let own = metrics(
+    let found = metrics(
         &series(&laws),
         &["peak(a)", "peak(b)", "peak(f.3.2.S)", "energy_error"],
     );
-    near(&own[..2], &alone(chain([3e4, 4e4, 5.1e4])));
-    assert!(own[2] > 0.0 && own[3] < 1e-12, "{own:?}");
+    near(&found[..2], &alone(chain([3e4, 4e4, 5.1e4])));
+    assert!(found[2] > 0.0 && found[3] < 1e-12, "{found:?}");
     // Series in parallel, with parallel in it.
     let inner = json!({"series": [beside(1e4, 2e4), link(4e4), link(1e4)]});
     let contact = json!({"f": {"between": ["a", "b"], "parallel": [link(5e3), inner]}});
-    let own = metrics(
+    let found = metrics(
         &[("contacts", contact)],
         &["peak(a)", "peak(b)", "peak(f.2.1.2.S)", "peak(f.2.node1)"],
     );
-    near(&own[..2], &alone(5e3 + chain([3e4, 4e4, 1e4])));
-    assert!(own[2] > 0.0 && own[3] > 0.0);
+    near(&found[..2], &alone(5e3 + chain([3e4, 4e4, 1e4])));
+    assert!(found[2] > 0.0 && found[3] > 0.0);
 }
 
 #[test]
@@ -300,7 +305,7 @@ fn friction_without_compliance_beside_a_spring_is_in_series() {
     // A block that holds up to 100 beside a spring, behind a spring: until it slides the outer spring alone acts.
     let link = |k: f64| json!({"law": "bilinear", "k1": k, "Fy": 1e9, "k2": k});
     let stuck = json!({"parallel": [{"law": "coulomb", "limit": 1e6}, link(2e4)]});
-    let own = metrics(
+    let found = metrics(
         &series(&[link(3e4), stuck]),
         &["peak(a)", "peak(b)", "peak(f.2.1.r)"],
     );
@@ -308,18 +313,18 @@ fn friction_without_compliance_beside_a_spring_is_in_series() {
         &[("springs", json!([{"between": ["a", "b"], "k": 3e4}]))],
         &["peak(a)", "peak(b)"],
     );
-    for (own, alone) in own.iter().zip(alone) {
-        assert!((own / alone - 1.0).abs() < 1e-11, "{own} {alone}");
+    for (peak, alone) in found.iter().zip(alone) {
+        assert!((peak / alone - 1.0).abs() < 1e-11, "{peak} {alone}");
     }
-    assert!(own[2] < 1e-15, "{own:?}");
+    assert!(found[2] < 1e-15, "{found:?}");
     let slides = json!({"parallel": [{"law": "coulomb", "limit": 100}, link(2e4)]});
-    let own = metrics(
+    let found = metrics(
         &series(&[link(3e4), slides]),
         &["peak(f.2.1.S)", "peak(f.2.1.r)", "energy_error"],
     );
     assert!(
-        (own[0] - 100.0).abs() < 1e-10 && own[1] > 1e-3 && own[2] < 1e-11,
-        "{own:?}"
+        (found[0] - 100.0).abs() < 1e-10 && found[1] > 1e-3 && found[2] < 1e-11,
+        "{found:?}"
     );
 }
 
@@ -439,9 +444,9 @@ fn an_impact_that_friction_holds_closed_begins_when_it_slides() {
             (reversed, [3.7e4, 0.11]),
         ] {
             let other = stuck(&law, names, units);
-            for (own, other) in first.iter().zip(&other) {
-                let size = own.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-                let pairs = own.iter().zip(other);
+            for (curve, other) in first.iter().zip(&other) {
+                let size = curve.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                let pairs = curve.iter().zip(other);
                 let error = pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
                 // Round-off of 200 steps, which the stiffness of the contact magnifies.
                 assert!(

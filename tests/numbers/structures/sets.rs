@@ -83,7 +83,7 @@ fn near(a: f64, b: f64) {
 fn a_pair_reaches_the_strength_of_an_independent_program() {
     let reference = reference();
     for component in COMPONENTS {
-        for (place, period) in [
+        for (goal_text, period) in [
             (0, "0"),
             (1, "0.2"),
             (2, "0.5"),
@@ -91,15 +91,15 @@ fn a_pair_reaches_the_strength_of_an_independent_program() {
             (4, "2"),
             (5, "3"),
         ] {
-            let goal = match place {
+            let goal = match goal_text {
                 0 => r#""pga": 2"#.to_owned(),
                 _ => format!(r#""Sa": 2, "T": {period}"#),
             };
             let ground = together(&format!(r#"{goal}, "component": "{component}""#));
-            for (case, own) in solved(&text("", "", &ground, FACTORS)).iter().enumerate() {
-                assert_eq!(own[0], own[1]);
+            for (case, values) in solved(&text("", "", &ground, FACTORS)).iter().enumerate() {
+                assert_eq!(values[0], values[1]);
                 let strengths = &reference["pairs"][case]["strengths"][period];
-                near(2.0 / own[0], number(&strengths[component]));
+                near(2.0 / values[0], number(&strengths[component]));
             }
         }
     }
@@ -112,10 +112,10 @@ fn a_pair_is_nearest_to_a_target_by_both_squares() {
         for fit in ["linear", "logarithmic"] {
             let goal = format!(r#"{TARGET}, {RANGE}, "component": "{component}", "fit": "{fit}""#);
             let found = solved(&text("", "", &together(&goal), FACTORS));
-            for (case, own) in found.iter().enumerate() {
-                assert_eq!(own[0], own[1]);
+            for (case, values) in found.iter().enumerate() {
+                assert_eq!(values[0], values[1]);
                 near(
-                    own[0],
+                    values[0],
                     number(&reference["pairs"][case]["factors"][component][fit]),
                 );
             }
@@ -135,9 +135,9 @@ fn the_vertical_motion_gets_the_factor_of_its_pair() {
         text("", "", &ground, metrics),
         text("", "", &apart, metrics),
     );
-    for (own, plain) in solved(&both).iter().zip(solved(&plain)) {
-        assert_eq!(own[0], own[1]);
-        assert_eq!(own[2], 2.0 * plain[2]);
+    for (values, plain) in solved(&both).iter().zip(solved(&plain)) {
+        assert_eq!(values[0], values[1]);
+        assert_eq!(values[2], 2.0 * plain[2]);
     }
     // The vertical acceleration of a friction force, too.
     let slider = format!(
@@ -150,10 +150,10 @@ fn the_vertical_motion_gets_the_factor_of_its_pair() {
         r#"{{"x": {{"record": "rx"}}, "y": {{"record": "ry"}}, "z": {{"record": "../records/{UP}"}},
             "scale_to": {{"Sa": 9, "T": 0.5, "component": "rotd50"}}}}"#
     );
-    for own in solved(&with(text("", "", &scaled, metrics))) {
+    for values in solved(&with(text("", "", &scaled, metrics))) {
         // N = 10 (1 + a/g): the larger side has the peak.
-        let side = (own[0] - 1.0).max(1.0 - own[2]);
-        assert!((side - own[1] / 9.80665).abs() < 1e-12, "{own:?}");
+        let side = (values[0] - 1.0).max(1.0 - values[2]);
+        assert!((side - values[1] / 9.80665).abs() < 1e-12, "{values:?}");
     }
 }
 
@@ -187,17 +187,21 @@ fn a_set_gets_the_factor_of_its_rule() {
     ] {
         let found = solved(&text("", "", &ground, SET));
         let wanted = number(&reference["sets"][name]["factor"]);
-        for own in &found {
-            near(own[1], wanted);
-            assert_eq!(own[0], own[3]);
+        for values in &found {
+            near(values[1], wanted);
+            assert_eq!(values[0], values[3]);
             // The rule holds, and with the least factor: only round-off is above.
-            assert!((1.0..1.0 + 1e-15).contains(&own[2]), "{name}: {}", own[2]);
+            assert!(
+                (1.0..1.0 + 1e-15).contains(&values[2]),
+                "{name}: {}",
+                values[2]
+            );
         }
         // On top of those of the pairs.
         if name == "EN 1998-2" {
-            for (case, own) in found.iter().enumerate() {
+            for (case, values) in found.iter().enumerate() {
                 let pair = &reference["pairs"][case]["factors"]["rotd50"]["logarithmic"];
-                near(own[0], number(pair) * wanted);
+                near(values[0], number(pair) * wanted);
             }
         }
     }
@@ -207,9 +211,9 @@ fn a_set_gets_the_factor_of_its_rule() {
 fn a_set_of_one_direction_and_own_factors_is_checked() {
     let reference = number(&reference()["sets"]["alone"]["factor"]);
     let metrics = r#""ground.set_factor", "ground.set_ratio", "ground.factor""#;
-    let ground = |own: &str, set: &str| {
+    let ground = |factor: &str, set: &str| {
         format!(
-            r#"{{"record": "rx", "scale_to": {{"factor": {own}, "unit": "g",
+            r#"{{"record": "rx", "scale_to": {{"factor": {factor}, "unit": "g",
                 "set": {{"least": 0.9, "from": 0.2, "to": 2, {TARGET}{set}}}}}}}"#
         )
     };
@@ -224,14 +228,14 @@ fn a_set_of_one_direction_and_own_factors_is_checked() {
                 "ground": {ground}}}}}"#
         ))
     };
-    for own in alone("", "", &ground("1", "")) {
-        near(own[0], reference);
-        assert!((1.0..1.0 + 1e-15).contains(&own[1]));
+    for values in alone("", "", &ground("1", "")) {
+        near(values[0], reference);
+        assert!((1.0..1.0 + 1e-15).contains(&values[1]));
     }
     // With a factor of the study, the ratio says how far the rule is from it.
-    for own in alone("", "", &ground("1", r#", "factor": 2"#)) {
-        near(own[1], 2.0 / reference);
-        assert_eq!(own[2], 2.0);
+    for values in alone("", "", &ground("1", r#", "factor": 2"#)) {
+        near(values[1], 2.0 / reference);
+        assert_eq!(values[2], 2.0);
     }
     // Numbers replace those of a rule, whose range is from 0.2 of the least to 2 times the largest period.
     let by_rule = |set: &str| {

@@ -343,9 +343,9 @@ fn laws_that_soften_stay_on_their_first_branch_under_small_loads() {
             let name = format!("a{i}");
             masses.insert(name.clone(), json!(1));
             loaded.insert(name.clone(), json!(loads[i]));
-            let mut own = law.clone();
-            own["between"] = json!([below, name]);
-            contacts.insert(format!("h{i}"), own);
+            let mut contact = law.clone();
+            contact["between"] = json!([below, name]);
+            contacts.insert(format!("h{i}"), contact);
             let k = law
                 .get("k1")
                 .or(law.get("k"))
@@ -383,12 +383,12 @@ fn contacts_below_a_soft_spring_carry_the_weight_that_it_leaves() {
         for (i, mass) in masses.iter().enumerate() {
             let name = format!("b{i}");
             bodies.insert(name.clone(), json!({"mass": mass, "direction": "y"}));
-            let mut own = json!({"law": law, "gap": 0, "between": [below, name]});
-            own[stiffness] = json!(1e7);
+            let mut contact = json!({"law": law, "gap": 0, "between": [below, name]});
+            contact[stiffness] = json!(1e7);
             if law == "hunt-crossley" {
-                own["restitution"] = json!(0.6);
+                contact["restitution"] = json!(0.6);
             }
-            contacts.insert(format!("c{i}"), own);
+            contacts.insert(format!("c{i}"), contact);
             below = name;
         }
         let study = json!({

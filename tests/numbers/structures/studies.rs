@@ -81,7 +81,7 @@ fn the_example_of_the_format_is_read() {
 #[test]
 fn every_fault_has_its_place_and_says_what_is_allowed() {
     let folder = folder(0.0);
-    for (from, to, place, message) in [
+    for (from, to, path, message) in [
         (
             "\"gap\": [",
             "\"unused\": 1, \"gap\": [",
@@ -256,7 +256,7 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
         let text = EXAMPLE.replacen(from, to, 1);
         let faults = read(folder.path(), &text).unwrap_err();
         assert!(
-            faults.contains(place) && faults.contains(message),
+            faults.contains(path) && faults.contains(message),
             "{from} -> {to}: {faults}"
         );
     }
@@ -269,12 +269,12 @@ fn the_bytes_of_a_record_belong_to_the_results_and_remarks_do_not() {
         let study = read(folder.path(), text).unwrap();
         study.problem.as_structure().unwrap().identity().to_owned()
     };
-    let own = identity(0.0, EXAMPLE);
+    let as_given = identity(0.0, EXAMPLE);
     let remark = EXAMPLE.replace("\"units\":", "\"//\": \"a remark\",\n  \"units\":");
-    assert_eq!(identity(0.0, &remark), own);
-    assert_ne!(identity(0.25, EXAMPLE), own);
+    assert_eq!(identity(0.0, &remark), as_given);
+    assert_ne!(identity(0.25, EXAMPLE), as_given);
     let stiffer = EXAMPLE.replace("\"k\": 2e6", "\"k\": 3e6");
-    assert_ne!(identity(0.0, &stiffer), own);
+    assert_ne!(identity(0.0, &stiffer), as_given);
 }
 
 fn parse(text: &str) -> Study {
@@ -285,13 +285,13 @@ fn parse(text: &str) -> Study {
 fn one_mass_with_friction_is_the_friction_oscillator() {
     // In the oscillator's scales mass, stiffness and limit are 1. Round-off of 400 steps of numbers up to 12, and of S, which is a
     // difference of numbers up to 12 over alpha = 0.1.
-    for (law, own, width) in [
+    for (law, key, width) in [
         ("displacement-control", "alpha", "\"rE\": 0.1"),
         ("velocity-control", "beta", "\"rdotE\": 0.1"),
     ] {
         let time = "\"duration\": \"8*pi\"";
         let oscillator = parse(&format!(
-            r#"{{"problem": "friction-oscillator", "parameters": {{"law": "{law}", "{own}": 0.1, "dT": "pi/50", {time}}}}}"#
+            r#"{{"problem": "friction-oscillator", "parameters": {{"law": "{law}", "{key}": 0.1, "dT": "pi/50", {time}}}}}"#
         ));
         let structure = parse(&format!(
             r#"{{"problem": "structure", "parameters": {{"dt": "pi/50", {time}}}, "structure": {{"masses": {{"x": 1}},
@@ -333,10 +333,10 @@ fn a_sweep_has_the_bits_of_single_cases_whatever_its_order() {
     study.cases().for_each(|case| cases.push(&case));
     let rows: Vec<u32> = (0..138).rev().collect();
     let table = study.problem.sweep(&cases, &rows);
-    for (place, row) in rows.iter().enumerate() {
+    for (row_number, row) in rows.iter().enumerate() {
         let case = study.case(u64::from(*row)).unwrap();
         let alone = study.problem.solve(&case, &[]).unwrap().metrics;
-        let swept: Vec<Option<f64>> = table.row(place).collect();
+        let swept: Vec<Option<f64>> = table.row(row_number).collect();
         let bits = |metrics: &[Option<f64>]| -> Vec<Option<u64>> {
             metrics.iter().map(|x| x.map(f64::to_bits)).collect()
         };

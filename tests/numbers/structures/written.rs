@@ -204,11 +204,11 @@ fn mirrored(structure: &Json, channels: &Channels) -> (Json, Channels) {
     for (name, contact) in structure["contacts"].as_object().unwrap() {
         if let Some(laws) = contact["series"].as_array() {
             for i in 1..=laws.len() {
-                let place = channels
+                let column = channels
                     .forces
                     .iter()
-                    .position(|own| *own == format!("{name}.{i}.S"));
-                names.forces[place.unwrap()] = format!("{name}.{}.S", laws.len() + 1 - i);
+                    .position(|channel| *channel == format!("{name}.{i}.S"));
+                names.forces[column.unwrap()] = format!("{name}.{}.S", laws.len() + 1 - i);
             }
         }
     }
@@ -218,8 +218,8 @@ fn mirrored(structure: &Json, channels: &Channels) -> (Json, Channels) {
 fn reordered(structure: &Json) -> Json {
     let mut other = structure.clone();
     for key in ["masses", "contacts"] {
-        let own = structure[key].as_object().unwrap();
-        other[key] = own
+        let members = structure[key].as_object().unwrap();
+        other[key] = members
             .iter()
             .rev()
             .map(|(name, value)| (name.clone(), value.clone()))
@@ -259,14 +259,17 @@ fn dimension(key: &str, law: &Json) -> [f64; 2] {
 
 fn in_units(of: &Json, key: &str, law: &Json) -> Json {
     match of {
-        Json::Object(own) => own
+        Json::Object(members) => members
             .iter()
             .map(|(key, value)| (key.clone(), in_units(value, key, of)))
             .collect(),
-        Json::Array(own) => own.iter().map(|value| in_units(value, key, law)).collect(),
-        Json::Number(own) => {
+        Json::Array(items) => items
+            .iter()
+            .map(|value| in_units(value, key, law))
+            .collect(),
+        Json::Number(number) => {
             let [length, force] = dimension(key, law);
-            json!(own.as_f64().unwrap() * UNITS[0].powf(length) * UNITS[1].powf(force))
+            json!(number.as_f64().unwrap() * UNITS[0].powf(length) * UNITS[1].powf(force))
         }
         Json::Null | Json::Bool(_) | Json::String(_) => of.clone(),
     }
@@ -275,8 +278,8 @@ fn in_units(of: &Json, key: &str, law: &Json) -> Json {
 fn scaled(structure: &Json) -> Json {
     let mut other = structure.clone();
     for key in ["springs", "start", "contacts", "loads"] {
-        if let Some(own) = other.get_mut(key) {
-            *own = in_units(own, key, &Json::Null);
+        if let Some(given) = other.get_mut(key) {
+            *given = in_units(given, key, &Json::Null);
         }
     }
     for mass in other["masses"].as_object_mut().unwrap().values_mut() {
@@ -334,28 +337,27 @@ fn writing_a_structure_in_another_way_does_not_change_its_motion() {
         let motion = solve(&structure, &names);
         let least = motion
             .as_ref()
-            .map_or(0.0, |own| spring_force(&structure, own));
-        if let Ok(own) = &motion {
+            .map_or(0.0, |solved| spring_force(&structure, solved));
+        if let Ok(solved) = &motion {
             // Contacts in series have one force, but for their signs, at every step. A structure that friction holds has no energy.
-            let error = if largest(&own.u) > 1e-9 {
-                own.energy_error
+            let error = if largest(&solved.u) > 1e-9 {
+                solved.energy_error
             } else {
                 0.0
             };
-            let holds = error < 1e-8 && has_one_force(&structure, own);
+            let holds = error < 1e-8 && has_one_force(&structure, solved);
             if !holds {
                 bad.push(format!("{seed} energy error {error:e} {structure}"));
             }
         }
         for (how, other, names, [length, force]) in others {
             let there = solve(&other, names);
-            let difference =
-                match (&motion, &there) {
-                    (Ok(own), Ok(there)) => difference(&own.u, &there.u, length, 1e-9)
-                        .max(difference(&own.forces, &there.forces, force, least)),
-                    (Err(_), Err(_)) => 0.0,
-                    _ => f64::INFINITY,
-                };
+            let difference = match (&motion, &there) {
+                (Ok(here), Ok(there)) => difference(&here.u, &there.u, length, 1e-9)
+                    .max(difference(&here.forces, &there.forces, force, least)),
+                (Err(_), Err(_)) => 0.0,
+                _ => f64::INFINITY,
+            };
             let agrees = difference < 1e-9;
             if !agrees {
                 let refused = [motion.as_ref().err(), there.as_ref().err()];
@@ -372,9 +374,9 @@ fn writing_a_structure_in_another_way_does_not_change_its_motion() {
 fn has_one_force(structure: &Json, motion: &Motion) -> bool {
     let mut forces = motion.forces.iter();
     let contacts = structure["contacts"].as_object().unwrap().values();
-    let counts = contacts.map(|own| own["series"].as_array().map_or(1, Vec::len));
+    let counts = contacts.map(|laws| laws["series"].as_array().map_or(1, Vec::len));
     counts.into_iter().all(|count| {
-        let own: Vec<_> = forces.by_ref().take(count).collect();
-        own.windows(2).all(|pair| pair[0] == pair[1])
+        let of_contact: Vec<_> = forces.by_ref().take(count).collect();
+        of_contact.windows(2).all(|pair| pair[0] == pair[1])
     })
 }

@@ -27,8 +27,8 @@ fn numbers(rows: &[Row], column: &str, with: &[(&str, &str)]) -> Vec<f64> {
         (Ok(cell), Ok(value)) => cell == value,
         (Ok(_) | Err(_), _) => cell == value,
     };
-    let all = |row: &&Row| with.iter().all(|(name, value)| same(&row[*name], value));
-    let chosen = rows.iter().filter(all);
+    let is_chosen = |row: &&Row| with.iter().all(|(name, value)| same(&row[*name], value));
+    let chosen = rows.iter().filter(is_chosen);
     let numbers: Vec<f64> = chosen.filter_map(|row| row[column].parse().ok()).collect();
     assert!(!numbers.is_empty(), "{column} {with:?}");
     numbers
@@ -118,11 +118,11 @@ fn medians_of_samples() {
         says(&format!("| {name} | {sigma} | {ranges} |"));
         let reduction = format!("median {column} over member");
         let of = |n| numbers(&rows, "value", &[("reduction", &reduction), ("n", n)]);
-        let all = of("320")[0];
+        let finest = of("320")[0];
         for (n, range) in ["7", "20", "80"].into_iter().zip(ranges.split(" | ")) {
             let percent = range.trim_end_matches(" %").replace('−', "-");
             let (low, high) = percent.split_once('…').unwrap();
-            let found = ends(&of(n)).map(|x| 100.0 * (x / all - 1.0));
+            let found = ends(&of(n)).map(|x| 100.0 * (x / finest - 1.0));
             for (found, page) in found.iter().zip([low, high]) {
                 let page: f64 = page.parse().unwrap();
                 assert!(
@@ -180,7 +180,7 @@ fn intervals_of_fragilities() {
             }
         }
     }
-    let all = of("240", "dispersion")[0];
+    let dispersion = of("240", "dispersion")[0];
     let contain = |low, high| {
         // A row for each capacity, six of each sample.
         let ends = of("6", low).into_iter().zip(of("6", high)).step_by(6);
@@ -188,7 +188,7 @@ fn intervals_of_fragilities() {
         assert_eq!(ends.len(), 40);
         let inside = ends
             .iter()
-            .filter(|(low, high)| *low <= all && all <= *high);
+            .filter(|(low, high)| *low <= dispersion && dispersion <= *high);
         inside.count()
     };
     assert_eq!(
@@ -229,20 +229,20 @@ fn restitution_of_laws() {
 fn creep_of_softened_friction() {
     says("computed drifts are 0.96 to 1.02 of that, in earthquakes, too");
     let rows = table("friction/friction-creep/results.csv");
-    let mut all = Vec::new();
+    let mut found = Vec::new();
     for load in ["0.2", "0.5", "0.8"] {
         let law = [("law", "velocity-control"), ("k", "0"), ("load", load)];
-        all.extend(numbers(
+        found.extend(numbers(
             &rows,
             "drift_over_W",
             &[&law[..], &[("scale", "0")]].concat(),
         ));
         for scale in ["0.2", "1"].iter().filter(|_| load != "0.8") {
             let with = [&law[..], &[("scale", *scale), ("dt", "0.0025")]].concat();
-            all.extend(numbers(&rows, "drift_over_W", &with));
+            found.extend(numbers(&rows, "drift_over_W", &with));
         }
     }
-    let [least, largest] = ends(&all);
+    let [least, largest] = ends(&found);
     assert!(
         (least - 0.96).abs() < 0.005 && (largest - 1.02).abs() < 0.005,
         "{least} {largest}"

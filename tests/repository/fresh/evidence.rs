@@ -10,8 +10,8 @@ fn the_studies_meet_their_checks() {
     for study in crate::studies() {
         let manifest = crate::manifest(&results, &study);
         let warnings = manifest["warnings"].as_array().unwrap().iter();
-        let own = warnings.filter(|warning| warning["kind"] == "check-not-met");
-        not_met.extend(own.map(|warning| format!("{study}: {}", warning["message"])));
+        let checks_not_met = warnings.filter(|warning| warning["kind"] == "check-not-met");
+        not_met.extend(checks_not_met.map(|warning| format!("{study}: {}", warning["message"])));
     }
     assert!(not_met.is_empty(), "{}", not_met.join("\n"));
 }

@@ -59,8 +59,8 @@ fn committed_results_are_pictures_of_pages_and_small_tables() {
         ));
     }
     let pages = [CLAIMS, hashes::FILE].map(|name| format!("figures/{name}"));
-    let own = tracked.iter().filter(|name| name.starts_with("figures/"));
-    for name in own.filter(|name| !pages.contains(*name) && !shown.contains(name)) {
+    let pictures = tracked.iter().filter(|name| name.starts_with("figures/"));
+    for name in pictures.filter(|name| !pages.contains(*name) && !shown.contains(name)) {
         let size = fs::metadata(crate::root().join(name)).map_or(0, |file| file.len());
         if !name.ends_with(".csv") || size >= LARGEST_TABLE {
             faults.push(format!(

@@ -8,11 +8,11 @@ use std::collections::{BTreeMap, BTreeSet};
 type Graph = BTreeMap<String, BTreeMap<String, String>>;
 
 /// The circles of a crate as text, one for each set of modules.
-pub fn of(own: &Crate) -> Vec<String> {
+pub fn of(tree: &Crate) -> Vec<String> {
     let mut folders: BTreeMap<Vec<String>, Graph> = BTreeMap::new();
-    for module in own.modules.iter().filter(|module| !module.is_test) {
+    for module in tree.modules.iter().filter(|module| !module.is_test) {
         for path in imports(module) {
-            let (from, to) = (&module.path[..], own.module_of(&path));
+            let (from, to) = (&module.path[..], tree.module_of(&path));
             let common = from.iter().zip(to).take_while(|(a, b)| a == b).count();
             if let (Some(a), Some(b)) = (from.get(common), to.get(common)) {
                 let graph = folders.entry(from[..common].to_vec()).or_default();
@@ -22,9 +22,9 @@ pub fn of(own: &Crate) -> Vec<String> {
         }
     }
     let circles = folders.iter().flat_map(|(folder, graph)| {
-        let place = [vec![own.name.clone()], folder.clone()].concat().join("/");
+        let room = [vec![tree.name.clone()], folder.clone()].concat().join("/");
         let circles = circles(graph).into_iter();
-        circles.map(move |circle| format!("{place}: {}", described(graph, &circle)))
+        circles.map(move |circle| format!("{room}: {}", described(graph, &circle)))
     });
     circles.collect()
 }
@@ -45,25 +45,33 @@ fn reached(graph: &Graph, from: &str) -> BTreeSet<String> {
 
 /// The sets of modules that all import one another.
 fn circles(graph: &Graph) -> BTreeSet<BTreeSet<String>> {
-    let all: BTreeMap<&String, BTreeSet<String>> =
-        graph.keys().map(|own| (own, reached(graph, own))).collect();
-    let circle = |(own, reached): (&&String, &BTreeSet<String>)| {
-        let back = |other: &&String| all.get(other).is_some_and(|back| back.contains(*own));
+    let reached_by: BTreeMap<&String, BTreeSet<String>> = graph
+        .keys()
+        .map(|module| (module, reached(graph, module)))
+        .collect();
+    let circle = |(from, reached): (&&String, &BTreeSet<String>)| {
+        let back = |other: &&String| {
+            reached_by
+                .get(other)
+                .is_some_and(|back| back.contains(*from))
+        };
         reached
-            .contains(*own)
+            .contains(*from)
             .then(|| reached.iter().filter(back).cloned().collect())
     };
-    all.iter().filter_map(circle).collect()
+    reached_by.iter().filter_map(circle).collect()
 }
 
 /// The imports between the modules of a circle, each with a file.
 fn described(graph: &Graph, circle: &BTreeSet<String>) -> String {
     let mut lines = vec![circle.iter().cloned().collect::<Vec<_>>().join(", ")];
-    for own in circle {
-        let imported = graph[own]
+    for module in circle {
+        let imported = graph[module]
             .iter()
             .filter(|(other, _)| circle.contains(*other));
-        lines.extend(imported.map(|(other, file)| format!("    {own} imports {other} in {file}")));
+        lines.extend(
+            imported.map(|(other, file)| format!("    {module} imports {other} in {file}")),
+        );
     }
     lines.join("\n")
 }

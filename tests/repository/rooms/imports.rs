@@ -163,14 +163,14 @@ fn is_test_attribute(tokens: &[TokenTree]) -> bool {
 fn tree(tokens: &[TokenTree]) -> Vec<Path> {
     let mut paths = Vec::new();
     for part in tokens.split(|token| is_point(token, ',')) {
-        let own = names(part);
+        let path_names = names(part);
         match part.last() {
             Some(TokenTree::Group(group)) => {
                 let inner: Vec<TokenTree> = group.stream().into_iter().collect();
                 let inner = tree(&inner).into_iter();
-                paths.extend(inner.map(|path| [own.clone(), path].concat()));
+                paths.extend(inner.map(|path| [path_names.clone(), path].concat()));
             }
-            _ => paths.push(own),
+            _ => paths.push(path_names),
         }
     }
     paths
@@ -179,12 +179,12 @@ fn tree(tokens: &[TokenTree]) -> Vec<Path> {
 /// The names at the beginning that `::` joins.
 fn names(tokens: &[TokenTree]) -> Path {
     let mut names = Vec::new();
-    for own in tokens.chunks(3) {
-        let TokenTree::Ident(name) = &own[0] else {
+    for window in tokens.chunks(3) {
+        let TokenTree::Ident(name) = &window[0] else {
             break;
         };
         names.push(name.to_string());
-        if !(own.len() == 3 && is_point(&own[1], ':') && is_point(&own[2], ':')) {
+        if !(window.len() == 3 && is_point(&window[1], ':') && is_point(&window[2], ':')) {
             break;
         }
     }
@@ -205,5 +205,5 @@ fn is(tokens: &[TokenTree], i: usize, word: &str) -> bool {
 }
 
 fn is_point(token: &TokenTree, point: char) -> bool {
-    matches!(token, TokenTree::Punct(own) if own.as_char() == point)
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == point)
 }

@@ -85,8 +85,8 @@ fn no_modules_of_a_folder_import_one_another_in_a_circle() {
 #[test]
 fn no_file_has_more_than_300_lines_before_its_tests() {
     let mut offences = Vec::new();
-    for own in Crate::all(root()) {
-        for module in own.modules.iter().filter(|module| !module.is_test) {
+    for tree in Crate::all(root()) {
+        for module in tree.modules.iter().filter(|module| !module.is_test) {
             let lines = sources::before_tests(&module.text).lines().count();
             if lines > MOST_LINES {
                 offences.push(format!("{lines} {}", module.file.display()));
@@ -101,11 +101,11 @@ fn a_room_has_no_more_lines_than_its_limit() {
     let crates = Crate::all(root());
     let mut offences = Vec::new();
     for (name, folders, limit) in ROOMS {
-        let own = crates
+        let counted = crates
             .iter()
-            .filter(|own| folders.contains(&own.name.as_str()));
-        let modules = own
-            .flat_map(|own| &own.modules)
+            .filter(|tree| folders.contains(&tree.name.as_str()));
+        let modules = counted
+            .flat_map(|tree| &tree.modules)
             .filter(|module| !module.is_test);
         let lines: usize = modules
             .map(|module| sources::lines_of_code(&module.text))
@@ -129,7 +129,7 @@ fn no_folder_has_more_than_15_entries() {
             let inside = WalkDir::new(folder.path()).min_depth(1).max_depth(1);
             let count = inside.into_iter().filter_entry(is_source).count();
             let name = folder.path().strip_prefix(root()).unwrap();
-            if count > MOST_ENTRIES && EXEMPT.iter().all(|own| Path::new(own) != name) {
+            if count > MOST_ENTRIES && EXEMPT.iter().all(|exempt| Path::new(exempt) != name) {
                 offences.push(format!("{count} {}", name.display()));
             }
         }

@@ -52,8 +52,10 @@ impl Crate {
             if file.extension().is_none_or(|end| end != "rs") {
                 continue;
             }
-            let place = file.strip_prefix(&source).unwrap().with_extension("");
-            let parts = place.iter().map(|part| part.to_string_lossy().into_owned());
+            let relative = file.strip_prefix(&source).unwrap().with_extension("");
+            let parts = relative
+                .iter()
+                .map(|part| part.to_string_lossy().into_owned());
             let mut path: Vec<String> = parts.collect();
             if ["mod", "lib", "main"].contains(&path[path.len() - 1].as_str()) {
                 path.pop();
@@ -77,7 +79,7 @@ impl Crate {
 
     /// The longest part of a path that is a module.
     pub fn module_of<'a>(&self, path: &'a [String]) -> &'a [String] {
-        let is_module = |n: &usize| self.modules.iter().any(|own| own.path == path[..*n]);
+        let is_module = |n: &usize| self.modules.iter().any(|module| module.path == path[..*n]);
         let known = (1..=path.len()).rev().find(is_module);
         &path[..known.unwrap_or(0)]
     }

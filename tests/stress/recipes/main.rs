@@ -33,11 +33,11 @@ fn commands(section: &str) -> String {
 /// Runs the commands of a section, if `test` succeeds, and compares the results.
 fn run(section: &str, test: &[&str]) {
     let bench = Bench::new();
-    let own = Path::new(env!("CARGO_BIN_EXE_slipgap-tested"))
+    let program_folder = Path::new(env!("CARGO_BIN_EXE_slipgap-tested"))
         .parent()
         .unwrap();
     let path = std::env::var_os("PATH").unwrap_or_default();
-    let folders = [own.to_owned()]
+    let folders = [program_folder.to_owned()]
         .into_iter()
         .chain(std::env::split_paths(&path));
     let path = std::env::join_paths(folders).unwrap();

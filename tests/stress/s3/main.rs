@@ -67,9 +67,9 @@ fn a_run_writes_the_same_bytes_and_the_next_one_removes_what_is_outdated() {
     let name = "a folder/100 % of ü~[x]+&=";
     let out = format!("s3://plain/{name}");
     bench.file("own/s/notes.txt", "mine");
-    for place in [format!("out/{name}"), format!("put/{name}")] {
-        bench.file(&format!("{place}/s/notes.txt"), "mine");
-        bench.file(&format!("{place}/s/histories/77.csv"), "mine");
+    for folder in [format!("out/{name}"), format!("put/{name}")] {
+        bench.file(&format!("{folder}/s/notes.txt"), "mine");
+        bench.file(&format!("{folder}/s/histories/77.csv"), "mine");
     }
     SERVER.client(&bench, &["put", "plain", "put"]);
     let local = format!("out/{name}");

@@ -187,18 +187,18 @@ fn ten_million_cases_in_a_hundred_shards_with_kills() {
         (&found["state"], &found["done"], &found["failed"]),
         (&"done".into(), &CASES.into(), &0.into())
     );
-    let (own, whole) = (files(&work.path("out")), files(&work.path("whole")));
-    assert_eq!(own, whole);
-    for name in own.keys() {
+    let (in_shards, whole) = (files(&work.path("out")), files(&work.path("whole")));
+    assert_eq!(in_shards, whole);
+    for name in in_shards.keys() {
         let same = fs::read(work.path("out").join(name)).unwrap()
             == fs::read(work.path("whole").join(name)).unwrap();
         assert!(same, "other bytes: {name}");
     }
-    let bytes: u64 = own.values().sum();
+    let bytes: u64 = in_shards.values().sum();
     let lost = CASES - found["done"].as_u64().unwrap();
     eprintln!(
         "{SHARDS} shards, {CASES} cases: {round} submissions, {kills} kills, {requeues} requeued, {wall:.0} s; {lost} cases lost; {} files, {bytes} bytes, all the same; merge from {} to {}",
-        own.len(),
+        in_shards.len(),
         field(&shown, "StartTime"),
         field(&shown, "EndTime"),
     );

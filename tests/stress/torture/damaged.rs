@@ -50,18 +50,18 @@ fn damage(tree: &mut Tree, former: &Tree, random: &mut Random) -> String {
     let one = parts_now[random.below(parts_now.len() as u64) as usize].clone();
     let two = parts_now[random.below(parts_now.len() as u64) as usize].clone();
     let bytes = tree[&one].clone();
-    let place = random.below(bytes.len() as u64) as usize;
+    let at = random.below(bytes.len() as u64) as usize;
     let damage = match random.below(10) {
         0 => {
             flip(tree.get_mut(&one).unwrap(), random);
             "a bit of one is inverted"
         }
         1 => {
-            tree.insert(one.clone(), bytes[..place].to_vec());
+            tree.insert(one.clone(), bytes[..at].to_vec());
             "one is truncated"
         }
         2 => {
-            tree.insert(one.clone(), [&bytes[..], &bytes[..place]].concat());
+            tree.insert(one.clone(), [&bytes[..], &bytes[..at]].concat());
             "one is longer"
         }
         3 => {
@@ -102,7 +102,7 @@ fn damage(tree: &mut Tree, former: &Tree, random: &mut Random) -> String {
         }
         8 => {
             tree.remove(&one);
-            let cut = bytes[..place].to_vec();
+            let cut = bytes[..at].to_vec();
             tree.insert(forged(&one, &cut), cut);
             "one is truncated, with a valid checksum"
         }

@@ -130,14 +130,14 @@ impl Scene {
         let manifest: Json = manifest.unwrap_or_else(|e| panic!("{what}: the manifest: {e}"));
         let files = manifest["files"].as_array().unwrap();
         let unfinished = manifest["unfinished"]["cases"].as_u64().unwrap_or(0);
-        let own = tree.keys().filter_map(|name| name.strip_prefix("s/"));
+        let of_study = tree.keys().filter_map(|name| name.strip_prefix("s/"));
         let other = |name: &str| {
             name.is_empty()
                 || name.ends_with('/')
                 || name.ends_with(".partial")
                 || name.starts_with("store/")
         };
-        for name in own.filter(|name| !other(name) && *name != "manifest.json") {
+        for name in of_study.filter(|name| !other(name) && *name != "manifest.json") {
             let case = name
                 .strip_prefix("histories/")
                 .and_then(|name| name.strip_suffix(".csv"));

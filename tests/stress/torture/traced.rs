@@ -76,9 +76,9 @@ fn each(
             strace: strace.clone(),
             scene,
         };
-        for (place, call) in calls.iter().enumerate() {
+        for (number, call) in calls.iter().enumerate() {
             // The short form begins with a different call for each kind.
-            let first = 1 + place as u64 % stride;
+            let first = 1 + number as u64 % stride;
             let hits = (first..).step_by(stride as usize);
             let hits = hits.take_while(|n| disturb(&traced, call, *n)).count();
             eprintln!("{:?}, {call}: {hits} calls disturbed", scene.words);

@@ -105,10 +105,10 @@ fn assert_near(
         let Some(tolerance) = round_off(stiffness(case)) else {
             continue;
         };
-        let place = format!("{study}, case {case}, {name}: {a} is {b}");
+        let difference = format!("{study}, case {case}, {name}: {a} is {b}");
         match (a.parse::<f64>(), b.parse::<f64>()) {
-            (Ok(x), Ok(y)) => assert!((x - y).abs() <= tolerance * largest, "{place}"),
-            _ => assert_eq!(a, b, "{place}"),
+            (Ok(x), Ok(y)) => assert!((x - y).abs() <= tolerance * largest, "{difference}"),
+            _ => assert_eq!(a, b, "{difference}"),
         }
     }
 }
