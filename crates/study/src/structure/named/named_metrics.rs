@@ -221,12 +221,12 @@ pub(in crate::structure) fn drawn(root: &Object, names: &Names, faults: &mut Fau
         let Tree::Object(members) = &figure.tree else {
             continue;
         };
-        let kinds = members.iter().filter(|member| member.key == "kind");
-        let keys = kinds.filter_map(|member| match &member.node.tree {
+        let mut kinds = members.iter().filter(|member| member.key == "kind");
+        let keys = kinds.find_map(|member| match &member.node.tree {
             Tree::Text(kind) => KINDS.iter().find(|own| own.0 == kind).map(|own| own.1),
-            _ => None,
+            Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
         });
-        let keys = keys.last().unwrap_or_default();
+        let keys = keys.unwrap_or_default();
         for member in members
             .iter()
             .filter(|own| keys.contains(&own.key.as_str()))
