@@ -75,12 +75,11 @@ pub fn encode(
         .metrics
         .iter()
         .map(|metric| Source::Metric(numbers(metric)));
-    let last = [Source::Failures, Source::Warnings];
-    let sources = once(Source::Cases)
+    let mut sources: Vec<Source> = once(Source::Cases)
         .chain(parameters)
         .chain(values)
-        .chain(last);
-    let sources: Vec<Source> = sources.collect();
+        .collect();
+    sources.extend([Source::Failures, Source::Warnings]);
     let columns = sources.par_iter().enumerate();
     let columns = columns.map_init(Vec::new, |memory, (index, source)| {
         encoder.column(index, source, memory)
@@ -127,38 +126,33 @@ impl Encoder<'_> {
         Ok(chunks.chain(once(footer.into())).collect())
     }
 
-    fn column(
-        &self,
-        column: usize,
-        source: &Source,
-        memory: &mut Vec<u8>,
-    ) -> Result<EncodedColumn> {
+    fn column(&self, index: usize, source: &Source, memory: &mut Vec<u8>) -> Result<EncodedColumn> {
         let len = self.cases.len();
         match source {
             Source::Cases => {
                 let number = |row| (self.first + self.cases.offset(row)) as i64;
                 let numbers: Vec<i64> = (0..len).map(number).collect();
-                self.written(column, |writer| write_all::<Int64Type>(writer, &numbers))
+                self.written(index, |writer| write_all::<Int64Type>(writer, &numbers))
             }
             Source::Parameter(_, Column::Each(Cells::Numbers(numbers))) => {
                 match numbers::repeat(numbers) {
-                    true => self.written(column, |writer| write_numbers(writer, numbers)),
-                    false => self.numbers(column, numbers, applies, memory),
+                    true => self.written(index, |writer| write_numbers(writer, numbers)),
+                    false => self.numbers(index, numbers, applies, memory),
                 }
             }
             Source::Parameter(_, Column::Each(cells)) => {
-                self.written(column, |writer| write_cells_of(writer, cells))
+                self.written(index, |writer| write_cells_of(writer, cells))
             }
-            Source::Parameter(kind, Column::Same(value)) => self.same(column, *kind, *value),
-            Source::Metric(numbers) => self.numbers(column, numbers, |x| !x.is_nan(), memory),
+            Source::Parameter(kind, Column::Same(value)) => self.same(index, *kind, *value),
+            Source::Metric(numbers) => self.numbers(index, numbers, |x| !x.is_nan(), memory),
             // Most parts have no failures and no warnings.
-            Source::Failures if self.metrics.failures().next().is_none() => self.empty(column),
-            Source::Failures => self.text(column, |case| {
+            Source::Failures if self.metrics.failures().next().is_none() => self.empty(index),
+            Source::Failures => self.text(index, |case| {
                 let why = self.metrics.failure(case)?.to_string();
                 Some(ByteArray::from(why.as_str()))
             }),
-            Source::Warnings if self.metrics.warned().next().is_none() => self.empty(column),
-            Source::Warnings => self.text(column, |case| {
+            Source::Warnings if self.metrics.warned().next().is_none() => self.empty(index),
+            Source::Warnings => self.text(index, |case| {
                 let warnings = self.metrics.warnings(case);
                 (!warnings.is_empty()).then(|| ByteArray::from(warnings.names().as_str()))
             }),

@@ -35,12 +35,12 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "contact, system, motion",
         &["crates/contact", "crates/system", "crates/motion"],
-        36_200,
+        36_400,
     ),
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        36_400,
+        36_900,
     ),
     (
         "drawing, figures",
