@@ -18,7 +18,12 @@ fn metrics(given: &Json) -> impl Fn(&str) -> Option<f64> + use<> {
         let row = problem().metrics().iter().position(|m| m.name == name);
         row.unwrap_or_else(|| panic!("{name}"))
     };
-    let wanted = ["contact_duration_exact", "peak_force_exact", "restitution_exact"].map(row);
+    let wanted = [
+        "contact_duration_exact",
+        "peak_force_exact",
+        "restitution_exact",
+    ]
+    .map(row);
     let found = problem().solve(&case(&*problem(), given), &wanted).unwrap();
     move |name| found.metrics[row(name)]
 }
