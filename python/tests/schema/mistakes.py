@@ -184,7 +184,8 @@ CHANGES: list[tuple[str, dict[str, Any], str, Any]] = [
 ]
 
 # A law may be a parameter, and any name may be a parameter that an expression contains.
-ONLY_THE_PROGRAM = {"unknown law of a contact", "unknown law in a series", "alpha of hht"}
+# An unknown parameter may be a name of the study's own, which some expression contains.
+ONLY_THE_PROGRAM = {"unknown law of a contact", "unknown law in a series", "alpha of hht", "unknown parameter"}
 
 
 def changed(study: dict[str, Any], path: str, value: Any) -> dict[str, Any]:

@@ -45,10 +45,17 @@ def test_mistakes_are_refused_by_both(name: str, program: str, tmp_path: Path) -
 
 def laws() -> list[tuple[str, list[str]]]:
     """The laws of structures, each with the keys of its numbers."""
-    contact = SCHEMA.schema["definitions"]["structure.contact"]
-    rules = [rule for rule in contact["allOf"] if "if" in rule]
-    common = set.intersection(*(set(rule["then"]["propertyNames"]["enum"]) for rule in rules))
-    keys = [sorted(set(rule["then"]["propertyNames"]["enum"]) - common) for rule in rules]
+    definitions = SCHEMA.schema["definitions"]
+
+    def written_out(part: dict[str, Any]) -> dict[str, Any]:
+        """What a part refers to, if it is a reference."""
+        return definitions[part["$ref"].removeprefix("#/definitions/")] if "$ref" in part else part
+
+    contact = definitions["structure.contact"]
+    rules = [rule for rule in map(written_out, contact["allOf"]) if "if" in rule]
+    names = [set(written_out(written_out(rule["then"])["propertyNames"])["enum"]) for rule in rules]
+    common = set.intersection(*names)
+    keys = [sorted(of_law - common) for of_law in names]
     return [(rule["if"]["properties"]["law"]["const"], law_keys) for rule, law_keys in zip(rules, keys)]
 
 
