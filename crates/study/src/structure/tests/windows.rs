@@ -95,6 +95,59 @@ fn a_window_outside_of_the_motion_is_a_fault() {
     }
 }
 
+#[test]
+fn errors_of_a_window_are_those_of_a_frequency_that_is_too_low() {
+    // u = cos t; average acceleration has cos(w t) with tan(w dt/2) = dt/2 at the steps.
+    let found = metrics(
+        r#"{"problem": "structure", "parameters": {"dt": 0.5, "duration": 20, "begin": 10},
+            "structure": {"masses": {"m": 1}, "start": {"m": {"u": 1}}, "springs": [{"between": ["ground", "m"], "k": 1}],
+                "contacts_reference": "softened"},
+            "metrics": ["rms_error(m, from=begin)", "peak_error(m, from=12, to=14)", "last_error(m, to=15.2)", "step_error(m, from=begin)",
+                "difference(m, from=begin)", "rms(m, to=2*begin)"]}"#,
+    );
+    let w = 2.0 / 0.5 * f64::atan(0.25);
+    let computed = |i: usize| libm::cos(w * 0.5 * i as f64);
+    let exact = |i: usize| libm::cos(0.5 * i as f64);
+    let squares: f64 = (20..=40).map(|i| (computed(i) - exact(i)).powi(2)).sum();
+    let peak =
+        |of: &dyn Fn(usize) -> f64| (24..=28).fold(0.0, |most: f64, i| most.max(of(i).abs()));
+    let rms = (squares / 21.0).sqrt();
+    let all: f64 = (0..=40).map(|i| computed(i).powi(2)).sum();
+    let expected = [
+        rms,
+        (peak(&computed) - peak(&exact)).abs(),
+        (computed(30) - exact(30)).abs(),
+        rms,
+        1e-10,
+        (all / 41.0).sqrt(),
+    ];
+    for (found, expected) in found.iter().zip(expected) {
+        // The round-off of 40 steps, and of the exact motion.
+        assert!((found - expected).abs() < 1e-13, "{found} {expected}");
+    }
+}
+
+#[test]
+fn the_exact_motion_has_means_and_windows() {
+    // u = 1 - cos t from rest under a load of 1: the mean from pi to 2 pi is 1, the residual 1.
+    let study = study(
+        r#"{"problem": "structure", "parameters": {"dt": ["pi/200", "pi/100"], "duration": "12*pi"},
+            "structure": {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1}],
+                "loads": [{"at": "m", "table": {"t": [0, 40], "f": [1, 1]}}], "contacts_reference": "softened"},
+            "metrics": ["mean(m, from=pi, to=2*pi)", "residual(m)", "max(m, from=0.5*pi, to=0.75*pi)"],
+            "recommend": {"over": ["dt"], "within": {"mean(m, from=pi, to=2*pi)": 0.01, "residual(m)": 0.01}}}"#,
+    );
+    let case = study.case(0).unwrap();
+    let problem = study.problem.as_structure().unwrap();
+    let exact = problem.exact_metrics(&case, &[0, 1, 2]);
+    let expected = [1.0, 1.0, 1.0 + 0.5 * f64::sqrt(2.0)];
+    for (found, expected) in exact.iter().zip(expected) {
+        let found = found.unwrap();
+        // The trapezoids are symmetric about the middle of each half wave.
+        assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    }
+}
+
 /// A slider of mass 1 with v = 1 and friction 0.8 under a light oscillator with omega = 2 pi and the damping ratio 0.03, for 8.
 fn slider(dt: f64) -> Vec<f64> {
     metrics(&format!(
