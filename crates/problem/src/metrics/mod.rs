@@ -6,6 +6,7 @@ pub mod friction;
 pub mod impact;
 pub mod measured;
 pub mod norm;
+pub mod residual;
 pub mod structure;
 
 use crate::lane::Lane;

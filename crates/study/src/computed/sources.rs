@@ -7,6 +7,7 @@ use crate::source::faults::join;
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use slipgap_problem::problem::expression::FUNCTIONS;
+use slipgap_problem::problem::structure::metrics::window::begins_with_limit;
 
 /// The words before the values of a reference case.
 pub const RELATIVE: &str = " relative to ";
@@ -218,13 +219,13 @@ fn is_call(text: &str) -> bool {
         return false;
     };
     let (name, mut depth) = (name.trim(), 0);
-    let has_comma = inside.chars().any(|c| {
+    let has_comma = inside.char_indices().any(|(place, c)| {
         match c {
             '(' => depth += 1,
             ')' => depth -= 1,
             _ => {}
         }
-        depth == 0 && c == ','
+        depth == 0 && c == ',' && !begins_with_limit(&inside[place + 1..])
     });
     let one = !["max", "min"].contains(&name);
     FUNCTIONS.iter().any(|function| function.0 == name) && (one || has_comma)
@@ -240,6 +241,8 @@ mod tests {
             "max(a3 - a2)/3.2",
             "sqrt(peak(a))",
             "max(peak(a), peak(b))",
+            "max(min(a, from=1), peak(b, to=2))",
+            "max(a, to=2)/3",
             "-peak(a)",
             "(peak(a))",
             "2",
@@ -249,6 +252,8 @@ mod tests {
         }
         for text in [
             "max(a3 - a2)",
+            "max(a3 - a2, from=1, to=max(T, 2))",
+            "min(a3 , from = -1)",
             "energy_error",
             "peek(p1 - p2)",
             "ground.Sa(1, 0.02)",

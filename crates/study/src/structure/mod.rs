@@ -162,7 +162,7 @@ pub(super) fn problem(
     let named = (&mut parameters[..], &known);
     let shown = crate::structure::named::shown::shown(root, named, &reader, faults);
     let mut metrics = crate::structure::named::named_metrics::metrics(root, &known, faults);
-    crate::structure::named::named_metrics::measures(&mut metrics, &template, &reader, faults);
+    crate::structure::named::amounts::amounts(&mut metrics, &template, &reader, faults);
     let mut drawn = crate::structure::named::named_metrics::drawn(root, &known, faults);
     let measured = measured::decode(root, (&known, &template.units), &reader, &mut drawn, faults);
     match measured {

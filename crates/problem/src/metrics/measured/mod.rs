@@ -50,7 +50,7 @@ pub fn at_steps(times: &[f64], m: &[f64], steps: &[f64]) -> Vec<f64> {
 }
 
 /// The value at a place of a list, with a fraction, straight between its values.
-fn between(x: &[f64], place: f64) -> f64 {
+pub(super) fn between(x: &[f64], place: f64) -> f64 {
     let before = (place as usize).min(x.len().saturating_sub(2));
     let after = (before + 1).min(x.len() - 1);
     x[before] + (place - before as f64) * (x[after] - x[before])

@@ -51,6 +51,9 @@ impl Problem for StructureProblem {
             Ok(numbering) => {
                 violations.extend(self.check_channels(&numbering, case));
                 violations.extend(self.check_measures(case));
+                if violations.is_empty() {
+                    violations.extend(self.check_windows(case, step, duration));
+                }
                 violations.extend(self.check_measured(case));
                 violations.extend(self.check_contacts(case));
                 if violations.is_empty() {

@@ -22,7 +22,7 @@ pub(crate) const MEASURED: Keys = &[
     ),
     (
         "compare",
-        "histories, point by point, if left out; or distribution: peak, last, min, max, rms and time_of_peak of each test, over all times of its file, as a sample with those of each ensemble",
+        "histories, point by point, if left out; or distribution: peak, last, min, max, rms, mean, residual and time_of_peak of each test, over all times of its file or a window of numbers, as a sample with those of each ensemble",
     ),
 ];
 

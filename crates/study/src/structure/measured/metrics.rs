@@ -7,6 +7,7 @@ use slipgap_problem::problem::structure::channels::measured::{Measured, measured
 use slipgap_problem::problem::structure::channels::sample::Sample;
 use slipgap_problem::problem::structure::metrics::metric::StructureMetric;
 use slipgap_problem::problem::structure::metrics::reduction::Reduction;
+use slipgap_problem::problem::structure::metrics::window::within;
 
 /// Reports metrics of what was not measured.
 pub(in crate::structure) fn report_not_measured(
@@ -21,6 +22,20 @@ pub(in crate::structure) fn report_not_measured(
             let measured = channel.is_some_and(|channel| sample.channel(channel).is_some());
             measured && !metric.measured && metric.reduction.is_of_values()
         };
+        for metric in metrics.iter().filter(|metric| is_in_tests(metric)) {
+            let (Some(limits), Some(channel)) = (metric.window.constant(), &metric.channel) else {
+                continue;
+            };
+            let mut tests = sample.channel(channel).into_iter().flatten();
+            if tests.any(|(times, _)| within(limits, times).is_none()) {
+                let (at, path) = &metric.place;
+                let message = format!(
+                    "{}: a test has no time in this window",
+                    quoted(&metric.name)
+                );
+                faults.add(*at, path, message);
+            }
+        }
         if !metrics.is_empty() && !metrics.iter().any(is_in_tests) {
             let of_values = Reduction::all().filter(|own| own.is_of_values());
             let names = of_values

@@ -1,5 +1,6 @@
 //! What a study names: parameters, labels, metrics and channels.
 
+pub(super) mod amounts;
 pub(crate) mod free_names;
 pub(super) mod labels;
 pub(super) mod named_metrics;

@@ -6,17 +6,13 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::hint::nearest;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::expression::printable;
-use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::channels::channel::{Channel, UNKNOWN};
 use slipgap_problem::problem::structure::channels::names::Names;
-use slipgap_problem::problem::structure::given::loads::Kind;
-use slipgap_problem::problem::structure::given::shape::Scaled;
 use slipgap_problem::problem::structure::metrics::metric::{StructureMetric, looks_like_metric};
 use slipgap_problem::problem::structure::metrics::pieces::{Piece, pieces};
 use slipgap_problem::problem::structure::metrics::reduction::Reduction;
-use slipgap_problem::problem::structure::parts::template::Template;
+use slipgap_problem::problem::structure::metrics::window::Window;
 use slipgap_problem::problem::structure::tables::schema::Drawn;
 
 /// The metrics in the list `metrics`, and those that reductions, checks, figures and searches name.
@@ -57,6 +53,7 @@ pub(in crate::structure) fn metrics(
                     contact: None,
                     in_plane: false,
                     threshold: 0.0,
+                    window: Window::default(),
                     ground: None,
                     place: (at, path.to_owned()),
                 });
@@ -137,39 +134,6 @@ pub(in crate::structure) fn names_parameter(root: &Object, name: &str) -> bool {
             |piece: Piece| matches!(piece, Piece::Name(range) if metric[range.clone()] == *name);
         pieces(metric).into_iter().any(is_it)
     })
-}
-
-/// Gives measures of the ground their numbers, and reports those of a ground that the study does not have.
-pub(in crate::structure) fn measures(
-    metrics: &mut [StructureMetric],
-    template: &Template,
-    reader: &Reader,
-    faults: &mut Faults,
-) {
-    for metric in metrics {
-        let Some(ground) = &mut metric.ground else {
-            continue;
-        };
-        let (at, path) = &metric.place;
-        let name = quoted(&metric.name);
-        match ground.of(metric.reduction, template) {
-            Ok(Scaled { source, .. }) if matches!(source.kind(), Kind::Sine { .. }) => {
-                let message = format!("{name}: a sine has no end, so that it has no such measure");
-                faults.add(*at, path, message);
-            }
-            Ok(_) => {}
-            Err(why) => faults.add(*at, path, format!("{name}: {why}")),
-        }
-        let ranges = [Range::Positive, Range::UpToOne];
-        let amount = |(text, range): (&String, Range)| {
-            let node = Node {
-                at: *at,
-                tree: Tree::Text(text.clone()),
-            };
-            reader.amount(&node, path, range, faults)
-        };
-        ground.amounts = ground.texts.iter().zip(ranges).filter_map(amount).collect();
-    }
 }
 
 /// Reports an error of an energy.

@@ -88,7 +88,7 @@ fn errors_are_sums_over_the_measured_times_in_the_units_of_the_study() {
         &[&times, &disp, &force, &acc],
     );
     let metrics = r#""rms_error(deck, measured)", "peak_error(gap.S,measured)", "last_error(wall.a, measured)", "rms_error(deck,measured)/2",
-        "rms_error(gap.S , measured)""#;
+        "rms_error(gap.S , measured)", "rms_error(deck, measured, from=1+lag, to=3)", "peak_error(gap.S, measured, to=2)""#;
     let text = pounding(r#""k": [100, 140], "lag": [0.25, 0]"#, KEY, metrics);
     let study = study(&folder, &text);
     assert_eq!(study.len(), 4);
@@ -120,12 +120,29 @@ fn errors_are_sums_over_the_measured_times_in_the_units_of_the_study() {
             (squares.sum::<f64>() / c.len() as f64).sqrt()
         };
         let peak = |x: &[f64]| x.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let window = |from: f64, to: f64| {
+            let compared = own.time[own.compared.clone()].iter();
+            let inside: Vec<usize> = (0..)
+                .zip(compared)
+                .filter(|(_, t)| (from..=to).contains(*t))
+                .map(|(i, _)| i)
+                .collect();
+            inside[0]..inside[inside.len() - 1] + 1
+        };
         let expected = [
             rms(&u, m(0)),
             (peak(&s) - peak(m(1))).abs(),
             (a.last().unwrap() - m(2).last().unwrap()).abs(),
             rms(&u, m(0)),
             rms(&s, m(1)),
+            {
+                let part = window(1.0 + lag, 3.0);
+                rms(&u[part.clone()], &m(0)[part])
+            },
+            {
+                let part = window(0.0, 2.0);
+                (peak(&s[part.clone()]) - peak(&m(1)[part])).abs()
+            },
         ];
         // Both have the round-off of a place between two steps, 400 times 1e-16, times a step of the force of some 10.
         for (value, expected) in solution.metrics.iter().zip(expected) {

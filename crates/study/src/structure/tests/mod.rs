@@ -13,6 +13,7 @@ mod samples;
 mod supports;
 mod ties;
 mod titles;
+mod windows;
 
 use crate::{Study, parse};
 use slipgap_problem::problem::numbers::parameter::Value;

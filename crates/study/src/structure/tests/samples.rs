@@ -75,6 +75,30 @@ fn each_test_gives_the_reductions_of_its_values() {
 }
 
 #[test]
+fn a_window_is_of_the_times_of_a_test() {
+    let folder = folder("windows");
+    let files = r#""file": {"files": "run-*.csv"}, "compare": "distribution""#;
+    let metrics = r#""ensemble": "v", "metrics": ["peak(deck, from=0.1, to=0.7)", "mean(deck, from=0.36, to=0.64)",
+        "time_of_peak(deck, to=0.5)", "peak(deck, from=0.1*v)"]"#;
+    let study = read(&folder, files, metrics).unwrap();
+    // Of -4 at 0.16 to -8 at 0.64, and of -6, -7 and -8 at 0.36, 0.49 and 0.64.
+    let mean = (0.13 * 6.5 + 0.15 * 7.5) / 0.28;
+    for (row, values) in [
+        (0, [1.0, 2.0, 3.0].map(|size| 8e-3 * size)),
+        (1, [3.0, 2.0, 1.0].map(|size| -1e-3 * mean * size)),
+        (2, [0.49; 3]),
+    ] {
+        let found = study.in_tests(row).unwrap();
+        for (a, b) in found.iter().zip(values) {
+            // A few roundings.
+            assert!((a - b).abs() < 1e-15, "{row}: {found:?} {values:?}");
+        }
+    }
+    // Tests have no parameters.
+    assert_eq!(study.in_tests(3), None);
+}
+
+#[test]
 fn faults_say_what_is_allowed() {
     let folder = folder("faults");
     let files = r#""file": ["run-a.csv", "run-b.csv"]"#;
@@ -109,12 +133,17 @@ fn faults_say_what_is_allowed() {
         (
             format!("{files}, {way}"),
             r#""ensemble": "v", "metrics": ["peak(deck.v)"]"#.to_owned(),
-            "measured: no metric of the study is of a measured channel and one of peak, last, min, max, rms, time_of_peak",
+            "measured: no metric of the study is of a measured channel and one of peak, last, min, max, rms, mean, residual, time_of_peak",
         ),
         (
             format!("{files}, {way}"),
             r#""ensemble": "v", "metrics": ["peak(deck)", "rms_error(deck, measured)"]"#.to_owned(),
             "\"rms_error(deck, measured)\" compares point by point, \"measured\" as a distribution",
+        ),
+        (
+            format!("{files}, {way}"),
+            r#""ensemble": "v", "metrics": ["peak(deck, from=0.66, to=0.8)"]"#.to_owned(),
+            "\"peak(deck, from=0.66, to=0.8)\": a test has no time in this window",
         ),
         (
             files.to_owned(),

@@ -44,6 +44,14 @@ impl Amount {
         }
     }
 
+    /// The value, if it is the same in all cases.
+    pub fn constant(&self) -> Option<f64> {
+        match &self.source {
+            Source::Number(x) => Some(*x),
+            Source::Expression(_) => None,
+        }
+    }
+
     /// The value as a whole number from `least` to `most`.
     pub fn whole(&self, case: &Case, least: u32, most: u32) -> Result<u32, Violation> {
         self.as_whole(self.value(case)?, least, most)

@@ -4,6 +4,7 @@ use super::function::Motion;
 use super::reduction::Reduction;
 use crate::problem::structure::channels::channel::Channel;
 use crate::problem::structure::metrics::ground::{GroundMetric, PREFIX, without_direction};
+use crate::problem::structure::metrics::window::Window;
 
 /// A metric of the study.
 #[derive(Debug, Clone)]
@@ -24,6 +25,8 @@ pub struct StructureMetric {
     pub in_plane: bool,
     /// The threshold of a divergence, over the peak.
     pub threshold: f64,
+    /// The times that it is of.
+    pub window: Window,
     /// What a measure of the ground is of.
     pub ground: Option<GroundMetric>,
     /// Byte offset and path of the text in the study.

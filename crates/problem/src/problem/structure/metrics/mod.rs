@@ -11,3 +11,4 @@ pub(crate) mod text;
 pub(crate) mod title;
 pub mod unit_consistency;
 pub mod units;
+pub mod window;

@@ -4,6 +4,7 @@ use super::metric::OF_ALL;
 use super::reduction::REDUCTIONS;
 use crate::problem::expression::FUNCTIONS;
 use crate::problem::structure::metrics::ground::{PREFIX, without_direction};
+use crate::problem::structure::metrics::window::begins_with_limit;
 use std::ops::Range;
 
 /// A part of a text.
@@ -59,7 +60,7 @@ fn length_of_metric(name: &str, rest: &str, length: usize) -> Option<usize> {
         match c {
             '(' => depth += 1,
             ')' => depth -= 1,
-            ',' => has_comma |= depth == 1,
+            ',' => has_comma |= depth == 1 && !begins_with_limit(&after[place + 1..]),
             _ => {}
         }
         if depth == 0 {
@@ -88,6 +89,10 @@ mod tests {
             ("peak(gap.S)/F1", &["peak(gap.S)"]),
             ("peak(gap.S)/peak(gap2.S)", &["peak(gap.S)", "peak(gap2.S)"]),
             ("max(peak(a), min (b))*2", &["peak(a)", "min (b)"]),
+            (
+                "max(max(a, from=1, to=T), min(b , to = 2))",
+                &["max(a, from=1, to=T)", "min(b , to = 2)"],
+            ),
             ("max(1, 2) + min(1e-3, b)", &[]),
             ("divergence(p1, 0.01)/T", &["divergence(p1, 0.01)"]),
             (

@@ -3,6 +3,7 @@
 use super::function::{Function, Motion, OfGround, Plane, UnitOf};
 use crate::contact::ContactKind;
 use crate::metrics::measured as of_measured;
+use crate::metrics::residual;
 use crate::metrics::structure as of;
 use crate::problem::structure::channels::channel::Quantity as Q;
 use crate::system::loads::measures::Measure;
@@ -60,6 +61,10 @@ reductions! {
     "largest value over the steps",
     Rms "rms" Channel Channel "rms {}" Values(|c, _| Some(of::rms(c)));
     "sqrt(mean c^2) over the steps",
+    Mean "mean" Channel Channel "mean {}" Values(residual::mean);
+    "mean over time by trapezoids",
+    Residual "residual" Channel Channel "residual {}" Values(residual::residual);
+    "what remains after free vibration: mean over the whole cycles in the second half of the motion or window (in all of it if the half has none; without any, the mean of the half)",
     TimeOfPeak "time_of_peak" Channel Time "time of peak {}" Values(|c, time| of::step_of_peak(c).map(time));
     "first time of the largest absolute value",
     Impacts "impacts" Contact None "number of impacts of {}"

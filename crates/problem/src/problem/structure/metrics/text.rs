@@ -5,6 +5,7 @@ use super::reduction::{REDUCTIONS, Reduction, Takes};
 use crate::problem::structure::channels::channel::{Channel, QUANTITIES};
 use crate::problem::structure::channels::names::Names;
 use crate::problem::structure::metrics::ground::{GroundMetric, without_direction};
+use crate::problem::structure::metrics::window::{Window, no_window};
 
 impl StructureMetric {
     /// The metric of a text such as `peak(g1.right - p2)`.
@@ -39,10 +40,19 @@ impl StructureMetric {
             contact: None,
             in_plane: false,
             threshold: 0.0,
+            window: Window::default(),
             ground: None,
             place: (0, String::new()),
         };
         let mut inside = inside.map(str::trim);
+        if let Some(whole) = inside {
+            let (rest, window) = Window::split(whole)?;
+            if window.is_given() && !reduction.has_window() {
+                return Err(no_window(name));
+            }
+            metric.window = window;
+            inside = Some(rest);
+        }
         if let Some(rest) = inside.and_then(before_measured) {
             takes.check_measured(name)?;
             metric.measured = true;

@@ -4,7 +4,8 @@ use super::metric::StructureMetric;
 use crate::problem::structure::channels::words::Words;
 
 /// The title of a metric without its unit, such as `peak displacement of a3 relative to a2`: that of its reduction, with what it is of.
-pub fn title(metric: &StructureMetric, words: Words) -> String {
+/// The window has the unit of time.
+pub fn title(metric: &StructureMetric, words: Words, time: Option<&str>) -> String {
     let against = metric.reduction.of_measured().filter(|_| metric.measured);
     let title = against.map_or(metric.reduction.row().title, |own| own.title);
     let channels = metric.channel.iter().chain(&metric.second);
@@ -20,6 +21,7 @@ pub fn title(metric: &StructureMetric, words: Words) -> String {
         title += part;
     }
     let mut title = title.replace("{threshold}", &metric.threshold.to_string());
+    title += &metric.window.in_words(time);
     if let Some(ground) = metric.ground.as_ref() {
         if let Some(direction) = ground.direction {
             title += &format!(" in {}", direction.name());
@@ -110,7 +112,7 @@ mod tests {
                 names: &names,
                 shown: &shown,
             };
-            assert_eq!(title(&metric, words), expected, "{text}");
+            assert_eq!(title(&metric, words, Some("s")), expected, "{text}");
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::metrics::function::Function;
+use crate::problem::structure::metrics::window::within;
 
 impl StructureProblem {
     /// A metric in each test of the sample: the reduction of the measured values.
@@ -12,8 +13,11 @@ impl StructureProblem {
         };
         let tests = self.template.sample.as_ref()?;
         let mut tests = tests.channel(metric.channel.as_ref()?)?;
+        let limits = metric.window.constant()?;
         tests.try_fold(Vec::new(), |mut all, (time, values)| {
-            all.push(function(values, &|place| time[place])?);
+            let points = within(limits, time)?;
+            let time = &time[points.clone()];
+            all.push(function(&values[points], &|place| time[place])?);
             Some(all)
         })
     }

@@ -6,7 +6,7 @@ use crate::metrics::measured as reduce;
 use crate::metrics::structure::peak;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channels::channel::Channel;
-use crate::problem::structure::channels::measured::{Compared, measured_loop};
+use crate::problem::structure::channels::measured::{Compared, FEWEST, measured_loop};
 use crate::problem::structure::metrics::against_measured::MeasuredFunction;
 use crate::problem::structure::metrics::function::{Function, OfLoop};
 use crate::problem::structure::metrics::metric::StructureMetric;
@@ -18,7 +18,13 @@ impl StructureProblem {
     pub(crate) fn check_measured(&self, case: &Case) -> Option<Violation> {
         let measured = self.template.measured.as_ref()?;
         let dt = case.at(self.schema.step)?;
-        measured.in_case(case, dt, self.steps(case)).err()
+        let compared = match measured.in_case(case, dt, self.steps(case)) {
+            Ok(compared) => compared,
+            Err(why) => return Some(why),
+        };
+        let times = compared.times();
+        let mut windows = self.metrics.iter().filter(|metric| metric.measured);
+        windows.find_map(|metric| metric.window.check_points(case, &times, FEWEST))
     }
 
     /// What was measured in a case, if a metric compares with it.
@@ -72,14 +78,16 @@ impl StructureProblem {
 pub fn value(metric: &StructureMetric, of: MetricContext, computed: &Recorded) -> Option<f64> {
     let compared = of.compared?;
     let times = compared.times();
+    let points = metric.window.points(of.case, &times)?;
+    let times = &times[points.clone()];
     let pair = |channel: &Channel| {
         let steps = computed.channel(channel, of.numbering);
-        let c = reduce::at_times(&steps, of.dt, &times)?;
-        Some((c, compared.values(channel)?))
+        let c = reduce::at_times(&steps, of.dt, times)?;
+        Some((c, compared.values(channel)?.get(points.clone())?))
     };
     let of_channel = |function: fn(&[f64], [&[f64]; 2]) -> Option<f64>| {
         let (c, m) = pair(metric.channel.as_ref()?)?;
-        function(&times, [&c, m])
+        function(times, [&c, m])
     };
     let of_loop = |channels: [&Channel; 2], function: OfLoop| {
         let ((first, m_first), (second, m_second)) = (pair(channels[0])?, pair(channels[1])?);

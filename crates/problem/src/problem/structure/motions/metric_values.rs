@@ -69,11 +69,19 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
                 .as_ref()
                 .map(|(own, numbers)| (own, numbers))?,
         };
-        Some(recorded.channel(metric.channel.as_ref()?, numbering))
+        let mut values = recorded.channel(metric.channel.as_ref()?, numbering);
+        if metric.window.is_given() {
+            let steps = metric.window.steps(of.case, of.dt, values.len())?;
+            values = values.get(steps)?.to_vec();
+        }
+        Some(values)
     };
     match metric.reduction.row().function {
         Function::Values(function) => {
-            function(&series(Motion::Computed)?, &|step| step as f64 * of.dt)
+            let first = metric.window.first_step(of.case, of.dt);
+            function(&series(Motion::Computed)?, &|step| {
+                (first + step) as f64 * of.dt
+            })
         }
         Function::Distance([one, other], function) => match directions(metric) {
             Some(both) => length(both, of, motions),

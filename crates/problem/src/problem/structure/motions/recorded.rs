@@ -1,5 +1,6 @@
 //! Recorded motions, and what metrics compare.
 
+use crate::problem::Case;
 use crate::problem::structure::channels::channel::{Channel, Number};
 use crate::problem::structure::channels::measured::Compared;
 use crate::problem::structure::given::node::Numbering;
@@ -89,6 +90,8 @@ pub struct Motions {
 /// What the motions are of.
 #[derive(Debug, Clone, Copy)]
 pub struct MetricContext<'a> {
+    /// The case.
+    pub case: &'a Case,
     /// The structure.
     pub structure: &'a Structure,
     /// Numbers of its nodes.

@@ -239,6 +239,7 @@ impl StructureProblem {
         motions.unreduced = self.unreduced(ready)?;
         let compared = self.compared(ready)?;
         let of = MetricContext {
+            case: &ready.case,
             structure,
             numbering,
             compared: compared.as_ref(),

@@ -75,6 +75,14 @@ impl StructureProblem {
         metrics.filter_map(measure).collect()
     }
 
+    /// Every window is within the motion.
+    pub(crate) fn check_windows(&self, case: &Case, dt: f64, duration: f64) -> Vec<Violation> {
+        let windows = self.metrics.iter().map(|metric| &metric.window);
+        windows
+            .filter_map(|window| window.check(case, dt, duration).err())
+            .collect()
+    }
+
     /// Every channel has its nodes in a case.
     pub(crate) fn check_channels(&self, numbering: &Numbering, case: &Case) -> Vec<Violation> {
         let metrics = self.metrics.iter();

@@ -76,7 +76,11 @@ pub fn schema(
     };
     let metric = |metric: &StructureMetric| Metric {
         name: metric.name.clone().into(),
-        symbol: in_unit(title(&metric_title(metric, words)), unit_of(metric)).into(),
+        symbol: in_unit(
+            title(&metric_title(metric, words, units.map(|own| own.time))),
+            unit_of(metric),
+        )
+        .into(),
         unit: unit_of(metric).map_or(Borrowed("1"), Text::Owned),
         meaning: Borrowed(metric.meaning()),
         default: true,

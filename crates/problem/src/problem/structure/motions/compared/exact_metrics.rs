@@ -35,6 +35,7 @@ impl StructureProblem {
             ..Motions::default()
         };
         let of = MetricContext {
+            case: &ready.case,
             structure: &ready.structure,
             numbering: &ready.numbering,
             compared: None,

@@ -15,6 +15,7 @@ use crate::problem::structure::motions::motion::{self, Recording};
 use crate::problem::structure::motions::recorded::{Motions, Recorded, distinct};
 use crate::problem::structure::motions::sweep::Ready;
 use crate::system::structure::Structure;
+use std::ops::Range;
 
 /// Steps times nodes up to which steps are halved more often than is needed to see an error twice: some seconds.
 const MOST_WORK: u64 = 20_000_000;
@@ -50,10 +51,12 @@ impl StructureProblem {
         };
         let is_own = |metric: &&StructureMetric| metric.is_exact(Reduction::ReferenceError);
         let metrics: Vec<_> = self.metrics.iter().filter(is_own).collect();
-        let channels: Vec<_> = metrics
-            .iter()
-            .filter_map(|own| own.channel.as_ref())
-            .collect();
+        let count = ready.last as usize + 1;
+        let channels = metrics.iter().filter_map(|own| {
+            let steps = own.window.steps(&ready.case, ready.dt, count)?;
+            Some((own.channel.as_ref()?, steps))
+        });
+        let channels: Vec<_> = channels.collect();
         let steps = Stepped {
             structure: &ready.structure,
             numbering: &ready.numbering,
@@ -68,17 +71,22 @@ impl StructureProblem {
 }
 
 impl Stepped<'_> {
-    /// The errors of channels of an exact motion and the same with a coarse tolerance, which the computed motion tends to.
+    /// The errors of channels, each in these steps, of an exact motion and the same with a coarse tolerance, which the computed motion tends to.
     pub fn reference_errors(
         &self,
-        channels: &[&Channel],
+        channels: &[(&Channel, Range<usize>)],
         computed: &Recorded,
         [exact, coarse]: [&Recorded; 2],
     ) -> Vec<f64> {
-        let of = |motion: &Recorded, channel: &Channel| motion.channel(channel, self.numbering);
-        let referred = |channel: &&Channel| {
+        let of = |motion: &Recorded, (channel, steps): &(&Channel, Range<usize>)| {
+            let mut values = motion.channel(channel, self.numbering);
+            values.truncate(steps.end);
+            values.drain(..steps.start.min(values.len()));
+            values
+        };
+        let referred = |channel: &(&Channel, Range<usize>)| {
             let own = of(exact, channel);
-            let terms = channel.numbers(self.numbering);
+            let terms = channel.0.numbers(self.numbering);
             Referred {
                 estimate: difference(&own, &of(coarse, channel), 1.0),
                 exact: own,
@@ -87,7 +95,9 @@ impl Stepped<'_> {
             }
         };
         let referred: Vec<Referred> = channels.iter().map(referred).collect();
-        let numbers = channels.iter().flat_map(|own| own.numbers(self.numbering));
+        let numbers = channels
+            .iter()
+            .flat_map(|own| own.0.numbers(self.numbering));
         let numbers = distinct(numbers);
         reference_errors(&referred, |halvings| {
             let (motion, resolved) = self.halved(halvings, &numbers)?;

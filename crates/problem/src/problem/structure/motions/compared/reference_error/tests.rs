@@ -127,7 +127,11 @@ fn said(own: &Structure, other: &Structure, channel: &str, dt: f64) -> Said {
         dt,
         last,
     };
-    let errors = steps.reference_errors(&[&channel], &computed, [&given, &coarse]);
+    let errors = steps.reference_errors(
+        &[(&channel, 0..steps.last as usize + 1)],
+        &computed,
+        [&given, &coarse],
+    );
     let of = |motion: &Recorded| motion.channel(&channel, &numbering);
     Said {
         estimate: difference(&of(&given), &of(&coarse), 1.0),
