@@ -6,15 +6,15 @@ use crate::problem::structure::metrics::function::Function;
 impl StructureProblem {
     /// A metric in each test of the sample: the reduction of the measured values.
     pub(crate) fn sample_of(&self, metric: usize) -> Option<Vec<f64>> {
-        let metric = self.metrics.get(metric).filter(|own| !own.measured)?;
+        let metric = self.metrics.get(metric).filter(|found| !found.measured)?;
         let Function::Values(function) = metric.reduction.row().function else {
             return None;
         };
         let tests = self.template.sample.as_ref()?;
         let mut tests = tests.channel(metric.channel.as_ref()?)?;
-        tests.try_fold(Vec::new(), |mut all, (time, values)| {
-            all.push(function(values, &|place| time[place])?);
-            Some(all)
+        tests.try_fold(Vec::new(), |mut results, (time, values)| {
+            results.push(function(values, &|i| time[i])?);
+            Some(results)
         })
     }
 

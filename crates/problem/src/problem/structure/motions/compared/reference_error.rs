@@ -52,7 +52,7 @@ impl StructureProblem {
         let metrics: Vec<_> = self.metrics.iter().filter(is_own).collect();
         let channels: Vec<_> = metrics
             .iter()
-            .filter_map(|own| own.channel.as_ref())
+            .filter_map(|metric| metric.channel.as_ref())
             .collect();
         let steps = Stepped {
             structure: &ready.structure,
@@ -77,17 +77,19 @@ impl Stepped<'_> {
     ) -> Vec<f64> {
         let of = |motion: &Recorded, channel: &Channel| motion.channel(channel, self.numbering);
         let referred = |channel: &&Channel| {
-            let own = of(exact, channel);
+            let values = of(exact, channel);
             let terms = channel.numbers(self.numbering);
             Referred {
-                estimate: difference(&own, &of(coarse, channel), 1.0),
-                exact: own,
+                estimate: difference(&values, &of(coarse, channel), 1.0),
+                exact: values,
                 computed: of(computed, channel),
                 size: terms.map(|term| reduce::peak(computed.of(term))).sum(),
             }
         };
         let referred: Vec<Referred> = channels.iter().map(referred).collect();
-        let numbers = channels.iter().flat_map(|own| own.numbers(self.numbering));
+        let numbers = channels
+            .iter()
+            .flat_map(|channel| channel.numbers(self.numbering));
         let numbers = distinct(numbers);
         reference_errors(&referred, |halvings| {
             let (motion, resolved) = self.halved(halvings, &numbers)?;
