@@ -184,7 +184,6 @@ CHANGES: list[tuple[str, dict[str, Any], str, Any]] = [
 ]
 
 # A law may be a parameter, and any name may be a parameter that an expression contains.
-# An unknown parameter may be a name of the study's own, which some expression contains.
 ONLY_THE_PROGRAM = {"unknown law of a contact", "unknown law in a series", "alpha of hht", "unknown parameter"}
 
 

@@ -32,11 +32,11 @@ pub fn parts(between: &[History], computed: &History, norm: &Norm) -> Vec<Option
                 let before = last.checked_sub(1).map_or(e, |before| at(before, i));
                 (at(last, i) - before) / norm.size
             };
-            let all = |i: usize, e: f64| (at(between.len(), i) - e) / norm.size;
+            let whole = |i: usize, e: f64| (at(between.len(), i) - e) / norm.size;
             let sum = |value: &Value| (norm.sum)(channel, value);
             norms.push((sum(&|i, e| part(i, e) * part(i, e)) / norm.count).sqrt());
-            let total = sum(&|i, e| all(i, e) * all(i, e));
-            shares.push(sum(&|i, e| part(i, e) * all(i, e)) / total);
+            let total = sum(&|i, e| whole(i, e) * whole(i, e));
+            shares.push(sum(&|i, e| part(i, e) * whole(i, e)) / total);
         }
     }
     let both = norms.into_iter().chain(shares);

@@ -55,7 +55,7 @@ pub fn difference(motion: &[f64], coarse: &[f64], size: f64) -> f64 {
     let differences = same
         .iter()
         .zip(coarse)
-        .map(|(own, coarse)| (own - coarse) / size);
+        .map(|(finer, coarse)| (finer - coarse) / size);
     let squares: f64 = differences.map(|error| error * error).sum();
     (squares / coarse.len() as f64).sqrt()
 }
@@ -72,7 +72,9 @@ fn unexplained(motions: &[&[f64]], exact: &[f64], size: f64) -> Option<f64> {
     let round_off = ROUND_OFF * size;
     let ratios = differences.windows(2).map(|pair| pair[1] / pair[0]);
     let q = ratios.fold(LEAST_RATIO, f64::max);
-    let bound = differences.iter().fold(0.0, |d: f64, own| own.max(d * q));
+    let bound = differences
+        .iter()
+        .fold(0.0, |d: f64, difference| difference.max(d * q));
     let left = match differences.iter().all(|d| *d <= round_off) {
         true => 0.0,
         false if q < 1.0 => bound * q / (1.0 - q),
@@ -89,7 +91,7 @@ pub fn reference_errors(
     channels: &[Referred],
     mut halved: impl FnMut(u32) -> Option<Halved>,
 ) -> Vec<f64> {
-    let computed = channels.iter().map(|own| own.computed.clone());
+    let computed = channels.iter().map(|referred| referred.computed.clone());
     let mut motions: Vec<Vec<Vec<f64>>> = vec![computed.collect()];
     let mut seen: [Vec<Option<f64>>; 2] = Default::default();
     for halvings in 1..=MOST_HALVINGS {
@@ -98,25 +100,27 @@ pub fn reference_errors(
         let Some(first) = motions.len().checked_sub(WINDOW) else {
             continue;
         };
-        let of_channel = |(channel, own): (usize, &Referred)| {
+        let of_channel = |(channel, referred): (usize, &Referred)| {
             let window = motions[first..].iter();
-            let window: Option<Vec<&[f64]>> =
-                window.map(|own| Some(&own.get(channel)?[..])).collect();
-            unexplained(&window?, &own.exact, own.size).filter(|_| next.resolved)
+            let window: Option<Vec<&[f64]>> = window
+                .map(|motion| Some(&motion.get(channel)?[..]))
+                .collect();
+            unexplained(&window?, &referred.exact, referred.size).filter(|_| next.resolved)
         };
         let now: Vec<Option<f64>> = channels.iter().enumerate().map(of_channel).collect();
-        let explained = |(x, own): (&Option<f64>, &Referred)| x.is_some_and(|x| x <= own.estimate);
-        let all = now.iter().zip(channels).all(explained);
+        let explained =
+            |(x, referred): (&Option<f64>, &Referred)| x.is_some_and(|x| x <= referred.estimate);
+        let all_explained = now.iter().zip(channels).all(explained);
         let [_, before] = seen;
         seen = [before, now];
-        if all {
+        if all_explained {
             break;
         }
     }
     let [before, last] = seen;
     let twice = before.iter().zip(&last);
     let mut twice = twice.map(|(a, b)| a.zip(*b).map_or(0.0, |(a, b)| a.min(b)));
-    let error = |own: &Referred| own.estimate.max(twice.next().unwrap_or(0.0));
+    let error = |referred: &Referred| referred.estimate.max(twice.next().unwrap_or(0.0));
     channels.iter().map(error).collect()
 }
 

@@ -13,8 +13,8 @@ pub fn step_of_peak(c: &[f64]) -> Option<usize> {
 
 /// Smallest and largest value.
 pub fn extent(c: &[f64]) -> [f64; 2] {
-    let all = c.iter();
-    all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| {
+    let values = c.iter();
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| {
         [a.min(*x), b.max(*x)]
     })
 }

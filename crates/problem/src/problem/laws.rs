@@ -51,7 +51,7 @@ impl Own {
     /// The laws that a problem with this table offers.
     pub fn all(place: Place, table: &[Parameter]) -> Vec<Own> {
         let row = |number: &&Number| table.iter().position(|row| row.name == number.key);
-        let own = |offered: &'static Offered| {
+        let of_law = |offered: &'static Offered| {
             let numbers = offered.at(place)?.numbers;
             // All or none: a number without a row would have the value of the next one.
             let rows = numbers.iter().map(row).collect::<Option<Vec<usize>>>()?;
@@ -61,15 +61,15 @@ impl Own {
                 rows,
             })
         };
-        LAWS.iter().filter_map(own).collect()
+        LAWS.iter().filter_map(of_law).collect()
     }
 
     /// The law of this name.
-    pub fn named<'a>(all: &'a [Own], name: &str) -> Option<&'a Own> {
-        let own = |own: &&Own| own.offered.offer.name;
+    pub fn named<'a>(laws: &'a [Own], name: &str) -> Option<&'a Own> {
+        let name_of = |law: &&Own| law.offered.offer.name;
         // Names of the table: mostly the same memory.
-        let is = |law: &&Own| std::ptr::eq(own(law), name) || own(law) == name;
-        all.iter().find(is)
+        let is = |law: &&Own| std::ptr::eq(name_of(law), name) || name_of(law) == name;
+        laws.iter().find(is)
     }
 
     /// What is made of the law's numbers, the `value` of each number in its row, and what the problem knows besides.
@@ -80,8 +80,8 @@ impl Own {
         of: impl FnOnce(&GivenNumbers) -> T,
     ) -> T {
         let mut values = [None; MOST];
-        let own = self.numbers.iter().zip(&self.rows);
-        for (slot, (number, row)) in values.iter_mut().zip(own) {
+        let pairs = self.numbers.iter().zip(&self.rows);
+        for (slot, (number, row)) in values.iter_mut().zip(pairs) {
             *slot = value(number, *row);
         }
         of(&GivenNumbers {
@@ -118,8 +118,8 @@ const fn is_new(place: Place, table: &[Parameter], law: usize, number: &Number) 
     }
     let mut i = 0;
     while i < law {
-        if let Some(own) = ALL[i].at(place)
-            && number.is_in(own.numbers)
+        if let Some(offer) = ALL[i].at(place)
+            && number.is_in(offer.numbers)
         {
             return false;
         }
@@ -132,10 +132,10 @@ const fn is_new(place: Place, table: &[Parameter], law: usize, number: &Number) 
 pub(super) const fn count_others(place: Place, table: &[Parameter]) -> usize {
     let (mut i, mut sum) = (0, 0);
     while i < ALL.len() {
-        if let Some(own) = ALL[i].at(place) {
+        if let Some(offer) = ALL[i].at(place) {
             let mut j = 0;
-            while j < own.numbers.len() {
-                if is_new(place, table, i, own.numbers[j]) {
+            while j < offer.numbers.len() {
+                if is_new(place, table, i, offer.numbers[j]) {
                     sum += 1;
                 }
                 j += 1;
@@ -150,11 +150,11 @@ pub(super) const fn count_others(place: Place, table: &[Parameter]) -> usize {
 pub(super) fn others(place: Place, table: &'static [Parameter]) -> Vec<Parameter> {
     let mut rows = Vec::new();
     for (i, law) in LAWS.iter().enumerate() {
-        let numbers = law.at(place).map_or(&[][..], |own| own.numbers);
+        let numbers = law.at(place).map_or(&[][..], |offer| offer.numbers);
         for number in numbers.iter().filter(|n| is_new(place, table, i, n)) {
             let with = LAWS.iter().filter(|law| {
-                let own = law.at(place);
-                own.is_some_and(|own| number.is_in(own.numbers))
+                let offer = law.at(place);
+                offer.is_some_and(|offer| number.is_in(offer.numbers))
             });
             let names: Vec<&str> = with.map(|law| law.offer.name).collect();
             rows.push(Parameter::of_laws(number, names.leak()).with_column_if_given());
@@ -170,16 +170,16 @@ mod tests {
 
     #[test]
     fn every_number_of_a_law_has_its_row() {
-        for (problem, place) in PROBLEMS.iter().zip([Place::Oscillator, Place::Bars]) {
-            let all = Own::all(place, problem.parameters());
-            let offered = LAWS.iter().filter(|law| law.at(place).is_some());
-            assert_eq!(all.len(), offered.count());
-            for own in all {
-                let name = own.offered.offer.name;
-                assert!(own.rows.len() <= MOST, "{name}");
-                let rows = own.rows.iter().map(|row| &*problem.parameters()[*row].name);
+        for (problem, kind) in PROBLEMS.iter().zip([Place::Oscillator, Place::Bars]) {
+            let laws = Own::all(kind, problem.parameters());
+            let offered = LAWS.iter().filter(|law| law.at(kind).is_some());
+            assert_eq!(laws.len(), offered.count());
+            for law in laws {
+                let name = law.offered.offer.name;
+                assert!(law.rows.len() <= MOST, "{name}");
+                let rows = law.rows.iter().map(|row| &*problem.parameters()[*row].name);
                 assert!(
-                    rows.eq(own.numbers.iter().map(|number| number.key)),
+                    rows.eq(law.numbers.iter().map(|number| number.key)),
                     "{name}"
                 );
             }
@@ -188,15 +188,15 @@ mod tests {
 
     #[test]
     fn the_rows_of_other_numbers_are_as_many_as_counted() {
-        for place in [Place::Oscillator, Place::Bars] {
+        for kind in [Place::Oscillator, Place::Bars] {
             // Without a table these are all numbers, each once.
-            let all = others(place, &[]);
-            let mut names: Vec<_> = all.iter().map(|row| row.name.clone()).collect();
+            let numbers = others(kind, &[]);
+            let mut names: Vec<_> = numbers.iter().map(|row| row.name.clone()).collect();
             names.sort();
             names.dedup();
-            assert_eq!(names.len(), all.len());
-            assert_eq!(all.len(), count_others(place, &[]));
-            assert!(all.len() > 1);
+            assert_eq!(names.len(), numbers.len());
+            assert_eq!(numbers.len(), count_others(kind, &[]));
+            assert!(numbers.len() > 1);
         }
     }
 }

@@ -42,7 +42,7 @@ pub static PARAMETERS: LazyLock<Vec<Parameter>> = LazyLock::new(|| {
         Default::Is(Value::Name(DEFAULT)),
         "method of integration",
     );
-    let own = |method: &'static Description| {
+    let of_method = |method: &'static Description| {
         let row = |parameter: &MethodParameter| {
             Parameter::only_for(
                 [parameter.name, parameter.symbol, "1"],
@@ -54,8 +54,10 @@ pub static PARAMETERS: LazyLock<Vec<Parameter>> = LazyLock::new(|| {
         };
         method.parameters.iter().map(row)
     };
-    let all = [method].into_iter().chain(METHODS.iter().flat_map(own));
-    all.map(Parameter::with_column_if_given).collect()
+    let rows = [method]
+        .into_iter()
+        .chain(METHODS.iter().flat_map(of_method));
+    rows.map(Parameter::with_column_if_given).collect()
 });
 
 /// Why a method other than moreau-jean cannot have this restitution of a rigid contact.

@@ -148,7 +148,7 @@ pub trait Textbook: Problem {
     }
     /// The law of the contact of a textbook problem.
     fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
-        self.system(case).map(|own| own.law)
+        self.system(case).map(|system| system.law)
     }
     /// The exact motion of a completed case with its own law, where [`Problem::exact`] has another one, at these times, which increase;
     /// `None` where none is known.

@@ -38,8 +38,8 @@ pub fn structure(system: &System) -> Option<Structure> {
     let count = linear.len();
     let modes: Vec<_> = (0..count).map(|j| linear.mode(j)).collect();
     let mut stiffness = Symmetric::zeros(count);
-    for (j, own) in modes.iter().enumerate() {
-        stiffness.add(j, j, own.mode.omega2 / own.mode.phi2);
+    for (j, modal) in modes.iter().enumerate() {
+        stiffness.add(j, j, modal.mode.omega2 / modal.mode.phi2);
     }
     let node = |(j, phi2): (usize, f64)| Node {
         name: format!("mode {j}"),
@@ -48,7 +48,7 @@ pub fn structure(system: &System) -> Option<Structure> {
     };
     let has_mass = linear.contact_compliance() == 0.0;
     has_mass.then(|| {
-        let phi2 = modes.iter().map(|own| own.mode.phi2);
+        let phi2 = modes.iter().map(|modal| modal.mode.phi2);
         let mut structure = Structure::new(phi2.enumerate().map(node).collect());
         structure.stiffness = stiffness;
         structure.contacts.push(Contact {
@@ -57,8 +57,8 @@ pub fn structure(system: &System) -> Option<Structure> {
             gap: system.gap,
             law: StructureLaw::new(system.law, Limit::constant(LIMIT)),
         });
-        structure.displacement = modes.iter().map(|own| own.displacement).collect();
-        structure.velocity = modes.iter().map(|own| own.velocity).collect();
+        structure.displacement = modes.iter().map(|modal| modal.displacement).collect();
+        structure.velocity = modes.iter().map(|modal| modal.velocity).collect();
         structure.preload.forces = vec![Some(system.force)];
         structure
     })
@@ -93,13 +93,13 @@ impl Preset {
         let wants = |rows: &Range<usize>| wanted.iter().any(|row| rows.contains(row));
         let [with_parts, with_errors] = rows.each_ref().map(wants);
         let mut values = rows.map(|rows| vec![None; rows.len()]);
-        let own = (with_parts || with_errors).then(|| between(with_errors));
-        if let Some(own) = own.flatten() {
+        let found = (with_parts || with_errors).then(|| between(with_errors));
+        if let Some(budget) = found.flatten() {
             if with_parts {
-                values[0] = parts(&own.motions, computed, norm);
+                values[0] = parts(&budget.motions, computed, norm);
             }
-            if !own.coarse.is_empty() {
-                values[1] = own.errors(self, computed, norm);
+            if !budget.coarse.is_empty() {
+                values[1] = budget.errors(self, computed, norm);
             }
         }
         values
@@ -117,7 +117,7 @@ impl Preset {
         let steps = track.0.iter().step_by(every as usize);
         let values = steps.map(|modes| self.values(self.system.at_contact(*modes)));
         let values: Vec<_> = values.collect();
-        let channel = |channel: usize| values.iter().map(|own| own[channel]).collect();
+        let channel = |channel: usize| values.iter().map(|row| row[channel]).collect();
         Some((0..channels).map(channel).collect())
     }
 }
@@ -152,23 +152,23 @@ impl Between {
         let (channels, size) = (norm.channels, norm.size);
         let over = |channel: &[f64]| -> Vec<f64> { channel.iter().map(|x| x / size).collect() };
         let referred = |channel: usize| {
-            let own = |motion: &History| over(motion.channel(channel));
+            let scaled = |motion: &History| over(motion.channel(channel));
             let pairs = self.motions.iter().zip(&self.coarse);
             let estimates = pairs.map(|(fine, coarse)| {
                 difference(fine.channel(channel), coarse.channel(channel), size)
             });
             Referred {
                 estimate: estimates.fold(0.0, f64::max),
-                exact: self.motions.last().map(own).unwrap_or_default(),
-                size: peak(&own(computed)),
-                computed: own(computed),
+                exact: self.motions.last().map(scaled).unwrap_or_default(),
+                size: peak(&scaled(computed)),
+                computed: scaled(computed),
             }
         };
         let referred: Vec<Referred> = (0..channels).map(referred).collect();
         let errors = reference_errors(&referred, |halvings| {
             let halved = preset.halved(halvings, channels)?;
             Some(Halved {
-                channels: halved.iter().map(|own| over(own)).collect(),
+                channels: halved.iter().map(|channel| over(channel)).collect(),
                 resolved: true,
             })
         });

@@ -18,18 +18,20 @@ pub(super) fn sweep_cases<const L: usize, A: LaneCase<L>, B: LaneCase<L>>(
     let mut table = MetricTable::new(rows.len(), problem.schema().default_metrics());
     let (mut plain, mut others) = (Vec::with_capacity(rows.len()), Vec::new());
     let mut shown = cases.shown();
-    for (place, row) in rows.iter().enumerate() {
+    for (index, row) in rows.iter().enumerate() {
         let case = shown.at(*row as usize);
         match lane_case(case) {
-            Ok(Form::Plain(own)) if own.system().last <= LONGEST => plain.push((place, own)),
-            Ok(Form::Other(own)) if own.system().last <= LONGEST => others.push((place, own)),
+            Ok(Form::Plain(plain_case)) if plain_case.system().last <= LONGEST => {
+                plain.push((index, plain_case))
+            }
+            Ok(Form::Other(other)) if other.system().last <= LONGEST => others.push((index, other)),
             Ok(_) => {
                 let solution = problem.solve(case, &[]);
                 let warnings = solution.as_ref().map(|solution| solution.warnings);
-                table.warn(place, warnings.unwrap_or_default());
-                table.put(place, solution.map(|solution| solution.metrics));
+                table.warn(index, warnings.unwrap_or_default());
+                table.put(index, solution.map(|solution| solution.metrics));
             }
-            Err(why) => table.fail(place, why),
+            Err(why) => table.fail(index, why),
         }
     }
     crate::solve::sweep::sweep(&plain, &mut table);

@@ -10,15 +10,15 @@ fn number(name: &'static str, x: f64) -> (&'static str, Value) {
 
 /// The metrics that no case has.
 fn empty(problem: &dyn Problem, cases: &[Vec<(&str, Value)>]) -> Vec<String> {
-    let all: Vec<usize> = (0..problem.metrics().len()).collect();
+    let indices: Vec<usize> = (0..problem.metrics().len()).collect();
     let metrics = cases.iter().map(|given| {
         let (case, broken) = Case::given(problem, given);
         assert!(broken.is_empty(), "{broken:?}");
-        problem.solve(&case, &all).expect("a solution").metrics
+        problem.solve(&case, &indices).expect("a solution").metrics
     });
     let metrics: Vec<Vec<Option<f64>>> = metrics.collect();
-    let none = |row: &usize| metrics.iter().all(|own| own[*row].is_none());
-    let rows = all.iter().filter(|row| none(row));
+    let none = |row: &usize| metrics.iter().all(|values| values[*row].is_none());
+    let rows = indices.iter().filter(|row| none(row));
     rows.map(|row| problem.metrics()[*row].name.to_string())
         .collect()
 }
@@ -49,13 +49,13 @@ fn every_metric_of_friction_has_a_value() {
 #[test]
 fn every_metric_of_bars_has_a_value() {
     // As for friction.
-    let given = |own: [(&'static str, Value); 2]| {
+    let given = |pairs: [(&'static str, Value); 2]| {
         let steps = [
             ("n", Value::Whole(10)),
             number("dt", 0.02),
             number("duration", 1.6),
         ];
-        [&own[..], &steps].concat()
+        [&pairs[..], &steps].concat()
     };
     let cases = [
         given([("law", Value::Name("impact-spring")), number("gamma", 2.0)]),

@@ -27,8 +27,8 @@ fn general(structure: &Structure, system: &System) -> Vec<[f64; 3]> {
     let mut rows = Vec::new();
     let last = system.last as usize;
     let [done] = run(&[structure], &prepared, last, |_, state: &State<1>| {
-        let own = state.contact(0);
-        rows.push([own.displacement, own.velocity, own.force].map(|lane| lane.0[0]));
+        let contact = state.contact(0);
+        rows.push([contact.displacement, contact.velocity, contact.force].map(|lane| lane.0[0]));
     });
     done.map(|()| rows).unwrap()
 }
@@ -39,7 +39,7 @@ fn difference(a: &[[f64; 3]], b: &[[f64; 3]]) -> [f64; 3] {
     std::array::from_fn(|column| {
         let size = a
             .iter()
-            .fold(0.0, |size: f64, own| size.max(own[column].abs()));
+            .fold(0.0, |size: f64, row| size.max(row[column].abs()));
         let each = a.iter().zip(b).map(|(a, b)| (a[column] - b[column]).abs());
         each.fold(0.0, f64::max) / size
     })
@@ -49,8 +49,8 @@ fn difference(a: &[[f64; 3]], b: &[[f64; 3]]) -> [f64; 3] {
 fn mirrored(structure: &Structure) -> Structure {
     let mut other = structure.clone();
     let forces = other.preload.forces.iter_mut().flatten();
-    let all = other.displacement.iter_mut().chain(&mut other.velocity);
-    all.chain(forces).for_each(|x| *x = -*x);
+    let values = other.displacement.iter_mut().chain(&mut other.velocity);
+    values.chain(forces).for_each(|x| *x = -*x);
     other
 }
 
@@ -70,10 +70,13 @@ fn with_idle_contact(structure: &Structure) -> Structure {
 /// The structure with the coordinates of its nodes turned: its contacts have the same motion.
 fn turned(structure: &Structure) -> Structure {
     let mut other = structure.clone();
-    let along = other.contacts.iter_mut().flat_map(|own| &mut own.along);
+    let along = other
+        .contacts
+        .iter_mut()
+        .flat_map(|contact| &mut contact.along);
     let start = other.displacement.iter_mut().chain(&mut other.velocity);
-    let all = along.map(|term| &mut term.1).chain(start);
-    all.for_each(|x| *x = -*x);
+    let values = along.map(|term| &mut term.1).chain(start);
+    values.for_each(|x| *x = -*x);
     other
 }
 
@@ -88,7 +91,7 @@ fn compare(problem: &str, cases: &[Given], is_odd: bool) -> usize {
     let mut count = 0;
     for (given, method) in cases
         .iter()
-        .flat_map(|own| METHODS.iter().map(move |m| (own, m)))
+        .flat_map(|row| METHODS.iter().map(move |m| (row, m)))
     {
         let given = [&given[..], &[("method", Value::Name(method.name))]].concat();
         let (case, broken) = Case::given(&*problem, &given);
@@ -100,25 +103,25 @@ fn compare(problem: &str, cases: &[Given], is_odd: bool) -> usize {
         count += 1;
         let mut system = problem.as_textbook().unwrap().system(&case).unwrap();
         let structure = problem.structure(&case).unwrap();
-        let solve = |own: &Structure| general(own, &system);
-        let own = solve(&structure);
-        let mut all = vec![
+        let solve = |model: &Structure| general(model, &system);
+        let direct = solve(&structure);
+        let mut others = vec![
             solve(&turned(&structure)),
             solve(&with_idle_contact(&structure)),
         ];
         if is_odd {
             let back = solve(&mirrored(&structure)).into_iter();
-            all.push(back.map(|row| row.map(|x| -x)).collect());
+            others.push(back.map(|row| row.map(|x| -x)).collect());
         }
         if structure.contacts[0].law.is_rigid() {
             // Without compliance S(0) of a structure follows from its equilibrium; in the textbook problem it is 0.
-            system.force = own[0][2];
+            system.force = direct[0][2];
         }
         let lanes = solve::run::<ContactTrack>(&system).unwrap().track.0;
-        for (place, own) in [own].iter().chain(&all).enumerate() {
-            let found = difference(&lanes, own);
+        for (index, rows) in [direct].iter().chain(&others).enumerate() {
+            let found = difference(&lanes, rows);
             let is_same = found.iter().all(|x| *x < ROUND_OFF);
-            assert!(is_same, "{given:?} {place}: {found:?}");
+            assert!(is_same, "{given:?} {index}: {found:?}");
         }
     }
     count
@@ -140,26 +143,26 @@ fn friction() -> Vec<Given> {
         ("tanh", vec![("beta", 0.5)]),
         ("stribeck", [&[("beta", 0.5)][..], &falling].concat()),
     ];
-    let mut all = Vec::new();
-    for (law, own) in laws {
-        let mut given = numbers(&own);
+    let mut cases = Vec::new();
+    for (law, pairs) in laws {
+        let mut given = numbers(&pairs);
         given.push(("law", Value::Name(law)));
         given.extend(numbers(&[("dT", PI / 40.0), ("duration", 8.0 * PI)]));
         if law == "displacement-control" {
             for slip in ["pulled", "sliding"] {
                 let slip = ("initial_slip", Value::Name(slip));
-                all.push([&given[..], &[slip]].concat());
+                cases.push([&given[..], &[slip]].concat());
             }
         }
-        all.push(given);
+        cases.push(given);
     }
-    all
+    cases
 }
 
 /// Impact laws with their numbers, between equal and other bars and at a wall.
 fn impacts() -> Vec<Given> {
-    let mut all = Vec::new();
-    for (law, own) in [
+    let mut cases = Vec::new();
+    for (law, pairs) in [
         ("rigid", &[][..]),
         ("impact-spring", &[("gamma", 0.5)]),
         ("hertz", &[("gamma", 0.5)]),
@@ -167,7 +170,7 @@ fn impacts() -> Vec<Given> {
         ("hunt-crossley", &[("gamma", 0.5), ("restitution", 0.5)]),
         ("jankowski", &[("gamma", 0.5), ("restitution", 0.5)]),
     ] {
-        let mut given = numbers(own);
+        let mut given = numbers(pairs);
         given.push(("law", Value::Name(law)));
         let step = [("n", 10.0), ("dt", 0.004), ("duration", 1.6)];
         given.extend(numbers(&step));
@@ -175,10 +178,10 @@ fn impacts() -> Vec<Given> {
         let consistent = [("mass", Value::Name("consistent"))];
         let longer = numbers(&[("right.L", 17.0), ("right.n", 12.0), ("gap", 0.1)]);
         for other in [&[][..], &wall, &consistent, &longer] {
-            all.push([&given[..], other].concat());
+            cases.push([&given[..], other].concat());
         }
     }
-    all
+    cases
 }
 
 #[test]

@@ -14,8 +14,8 @@ fn metrics<const N: usize>(
     let (case, broken) = Case::given(&*problem, given);
     assert_eq!(broken, []);
     let rows = names.map(|name| {
-        let mut all = problem.metrics().iter();
-        all.position(|metric| metric.name == name).unwrap()
+        let mut metrics = problem.metrics().iter();
+        metrics.position(|metric| metric.name == name).unwrap()
     });
     let solution = problem.solve(&case, &rows).unwrap();
     rows.map(|row| solution.metrics[row])
@@ -55,31 +55,31 @@ fn parts_of_every_friction_law_add_up_and_the_step_error_has_order_two() {
         "step_share",
         "reference_error",
     ];
-    for (law, own) in friction_laws() {
+    for (law, pairs) in friction_laws() {
         let rows = [40.0, 80.0, 160.0, 320.0, 640.0].map(|n| {
-            let mut given = numbers(&own);
+            let mut given = numbers(&pairs);
             given.push(("law", Value::Name(law)));
             given.extend(numbers(&[("dT", PI / n), ("duration", 8.0 * PI)]));
             let values = metrics("friction-oscillator", &given, NAMES);
             let [rms, of_law, of_step, a, b, error] = values.map(Option::unwrap);
             // Round-off of shares that are much larger than 1.
             let tiny = 1e-11 * (of_law / rms + of_step / rms).max(1.0);
-            assert!((a + b - 1.0).abs() < tiny, "{law} {own:?}: {values:?}");
+            assert!((a + b - 1.0).abs() < tiny, "{law} {pairs:?}: {values:?}");
             // Steps of the coarser integration err by 1e-10 of the largest value, or less; there are some hundred.
-            assert!(error < 1e-8, "{law} {own:?}: {error}");
+            assert!(error < 1e-8, "{law} {pairs:?}: {error}");
             [of_law, of_step]
         });
         // The part of the law depends on the step only by where its mean is taken.
         let [first, last] = [rows[1][0], rows[4][0]];
         assert!(
             (first / last - 1.0).abs() < 0.02,
-            "{law} {own:?}: {first} {last}"
+            "{law} {pairs:?}: {first} {last}"
         );
         // Corners fall at other places in other steps, which makes single ratios uneven.
         let slope = (rows[0][1] / rows[4][1]).log2() / 4.0;
         assert!(
             (slope - 2.0).abs() < 0.25,
-            "{law} {own:?}: {slope} {rows:?}"
+            "{law} {pairs:?}: {slope} {rows:?}"
         );
     }
 }
@@ -109,9 +109,9 @@ fn parts_of_every_impact_law_add_up_and_the_step_error_falls() {
         "reference_error_r",
         "step_error_rdot",
     ];
-    for (law, own) in impact_laws() {
+    for (law, pairs) in impact_laws() {
         let rows = [0.02, 0.01, 0.005, 0.0025].map(|dt| {
-            let mut given = numbers(&own);
+            let mut given = numbers(&pairs);
             given.push(("law", Value::Name(law)));
             given.extend(numbers(&[
                 ("gamma", 0.5),
@@ -139,7 +139,7 @@ fn parts_of_every_impact_law_add_up_and_the_step_error_falls() {
 #[test]
 fn the_mesh_tends_to_the_continuous_bars() {
     // With gamma n kept, the law is the same. Its front is as wide as an element at least.
-    let error = |(law, own): &(&'static str, Vec<(&'static str, f64)>), n: f64| {
+    let error = |(law, pairs): &(&'static str, Vec<(&'static str, f64)>), n: f64| {
         let mut given = numbers(&[
             ("gamma", 4.0 / n),
             ("n", n),
@@ -147,7 +147,7 @@ fn the_mesh_tends_to_the_continuous_bars() {
             ("duration", 1.8),
         ]);
         given.push(("law", Value::Name(law)));
-        given.extend(numbers(own));
+        given.extend(numbers(pairs));
         let [error] = metrics("bar-impact", &given, ["mesh_error_r"]);
         error.unwrap()
     };

@@ -20,7 +20,10 @@ pub struct Candidates<'a> {
 impl Study {
     /// The candidates of `recommend` by block; none without the key.
     pub fn candidates(&self) -> Vec<Candidates<'_>> {
-        let over = self.recommend.iter().map(|own| own.over.as_slice());
+        let over = self
+            .recommend
+            .iter()
+            .map(|recommend| recommend.over.as_slice());
         let blocks = over.flat_map(|over| (0..self.blocks.len()).map(move |block| (over, block)));
         blocks
             .map(|(over, block)| Candidates::new(self, block, over))
@@ -38,7 +41,8 @@ impl<'a> Candidates<'a> {
                 true => chosen.push((at, stride)),
                 false => {
                     let positions = (0..group.len()).map(|position| position * stride);
-                    let added = positions.flat_map(|own| physical.iter().map(move |raw| own + raw));
+                    let added =
+                        positions.flat_map(|offset| physical.iter().map(move |raw| offset + raw));
                     physical = added.collect();
                 }
             }
@@ -60,7 +64,7 @@ impl<'a> Candidates<'a> {
     /// The groups to choose from.
     pub fn groups(&self) -> impl Iterator<Item = &'a AxisGroup> + '_ {
         let block = self.block();
-        self.chosen.iter().map(|own| &block.groups[own.0])
+        self.chosen.iter().map(|pair| &block.groups[pair.0])
     }
 
     /// Number of candidates.
@@ -87,8 +91,8 @@ impl<'a> Candidates<'a> {
 
     /// The first combination of a candidate.
     fn first(&self, positions: &[u64]) -> u64 {
-        let own = self.chosen.iter().zip(positions);
-        own.map(|((_, stride), position)| stride * position).sum()
+        let pairs = self.chosen.iter().zip(positions);
+        pairs.map(|((_, stride), position)| stride * position).sum()
     }
 
     /// Writes a physical case of a candidate over `case`, completed, and tests whether it is a case that breaks no rule.

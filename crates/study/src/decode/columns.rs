@@ -29,8 +29,8 @@ pub(super) fn columns(
         .chain(&listed.columns)
         .flat_map(all_of)
         .collect();
-    let own = named.iter().filter_map(|row| measures[*row].metric);
-    let own: Vec<usize> = own.collect();
+    let of_named = named.iter().filter_map(|row| measures[*row].metric);
+    let named_metrics: Vec<usize> = of_named.collect();
     let parts: Vec<usize> = listed.columns.iter().flat_map(all_of).collect();
     let described = problem.schema().described;
     let metrics = problem.metrics().iter().enumerate();
@@ -40,7 +40,7 @@ pub(super) fn columns(
         .collect();
     let is_part = |row: &usize| {
         let usual = problem.metrics()[*row].default && !described;
-        parts.contains(row) && !own.contains(row) && !usual
+        parts.contains(row) && !named_metrics.contains(row) && !usual
     };
     let columns: Vec<usize> = metrics
         .iter()

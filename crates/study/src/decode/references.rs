@@ -16,19 +16,19 @@ pub(super) fn check_given(
     table: &[Parameter],
     faults: &mut Faults,
 ) -> bool {
-    let mut all = true;
+    let mut resolved = true;
     for &row in formula.uses() {
         if draft.get(row).is_some() || matches!(table[row].default, Default::Is(_)) {
             continue;
         }
-        all = false;
+        resolved = false;
         if !draft.faulty.contains(&row) {
             let name = &table[row].name;
             let message = format!("{}: {name} is not given in this block", quoted(text));
             faults.add(at, path, message);
         }
     }
-    all
+    resolved
 }
 
 /// Whether the expression of a parameter depends on its alternative, from which the problem computes the parameter.

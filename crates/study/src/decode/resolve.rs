@@ -25,8 +25,8 @@ pub(crate) fn resolve(
     let mut all_given = true;
     for given in &draft.parameters {
         if let Some((formula, text)) = &given.formula {
-            let place = (given.at, given.path.as_str());
-            all_given &= check_given(draft, (formula, text), place, table, faults);
+            let origin = (given.at, given.path.as_str());
+            all_given &= check_given(draft, (formula, text), origin, table, faults);
             unresolved.push(given);
         }
     }

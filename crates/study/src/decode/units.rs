@@ -57,8 +57,8 @@ impl Units {
 /// The name of a unit: it becomes part of a column's name and of a label in markup.
 fn label(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
     let label = text(node, path, faults)?;
-    let allowed = |(place, c): (usize, char)| {
-        c == 'µ' || c.is_ascii_alphabetic() || place > 0 && c.is_ascii_digit()
+    let allowed = |(index, c): (usize, char)| {
+        c == 'µ' || c.is_ascii_alphabetic() || index > 0 && c.is_ascii_digit()
     };
     let count = label.chars().count();
     if (1..=LONGEST).contains(&count) && label.chars().enumerate().all(allowed) {

@@ -56,9 +56,9 @@ pub(super) fn problem_page(problem: &dyn Problem) -> String {
          [laws-and-methods.md](laws-and-methods.md) the laws.\n\n## Parameters\n\n",
         schema.meaning
     );
-    let of_method = |parameter: &Parameter| METHOD.iter().any(|own| own.name == parameter.name);
-    let own = problem.parameters().iter().filter(|p| !of_method(p));
-    text += &parameters(&own.collect::<Vec<_>>());
+    let of_method = |parameter: &Parameter| METHOD.iter().any(|row| row.name == parameter.name);
+    let others = problem.parameters().iter().filter(|p| !of_method(p));
+    text += &parameters(&others.collect::<Vec<_>>());
     text += "\n## Metrics\n\nc is computed, e exact. Of several metrics in a line, the formula is that of the first.\n\n";
     text += &metrics(problem, true);
     text += "\nOnly if `metrics` of the study lists them:\n\n";
@@ -92,13 +92,13 @@ fn named<'a>(names: impl Iterator<Item = (&'a str, &'a str)>) -> String {
 }
 
 /// Parameters as a list. Those of one object that follow others in the same way share a line.
-fn parameters(all: &[&Parameter]) -> String {
+fn parameters(listed: &[&Parameter]) -> String {
     let like = |parameter: &Parameter| match (&parameter.default, parameter.name.split_once('.')) {
         (Default::Follows(from), Some((object, _))) => Some((object.to_owned(), from.to_string())),
         _ => None,
     };
     let mut text = String::new();
-    for group in all.chunk_by(|a, b| like(a).is_some() && like(a) == like(b)) {
+    for group in listed.chunk_by(|a, b| like(a).is_some() && like(a) == like(b)) {
         text += &match (group, like(group[0])) {
             ([_, _, ..], Some((_, from))) => {
                 let names: Vec<&str> = group.iter().map(|p| &*p.name).collect();

@@ -27,7 +27,7 @@ fn in_words() -> String {
         words.replace("{}", part)
     });
     let channels = WORDS.iter().zip(&words);
-    let channels: Vec<(&str, &str)> = channels.map(|(own, words)| (own.0, &**words)).collect();
+    let channels: Vec<(&str, &str)> = channels.map(|(row, words)| (row.0, &**words)).collect();
     format!(
         "Figures write channels in words with the unit, as in \"Displacement of g1.right relative to p2, m\". A metric has words before \
          them: \"Peak contact force of gap12, kN\". `\"names\"` of the study gives other words, to a channel, or to a contact for all of \
@@ -40,8 +40,8 @@ fn in_words() -> String {
 pub(super) fn reference() -> String {
     let laws: Vec<&str> = NAMES.iter().map(|law| law.0).collect();
     let keys = |title: &str, keys: &[(&str, &str)]| format!("{title}\n\n{}", list(keys));
-    let objects = |title: &str, all: &[(&str, &[(&str, &str)])]| {
-        let items: Vec<String> = all.iter().map(|(name, keys)| object(name, keys)).collect();
+    let objects = |title: &str, rows: &[(&str, &[(&str, &str)])]| {
+        let items: Vec<String> = rows.iter().map(|(name, keys)| object(name, keys)).collect();
         format!("{title}\n\n{}", items.join("\n"))
     };
     let pulses = PULSES.map(|pulse| (pulse.name, pulse.meaning));

@@ -24,8 +24,8 @@ pub(super) fn known(measured: Measured, root: &Node, table: &[Parameter]) -> Mea
         Some(Source::Expression(expression)) => {
             let free = Free::of(root, table);
             let of = |draft: BlockDraft| Ranges { draft, free: &free }.of(&expression.formula, 0);
-            let all = blocks(root, table).into_iter().filter_map(of);
-            all.reduce(joined).unwrap_or_default()
+            let ranges = blocks(root, table).into_iter().filter_map(of);
+            ranges.reduce(joined).unwrap_or_default()
         }
     };
     Measured { delays, ..measured }
@@ -37,12 +37,12 @@ fn joined(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 /// The parameters of every block. Their faults are reported where cases are made.
 fn blocks(root: &Node, table: &[Parameter]) -> Vec<BlockDraft> {
-    let own = [root].into_iter();
+    let first = [root].into_iter();
     let more = match member(root, "blocks").map(|node| &node.tree) {
         Some(Tree::List(blocks)) => &blocks[..],
         _ => &[],
     };
-    let nodes = own
+    let nodes = first
         .chain(more)
         .filter_map(|node| member(node, "parameters"));
     let draft = |node: &Node| parameters(node, "", table, &mut Faults::default());
@@ -54,13 +54,13 @@ struct Free(Vec<(usize, [f64; 2])>);
 
 impl Free {
     fn of(root: &Node, table: &[Parameter]) -> Free {
-        let all = member(root, "calibrate").map_or(&[][..], members).iter();
-        let range = all.filter_map(|own| {
-            let row = table.iter().position(|known| known.name == own.key)?;
+        let calibrated = member(root, "calibrate").map_or(&[][..], members).iter();
+        let range = calibrated.filter_map(|entry| {
+            let row = table.iter().position(|known| known.name == entry.key)?;
             // With a scale, the ends are the value of its key.
-            let ends = match members(&own.node) {
+            let ends = match members(&entry.node) {
                 [scale] => &scale.node,
-                _ => &own.node,
+                _ => &entry.node,
             };
             match &ends.tree {
                 Tree::List(ends) => match &ends[..] {
@@ -101,8 +101,8 @@ impl Ranges<'_> {
         let ends: Vec<[f64; 2]> = ends.collect::<Option<_>>()?;
         let value = |corner: usize| {
             let of = |row: usize| {
-                let place = rows.iter().position(|own| *own == row)?;
-                Some(Value::Number(ends[place][corner >> place & 1]))
+                let index = rows.iter().position(|known| *known == row)?;
+                Some(Value::Number(ends[index][corner >> index & 1]))
             };
             let x = formula.value(&of).ok()?;
             Some([x, x])
@@ -114,12 +114,12 @@ impl Ranges<'_> {
         let given = self.draft.get(row)?;
         let values = given.values.iter().filter_map(Value::as_f64);
         let values = values.map(|x| [x, x]);
-        let interval = given.interval.map(|own| own.ends());
+        let interval = given.interval.map(|interval| interval.ends());
         let formula = given.formula.as_ref();
         let formula = formula.and_then(|(formula, _)| self.of(formula, depth + 1));
-        let free = self.free.0.iter().filter(|own| own.0 == row);
-        let all = values.chain(interval).chain(formula);
-        all.chain(free.map(|own| own.1)).reduce(joined)
+        let free = self.free.0.iter().filter(|pair| pair.0 == row);
+        let known = values.chain(interval).chain(formula);
+        known.chain(free.map(|pair| pair.1)).reduce(joined)
     }
 }
 

@@ -44,14 +44,14 @@ pub(super) fn notes(template: &Template, names: &Names, structure: &Node) -> Vec
 fn scaled_apart(structure: &Node) -> Option<String> {
     let supports = given::member(structure, "supports").map(given::members);
     let supports = supports.unwrap_or_default().iter();
-    let supports = supports.map(|own| (format!("support {}", own.key), &own.node));
+    let supports = supports.map(|support| (format!("support {}", support.key), &support.node));
     let ground = given::member(structure, "ground");
-    let ground = ground.map(|own| ("ground".to_owned(), own));
-    let is_apart = |own: &(String, &Node)| {
+    let ground = ground.map(|motion| ("ground".to_owned(), motion));
+    let is_apart = |part: &(String, &Node)| {
         ["x", "y"].iter().all(|key| {
-            let motion = given::member(own.1, key);
-            let scale_to = motion.and_then(|own| given::member(own, "scale_to"));
-            scale_to.is_some_and(|own| given::member(own, "component").is_none())
+            let motion = given::member(part.1, key);
+            let scale_to = motion.and_then(|node| given::member(node, "scale_to"));
+            scale_to.is_some_and(|node| given::member(node, "component").is_none())
         })
     };
     let (name, _) = ground.into_iter().chain(supports).find(is_apart)?;
@@ -79,19 +79,19 @@ fn small_set(template: &Template) -> Option<String> {
 
 /// The directions of the ground in which no node moves.
 fn idle_ground(template: &Template) -> Option<String> {
-    let masses = template.masses.iter().map(|own| own.direction);
-    let bars = template.bars.iter().map(|own| own.direction);
+    let masses = template.masses.iter().map(|mass| mass.direction);
+    let bars = template.bars.iter().map(|bar| bar.direction);
     let rows = template.matrices.iter();
-    let rows = rows.flat_map(|own| own.imported.dofs.rows());
-    let all: Vec<Direction> = masses
+    let rows = rows.flat_map(|matrices| matrices.imported.dofs.rows());
+    let moving: Vec<Direction> = masses
         .chain(bars)
         .chain(rows.map(|dof| dof.direction))
         .collect();
     let names = |moves: bool, wanted: &[Direction]| {
-        let own = wanted.iter().filter(|one| all.contains(one) == moves);
-        own.map(|one| one.name()).collect::<Vec<_>>()
+        let matching = wanted.iter().filter(|one| moving.contains(one) == moves);
+        matching.map(|one| one.name()).collect::<Vec<_>>()
     };
-    let ground: Vec<Direction> = template.ground.iter().map(|own| own.0).collect();
+    let ground: Vec<Direction> = template.ground.iter().map(|pair| pair.0).collect();
     let idle = names(false, &ground);
     (!idle.is_empty()).then(|| {
         format!(
@@ -153,22 +153,22 @@ fn exchanged_nodes(contact: &Contact, names: &Names) -> Option<String> {
         (1.0, -1.0) => (second, first),
         _ => return None,
     };
-    let place = |term: &Term| {
+    let located = |term: &Term| {
         let NodeRef::Dof(matrices, row) = term.node.node else {
             return None;
         };
-        let (part, own) = names.matrices.get(matrices)?;
-        let dof = own.dofs.rows().get(row)?;
+        let (part, imported) = names.matrices.get(matrices)?;
+        let dof = imported.dofs.rows().get(row)?;
         let axis = Direction::TRANSLATIONS
             .iter()
             .position(|one| *one == dof.direction)?;
         Some((
             axis,
             dof.at?[axis],
-            format!("{part}.{}", own.dofs.name(row)),
+            format!("{part}.{}", imported.dofs.name(row)),
         ))
     };
-    let ((axis, x_i, name_i), (other, x_j, name_j)) = (place(i)?, place(j)?);
+    let ((axis, x_i, name_i), (other, x_j, name_j)) = (located(i)?, located(j)?);
     let size = SAME * x_i.abs().max(x_j.abs());
     if axis != other || x_i - x_j <= size {
         return None;

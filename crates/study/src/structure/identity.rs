@@ -49,14 +49,14 @@ pub(super) fn identity(
 
 /// A value as JSON without blanks and remarks.
 fn written(node: &Node) -> String {
-    let all = |parts: Vec<String>| parts.join(",");
+    let joined = |parts: Vec<String>| parts.join(",");
     match &node.tree {
         Tree::Object(members) => {
             let real = members.iter().filter(|member| member.key != "//");
             let one = |member: &Member| format!("{:?}:{}", member.key, written(&member.node));
-            format!("{{{}}}", all(real.map(one).collect()))
+            format!("{{{}}}", joined(real.map(one).collect()))
         }
-        Tree::List(items) => format!("[{}]", all(items.iter().map(written).collect())),
+        Tree::List(items) => format!("[{}]", joined(items.iter().map(written).collect())),
         Tree::Text(text) => format!("{text:?}"),
         Tree::Number(number) => number.clone(),
         Tree::Bool(truth) => truth.to_string(),

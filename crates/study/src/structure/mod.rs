@@ -79,7 +79,7 @@ pub(super) fn problem(
     let (units, metre) = units(&object, node, faults);
     let name = |part: &crate::structure::reading::reader::Part| part.0.clone();
     let inner = contacts::inner_nodes(&of_contacts);
-    let inner_names = inner.iter().map(|own| own.name.clone());
+    let inner_names = inner.iter().map(|mass| mass.name.clone());
     let mut reader = Reader {
         root: root_node,
         table: &first.parameters,
@@ -109,7 +109,7 @@ pub(super) fn problem(
     let (masses_named, bars_named) = (reader.names.masses, reader.names.bars);
     let named = imported
         .iter()
-        .map(|own| (own.name.clone(), own.imported.clone()));
+        .map(|matrices| (matrices.name.clone(), matrices.imported.clone()));
     reader.names = Names::new(masses_named, bars_named, named.collect()).with_supports(directions);
     let reader = reader;
     let modes = matrices::modes(&of_matrices, &reader, faults);
@@ -123,8 +123,8 @@ pub(super) fn problem(
         units,
         metre,
         masses: {
-            let own = parts::masses(&masses, &reader, faults);
-            own.into_iter().chain(inner).collect()
+            let listed = parts::masses(&masses, &reader, faults);
+            listed.into_iter().chain(inner).collect()
         },
         bars: parts::bars(&bars, &reader, faults),
         matrices: imported,
@@ -152,7 +152,7 @@ pub(super) fn problem(
     let part = |name: &str| {
         contacts
             .iter()
-            .any(|own| own.split('.').next() == Some(name))
+            .any(|contact| contact.split('.').next() == Some(name))
     };
     let faulty = of_contacts.iter().filter(|(name, ..)| !part(name));
     let faulty: Vec<String> = faulty.map(|(name, ..)| name.clone()).collect();
@@ -166,10 +166,10 @@ pub(super) fn problem(
     let mut drawn = crate::structure::named::named_metrics::drawn(root, &known, faults);
     let measured = measured::decode(root, (&known, &template.units), &reader, &mut drawn, faults);
     match measured {
-        Some(Given::Histories(own)) => {
-            template.measured = Some(delays::known(own, root_node, reader.table));
+        Some(Given::Histories(histories)) => {
+            template.measured = Some(delays::known(histories, root_node, reader.table));
         }
-        Some(Given::Sample(own)) => template.sample = Some(own),
+        Some(Given::Sample(sample)) => template.sample = Some(sample),
         None => {}
     }
     let of_tests = (template.measured.as_ref(), template.sample.as_ref());
@@ -207,8 +207,8 @@ pub(super) fn problem(
     notes.extend(crate::structure::reading::files::early_note(&reader));
     notes.extend(doubts::notes(&template, &reader.names, node));
     let of_measured = root.get(keys::KEY.0).zip(template.measured.as_ref());
-    let of_measured = of_measured.map(|(node, own)| (node, own.delays));
-    let set = template.set().map(|own| own.1);
+    let of_measured = of_measured.map(|(node, measured)| (node, measured.delays));
+    let set = template.set().map(|set| set.1);
     let identity = identity::identity(node, (of_measured, set), &reader.records.borrow());
     let schema = schema::schema(
         &parameters,

@@ -41,14 +41,14 @@ impl<const L: usize> Track<L> {
 
     /// The first `len` steps of one lane.
     pub fn lane(&self, l: usize, len: usize) -> Track<1> {
-        let own = |of: &[Lane<L>]| of[..len].iter().map(|x| Lane([x.0[l]])).collect();
+        let values = |of: &[Lane<L>]| of[..len].iter().map(|x| Lane([x.0[l]])).collect();
         Track {
-            displacement: own(&self.displacement),
-            velocity: own(&self.velocity),
-            force: own(&self.force),
+            displacement: values(&self.displacement),
+            velocity: values(&self.velocity),
+            force: values(&self.force),
             touching: match self.touching.is_empty() {
                 true => Vec::new(),
-                false => own(&self.touching),
+                false => values(&self.touching),
             },
         }
     }
@@ -84,15 +84,15 @@ impl<const L: usize> solve::Track<L> for Track<L> {
 impl Track<1> {
     /// As a history with steps of `dt`.
     pub fn history(&self, dt: f64) -> History {
-        let own = |of: &[Lane<1>]| of.iter().map(|x| x.0[0]).collect();
+        let values = |of: &[Lane<1>]| of.iter().map(|x| x.0[0]).collect();
         History {
             time: (0..self.displacement.len())
                 .map(|i| i as f64 * dt)
                 .collect(),
             channels: vec![
-                own(&self.displacement),
-                own(&self.velocity),
-                own(&self.force),
+                values(&self.displacement),
+                values(&self.velocity),
+                values(&self.force),
             ],
         }
     }

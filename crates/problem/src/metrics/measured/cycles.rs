@@ -41,7 +41,7 @@ pub fn work_of_cycles(r: &[f64], s: &[f64], places: &[f64]) -> Vec<f64> {
     };
     let pairs = places.windows(2);
     pairs
-        .map(|place| work(&part(s, place[0], place[1]), &part(r, place[0], place[1])))
+        .map(|ends| work(&part(s, ends[0], ends[1]), &part(r, ends[0], ends[1])))
         .collect()
 }
 
@@ -147,8 +147,8 @@ mod tests {
         // Five rises; before the first one the displacement was below the middle.
         let places = cycles(&r);
         assert_eq!(places.len(), 5, "{places:?}");
-        for (k, place) in places.iter().enumerate() {
-            let t = 10.0 * PI * place / f64::from(n);
+        for (k, rise) in places.iter().enumerate() {
+            let t = 10.0 * PI * rise / f64::from(n);
             // The noise moves the middle and the crossing by 0.03 each.
             assert!((t - 0.5 - 2.0 * PI * k as f64).abs() < 0.07, "{t}");
         }

@@ -67,17 +67,20 @@ struct Pieces(Vec<[[f64; LANES]; 5]>);
 impl Pieces {
     /// x and y of the beginning of each piece, of its way to its end, and 1 over the square of its length; 0 without length.
     fn of(line: &[[f64; 2]]) -> Pieces {
-        let mut all = vec![[[0.0; LANES]; 5]; PIECES / LANES];
+        let mut groups = vec![[[0.0; LANES]; 5]; PIECES / LANES];
         for (i, pair) in line.windows(2).enumerate() {
             let [a, b] = [pair[0], pair[1]];
             let [x, y] = [b[0] - a[0], b[1] - a[1]];
             let square = x * x + y * y;
             let inverse = if square > 0.0 { 1.0 / square } else { 0.0 };
-            for (numbers, number) in all[i / LANES].iter_mut().zip([a[0], a[1], x, y, inverse]) {
+            for (numbers, number) in groups[i / LANES]
+                .iter_mut()
+                .zip([a[0], a[1], x, y, inverse])
+            {
                 numbers[i % LANES] = number;
             }
         }
-        Pieces(all)
+        Pieces(groups)
     }
 
     /// Mean distance of points from the line.
@@ -222,8 +225,8 @@ mod tests {
                     to_a.min(to_b)
                 }
             };
-            let all = m.windows(2).map(from_piece).fold(f64::INFINITY, f64::min);
-            assert!((pieces.distance(*point) - all).abs() < 1e-13);
+            let least = m.windows(2).map(from_piece).fold(f64::INFINITY, f64::min);
+            assert!((pieces.distance(*point) - least).abs() < 1e-13);
         }
     }
 }

@@ -19,9 +19,9 @@ pub fn at_times(c: &[f64], dt: f64, times: &[f64]) -> Option<Vec<f64>> {
     let end = c.len().checked_sub(1)? as f64;
     // A time of a file is a decimal number, and dt may be a quotient: both are rounded.
     let is_near = |t: &f64| {
-        let place = t / dt;
-        let nearest = place.clamp(0.0, end);
-        (place - nearest).abs() <= 1e-9 + SLACK * nearest
+        let steps = t / dt;
+        let nearest = steps.clamp(0.0, end);
+        (steps - nearest).abs() <= 1e-9 + SLACK * nearest
     };
     let mut ends = [times.first(), times.last()].into_iter().flatten();
     if !ends.all(is_near) {
@@ -50,10 +50,10 @@ pub fn at_steps(times: &[f64], m: &[f64], steps: &[f64]) -> Vec<f64> {
 }
 
 /// The value at a place of a list, with a fraction, straight between its values.
-pub(super) fn between(x: &[f64], place: f64) -> f64 {
-    let before = (place as usize).min(x.len().saturating_sub(2));
+pub(super) fn between(x: &[f64], at: f64) -> f64 {
+    let before = (at as usize).min(x.len().saturating_sub(2));
     let after = (before + 1).min(x.len() - 1);
-    x[before] + (place - before as f64) * (x[after] - x[before])
+    x[before] + (at - before as f64) * (x[after] - x[before])
 }
 
 #[cfg(test)]

@@ -58,8 +58,8 @@ pub(super) enum Step {
 
 impl Formula {
     fn name(&self, row: usize) -> &str {
-        let place = self.uses.iter().position(|own| *own == row);
-        place.map_or("", |place| &self.names[place])
+        let index = self.uses.iter().position(|used| *used == row);
+        index.map_or("", |i| &self.names[i])
     }
 
     /// Rows of its parameters, each once, in the order of the text.

@@ -56,8 +56,8 @@ mod tests {
     #[test]
     fn exactly_the_characters_of_the_standard_are_not_plain() {
         // Unicode 16, 23.7: 66 noncharacters; 65 control characters (C0, DEL, C1); 2 separators; 9 codes of directions.
-        let all = (0..=0x0010_ffff).filter_map(char::from_u32);
-        assert_eq!(all.filter(|c| !is_plain(*c)).count(), 66 + 65 + 2 + 9);
+        let chars = (0..=0x0010_ffff).filter_map(char::from_u32);
+        assert_eq!(chars.filter(|c| !is_plain(*c)).count(), 66 + 65 + 2 + 9);
         for c in "aé 漢\u{200d}\u{200f}😀\u{e000}\u{fffd}\u{feff}".chars() {
             assert!(is_plain(c), "{c:?}");
         }

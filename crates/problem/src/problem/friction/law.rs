@@ -19,16 +19,16 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
         let (law, force) = plain_law(name, case)?;
         return Some((law.into(), force));
     }
-    let own = Own::named(&OWN, case.name_at(rows::LAW))?;
-    let force = match own.offered.of_velocity {
+    let law = Own::named(&OWN, case.name_at(rows::LAW))?;
+    let force = match law.offered.of_velocity {
         true => 0.0,
         false => {
             let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
             release_force(slip, case.at(rows::X0)?)
         }
     };
-    let form = |given: &GivenNumbers| (own.offered.offer.form)(given).ok();
-    let form = own.make(|_, row| case.at(row), &[("limit", LIMIT)], form)?;
+    let form = |given: &GivenNumbers| (law.offered.offer.form)(given).ok();
+    let form = law.make(|_, row| case.at(row), &[("limit", LIMIT)], form)?;
     Some((form.given.law().at_limit(LIMIT), force))
 }
 

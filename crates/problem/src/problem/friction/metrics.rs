@@ -88,9 +88,9 @@ metric_rows! {
     ["spectral_radius", "spectral radius", "1"], "largest magnitude of the eigenvalues of a step without friction, from the closed form of the method"
     => Some(of.step.spectral_radius);
     ["period_elongation", "period elongation", "1"], "(T - T_0)/T_0 of the period without friction, from the closed form of the method; undefined if the step does not oscillate"
-    => of.step.principal.as_ref().map(|own| own.period_elongation);
+    => of.step.principal.as_ref().map(|eigenvalue| eigenvalue.period_elongation);
     ["numerical_damping", "numerical damping ratio", "1"], "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction, from the closed form of the method; undefined if the step does not oscillate"
-    => of.step.principal.as_ref().map(|own| own.damping_ratio);
+    => of.step.principal.as_ref().map(|eigenvalue| eigenvalue.damping_ratio);
 }
 
 /// The error of the reference.

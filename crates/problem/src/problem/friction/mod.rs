@@ -60,12 +60,14 @@ impl Problem for Oscillator {
         if !rules.is_empty() || !(falls || method::has_rules(case, rows::METHOD)) {
             return rules;
         }
-        OscillatorCase::new(case).map_or(rules, |own| step_rules("dT", &own.system(), 0.0))
+        OscillatorCase::new(case).map_or(rules, |oscillator| {
+            step_rules("dT", &oscillator.system(), 0.0)
+        })
     }
 
     fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
         let in_closed_form = || {
-            let law = OscillatorCase::new(case).map(|own| own.law);
+            let law = OscillatorCase::new(case).map(|oscillator| oscillator.law);
             law.is_none_or(|law| reference::in_closed_form(&law))
         };
         match needs_reference(wanted) {
@@ -78,39 +80,44 @@ impl Problem for Oscillator {
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        let own = self.lane_case(case)?;
-        let motion = solve::run::<ContactTrack>(&own.system())?;
-        self.judge(&own, &motion.track, own.work(&motion, 0), wanted)
+        let oscillator = self.lane_case(case)?;
+        let motion = solve::run::<ContactTrack>(&oscillator.system())?;
+        self.judge(
+            &oscillator,
+            &motion.track,
+            oscillator.work(&motion, 0),
+            wanted,
+        )
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         // Names are compared once, if all cases have the same.
         let common = cases.common(PlainCase::deciding());
         let common = common.map(|case| PlainCase::law_name(&case));
-        let own = |case: &Case| {
+        let form_of = |case: &Case| {
             let name = common.unwrap_or_else(|| PlainCase::law_name(case));
             match name.and_then(|name| PlainCase::plain(case, name)) {
-                Some(own) => Ok(Form::Plain(own)),
+                Some(plain) => Ok(Form::Plain(plain)),
                 None => self.lane_case(case).map(Form::Other),
             }
         };
-        sweep_cases::<LANES, _, _>(self, cases, rows, own)
+        sweep_cases::<LANES, _, _>(self, cases, rows, form_of)
     }
 
     fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
-        let Some(own) = OscillatorCase::new(case) else {
+        let Some(oscillator) = OscillatorCase::new(case) else {
             return Vec::new();
         };
-        let count = 2.0 * PI / own.step;
+        let count = 2.0 * PI / oscillator.step;
         let long = || {
             (
                 Warning::LongStep,
                 format!("a period of 2 pi has {count:.1} steps"),
             )
         };
-        let long = own.has_long_step().then(long);
+        let long = oscillator.has_long_step().then(long);
         long.into_iter()
-            .chain(own.ends_early().map(ends_early))
+            .chain(oscillator.ends_early().map(ends_early))
             .collect()
     }
 
@@ -126,15 +133,17 @@ impl Textbook for Oscillator {
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        let own = self.lane_case(case)?;
+        let oscillator = self.lane_case(case)?;
         let mut track = ContactTrack::default();
-        solve::single_pass::run(&own.system(), |structure| track.0.push(structure.contact()))?;
-        let work = work_by_steps(&track.0, own.x0, &ContactWork::Trapezoids);
-        self.judge(&own, &track, work, wanted)
+        solve::single_pass::run(&oscillator.system(), |structure| {
+            track.0.push(structure.contact())
+        })?;
+        let work = work_by_steps(&track.0, oscillator.x0, &ContactWork::Trapezoids);
+        self.judge(&oscillator, &track, work, wanted)
     }
 
     fn system(&self, case: &Case) -> Option<System> {
-        OscillatorCase::new(case).map(|own| own.system())
+        OscillatorCase::new(case).map(|oscillator| oscillator.system())
     }
 
     fn exact_of_law(&self, case: &Case, times: &[f64]) -> Option<History> {

@@ -16,12 +16,12 @@ static OWN: LazyLock<Vec<Own>> = LazyLock::new(|| Own::all(Place::Bars, &SCHEMA.
 
 /// Their laws without compliance, with any numbers.
 static RIGID: LazyLock<Vec<&str>> = LazyLock::new(|| {
-    let is_vertical = |own: &&Own| {
-        let law = form(own, |_, _| Some(1.0), [1.0; 3]);
+    let is_vertical = |offered: &&Own| {
+        let law = form(offered, |_, _| Some(1.0), [1.0; 3]);
         law.is_some_and(|form| form.given.law().properties().is_vertical())
     };
     let rigid = OWN.iter().filter(is_vertical);
-    rigid.map(|own| own.offered.offer.name).collect()
+    rigid.map(|law| law.offered.offer.name).collect()
 });
 
 /// The law of a case; `None` if it is not given.
@@ -66,7 +66,7 @@ pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<Con
 
 /// The form of a law with these numbers.
 fn form(
-    own: &Own,
+    law: &Own,
     value: impl Fn(&Number, usize) -> Option<f64>,
     [stiffness, mass, impulses]: [f64; 3],
 ) -> Option<Form> {
@@ -75,6 +75,6 @@ fn form(
         ("colliding_mass", mass),
         ("impulses", impulses),
     ];
-    let form = |given: &GivenNumbers| (own.offered.offer.form)(given).ok();
-    own.make(value, &others, form)
+    let form = |given: &GivenNumbers| (law.offered.offer.form)(given).ok();
+    law.make(value, &others, form)
 }

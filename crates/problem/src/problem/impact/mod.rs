@@ -56,9 +56,9 @@ impl Bars {
     /// The numbers of a case; `None` if a parameter is not given.
     fn of(&self, case: &Case) -> Option<ImpactCase> {
         let has_strange_bar = scales::strange_speed(case, self.velocity).is_some();
-        ImpactCase::new(case).map(|own| ImpactCase {
+        ImpactCase::new(case).map(|impact| ImpactCase {
             has_strange_bar,
-            ..own
+            ..impact
         })
     }
 }
@@ -78,11 +78,11 @@ impl Problem for Bars {
 
     fn work(&self, case: &Case) -> u64 {
         // A node without mass has no mode.
-        let own = u64::from(MassMatrix::of(case) != Some(MassMatrix::MasslessContact));
-        let modes = |row| case.at(row).map_or(0, |n| n as u64 + own);
-        let all = modes(rows::N) + modes(rows::RIGHT_N);
+        let at_contact = u64::from(MassMatrix::of(case) != Some(MassMatrix::MasslessContact));
+        let modes = |row| case.at(row).map_or(0, |n| n as u64 + at_contact);
+        let count = modes(rows::N) + modes(rows::RIGHT_N);
         let parts = method::of_case(case, METHOD).map_or(1, |method| method.count_of_sub_steps());
-        self.steps(case).saturating_mul(all * parts)
+        self.steps(case).saturating_mul(count * parts)
     }
 
     fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
@@ -102,11 +102,11 @@ impl Problem for Bars {
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        let own = self.of(case).ok_or(Unsolvable::ParameterMissing)?;
-        let system = own.system();
+        let impact = self.of(case).ok_or(Unsolvable::ParameterMissing)?;
+        let system = impact.system();
         let motion = solve::run::<Track<1>>(&system)?;
         let mut track = motion.track;
-        case::condense(&[own], &mut track);
+        case::condense(&[impact], &mut track);
         let energy = Energy::of_case(&track, &system, track.displacement.len());
         let Lane([first_mode]) = motion.first_mode;
         let run = Judged {
@@ -115,19 +115,19 @@ impl Problem for Bars {
             restitution: 0.5 * first_mode,
             by_method: motion.taken.map(|taken| taken.by_method.0[0]),
         };
-        judge(&own, &run, wanted)
+        judge(&impact, &run, wanted)
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
-        let own = |case: &Case| {
-            let own = self.of(case).ok_or(Unsolvable::ParameterMissing);
-            own.map(Form::<_, ImpactCase>::Plain)
+        let form_of = |case: &Case| {
+            let impact = self.of(case).ok_or(Unsolvable::ParameterMissing);
+            impact.map(Form::<_, ImpactCase>::Plain)
         };
-        sweep_cases::<LANES, _, _>(self, cases, rows, own)
+        sweep_cases::<LANES, _, _>(self, cases, rows, form_of)
     }
 
     fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
-        let end = ImpactCase::new(case).and_then(|own| own.ends_early());
+        let end = ImpactCase::new(case).and_then(|impact| impact.ends_early());
         let speed = scales::strange_speed(case, self.velocity);
         let speed = speed.map(|text| (Warning::WaveSpeed, text));
         end.map(ends_early).into_iter().chain(speed).collect()
@@ -160,23 +160,23 @@ impl Textbook for Bars {
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        let own = self.of(case).ok_or(Unsolvable::ParameterMissing)?;
+        let impact = self.of(case).ok_or(Unsolvable::ParameterMissing)?;
         let single_pass::Once {
             track,
             energy,
             restitution,
-        } = single_pass::run(&own.system(), &own.scaled)?;
+        } = single_pass::run(&impact.system(), &impact.scaled)?;
         let run = Judged {
             track: &track,
             energy: &energy,
             restitution,
             by_method: None,
         };
-        judge(&own, &run, wanted)
+        judge(&impact, &run, wanted)
     }
 
     fn system(&self, case: &Case) -> Option<System> {
-        ImpactCase::new(case).map(|own| own.system())
+        ImpactCase::new(case).map(|impact| impact.system())
     }
 
     fn in_units(&self, size: &dyn Fn(Dimension) -> Option<f64>) -> Option<Arc<dyn Problem>> {

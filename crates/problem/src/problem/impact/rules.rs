@@ -38,11 +38,11 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
     }
     if violations.is_empty()
         && method::has_rules(case, METHOD)
-        && let Some(own) = ImpactCase::new(case)
+        && let Some(impact) = ImpactCase::new(case)
     {
         // Twice the overlap of the linear spring under the force F0 of the exact impact.
-        let overlap = 2.0 / own.scaled.spring;
-        violations = step_rules("dt", &own.system(), overlap);
+        let overlap = 2.0 / impact.scaled.spring;
+        violations = step_rules("dt", &impact.system(), overlap);
     }
     violations
 }
@@ -118,7 +118,7 @@ fn follow_left(case: &mut Case) {
 /// gamma, k_I and k_h, each from the one that is given. Rigid contact has none.
 fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
     let (rigid, curved) = (is_rigid(case), law::has(case, &bars::K_H));
-    let all: &[(&'static str, usize)] = match curved {
+    let keys: &[(&'static str, usize)] = match curved {
         true => &[("gamma", rows::GAMMA), ("k_I", rows::K_I), ("k_h", K_H)],
         false => &[("gamma", rows::GAMMA), ("k_I", rows::K_I)],
     };
@@ -129,8 +129,8 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
             at: None,
         });
     };
-    let names = || all.iter().map(|row| row.0).collect::<Vec<_>>().join(", ");
-    let mut given = all.iter().filter(|row| case.at(row.1).is_some());
+    let names = || keys.iter().map(|row| row.0).collect::<Vec<_>>().join(", ");
+    let mut given = keys.iter().filter(|row| case.at(row.1).is_some());
     let (name, row) = match (given.next(), given.next()) {
         (Some(one), None) if !rigid => *one,
         (None, _) if rigid => return,

@@ -79,24 +79,24 @@ fn snapshot(
         1.0
     };
     for (i, bar) in scaled.pair.each().enumerate() {
-        let (own, rest) = modes.split_at(bar.mode_count() as usize);
+        let (of_bar, rest) = modes.split_at(bar.mode_count() as usize);
         modes = rest;
         let (sign, length) = [(-1.0, 1.0), (1.0, scaled.length_ratio)][i];
-        let field = Field::new(&bar, own, force);
+        let field = Field::new(&bar, of_bar, force);
         let n = bar.elements;
         let stride = n.div_ceil(DRAWN);
-        let place = |s: f64| sign * length * s / f64::from(n);
+        let position = |s: f64| sign * length * s / f64::from(n);
         let nodes = (0..=n).step_by(stride as usize);
         // Scaled coordinates are positive if they open the gap, so the left bar has the opposite sign.
         velocity.computed.push(
             nodes
-                .map(|k| [place(f64::from(k)), sign * field.at(k)[1] - frame])
+                .map(|k| [position(f64::from(k)), sign * field.at(k)[1] - frame])
                 .collect(),
         );
         let nodes = (0..=n).step_by(stride as usize);
         displacement.computed.push(
             nodes
-                .map(|k| [place(f64::from(k)), sign * field.at(k)[0]])
+                .map(|k| [position(f64::from(k)), sign * field.at(k)[0]])
                 .collect(),
         );
         let elements = (0..n).step_by(stride as usize);
@@ -104,7 +104,10 @@ fn snapshot(
             elements
                 .map(|k| {
                     let stretch = field.at(k + 1)[0] - field.at(k)[0];
-                    [place(f64::from(k) + 0.5), bar.element_stiffness() * stretch]
+                    [
+                        position(f64::from(k) + 0.5),
+                        bar.element_stiffness() * stretch,
+                    ]
                 })
                 .collect(),
         );
@@ -202,7 +205,7 @@ mod tests {
             ("right.L", Value::Number(7.0)),
         ];
         let wall = [("right", Value::Name("wall")); 1];
-        for own in [&unequal[..], &wall[..], &[]] {
+        for pairs in [&unequal[..], &wall[..], &[]] {
             let mut given = vec![
                 ("gamma", Value::Number(1.0)),
                 ("n", Value::Whole(12)),
@@ -210,7 +213,7 @@ mod tests {
                 ("duration", Value::Number(3.0)),
                 ("gap", Value::Number(0.3)),
             ];
-            given.extend(own);
+            given.extend(pairs);
             let (case, broken) = Case::given(&*problem, &given);
             assert_eq!(broken, []);
             let solution = problem.solve(&case, &[]).unwrap();
@@ -228,9 +231,9 @@ mod tests {
                 for (bars, history) in motions {
                     let right = bars.get(1).map_or(0.0, |bar| bar[0][1]);
                     let r = 0.3 + right - bars[0][0][1];
-                    let own = history.displacement()[step];
+                    let computed = history.displacement()[step];
                     // Round-off of sums over the modes and over the pieces.
-                    assert!((r - own).abs() < 1e-10, "{step}: {r} {own}");
+                    assert!((r - computed).abs() < 1e-10, "{step}: {r} {computed}");
                 }
             }
         }

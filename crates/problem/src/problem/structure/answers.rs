@@ -34,13 +34,13 @@ impl StructureProblem {
         let units = &self.template.units;
         let mut text = describe::describe(&structure, &models, times, units, &restitutions);
         if let Some(total) = &models.total {
-            let reduced = self.template.matrices.iter().map(|own| {
-                let reduced = own.reduce.as_ref()?.reduced(case);
+            let reduced = self.template.matrices.iter().map(|matrices| {
+                let reduced = matrices.reduce.as_ref()?.reduced(case);
                 reduced.ok()
             });
             let reduced: Vec<_> = reduced.collect();
             let supports = self.template.supports.iter();
-            let supports: Vec<Direction> = supports.map(|own| own.direction).collect();
+            let supports: Vec<Direction> = supports.map(|support| support.direction).collect();
             let shaken = total.iter().filter(|(_, mass)| *mass > 0.0);
             let shaken = shaken.map(|(direction, mass)| {
                 let reduced = (&reduced[..], &numbering);
@@ -145,7 +145,7 @@ impl StructureProblem {
     /// Whether two completed cases have the same equations, steps and measured points to the bit. False if one cannot be solved.
     pub fn has_same_motion(&self, one: &Case, other: &Case) -> bool {
         let equations = |case| self.equations(case);
-        equations(one).is_some_and(|own| equations(other) == Some(own))
+        equations(one).is_some_and(|of_one| equations(other) == Some(of_one))
             && self.measured(one) == self.measured(other)
     }
 
@@ -157,7 +157,8 @@ impl StructureProblem {
         };
         let prepared = motion::prepare(&one.structure, &one.method, one.dt);
         one.last == other.last
-            && prepared.is_ok_and(|own| own.fits(&other.method, &other.structure, other.dt))
+            && prepared
+                .is_ok_and(|prepared| prepared.fits(&other.method, &other.structure, other.dt))
     }
 
     /// What determines results and is neither in the parameters nor in the program; empty if there is nothing.
@@ -177,7 +178,7 @@ impl StructureProblem {
     pub fn exact_metrics(&self, case: &Case, rows: &[usize]) -> Vec<Option<f64>> {
         let values = self
             .ready(0, case)
-            .and_then(|own| self.exact_values(&own, rows));
+            .and_then(|ready| self.exact_values(&ready, rows));
         values.unwrap_or_else(|_| vec![None; rows.len()])
     }
 }

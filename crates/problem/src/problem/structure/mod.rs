@@ -83,12 +83,12 @@ impl Problem for StructureProblem {
     fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let ready = self.ready(0, case)?;
         // A whole history that does not fit is refused where one is asked for; figures need their own channels.
-        let all = match self.check_history(case) {
+        let numbers = match self.check_history(case) {
             None => all_numbers(&ready.structure, &self.template),
             Some(_) => Vec::new(),
         };
         let drawn = self.drawn_numbers(&ready.numbering);
-        let recorded = distinct(drawn.into_iter().chain(all.iter().copied()));
+        let recorded = distinct(drawn.into_iter().chain(numbers.iter().copied()));
         let (motions, metrics, warnings) = self.solve_ready(&ready, &recorded)?;
         let time: Vec<f64> = (0..=ready.last).map(|i| i as f64 * ready.dt).collect();
         let exact = match (self.template.reference, self.against_rigid()) {
@@ -97,8 +97,8 @@ impl Problem for StructureProblem {
             (Some(_), false) => &motions.softened,
         };
         let exact = exact.as_ref();
-        let exact = exact.map(|exact| self.history(exact, &ready.numbering, &all));
-        let computed = self.history(&motions.computed, &ready.numbering, &all);
+        let exact = exact.map(|exact| self.history(exact, &ready.numbering, &numbers));
+        let computed = self.history(&motions.computed, &ready.numbering, &numbers);
         let history = |channels| History {
             time: time.clone(),
             channels,
@@ -118,10 +118,10 @@ impl Problem for StructureProblem {
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         let mut groups = Groups::new(self, rows.len());
         let mut shown = cases.shown();
-        for (place, row) in rows.iter().enumerate() {
-            match self.ready(place, shown.at(*row as usize)) {
+        for (index, row) in rows.iter().enumerate() {
+            match self.ready(index, shown.at(*row as usize)) {
                 Ok(ready) => groups.add(ready),
-                Err(why) => groups.fail(place, why),
+                Err(why) => groups.fail(index, why),
             }
         }
         groups.finish()

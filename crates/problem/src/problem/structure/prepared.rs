@@ -86,8 +86,9 @@ impl StructureProblem {
         case: &Case,
         model: Model,
     ) -> Result<(Structure, Numbering), Unsolvable> {
-        let broken =
-            |all: Vec<Violation>| Unsolvable::BrokenRules(Violation::all(&all).unwrap_or_default());
+        let broken = |violations: Vec<Violation>| {
+            Unsolvable::BrokenRules(Violation::all(&violations).unwrap_or_default())
+        };
         let (mut structure, numbering) = assemble(&self.template, case, model).map_err(broken)?;
         if let Some(modal) = &self.template.modal_damping {
             let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
@@ -133,11 +134,11 @@ impl StructureProblem {
     }
 
     /// A case ready to be stepped; `place` is its place in the table of results.
-    pub(super) fn ready(&self, place: usize, case: &Case) -> Result<Ready, Unsolvable> {
+    pub(super) fn ready(&self, index: usize, case: &Case) -> Result<Ready, Unsolvable> {
         let dt = case.at(self.schema.step);
         let (structure, numbering) = self.structure(case, Model::Study)?;
         Ok(Ready {
-            place,
+            place: index,
             case: case.clone(),
             structure,
             numbering,
@@ -189,12 +190,12 @@ impl StructureProblem {
         &self,
         recorded: &Recorded,
         numbering: &Numbering,
-        all: &[Number],
+        numbers: &[Number],
     ) -> Vec<Vec<f64>> {
         let drawn = self.drawn.iter();
         let drawn = drawn.map(|drawn| recorded.channel(&drawn.channel, numbering));
         drawn
-            .chain(all.iter().map(|number| recorded.of(*number).to_vec()))
+            .chain(numbers.iter().map(|number| recorded.of(*number).to_vec()))
             .collect()
     }
 

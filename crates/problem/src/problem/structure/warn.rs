@@ -188,7 +188,7 @@ impl StructureProblem {
         let supports = template
             .supports
             .iter()
-            .filter_map(|own| own.acceleration());
+            .filter_map(|support| support.acceleration());
         ground.chain(supports).chain(vertical).any(strange)
     }
 }

@@ -105,8 +105,8 @@ impl Violation {
     /// All rules that a case breaks, in one line; `None` if it breaks none.
     pub fn all(violations: &[Violation]) -> Option<String> {
         let one = |violation: &Violation| format!("{}: {}", violation.parameter, violation.message);
-        let all: Vec<String> = violations.iter().map(one).collect();
-        (!all.is_empty()).then(|| all.join("; "))
+        let texts: Vec<String> = violations.iter().map(one).collect();
+        (!texts.is_empty()).then(|| texts.join("; "))
     }
 }
 
@@ -115,9 +115,9 @@ impl Schema {
     pub fn case(self: &Arc<Schema>, given: &[(&str, Value)]) -> Case {
         let mut case = Case::new(self);
         for (row, parameter) in self.parameters.iter().enumerate() {
-            let own = given.iter().find(|(name, _)| *name == parameter.name);
+            let pair = given.iter().find(|(name, _)| *name == parameter.name);
             // A name that a default depends on precedes it in the table.
-            case.values[row] = own
+            case.values[row] = pair
                 .map(|(_, value)| *value)
                 .or_else(|| case.default_at(row));
         }

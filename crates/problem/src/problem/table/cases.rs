@@ -98,8 +98,8 @@ impl Cases {
     pub fn only(&self, rows: Range<usize>) -> Cases {
         let mut some = Cases::new(&self.schema);
         let start = rows.start;
-        for (own, column) in some.columns.iter_mut().zip(&self.columns) {
-            own.extend(0, column, (rows.clone(), rows.len()));
+        for (target, column) in some.columns.iter_mut().zip(&self.columns) {
+            target.extend(0, column, (rows.clone(), rows.len()));
         }
         for row in rows {
             let offset = self.offset(row) - self.offset(start);
@@ -111,9 +111,9 @@ impl Cases {
     /// Adds cases of the same table, those in `rows`, consecutive to the last; of the parameters only those that `has` selects.
     pub fn extend(&mut self, other: &Cases, rows: &[u32], has: impl Fn(usize) -> bool) {
         let columns = self.columns.iter_mut().zip(&other.columns).enumerate();
-        for (_, (own, column)) in columns.filter(|(row, _)| has(*row)) {
+        for (_, (target, column)) in columns.filter(|(row, _)| has(*row)) {
             let rows = rows.iter().map(|row| *row as usize);
-            own.extend(self.len, column, (rows.clone(), rows.len()));
+            target.extend(self.len, column, (rows.clone(), rows.len()));
         }
         let next = self
             .len
@@ -282,9 +282,9 @@ mod tests {
     fn assert_same(cases: &Cases, numbers: &[usize]) {
         assert_eq!(cases.len(), numbers.len());
         let mut shown = cases.shown();
-        for (place, i) in numbers.iter().enumerate().rev() {
+        for (index, i) in numbers.iter().enumerate().rev() {
             let (expected, _) = case(*i);
-            for (found, expected) in shown.at(place).values.iter().zip(&expected.values) {
+            for (found, expected) in shown.at(index).values.iter().zip(&expected.values) {
                 let same = Value::identical(*found, *expected);
                 assert!(same, "case {i}: {found:?}, not {expected:?}");
             }

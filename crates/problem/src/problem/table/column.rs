@@ -70,8 +70,8 @@ impl Cells {
                 (n != NO_WHOLE).then_some(Value::Whole(n))
             }
             Cells::Names { names, places } => {
-                let place = places[case];
-                (place != NO_NAME).then(|| Value::Name(names[place as usize]))
+                let index = places[case];
+                (index != NO_NAME).then(|| Value::Name(names[index as usize]))
             }
         }
     }
@@ -99,11 +99,11 @@ impl Cells {
                 numbers.extend(std::iter::repeat_n(n, count));
             }
             Cells::Names { names, places } => {
-                let place = match value {
+                let index = match value {
                     Some(Value::Name(name)) => place_of(names, name),
                     _ => NO_NAME,
                 };
-                places.extend(std::iter::repeat_n(place, count));
+                places.extend(std::iter::repeat_n(index, count));
             }
         }
     }
@@ -111,8 +111,10 @@ impl Cells {
     /// Adds the values of some cases of another column of the same kind.
     fn extend(&mut self, other: &Cells, rows: impl Iterator<Item = usize>) {
         match (self, other) {
-            (Cells::Numbers(own), Cells::Numbers(other)) => own.extend(rows.map(|row| other[row])),
-            (Cells::Whole(own), Cells::Whole(other)) => own.extend(rows.map(|row| other[row])),
+            (Cells::Numbers(cells), Cells::Numbers(other)) => {
+                cells.extend(rows.map(|row| other[row]))
+            }
+            (Cells::Whole(cells), Cells::Whole(other)) => cells.extend(rows.map(|row| other[row])),
             (
                 Cells::Names { names, places },
                 Cells::Names {
@@ -120,13 +122,13 @@ impl Cells {
                     places: other,
                 },
             ) => {
-                let own: Vec<u32> = others.iter().map(|name| place_of(names, name)).collect();
+                let known: Vec<u32> = others.iter().map(|name| place_of(names, name)).collect();
                 places.extend(rows.map(|row| match other[row] {
                     NO_NAME => NO_NAME,
-                    place => own[place as usize],
+                    index => known[index as usize],
                 }));
             }
-            (own, _) => rows.for_each(|row| own.push(other.at(row), 1)),
+            (cells, _) => rows.for_each(|row| cells.push(other.at(row), 1)),
         }
     }
 }
@@ -134,11 +136,11 @@ impl Cells {
 /// The place of a name in the list, to which it is added if it is new.
 fn place_of(names: &mut Vec<&'static str>, name: &'static str) -> u32 {
     let same = |known: &&'static str| std::ptr::eq(*known, name) || *known == name;
-    let place = names.iter().position(same).unwrap_or_else(|| {
+    let index = names.iter().position(same).unwrap_or_else(|| {
         names.push(name);
         names.len() - 1
     });
-    place as u32
+    index as u32
 }
 
 impl Column {
@@ -178,19 +180,19 @@ impl Column {
         (mut rows, count): (impl Iterator<Item = usize>, usize),
     ) {
         match (self, other) {
-            (own, Column::Same(value)) => own.push(len, *value, count),
-            (Column::Each(own), Column::Each(other)) => own.extend(other, rows),
-            (own, Column::Each(other)) => {
+            (column, Column::Same(value)) => column.push(len, *value, count),
+            (Column::Each(cells), Column::Each(other)) => cells.extend(other, rows),
+            (column, Column::Each(other)) => {
                 // One by one as long as all values are the same.
                 let mut len = len;
-                while matches!(own, Column::Same(_))
+                while matches!(column, Column::Same(_))
                     && let Some(row) = rows.next()
                 {
-                    own.push(len, other.at(row), 1);
+                    column.push(len, other.at(row), 1);
                     len += 1;
                 }
-                if let Column::Each(own) = own {
-                    own.extend(other, rows);
+                if let Column::Each(cells) = column {
+                    cells.extend(other, rows);
                 }
             }
         }

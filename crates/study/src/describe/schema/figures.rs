@@ -125,13 +125,13 @@ fn taken(takes: Takes, named: &Named) -> Json {
 }
 
 fn marks() -> Json {
-    let place = pair();
+    let coordinates = pair();
     let mut properties = Map::new();
     for (key, meaning) in MARKS {
         properties.insert(
             key.into(),
             match key {
-                "at" => json!({ "type": "array", "items": place, "description": meaning }),
+                "at" => json!({ "type": "array", "items": coordinates, "description": meaning }),
                 _ => json!({ "type": "string", "description": meaning }),
             },
         );

@@ -50,8 +50,9 @@ fn whole() -> Json {
     properties["metrics"]["type"] = json!(["array", "object"]);
     properties["names"] = shown_names();
     properties["reductions"]["items"] = reduction();
-    if let (Json::Object(own), Json::Object(keys)) = (&mut properties["recommend"], recommend()) {
-        own.extend(keys);
+    if let (Json::Object(object), Json::Object(keys)) = (&mut properties["recommend"], recommend())
+    {
+        object.extend(keys);
     }
     properties["problem"]["enum"] = json!(problems);
     properties["iteration"]["enum"] = json!(decode::ITERATIONS);

@@ -50,7 +50,7 @@ pub(super) fn reduction() -> Json {
 
 /// Arithmetic of metrics, or a ratio to a reference case.
 pub(super) fn arithmetic() -> Json {
-    let functions = FUNCTIONS.map(|own| own.0).join("|");
+    let functions = FUNCTIONS.map(|row| row.0).join("|");
     let name = "[A-Za-z_][A-Za-z0-9_.]*";
     json!({
         "type": "string",

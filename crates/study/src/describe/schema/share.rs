@@ -148,7 +148,7 @@ mod tests {
         // An annotated reference has no other keys than these and `allOf`.
         let is_annotated = schema
             .as_object()
-            .is_some_and(|own| own.len() == keys.len() + 1);
+            .is_some_and(|keywords| keywords.len() == keys.len() + 1);
         let reference = match keys.is_empty() || !is_annotated {
             true => schema["$ref"].as_str(),
             false => schema["allOf"][0]["$ref"].as_str(),

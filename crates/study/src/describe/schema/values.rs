@@ -222,7 +222,7 @@ pub(super) fn expression() -> Json {
 
 /// A number, or an expression without parameters.
 pub(super) fn constant() -> Json {
-    let functions = FUNCTIONS.iter().map(|own| own.0);
+    let functions = FUNCTIONS.iter().map(|row| row.0);
     let words: Vec<&str> = CONSTANTS.into_iter().chain(functions).collect();
     let text = json!({
         "type": "string",

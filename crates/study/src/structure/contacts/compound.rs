@@ -101,7 +101,7 @@ pub(super) fn contacts(
 /// Whether an object with a list has no other keys.
 fn alone(object: &Object, list: &Member, allowed: &[&str], faults: &mut Faults) -> Option<()> {
     let mut others = object.members.iter();
-    let Some(other) = others.find(|own| !allowed.contains(&own.key.as_str())) else {
+    let Some(other) = others.find(|member| !allowed.contains(&member.key.as_str())) else {
         return Some(());
     };
     let message = format!(
@@ -135,12 +135,12 @@ fn laws(
     let is_series = is_series(list);
     let within = [within, &[is_series]].concat();
     let items = items.iter().enumerate().map(|(i, item)| {
-        let own = open(item, &format!("{path}[{i}]"), &PART, faults)?;
-        match self::list(&own) {
-            None => Some(Item::Law(Box::new(relation(&own, reader, faults)?))),
+        let part = open(item, &format!("{path}[{i}]"), &PART, faults)?;
+        match self::list(&part) {
+            None => Some(Item::Law(Box::new(relation(&part, reader, faults)?))),
             Some(inner) => {
-                alone(&own, inner, &[&inner.key], faults)?;
-                let inner_path = own.path(&inner.key);
+                alone(&part, inner, &[&inner.key], faults)?;
+                let inner_path = part.path(&inner.key);
                 if let Some(why) = misplaced(&within, inner) {
                     faults.add(inner.node.at, &inner_path, why.to_owned());
                     return None;
@@ -171,22 +171,22 @@ fn add(
     laws: Laws,
     name: &str,
     along: &[Term],
-    place: Place,
+    origin: Place,
     reader: &Reader,
     contacts: &mut Vec<Contact>,
 ) -> Option<()> {
     let count = laws.items.len();
     let places = match laws.is_series {
-        true => in_series(name, along, count, place, reader)?,
+        true => in_series(name, along, count, origin, reader)?,
         false => vec![along.to_vec(); count],
     };
     for (i, (item, along)) in laws.items.into_iter().zip(places).enumerate() {
         let name = numbered(name, i);
         match item {
             Item::Law(relation) => {
-                contacts.push(relation.between(name, (place.0, place.1.to_owned()), along));
+                contacts.push(relation.between(name, (origin.0, origin.1.to_owned()), along));
             }
-            Item::List(laws) => add(laws, &name, &along, place, reader, contacts)?,
+            Item::List(laws) => add(laws, &name, &along, origin, reader, contacts)?,
         }
     }
     Some(())
@@ -218,19 +218,19 @@ fn in_series(
         |term: &Term, factor: f64| matches!(term.factor.source, Source::Number(x) if x == factor);
     let (first, last) = match along {
         [i, j] if is(i, -1.0) && is(j, 1.0) => (vec![i.clone()], vec![j.clone()]),
-        all => (Vec::new(), all.to_vec()),
+        several => (Vec::new(), several.to_vec()),
     };
     let mut places = Vec::with_capacity(count);
-    for place in 0..count {
-        let mut own = match place.checked_sub(1) {
+    for index in 0..count {
+        let mut ends = match index.checked_sub(1) {
             None => first.clone(),
             Some(before) => vec![term(inner[before], -1.0)],
         };
-        match inner.get(place) {
-            Some(next) => own.push(term(*next, 1.0)),
-            None => own.extend(last.clone()),
+        match inner.get(index) {
+            Some(next) => ends.push(term(*next, 1.0)),
+            None => ends.extend(last.clone()),
         }
-        places.push(own);
+        places.push(ends);
     }
     Some(places)
 }

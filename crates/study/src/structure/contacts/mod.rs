@@ -60,13 +60,13 @@ fn contact(
         return compound::contacts((name, node, path), &object, list, reader, faults);
     }
     let relation = relation(&object, reader, faults);
-    let place = (node.at, path.to_owned());
+    let origin = (node.at, path.to_owned());
     if plane::is_given(&object) {
         let places = plane::places(name, &object, reader, faults);
         let (places, relation) = (places?, relation?);
         let one = |(name, along, row)| Contact {
             row: Some(row),
-            ..relation.clone().between(name, place.clone(), along)
+            ..relation.clone().between(name, origin.clone(), along)
         };
         return Some(places.into_iter().map(one).collect());
     }
@@ -78,7 +78,7 @@ fn contact(
         }
     };
     let (places, relation) = (places?, relation?);
-    let one = |(name, along)| relation.clone().between(name, place.clone(), along);
+    let one = |(name, along)| relation.clone().between(name, origin.clone(), along);
     Some(places.into_iter().map(one).collect())
 }
 
@@ -93,10 +93,10 @@ struct Relation {
 }
 
 impl Relation {
-    fn between(self, name: String, place: (usize, String), along: Vec<Term>) -> Contact {
+    fn between(self, name: String, origin: (usize, String), along: Vec<Term>) -> Contact {
         Contact {
             name,
-            place,
+            place: origin,
             along,
             row: None,
             law: self.law,
@@ -121,7 +121,8 @@ fn relation(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Rel
     let numbers = NUMBERS
         .iter()
         .filter(|number| !["N", "table"].contains(&number.key));
-    let given = numbers.filter_map(|own| Some((own.key, optional(own.key, own.range)?)));
+    let given =
+        numbers.filter_map(|number| Some((number.key, optional(number.key, number.range)?)));
     let numbers: Vec<_> = given.collect();
     let normal = object
         .get("N")
@@ -178,13 +179,13 @@ fn pairs(
                     message: reader.no_node(&name),
                 });
                 let tied = reader.names.tied(&name, &amount(factor)).map(Arc::new);
-                let term = |(own, found): (f64, NodeRef)| Term {
+                let term = |(weight, found): (f64, NodeRef)| Term {
                     node: NodeName {
                         node: found,
                         at: node.at,
                         path: path.clone(),
                     },
-                    factor: amount(factor * own),
+                    factor: amount(factor * weight),
                     tied: tied.clone(),
                 };
                 Ok(found?.into_iter().map(term).collect::<Vec<Term>>())
@@ -215,10 +216,13 @@ fn law(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Chosen> 
 
 /// Reports keys of other laws.
 fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
-    let Some(own) = law_named(law) else {
+    let Some(offered) = law_named(law) else {
         return;
     };
-    let own: Vec<&str> = own.structure_numbers().map(|number| number.key).collect();
+    let keys: Vec<&str> = offered
+        .structure_numbers()
+        .map(|number| number.key)
+        .collect();
     for member in &object.members {
         let key = member.key.as_str();
         let of_all = [
@@ -230,10 +234,10 @@ fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
             "plane",
             "directions",
         ];
-        if !of_all.contains(&key) && !own.contains(&key) {
+        if !of_all.contains(&key) && !keys.contains(&key) {
             let message = format!(
                 "a contact with law {law} has no {key}; it has {}",
-                own.join(", ")
+                keys.join(", ")
             );
             faults.add(member.node.at, &object.path(key), message);
         }
@@ -245,7 +249,7 @@ fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
     }
     let instead = NUMBERS
         .iter()
-        .filter_map(|own| Some((own.key, own.instead_of?)));
+        .filter_map(|number| Some((number.key, number.instead_of?)));
     for (second, first) in instead {
         if let (Some(node), Some(_)) = (has(second), has(first)) {
             let message = format!("give {first} or {second}, not both");

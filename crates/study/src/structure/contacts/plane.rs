@@ -89,11 +89,11 @@ fn of_plane(node: &Node, object: &Object, faults: &mut Faults) -> Option<Pairs> 
     let path = object.path("plane");
     let wanted = "two pairs of nodes, those of the first direction and those of the second";
     let [first, second] = two(node, &path, wanted, faults)?;
-    let mut pair = |node: &Node, place: usize| {
-        let path = format!("{path}[{place}]");
+    let mut pair = |node: &Node, index: usize| {
+        let path = format!("{path}[{index}]");
         let [i, j] = two(node, &path, "a list of two nodes", faults)?;
-        let mut side = |node: &Node, place: usize| {
-            let path = format!("{path}[{place}]");
+        let mut side = |node: &Node, index: usize| {
+            let path = format!("{path}[{index}]");
             Some((text(node, &path, faults)?, (node.at, path)))
         };
         Some([side(i, 0)?, side(j, 1)?])
@@ -118,18 +118,18 @@ pub(in crate::structure) fn in_directions(
     let path = object.path("between");
     let ends = two(node, &path, "a list of two nodes", faults)?;
     let mut names = Vec::new();
-    for (place, node) in ends.iter().enumerate() {
-        let path = format!("{path}[{place}]");
+    for (index, node) in ends.iter().enumerate() {
+        let path = format!("{path}[{index}]");
         names.push((text(node, &path, faults)?, (node.at, path)));
     }
     let [i, j] = <[_; 2]>::try_from(names).ok()?;
     let pair = |direction: Direction| {
-        [&i, &j].map(|(name, place)| {
-            let own = match name == GROUND {
+        [&i, &j].map(|(name, origin)| {
+            let full = match name == GROUND {
                 true => name.clone(),
                 false => format!("{name}.{}", direction.name()),
             };
-            (own, place.clone())
+            (full, origin.clone())
         })
     };
     Some(directions.map(pair))
@@ -143,11 +143,11 @@ pub(in crate::structure) fn directions(
 ) -> Option<[Direction; 2]> {
     let wanted = "a list of two of x, y and z";
     let mut found = Vec::new();
-    for (place, node) in two(node, path, wanted, faults)?.iter().enumerate() {
+    for (index, node) in two(node, path, wanted, faults)?.iter().enumerate() {
         let names = Direction::TRANSLATIONS.map(Direction::name);
-        let path = format!("{path}[{place}]");
-        let own = crate::value::name(node, &path, "direction", &names, faults)?;
-        found.push(Direction::TRANSLATIONS[own]);
+        let path = format!("{path}[{index}]");
+        let axis = crate::value::name(node, &path, "direction", &names, faults)?;
+        found.push(Direction::TRANSLATIONS[axis]);
     }
     match found[..] {
         [first, second] if first != second => Some([first, second]),

@@ -31,25 +31,28 @@ pub(super) fn parts(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<
         return None;
     }
     let items = items.iter().enumerate();
-    let all: Vec<_> = items
+    let parts: Vec<_> = items
         .map(|(i, item)| part(item, format!("{path}[{i}]"), faults))
         .collect();
-    all.into_iter().collect()
+    parts.into_iter().collect()
 }
 
 /// Finds the parts that the normal forces of contacts name, and reports names that are none or that come twice.
 pub(super) fn find(contacts: &mut [Contact], springs: &[Spring], faults: &mut Faults) {
-    let names: Vec<String> = contacts.iter().map(|own| own.name.clone()).collect();
+    let names: Vec<String> = contacts
+        .iter()
+        .map(|contact| contact.name.clone())
+        .collect();
     for contact in contacts {
         let Some(Normal::Parts(parts)) = &mut contact.normal else {
             continue;
         };
         for i in 0..parts.len() {
-            let again = parts[..i].iter().any(|own| own.name == parts[i].name);
+            let again = parts[..i].iter().any(|before| before.name == parts[i].name);
             let part = &mut parts[i];
-            let place = names.iter().position(|name| *name == part.name);
-            let named = |own: &Spring| !own.name.is_empty() && own.name == part.name;
-            let message = match (place, springs.iter().position(named)) {
+            let index = names.iter().position(|name| *name == part.name);
+            let named = |spring: &Spring| !spring.name.is_empty() && spring.name == part.name;
+            let message = match (index, springs.iter().position(named)) {
                 _ if again => format!("{} presses already", part.name),
                 (Some(_), _) if part.name == contact.name => {
                     "a contact does not press itself".to_owned()
@@ -63,7 +66,7 @@ pub(super) fn find(contacts: &mut [Contact], springs: &[Spring], faults: &mut Fa
                     continue;
                 }
                 (None, None) => {
-                    let springs = springs.iter().map(|own| own.name.as_str());
+                    let springs = springs.iter().map(|spring| spring.name.as_str());
                     let known = names.iter().map(String::as_str).chain(springs);
                     let known: Vec<&str> = known.filter(|name| !name.is_empty()).collect();
                     unknown("contact or spring", &part.name, &known)

@@ -32,8 +32,8 @@ const RANGES: [(Keys, Range, &[&str]); 19] = [
 /// The range of the number under a key of a table.
 pub(crate) fn range(keys: Keys, key: &str) -> Range {
     let all_above_zero = [SCALE_TO, SET, CHOOSE, EN_1998, ASCE_7].contains(&keys);
-    let mut own = RANGES.iter().filter(|row| row.0 == keys);
-    match own.find(|row| row.2.contains(&key)) {
+    let mut rows = RANGES.iter().filter(|row| row.0 == keys);
+    match rows.find(|row| row.2.contains(&key)) {
         Some(row) => row.1,
         None if all_above_zero => Positive,
         None => Range::Any,

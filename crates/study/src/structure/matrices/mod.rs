@@ -119,10 +119,14 @@ pub(super) fn reduce(
 /// Reports channels of the force of the ground, which the coordinates of reduced matrices do not tell.
 fn refuse_base(metrics: &[StructureMetric], drawn: &[Drawn], faults: &mut Faults) {
     let metrics = metrics.iter();
-    let of_metrics = metrics.filter_map(|own| Some((own.channel.as_ref()?, &own.place)));
-    let all = of_metrics.chain(drawn.iter().map(|own| (&own.channel, &own.place)));
+    let of_metrics = metrics.filter_map(|metric| Some((metric.channel.as_ref()?, &metric.place)));
+    let channels = of_metrics.chain(
+        drawn
+            .iter()
+            .map(|history| (&history.channel, &history.place)),
+    );
     let is_base = |(_, term): &(f64, Term)| matches!(term, Term::Base(_));
-    for (channel, (at, path)) in all.filter(|(channel, _)| channel.terms.iter().any(is_base)) {
+    for (channel, (at, path)) in channels.filter(|(channel, _)| channel.terms.iter().any(is_base)) {
         let message = format!(
             "{}: reduced matrices do not tell the force of the ground; leave out \"reduce\", or name a support that moves, as in base.left",
             quoted(&channel.name)
@@ -145,8 +149,8 @@ fn variants(
     faults: &mut Faults,
 ) -> Option<Vec<Variant>> {
     let meaning = |key: &str| {
-        let own = MATRICES.iter().find(|own| own.0 == key);
-        own.map_or("", |own| own.1)
+        let row = MATRICES.iter().find(|row| row.0 == key);
+        row.map_or("", |row| row.1)
     };
     let dofs = object.need("dofs", meaning("dofs"), faults);
     let dofs = dofs.and_then(|node| {

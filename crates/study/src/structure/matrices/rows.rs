@@ -56,14 +56,15 @@ pub(in crate::structure) fn supported(dofs: Dofs, reader: &Reader) -> Result<Dof
     let given = &reader.names.supports;
     let is_given = |support: usize| {
         let name = &dofs.supports[support];
-        given.iter().any(|own| own.0 == *name)
+        given.iter().any(|support| support.0 == *name)
     };
     let mut rows = dofs.rows().iter();
-    let unknown = rows.find_map(|dof| Some((dof, dof.support.filter(|own| !is_given(*own))?)));
+    let unknown =
+        rows.find_map(|dof| Some((dof, dof.support.filter(|support| !is_given(*support))?)));
     let Some((dof, support)) = unknown else {
         return Ok(dofs);
     };
-    let names: Vec<&str> = given.iter().map(|own| own.0.as_str()).collect();
+    let names: Vec<&str> = given.iter().map(|support| support.0.as_str()).collect();
     let message = match names.is_empty() {
         true => format!(
             "the study has no \"supports\", which give the motion of support {}",

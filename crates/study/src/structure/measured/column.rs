@@ -41,9 +41,9 @@ pub(in crate::structure) fn column<'a>(
     };
     let object = open(node, &path, COLUMN, faults)?;
     let (key, meaning) = COLUMN[0];
-    let own = object.need(key, meaning, faults)?;
-    let place = (own, object.path(key));
-    let name = text(own, &place.1, faults)?;
+    let name_node = object.need(key, meaning, faults)?;
+    let origin = (name_node, object.path(key));
+    let name = text(name_node, &origin.1, faults)?;
     let factor = match object.get("unit") {
         Some(node) => factor(node, &object.path("unit"), dimension, units, faults)?,
         None => 1.0,
@@ -51,7 +51,7 @@ pub(in crate::structure) fn column<'a>(
     Some(Column {
         name,
         factor,
-        place,
+        place: origin,
     })
 }
 
@@ -67,7 +67,7 @@ fn factor(
     let shown = quoted(&unit);
     let what = dimension.in_words();
     let message = match dimension_of(&unit) {
-        Some(own) if own == dimension => match UnitNames::of(units) {
+        Some(found) if found == dimension => match UnitNames::of(units) {
             Some(study) => match study.factor(&unit, dimension) {
                 Some(factor) => return Some(factor),
                 None => format!(
@@ -77,9 +77,9 @@ fn factor(
             },
             None => "needs \"units\" in \"structure\", as in \"t, kN, m, s\"".to_owned(),
         },
-        Some(own) => format!(
+        Some(found) => format!(
             "must be a unit of {what}, got {shown}, one of {}; allowed: {}",
-            own.in_words(),
+            found.in_words(),
             examples(dimension)
         ),
         None => format!(

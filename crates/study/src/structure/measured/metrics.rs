@@ -37,7 +37,7 @@ pub(in crate::structure) fn report_not_measured(
             }
         }
         if !metrics.is_empty() && !metrics.iter().any(is_in_tests) {
-            let of_values = Reduction::all().filter(|own| own.is_of_values());
+            let of_values = Reduction::all().filter(|reduction| reduction.is_of_values());
             let names = of_values
                 .map(Reduction::name)
                 .collect::<Vec<_>>()
@@ -67,11 +67,11 @@ pub(in crate::structure) fn report_not_measured(
             continue;
         };
         let of_contact = metric.contact.map(measured_loop).into_iter().flatten();
-        let own = metric.channel.iter().chain(&metric.second).cloned();
-        for channel in own.chain(of_contact) {
+        let channels = metric.channel.iter().chain(&metric.second).cloned();
+        for channel in channels.chain(of_contact) {
             if measured.channel(&channel).is_none() {
                 let known = measured.channels.iter();
-                let known: Vec<&str> = known.map(|own| own.0.name.as_str()).collect();
+                let known: Vec<&str> = known.map(|column| column.0.name.as_str()).collect();
                 let channel = match metric.contact {
                     Some(_) => format!("{}.{}", contact_of(&metric.name), channel.name),
                     None => channel.name,

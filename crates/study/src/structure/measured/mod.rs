@@ -44,7 +44,7 @@ pub(super) fn decode(
     let node = root.get(KEY.0)?;
     let object = open(node, KEY.0, MEASURED, faults)?;
     let need = |key: &str, faults: &mut Faults| {
-        let meaning = MEASURED.iter().find(|own| own.0 == key)?.1;
+        let meaning = MEASURED.iter().find(|row| row.0 == key)?.1;
         Some((object.need(key, meaning, faults)?, object.path(key)))
     };
     let before = faults.count();
@@ -69,10 +69,10 @@ pub(super) fn decode(
     if faults.count() > before {
         return None;
     }
-    let of_channels: Vec<&Column> = columns.iter().map(|own| &own.1).collect();
+    let of_channels: Vec<&Column> = columns.iter().map(|column| &column.1).collect();
     let tests = files.into_iter().filter_map(|file| {
-        let place = (node, &*path);
-        let (test, bytes) = long_test(file, place, (&time, &of_channels), reader, faults)?;
+        let origin = (node, &*path);
+        let (test, bytes) = long_test(file, origin, (&time, &of_channels), reader, faults)?;
         reader.keep(file, &bytes);
         if let (None, Some(first)) = (&delay, test.time.first()) {
             let what = format!(
@@ -84,9 +84,9 @@ pub(super) fn decode(
         Some((file, Arc::new(test)))
     });
     let tests = tests.collect();
-    let channels = columns.into_iter().map(|(channel, own)| {
-        let place = (own.place.0.at, own.place.1);
-        let number = number(&channel, place, drawn);
+    let channels = columns.into_iter().map(|(channel, column)| {
+        let origin = (column.place.0.at, column.place.1);
+        let number = number(&channel, origin, drawn);
         (channel, number)
     });
     let measured = Measured {
@@ -119,14 +119,14 @@ fn long_test(
 }
 
 /// The number of a channel among those that histories draw, to which it is added if it is not there.
-fn number(channel: &Channel, place: (usize, String), drawn: &mut Vec<Drawn>) -> usize {
-    let same = |own: &Drawn| !own.error && own.channel.terms == channel.terms;
+fn number(channel: &Channel, origin: (usize, String), drawn: &mut Vec<Drawn>) -> usize {
+    let same = |known: &Drawn| !known.error && known.channel.terms == channel.terms;
     drawn.iter().position(same).unwrap_or_else(|| {
         drawn.push(Drawn {
             name: channel.name.clone(),
             channel: channel.clone(),
             error: false,
-            place,
+            place: origin,
         });
         drawn.len() - 1
     })
@@ -158,7 +158,7 @@ fn channels<'a>(
                 continue;
             }
         };
-        if let Some((same, _)) = found.iter().find(|own| own.0.terms == channel.terms) {
+        if let Some((same, _)) = found.iter().find(|known| known.0.terms == channel.terms) {
             let message = format!("{} is given twice, as {}", quoted(&member.key), same.name);
             faults.add(member.at, &path, message);
             continue;

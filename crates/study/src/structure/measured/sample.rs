@@ -26,7 +26,7 @@ pub(super) fn sample(
     }
     if root.get("ensemble").is_none() {
         let path = object.path("compare");
-        let at = object.get("compare").map_or(node.at, |own| own.at);
+        let at = object.get("compare").map_or(node.at, |compare| compare.at);
         let message = "\"distribution\" needs the key \"ensemble\" of the study, with whose cases the tests are compared";
         faults.add(at, &path, message);
     }
@@ -45,7 +45,7 @@ pub(super) fn sample(
             return None;
         }
     };
-    let of_channels: Vec<&Column> = columns.iter().map(|own| &own.1).collect();
+    let of_channels: Vec<&Column> = columns.iter().map(|column| &column.1).collect();
     // Results of cases do not depend on the tests: their bytes are no part of the identity.
     let tests = files.iter().enumerate().filter_map(|(i, node)| {
         let path = format!("{path}[{i}]");
@@ -56,6 +56,6 @@ pub(super) fn sample(
     let tests = tests.collect();
     (faults.count() == before).then(|| Sample {
         tests,
-        channels: columns.into_iter().map(|own| own.0).collect(),
+        channels: columns.into_iter().map(|pair| pair.0).collect(),
     })
 }

@@ -22,18 +22,18 @@ pub(in crate::structure) fn test(
     let refuse = |why: String, (node, path): (&Node, &str), faults: &mut Faults| {
         faults.add(node.at, path, format!("{}: {why}", quoted(file)));
     };
-    let place = (node, path);
+    let of_file = (node, path);
     let bytes = match reader.folder.bytes(file, LARGEST) {
         Ok(bytes) => bytes,
         Err(why) => {
-            refuse(why, place, faults);
+            refuse(why, of_file, faults);
             return None;
         }
     };
     let table = match MeasuredTable::read(file, &bytes) {
         Ok(table) => table,
         Err(why) => {
-            refuse(format!("line {}: {}", why.line, why.cause), place, faults);
+            refuse(format!("line {}: {}", why.line, why.cause), of_file, faults);
             return None;
         }
     };
@@ -42,7 +42,7 @@ pub(in crate::structure) fn test(
             true => table.times(&column.name),
             false => table.column(&column.name),
         };
-        let own = (column.place.0, column.place.1.as_str());
+        let of_column = (column.place.0, column.place.1.as_str());
         match found {
             Ok(numbers) => {
                 return Some(numbers.iter().map(|x| x * column.factor).collect());
@@ -55,10 +55,10 @@ pub(in crate::structure) fn test(
                     Some(near) => format!(", did you mean {}?", quoted(near)),
                     None => String::new(),
                 };
-                let place = if is_known { place } else { own };
+                let origin = if is_known { of_file } else { of_column };
                 refuse(
                     format!("line {}: {}{hint}", why.line, why.cause),
-                    place,
+                    origin,
                     faults,
                 );
             }
@@ -66,7 +66,10 @@ pub(in crate::structure) fn test(
         None
     };
     let time = numbers(time, true);
-    let values: Vec<Option<Vec<f64>>> = columns.iter().map(|own| numbers(own, false)).collect();
+    let values: Vec<Option<Vec<f64>>> = columns
+        .iter()
+        .map(|column| numbers(column, false))
+        .collect();
     let (time, values) = (time?, values.into_iter().collect::<Option<Vec<_>>>()?);
     Some((Test { time, values }, bytes))
 }

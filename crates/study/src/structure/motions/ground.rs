@@ -33,14 +33,14 @@ pub(in crate::structure) fn ground(
     // The parameters of the ground apart from those of the rest.
     let others = reader.used.take();
     let (mut ground, pair) = decoded(node, &path, reader, faults);
-    let own = reader.used.take();
-    reader.used.replace(others.union(&own).copied().collect());
+    let used = reader.used.take();
+    reader.used.replace(others.union(&used).copied().collect());
     match pair {
         Some((scale_to, node)) => {
             let path = format!("{path}.{}", OF_GROUND.0);
-            together(&mut ground, scale_to, &own, (node, &path), reader, faults);
+            together(&mut ground, scale_to, &used, (node, &path), reader, faults);
         }
-        None => alone(&mut ground, &own, (node, &path), reader, faults),
+        None => alone(&mut ground, &used, (node, &path), reader, faults),
     }
     ground
 }
@@ -92,17 +92,19 @@ fn together(
     reader: &Reader,
     faults: &mut Faults,
 ) {
-    let own = ground.iter().filter(|own| own.1.shape.scale_to.is_some());
-    let own: Vec<&str> = own.map(|own| own.0.name()).collect();
-    if !own.is_empty() {
+    let scaled = ground
+        .iter()
+        .filter(|motion| motion.1.shape.scale_to.is_some());
+    let names: Vec<&str> = scaled.map(|pair| pair.0.name()).collect();
+    if !names.is_empty() {
         let message = format!(
             "give it for the ground or for its directions, not both: {} has one",
-            any_of(&own)
+            any_of(&names)
         );
         faults.add(node.at, path, message);
         return;
     }
-    let motion = |direction| ground.iter().find(|own| own.0 == direction);
+    let motion = |direction| ground.iter().find(|pair| pair.0 == direction);
     let (Some((_, x)), Some((_, y))) = (motion(Direction::X), motion(Direction::Y)) else {
         let message = "needs a motion in x and one in y; give it under the direction of one motion";
         faults.add(node.at, path, message);
@@ -143,11 +145,11 @@ fn alone(
             };
             match why {
                 Ok(members) => {
-                    let mut own = (*scale_to).clone();
-                    if let Some(set) = &mut own.set {
+                    let mut changed = (*scale_to).clone();
+                    if let Some(set) = &mut changed.set {
                         set.members = members;
                     }
-                    motion.shape.scale_to = Some(Arc::new(own));
+                    motion.shape.scale_to = Some(Arc::new(changed));
                 }
                 Err(why) => faults.add(node.at, path, why),
             }
@@ -158,7 +160,7 @@ fn alone(
         && let Some(scale_to) = &motion.shape.scale_to
     {
         let strengths: Arc<dyn Strengths> = Arc::new(motion.clone());
-        let own = (scale_to.clone(), Some(strengths));
-        reader.of_ground.replace(Some(own));
+        let scaling = (scale_to.clone(), Some(strengths));
+        reader.of_ground.replace(Some(scaling));
     }
 }

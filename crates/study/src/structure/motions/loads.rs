@@ -96,9 +96,9 @@ pub(in crate::structure) fn function(
         .filter(|member| kinds.iter().any(|kind| kind.0 == member.key))
         .collect();
     let [member] = given[..] else {
-        let all: Vec<&str> = kinds.iter().map(|kind| kind.0).collect();
+        let names: Vec<&str> = kinds.iter().map(|kind| kind.0).collect();
         object.fault(
-            format!("must have exactly one of {}", all.join(", ")),
+            format!("must have exactly one of {}", names.join(", ")),
             faults,
         );
         return None;

@@ -25,11 +25,14 @@ pub(super) fn of_set(
     used: &BTreeSet<usize>,
     reader: &Reader,
 ) -> Result<Vec<Member>, String> {
-    let choosers: BTreeSet<usize> = functions.iter().flat_map(|own| choosers(own)).collect();
+    let choosers: BTreeSet<usize> = functions
+        .iter()
+        .flat_map(|function| choosers(function))
+        .collect();
     let Some(first) = choosers.first() else {
         return Ok(vec![Vec::new()]);
     };
-    let mut all: Vec<Member> = Vec::new();
+    let mut listed: Vec<Member> = Vec::new();
     for block in blocks(reader.root) {
         let Some(parameters) = member(block, "parameters") else {
             continue;
@@ -45,8 +48,8 @@ pub(super) fn of_set(
         let zip = zips.into_iter().find(|zip| zip.contains(&name(*first)));
         let zip = zip.unwrap_or_else(|| vec![name(*first)]);
         let is_axis = |row: &&usize| {
-            let own = member(parameters, name(**row));
-            own.is_some_and(|own| matches!(&own.tree, Tree::List(items) if items.len() > 1))
+            let axis = member(parameters, name(**row));
+            axis.is_some_and(|node| matches!(&node.tree, Tree::List(items) if items.len() > 1))
         };
         let apart = choosers.iter().filter(is_axis);
         if let Some(row) = apart.into_iter().find(|row| !zip.contains(&name(**row))) {
@@ -56,16 +59,16 @@ pub(super) fn of_set(
                 name(*row)
             ));
         }
-        all.extend(rows(parameters, &zip, reader)?);
+        listed.extend(rows(parameters, &zip, reader)?);
     }
     let mut known: Vec<Member> = Vec::new();
-    for member in all {
+    for member in listed {
         if !known.contains(&member) {
             known.push(member);
         }
     }
-    let own: BTreeSet<usize> = known.iter().flatten().map(|value| value.0).collect();
-    match follower(used, &own, reader) {
+    let rows: BTreeSet<usize> = known.iter().flatten().map(|value| value.0).collect();
+    match follower(used, &rows, reader) {
         Some(row) => Err(format!(
             "{} follows from a parameter that changes with the motion; give it as a list in the \"zip\" of {}",
             reader.table[row].name, reader.table[*first].name
@@ -95,25 +98,25 @@ pub(super) fn combinations(chosen: &[usize], reader: &Reader) -> Result<Vec<Memb
             Some(Tree::List(groups)) => groups.iter().map(texts).collect(),
             _ => Vec::new(),
         };
-        let mut all: Vec<Member> = vec![Vec::new()];
+        let mut combined: Vec<Member> = vec![Vec::new()];
         let mut left = chosen.to_vec();
         while let Some(first) = left.first().copied() {
             let zip = zips.iter().find(|zip| zip.contains(&name(first)));
-            let (own, others) = left
+            let (tied, others) = left
                 .into_iter()
                 .partition(|row| *row == first || zip.is_some_and(|zip| zip.contains(&name(*row))));
             left = others;
-            let own: Vec<usize> = own;
-            let names: Vec<&str> = own.iter().map(|row| name(*row)).collect();
+            let group: Vec<usize> = tied;
+            let names: Vec<&str> = group.iter().map(|row| name(*row)).collect();
             let values = rows(parameters, &names, reader)?;
             let with = |before: &Member| -> Vec<Member> {
-                let both = values.iter().map(|own| [&before[..], own].concat());
+                let both = values.iter().map(|added| [&before[..], added].concat());
                 both.collect()
             };
-            all = all.iter().flat_map(with).collect();
+            combined = combined.iter().flat_map(with).collect();
         }
-        for mut member in all {
-            member.sort_by_key(|own| own.0);
+        for mut member in combined {
+            member.sort_by_key(|value| value.0);
             if !found.contains(&member) {
                 found.push(member);
             }
@@ -144,9 +147,12 @@ fn blocks(root: &Node) -> Vec<&Node> {
 
 /// The values of the parameters of a `zip`, one row for each place in their lists.
 fn rows(parameters: &Node, zip: &[&str], reader: &Reader) -> Result<Vec<Member>, String> {
-    let mut all: Vec<Member> = Vec::new();
+    let mut combined: Vec<Member> = Vec::new();
     for name in zip {
-        let row = reader.table.iter().position(|own| own.name == *name);
+        let row = reader
+            .table
+            .iter()
+            .position(|parameter| parameter.name == *name);
         let Some((row, node)) = row.zip(member(parameters, name)) else {
             continue;
         };
@@ -163,12 +169,12 @@ fn rows(parameters: &Node, zip: &[&str], reader: &Reader) -> Result<Vec<Member>,
                 quoted(name)
             )
         })?;
-        all.resize(all.len().max(values.len()), Vec::new());
-        for (member, value) in all.iter_mut().zip(values) {
+        combined.resize(combined.len().max(values.len()), Vec::new());
+        for (member, value) in combined.iter_mut().zip(values) {
             member.push((row, value));
         }
     }
-    Ok(all)
+    Ok(combined)
 }
 
 /// A value of a parameter.
@@ -184,16 +190,19 @@ fn value(node: &Node, row: usize, reader: &Reader) -> Option<Value> {
 }
 
 /// A used parameter that follows by expressions from those of the motions.
-fn follower(used: &BTreeSet<usize>, own: &BTreeSet<usize>, reader: &Reader) -> Option<usize> {
+fn follower(used: &BTreeSet<usize>, rows: &BTreeSet<usize>, reader: &Reader) -> Option<usize> {
     let given = given(reader.root);
-    let mut changing = own.clone();
+    let mut changing = rows.clone();
     // A chain of expressions has at most as many links as there are parameters.
     for _ in reader.table {
         for (given, _) in &given {
-            let row = reader.table.iter().position(|own| own.name == given.key);
+            let row = reader
+                .table
+                .iter()
+                .position(|parameter| parameter.name == given.key);
             let follows = |text: &&str| {
                 let formula = Formula::number(text, reader.table);
-                formula.is_ok_and(|own| own.uses().iter().any(|row| changing.contains(row)))
+                formula.is_ok_and(|formula| formula.uses().iter().any(|row| changing.contains(row)))
             };
             if let Some(row) = row
                 && texts(&given.node).iter().any(follows)
@@ -203,6 +212,6 @@ fn follower(used: &BTreeSet<usize>, own: &BTreeSet<usize>, reader: &Reader) -> O
         }
     }
     used.intersection(&changing)
-        .find(|row| !own.contains(row))
+        .find(|row| !rows.contains(row))
         .copied()
 }

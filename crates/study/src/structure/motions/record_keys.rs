@@ -38,8 +38,8 @@ impl RecordKeys {
         let before = faults.count();
         let mean = function.get("mean").and_then(|node| {
             let names = Mean::ALL.map(Mean::name);
-            let place = name(node, &function.path("mean"), "mean", &names, faults)?;
-            Some(Mean::ALL[place])
+            let index = name(node, &function.path("mean"), "mean", &names, faults)?;
+            Some(Mean::ALL[index])
         });
         let unit = function
             .get("unit")
@@ -47,8 +47,8 @@ impl RecordKeys {
                 Some(row) => Some(Given::Chosen(row)),
                 None => {
                     let names = Unit::ALL.map(Unit::name);
-                    let place = name(node, &function.path("unit"), "unit", &names, faults)?;
-                    Some(Given::Is(Some(Unit::ALL[place])))
+                    let index = name(node, &function.path("unit"), "unit", &names, faults)?;
+                    Some(Given::Is(Some(Unit::ALL[index])))
                 }
             });
         let mut numeric = |key: &'static str| {
@@ -97,7 +97,12 @@ impl RecordKeys {
 
     /// Unit and reading with these values of parameters, by their rows.
     pub fn with(&self, values: &[(usize, Value)]) -> Result<(Option<Unit>, Reading), Fault> {
-        let of = |row: usize| values.iter().find(|value| value.0 == row).map(|own| own.1);
+        let of = |row: usize| {
+            values
+                .iter()
+                .find(|value| value.0 == row)
+                .map(|value| value.1)
+        };
         let unit = match self.unit {
             Given::Is(unit) => unit,
             Given::Chosen(row) => {
@@ -142,7 +147,10 @@ fn chosen(node: &Node, of_names: bool, reader: &Reader) -> Option<usize> {
     let Tree::Text(text) = &node.tree else {
         return None;
     };
-    let row = reader.table.iter().position(|own| own.name == *text)?;
+    let row = reader
+        .table
+        .iter()
+        .position(|parameter| parameter.name == *text)?;
     (matches!(reader.table[row].kind, Kind::Choice(_)) == of_names).then_some(row)
 }
 

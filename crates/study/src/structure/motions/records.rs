@@ -51,18 +51,23 @@ pub(in crate::structure) fn record(
     let before = faults.count();
     let mut records = Vec::new();
     for values in choices {
-        let given = |row: usize| values.iter().find(|own| own.0 == row).map(|own| own.1);
+        let given = |row: usize| {
+            values
+                .iter()
+                .find(|value| value.0 == row)
+                .map(|value| value.1)
+        };
         let file = match chosen {
             Chosen::Parameter(row) => given(row).map_or("", Value::name),
             Chosen::Name(file) => file,
         };
         let signal = keys.with(&values);
         match signal.and_then(|with| read(file, with, keys.has_mean(), function, reader)) {
-            Ok(signal) => records.push((values.into_iter().map(|own| own.1).collect(), signal)),
+            Ok(signal) => records.push((values.into_iter().map(|value| value.1).collect(), signal)),
             Err((key, why)) => {
                 let wrong = key.and_then(|key| Some((function.get(key)?.at, function.path(key))));
                 let (at, path) = wrong.unwrap_or_else(|| (node.at, path.to_owned()));
-                let others = values.iter().filter(|own| Some(own.0) != of_file);
+                let others = values.iter().filter(|value| Some(value.0) != of_file);
                 let others = others.map(|(row, x)| format!(", {} = {x}", reader.table[*row].name));
                 let with: String = others.collect();
                 faults.add(at, &path, format!("{}{with}: {why}", quoted(file)));

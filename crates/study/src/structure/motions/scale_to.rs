@@ -112,8 +112,8 @@ fn scale_to(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Sca
         None => 1.0,
         Some(node) => {
             let names = Unit::ALL.map(Unit::name);
-            let place = name(node, &object.path("unit"), "unit", &names, faults)?;
-            Unit::ALL[place].in_m_s2() / reader.metre
+            let index = name(node, &object.path("unit"), "unit", &names, faults)?;
+            Unit::ALL[index].in_m_s2() / reader.metre
         }
     };
     let mut need = |key| reader.needed(object, SCALE_TO, key, faults);
@@ -137,8 +137,8 @@ fn scale_to(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Sca
     };
     let fit = object.get("fit").and_then(|node| {
         let names = Fit::ALL.map(Fit::name);
-        let place = name(node, &object.path("fit"), "fit", &names, faults)?;
-        Some(Fit::ALL[place])
+        let index = name(node, &object.path("fit"), "fit", &names, faults)?;
+        Some(Fit::ALL[index])
     });
     if let (Some(node), None) = (object.get("factor"), object.get("set")) {
         let message = "needs a \"set\"; \"scale\" beside \"scale_to\" is a factor";

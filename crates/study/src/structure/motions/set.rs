@@ -25,8 +25,8 @@ pub(super) fn set(
     let before = faults.count();
     let rule = object.get("rule").and_then(|node| {
         let names = RULES.map(|rule| rule.name);
-        let place = name(node, &object.path("rule"), "rule", &names, faults)?;
-        Some(&RULES[place])
+        let index = name(node, &object.path("rule"), "rule", &names, faults)?;
+        Some(&RULES[index])
     });
     let fixed = |x: f64| Amount {
         source: Source::Number(x),
@@ -34,18 +34,18 @@ pub(super) fn set(
         at: node.at,
         path: path.to_owned(),
     };
-    let own =
+    let number =
         |key: &str, faults: &mut Faults| reader.optional(&object, key, range(SET, key), faults);
-    let at_zero = own("least_at_zero", faults);
+    let at_zero = number("least_at_zero", faults);
     let at_zero = at_zero.or_else(|| Some(fixed(rule?.at_zero?)));
     let least = match (object.get("least"), rule) {
         (None, Some(rule)) => Some(fixed(rule.least)),
         _ => reader.needed(&object, SET, "least", faults),
     };
     let statistic = object.get("statistic").and_then(|node| {
-        let names = STATISTICS.map(|own| own.0);
-        let place = name(node, &object.path("statistic"), "statistic", &names, faults)?;
-        Some(STATISTICS[place].1)
+        let names = STATISTICS.map(|row| row.0);
+        let index = name(node, &object.path("statistic"), "statistic", &names, faults)?;
+        Some(STATISTICS[index].1)
     });
     let by_rule = rule.map_or(Statistic::Mean, |rule| rule.statistic);
     let given = object.get("component");
@@ -59,7 +59,7 @@ pub(super) fn set(
         }
     };
     let between = between(&object, rule, reader, faults);
-    let factor = own("factor", faults);
+    let factor = number("factor", faults);
     if faults.count() > before {
         return None;
     }
@@ -80,8 +80,8 @@ pub(super) fn set(
 /// Of what of a pair.
 pub(super) fn component(node: &Node, path: &str, faults: &mut Faults) -> Option<Component> {
     let names = Component::ALL.map(Component::name);
-    let place = name(node, path, "component", &names, faults)?;
-    Some(Component::ALL[place])
+    let index = name(node, path, "component", &names, faults)?;
+    Some(Component::ALL[index])
 }
 
 /// The first and last period: by their keys, or by those of the structure and the rule.
@@ -112,17 +112,17 @@ fn between(
         faults.add(node.at, &path, "needs a rule");
     }
     let ends = ["from", "to"].map(|key| object.get(key).is_some());
-    let mut end = |place: usize| {
-        let key = names(&SET[2..4])[place];
-        match (&periods, rule, ends[place]) {
-            (Some(periods), Some(rule), false) => Some((rule.times[place], periods.clone())),
+    let mut end = |index: usize| {
+        let key = names(&SET[2..4])[index];
+        match (&periods, rule, ends[index]) {
+            (Some(periods), Some(rule), false) => Some((rule.times[index], periods.clone())),
             (None, Some(_), false) if !ends[0] && !ends[1] => {
-                (place == 0).then(|| object.need("period", "period of the structure", faults));
+                (index == 0).then(|| object.need("period", "period of the structure", faults));
                 None
             }
             _ => reader
                 .needed(object, SET, key, faults)
-                .map(|own| (1.0, vec![own])),
+                .map(|amount| (1.0, vec![amount])),
         }
     };
     let (from, to) = (end(0), end(1));

@@ -34,6 +34,6 @@ pub(in crate::structure) fn shape(
 pub(in crate::structure) fn baseline(object: &Object, faults: &mut Faults) -> Option<Baseline> {
     let node = object.get("baseline")?;
     let names = Baseline::ALL.map(Baseline::name);
-    let place = name(node, &object.path("baseline"), "baseline", &names, faults)?;
-    Some(Baseline::ALL[place])
+    let index = name(node, &object.path("baseline"), "baseline", &names, faults)?;
+    Some(Baseline::ALL[index])
 }

@@ -41,8 +41,9 @@ pub(in crate::structure) fn supports(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Vec<Support> {
-    let all = parts.iter();
-    all.flat_map(|part| support(part, reader, faults).unwrap_or_default())
+    let supports = parts.iter();
+    supports
+        .flat_map(|part| support(part, reader, faults).unwrap_or_default())
         .collect()
 }
 
@@ -148,15 +149,15 @@ fn support(
         }
         Some(support(direction, course, delay.clone()))
     };
-    let all: Vec<Support> = (Direction::TRANSLATIONS.into_iter().zip(given))
+    let supports: Vec<Support> = (Direction::TRANSLATIONS.into_iter().zip(given))
         .filter_map(one)
         .collect();
-    Some(all)
+    Some(supports)
 }
 
 /// Whether a key says how a support moves.
 fn is_course(key: &str) -> bool {
-    [DISPLACEMENT.0, VELOCITY.0].contains(&key) || FUNCTION.iter().any(|own| own.0 == key)
+    [DISPLACEMENT.0, VELOCITY.0].contains(&key) || FUNCTION.iter().any(|row| row.0 == key)
 }
 
 /// Why a support with a velocity at t = 0 has no delay.
@@ -186,8 +187,8 @@ fn course(
         let message = "a support with displacements has the velocity of these";
         faults.add(velocity.at, &velocity.path, message);
     }
-    let mut others = object.members.iter().filter(|own| own.key != "delay");
-    let other = others.find(|own| FUNCTION.iter().any(|key| key.0 == own.key));
+    let mut others = object.members.iter().filter(|member| member.key != "delay");
+    let other = others.find(|member| FUNCTION.iter().any(|key| key.0 == member.key));
     if let Some(other) = other {
         let message = format!("a support with displacements has no {}", other.key);
         faults.add(other.at, &join(path, &other.key), message);
@@ -212,8 +213,8 @@ fn line(node: &Node, path: &str, faults: &mut Faults) -> Option<Line> {
         return Some(Line::default());
     };
     let names = Line::ALL.map(Line::name);
-    let place = name(line, &join(path, BETWEEN.0), "line", &names, faults)?;
-    Some(Line::ALL[place])
+    let index = name(line, &join(path, BETWEEN.0), "line", &names, faults)?;
+    Some(Line::ALL[index])
 }
 
 /// A displacement that is a sine.
@@ -236,8 +237,8 @@ fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
 fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Points> {
     let (file_node, file_path) = (node, path);
     let object = open(node, path, IMPOSED_BY_FILE, faults)?;
-    let mut need = |place: usize| {
-        let (key, meaning) = IMPOSED_BY_FILE[place];
+    let mut need = |index: usize| {
+        let (key, meaning) = IMPOSED_BY_FILE[index];
         Some((object.need(key, meaning, faults)?, object.path(key)))
     };
     let (file, time, u) = (need(0), need(1), need(2));

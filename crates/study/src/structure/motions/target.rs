@@ -32,7 +32,7 @@ pub(super) fn target(
         return None;
     }
     let (node, path) = (object.get(code)?, object.path(code));
-    let all = |keys: Keys, faults: &mut Faults| {
+    let numbers = |keys: Keys, faults: &mut Faults| {
         let object = open(node, &path, keys, faults)?;
         let values = keys
             .iter()
@@ -42,9 +42,9 @@ pub(super) fn target(
         values.into_iter().collect::<Option<Vec<Amount>>>()
     };
     if code == SPECTRUM[0].0 {
-        let five = all(EN_1998, faults)?.try_into().ok()?;
+        let five = numbers(EN_1998, faults)?.try_into().ok()?;
         return Some(TargetSpectrum::En1998(Box::new(five)));
     }
-    let three = all(ASCE_7, faults)?.try_into().ok()?;
+    let three = numbers(ASCE_7, faults)?.try_into().ok()?;
     Some(TargetSpectrum::Asce7(Box::new(three)))
 }

@@ -21,22 +21,22 @@ pub(in crate::structure) fn in_directions<'a>(
     parts: Vec<Part<'a>>,
     faults: &mut Faults,
 ) -> Vec<Part<'a>> {
-    let mut all = Vec::new();
+    let mut expanded = Vec::new();
     for (name, node, path) in parts {
-        let listed = member(node, "direction").filter(|own| matches!(own.tree, Tree::List(_)));
+        let listed = member(node, "direction").filter(|given| matches!(given.tree, Tree::List(_)));
         let Some(listed) = listed else {
-            all.push((name, node, path));
+            expanded.push((name, node, path));
             continue;
         };
-        let own = format!("{path}.direction");
-        for direction in plane::directions(listed, &own, faults)
+        let list_path = format!("{path}.direction");
+        for direction in plane::directions(listed, &list_path, faults)
             .into_iter()
             .flatten()
         {
-            all.push((format!("{name}.{}", direction.name()), node, path.clone()));
+            expanded.push((format!("{name}.{}", direction.name()), node, path.clone()));
         }
     }
-    all
+    expanded
 }
 
 /// The lumped masses.

@@ -49,10 +49,10 @@ pub(in crate::structure) fn springs(
     }
     let pairs = plane::in_directions(&object, directions?, faults)?;
     let mut both = Vec::new();
-    for (place, ([i, j], direction)) in pairs.into_iter().zip(directions?).enumerate() {
+    for (index, ([i, j], direction)) in pairs.into_iter().zip(directions?).enumerate() {
         let first = reader.side(&i.0, i.1, -1.0, faults);
         let second = reader.side(&j.0, j.1, 1.0, faults);
-        let numbers = numbers(&object, Some(place), reader, faults);
+        let numbers = numbers(&object, Some(index), reader, faults);
         let ((_, mut along), (_, others)) = (first?, second?);
         along.extend(others);
         both.push(Spring {
@@ -70,7 +70,7 @@ pub(in crate::structure) fn springs(
 /// k and c, or a mass with its period; of the direction at this place.
 fn numbers(
     object: &Object,
-    place: Option<usize>,
+    index: Option<usize>,
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<SpringNumbers> {
@@ -83,10 +83,10 @@ fn numbers(
     let optional = |key: &str, faults: &mut Faults| {
         let range = range(SPRING, key);
         let (node, path) = (object.get(key)?, object.path(key));
-        match (&node.tree, place) {
-            (Tree::List(items), Some(place)) => reader.amount(
-                items.get(place)?,
-                &format!("{path}[{place}]"),
+        match (&node.tree, index) {
+            (Tree::List(items), Some(index)) => reader.amount(
+                items.get(index)?,
+                &format!("{path}[{index}]"),
                 range,
                 faults,
             ),

@@ -49,17 +49,17 @@ impl Reader<'_> {
         else {
             return Some(name.to_owned());
         };
-        let own = format!("{name}.{}", direction.name());
+        let full = format!("{name}.{}", direction.name());
         if self.names.motion(name, direction).is_none() {
             let message = format!(
                 "{name} does not move in {}; the node {} is held there",
                 direction.name(),
-                quoted(&own)
+                quoted(&full)
             );
             faults.add(at, path, message);
             return None;
         }
-        Some(own)
+        Some(full)
     }
 
     /// The members of an object of nodes and factors.
@@ -93,10 +93,10 @@ impl Reader<'_> {
     /// The terms of the nodes of a name with this factor.
     fn terms(&self, name: &str, nodes: Vec<(f64, NodeName)>, factor: &Amount) -> Vec<Term> {
         let tied = self.names.tied(name, factor).map(Arc::new);
-        let terms = nodes.into_iter().map(|(own, node)| Term {
+        let terms = nodes.into_iter().map(|(weight, node)| Term {
             node,
             factor: match tied {
-                Some(_) => self.times(factor, own),
+                Some(_) => self.times(factor, weight),
                 None => factor.clone(),
             },
             tied: tied.clone(),
@@ -108,8 +108,8 @@ impl Reader<'_> {
     fn times(&self, amount: &Amount, factor: f64) -> Amount {
         let source = match &amount.source {
             Source::Number(x) => Source::Number(x * factor),
-            Source::Expression(own) => {
-                let text = format!("({factor:?})*({})", own.text);
+            Source::Expression(expression) => {
+                let text = format!("({factor:?})*({})", expression.text);
                 match Formula::number(&text, self.table) {
                     Ok(formula) => {
                         Source::Expression(Arc::new(ParameterExpression { formula, text }))
@@ -140,7 +140,10 @@ impl Reader<'_> {
             at,
             path,
         };
-        let motion: Vec<_> = nodes.iter().map(|(own, name)| (*own, name.node)).collect();
+        let motion: Vec<_> = nodes
+            .iter()
+            .map(|(weight, name)| (*weight, name.node))
+            .collect();
         Some((motion, self.terms(name, nodes, &factor)))
     }
 
@@ -163,8 +166,8 @@ impl Reader<'_> {
             return None;
         };
         // Both are decoded, so that every fault is reported.
-        let mut side = |node: &Node, place: usize, factor: f64| {
-            let path = format!("{path}[{place}]");
+        let mut side = |node: &Node, index: usize, factor: f64| {
+            let path = format!("{path}[{index}]");
             let name = text(node, &path, faults)?;
             let name = self.in_direction(&name, direction, (node.at, &path), faults)?;
             self.side(&name, (node.at, path), factor, faults)

@@ -30,10 +30,10 @@ pub(in crate::structure) fn given(root: &Node) -> Vec<(&Member, String)> {
         real.map(|(i, member)| (i, join(path, &member.key)))
             .collect()
     };
-    let mut all = Vec::new();
+    let mut found = Vec::new();
     let mut add = |node, path: &str| {
         for (i, path) in of(node, path) {
-            all.push((&members(node)[i], path));
+            found.push((&members(node)[i], path));
         }
     };
     if let Some(node) = member(root, "parameters") {
@@ -46,7 +46,7 @@ pub(in crate::structure) fn given(root: &Node) -> Vec<(&Member, String)> {
             }
         }
     }
-    all
+    found
 }
 
 /// The texts of a value: of one text, or of a list.

@@ -146,7 +146,7 @@ impl Reader<'_> {
             return format!("no node {}: {why}", quoted(name));
         }
         let of_matrices = self.names.matrices.iter();
-        let mut with_part = of_matrices.filter(|(_, own)| own.dofs.row(name).is_some());
+        let mut with_part = of_matrices.filter(|(_, imported)| imported.dofs.row(name).is_some());
         if let Some((part, _)) = with_part.next() {
             let full = quoted(&format!("{part}.{name}"));
             return format!("unknown node {}, did you mean {full}?", quoted(name));
@@ -155,7 +155,7 @@ impl Reader<'_> {
         let ends = bars.flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
         let ends: Vec<String> = ends.collect();
         let masses = self.names.masses.iter().map(String::as_str);
-        let supports = self.names.supports.iter().map(|own| own.0.as_str());
+        let supports = self.names.supports.iter().map(|support| support.0.as_str());
         let known = ["ground"].into_iter().chain(supports).chain(masses);
         let known: Vec<&str> = known.chain(ends.iter().map(String::as_str)).collect();
         unknown("node", name, &known)
@@ -202,8 +202,8 @@ impl Reader<'_> {
             return Some(Direction::X);
         };
         let names = Direction::TRANSLATIONS.map(Direction::name);
-        let place = name(node, &object.path("direction"), "direction", &names, faults)?;
-        Some(Direction::TRANSLATIONS[place])
+        let index = name(node, &object.path("direction"), "direction", &names, faults)?;
+        Some(Direction::TRANSLATIONS[index])
     }
 }
 

@@ -49,7 +49,7 @@ impl Cache {
             return None;
         }
         let chunks = numbers.chunks_exact(8);
-        let numbers = chunks.map(|own| own.try_into().map(f64::from_le_bytes).ok());
+        let numbers = chunks.map(|bytes| bytes.try_into().map(f64::from_le_bytes).ok());
         numbers.collect()
     }
 

@@ -76,8 +76,8 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
     let unit = object.need("unit", meaning("unit"), faults);
     let unit = unit.and_then(|node| {
         let names = Unit::ALL.map(Unit::name);
-        let place = name(node, &object.path("unit"), "unit", &names, faults)?;
-        Some(Unit::ALL[place].in_m_s2())
+        let index = name(node, &object.path("unit"), "unit", &names, faults)?;
+        Some(Unit::ALL[index].in_m_s2())
     });
     let [at, factor, ratio] = ["at", "factor", "ratio"].map(|key| {
         let node = object.get(key)?;
@@ -92,8 +92,8 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
     if !periods.is_sorted_by(|a, b| a < b) {
         object.fault("the periods in T must rise", faults);
     }
-    let place = at.map(|at| periods.iter().position(|period| *period == at));
-    if let (Some(None), Some(node)) = (place, object.get("at")) {
+    let found = at.map(|at| periods.iter().position(|period| *period == at));
+    if let (Some(None), Some(node)) = (found, object.get("at")) {
         faults.add(
             node.at,
             &object.path("at"),
@@ -112,7 +112,7 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
         mean: median.iter().map(|a| log(a * unit)).collect(),
         periods,
         deviation,
-        at: place.flatten(),
+        at: found.flatten(),
         factor: factor.unwrap_or(f64::INFINITY),
         ratio: ratio.unwrap_or(RATIO),
     })
@@ -121,7 +121,7 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
 /// The meaning of a key.
 fn meaning(key: &str) -> &'static str {
     let keys: Keys = CHOOSE;
-    keys.iter().find(|own| own.0 == key).map_or("", |own| own.1)
+    keys.iter().find(|row| row.0 == key).map_or("", |row| row.1)
 }
 
 /// A number that is needed.
@@ -158,20 +158,21 @@ impl Choice {
             .par_iter()
             .map(|file| self.logarithms(folder, file, cache))
             .collect();
-        let wrong = spectra.iter().filter_map(|own| own.as_ref().err());
+        let wrong = spectra.iter().filter_map(|result| result.as_ref().err());
         let wrong: Vec<&str> = wrong.take(MOST_FAULTS).map(String::as_str).collect();
         if !wrong.is_empty() {
             return Err(wrong.join("; "));
         }
         let spectra = spectra.into_iter().flatten().enumerate();
-        let scaled = spectra.map(|(place, own)| {
-            let shift = self.at.map_or(0.0, |at| self.mean[at] - own[at]);
-            (place, shift, own.iter().map(|x| x + shift).collect())
+        let scaled = spectra.map(|(index, spectrum)| {
+            let shift = self.at.map_or(0.0, |at| self.mean[at] - spectrum[at]);
+            (index, shift, spectrum.iter().map(|x| x + shift).collect())
         });
         let most = log(self.factor);
         let suitable = scaled.filter(|(_, shift, _)| shift.abs() <= most);
-        let (places, spectra): (Vec<usize>, Vec<Vec<f64>>) =
-            suitable.map(|(place, _, own)| (place, own)).unzip();
+        let (places, spectra): (Vec<usize>, Vec<Vec<f64>>) = suitable
+            .map(|(index, _, spectrum)| (index, spectrum))
+            .unzip();
         if places.len() < self.n {
             return Err(format!(
                 "{} motions are to be chosen, but only {} of {} are suitable",
@@ -207,7 +208,9 @@ impl Choice {
         };
         let none = || at_fault("has no spectrum at these periods".to_owned());
         let ordinates = ordinates.ok_or_else(none)?;
-        let logarithms = ordinates.iter().map(|own| log(own.pseudo_acceleration()));
+        let logarithms = ordinates
+            .iter()
+            .map(|ordinate| log(ordinate.pseudo_acceleration()));
         let logarithms: Vec<f64> = logarithms.collect();
         if logarithms.iter().any(|x| !x.is_finite()) {
             return Err(none());

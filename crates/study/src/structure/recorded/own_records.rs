@@ -60,9 +60,9 @@ pub(crate) fn replace(root: &mut Node, seed: &str, faults: &mut Faults) {
 /// Removes the parameters that only the synthetic motions needed, such as the frequency of their ground filter.
 fn drop_unused(root: &mut Node, mut of_motions: Vec<String>) {
     while let Some(name) = of_motions.pop() {
-        let mut all = Vec::new();
-        named(root, &mut all);
-        if all.contains(&name) {
+        let mut names = Vec::new();
+        named(root, &mut names);
+        if names.contains(&name) {
             continue;
         }
         for (_, block) in blocks(root) {
@@ -151,15 +151,15 @@ fn take(node: &mut Node, key: &str) -> Option<Member> {
     let Tree::Object(members) = &mut node.tree else {
         return None;
     };
-    let place = members.iter().position(|member| member.key == key)?;
-    Some(members.remove(place))
+    let index = members.iter().position(|member| member.key == key)?;
+    Some(members.remove(index))
 }
 
 /// Makes records of the synthetic motions of this seed.
 fn replace_motions(node: &mut Node, seed: &str, keys: &[Member], of_motions: &mut Vec<String>) {
     let is_motion = member(node, "synthetic")
         .and_then(|motion| member(motion, "seed"))
-        .is_some_and(|own| matches!(&own.tree, Tree::Text(name) if name == seed));
+        .is_some_and(|given| matches!(&given.tree, Tree::Text(name) if name == seed));
     match &mut node.tree {
         Tree::Object(members) if is_motion => {
             let at = node.at;

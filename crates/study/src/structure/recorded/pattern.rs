@@ -26,19 +26,19 @@ pub(super) fn matching(pattern: &str, folder: &Path) -> Result<Found, String> {
     if parent.contains('*') {
         return Err("must have its * in the name of the files, not in that of a folder".into());
     }
-    let place = match pattern.starts_with(is_separator) && parent.is_empty() {
+    let folder = match pattern.starts_with(is_separator) && parent.is_empty() {
         true => Path::new("/").to_owned(),
         // A study without a folder in its path is in this one.
         false if folder.as_os_str().is_empty() => Path::new(".").join(parent),
         false => folder.join(parent),
     };
-    let entries = std::fs::read_dir(&place);
+    let entries = std::fs::read_dir(&folder);
     let entries =
-        entries.map_err(|why| format!("cannot read the folder {}: {why}", place.display()))?;
+        entries.map_err(|why| format!("cannot read the folder {}: {why}", folder.display()))?;
     let mut found = Vec::new();
     for entry in entries {
         let entry =
-            entry.map_err(|why| format!("cannot read the folder {}: {why}", place.display()))?;
+            entry.map_err(|why| format!("cannot read the folder {}: {why}", folder.display()))?;
         let Ok(name) = entry.file_name().into_string() else {
             continue;
         };
@@ -61,7 +61,7 @@ pub(super) fn matching(pattern: &str, folder: &Path) -> Result<Found, String> {
     }
     found.sort_by(|a, b| natural(&a.1, &b.1));
     match found.len() {
-        0 => Err(format!("no file in {} has such a name", place.display())),
+        0 => Err(format!("no file in {} has such a name", folder.display())),
         1..=MOST => Ok(found),
         many => Err(format!("{many} files; allowed: at most {MOST}")),
     }
@@ -75,14 +75,14 @@ fn natural(a: &str, b: &str) -> Ordering {
         let order = match of_left.is_empty() || of_right.is_empty() {
             true => first.cmp(&second),
             false => {
-                let [x, y] = [of_left, of_right].map(|own| own.trim_start_matches('0'));
+                let [x, y] = [of_left, of_right].map(|digits| digits.trim_start_matches('0'));
                 x.len().cmp(&y.len()).then_with(|| x.cmp(y))
             }
         };
         if order.is_ne() {
             return order;
         }
-        let taken = |own: &str, first: char| own.len().max(first.len_utf8());
+        let taken = |digits: &str, first: char| digits.len().max(first.len_utf8());
         left = &left[taken(of_left, first)..];
         right = &right[taken(of_right, second)..];
     }

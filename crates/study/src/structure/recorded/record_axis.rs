@@ -32,7 +32,7 @@ pub(crate) fn expand(root: &mut Node, folder: &Folder, faults: &mut Faults) {
         // Tests that are compared as a sample are no axis.
         let way = member(measured, "compare").map(texts).unwrap_or_default();
         let is_sample = way.contains(&COMPARE[1]);
-        if let Some(file) = measured.member("file").filter(|own| has_files(own)) {
+        if let Some(file) = measured.member("file").filter(|node| has_files(node)) {
             let path = join(MEASURED, "file");
             match is_sample {
                 true => {
@@ -47,17 +47,17 @@ pub(crate) fn expand(root: &mut Node, folder: &Folder, faults: &mut Faults) {
         let Some(parameters) = block.member("parameters") else {
             continue;
         };
-        let Tree::Object(own) = &mut parameters.tree else {
+        let Tree::Object(members) = &mut parameters.tree else {
             continue;
         };
         for (new, _) in &named {
-            if !own.iter().any(|known| known.key == new.key) {
-                own.push(new.clone());
+            if !members.iter().any(|known| known.key == new.key) {
+                members.push(new.clone());
             }
         }
         let path = join(&path, "parameters");
         let (mut found, mut leader) = (Vec::new(), None);
-        for given in own.iter_mut().filter(|given| has_files(&given.node)) {
+        for given in members.iter_mut().filter(|given| has_files(&given.node)) {
             // The files of the structure are at fault there.
             let mut of_structure = named.iter().filter(|new| new.0.at == given.at);
             let path = match of_structure.next() {
@@ -106,11 +106,11 @@ fn take(node: &mut Node, name: &str, path: &str, found: &mut Vec<(Member, String
                     continue;
                 }
                 // The ground in x is `record_x`, a support `record_left`.
-                let own = match member.key.as_str() {
+                let parameter = match member.key.as_str() {
                     "ground" | "supports" | "contacts" => name.to_owned(),
                     key => format!("{name}_{key}"),
                 };
-                take(&mut member.node, &own, &path, found);
+                take(&mut member.node, &parameter, &path, found);
             }
         }
         Tree::List(items) => {
@@ -181,8 +181,8 @@ fn go_together(block: &mut Node, mut found: Vec<Listed>, faults: &mut Faults) {
         let leader = found[*first].0.clone();
         for other in others {
             let (_, at, path, files) = &mut found[*other];
-            let place = |star: &str| order.iter().position(|own| own == star);
-            let extra = files.iter().find(|file| place(&file.0).is_none());
+            let index_of = |star: &str| order.iter().position(|known| known == star);
+            let extra = files.iter().find(|file| index_of(&file.0).is_none());
             let missing = order
                 .iter()
                 .find(|star| !files.iter().any(|file| file.0 == **star));
@@ -196,7 +196,7 @@ fn go_together(block: &mut Node, mut found: Vec<Listed>, faults: &mut Faults) {
                     format!("no file with {} for *, as {leader} has one", quoted(star))
                 }
                 (None, None) => {
-                    files.sort_by_key(|file| place(&file.0));
+                    files.sort_by_key(|file| index_of(&file.0));
                     continue;
                 }
             };

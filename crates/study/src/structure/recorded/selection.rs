@@ -70,24 +70,24 @@ pub(super) fn select(spectra: &[Vec<f64>], target: &Moments, n: usize) -> Vec<us
         misfits.min_by(|a, b| a.0.total_cmp(&b.0))
     };
     while chosen.len() < n {
-        let Some((_, place)) = best(&sums, &chosen) else {
+        let Some((_, index)) = best(&sums, &chosen) else {
             break;
         };
-        sums = sums.with(&spectra[place], 1.0);
-        chosen.push(place);
+        sums = sums.with(&spectra[index], 1.0);
+        chosen.push(index);
     }
     for _ in 0..PASSES {
         let mut changed = false;
         for k in 0..chosen.len() {
-            let own = chosen[k];
-            let without = sums.with(&spectra[own], -1.0);
-            let now = without.misfit(&spectra[own], &target);
+            let replaced = chosen[k];
+            let without = sums.with(&spectra[replaced], -1.0);
+            let now = without.misfit(&spectra[replaced], &target);
             // Round-off is no improvement.
-            if let Some((misfit, place)) = best(&without, &chosen)
+            if let Some((misfit, index)) = best(&without, &chosen)
                 && misfit < now * (1.0 - 1e-12)
             {
-                sums = without.with(&spectra[place], 1.0);
-                chosen[k] = place;
+                sums = without.with(&spectra[index], 1.0);
+                chosen[k] = index;
                 changed = true;
             }
         }
@@ -137,8 +137,8 @@ mod tests {
             let tilt = 2.0 * (uniform.next() - 0.5);
             let at = |i: usize| {
                 let away = i as f64 - 5.0;
-                let own = 2.0 * (uniform.next() - 0.5);
-                mean[i] + deviation[i] * (level + own) + 0.1 * tilt * away
+                let noise = 2.0 * (uniform.next() - 0.5);
+                mean[i] + deviation[i] * (level + noise) + 0.1 * tilt * away
             };
             (0..PERIODS).map(at).collect()
         };
@@ -150,11 +150,11 @@ mod tests {
         let [mean, deviation] = target();
         let n = chosen.len() as f64;
         let at = |i: usize| {
-            let values: Vec<f64> = chosen.iter().map(|place| spectra[*place][i]).collect();
-            let own = values.iter().sum::<f64>() / n;
-            let squares: f64 = values.iter().map(|x| (x - own) * (x - own)).sum();
+            let values: Vec<f64> = chosen.iter().map(|index| spectra[*index][i]).collect();
+            let average = values.iter().sum::<f64>() / n;
+            let squares: f64 = values.iter().map(|x| (x - average) * (x - average)).sum();
             let spread = (squares / (n - 1.0)).sqrt();
-            (own - mean[i]).powi(2) + (spread - deviation[i]).powi(2)
+            (average - mean[i]).powi(2) + (spread - deviation[i]).powi(2)
         };
         (0..PERIODS).map(at).sum()
     }
@@ -170,28 +170,28 @@ mod tests {
         let chosen = select(&spectra, &moments, 11);
         assert_eq!(chosen.len(), 11);
         assert!(chosen.windows(2).all(|pair| pair[0] < pair[1]));
-        let own = misfit(&spectra, &chosen);
+        let reached = misfit(&spectra, &chosen);
         for k in 0..chosen.len() {
             for other in (0..spectra.len()).filter(|i| !chosen.contains(i)) {
                 let mut exchanged = chosen.clone();
                 exchanged[k] = other;
                 // Round-off of sums of 12 squares.
-                assert!(misfit(&spectra, &exchanged) >= own * (1.0 - 1e-9));
+                assert!(misfit(&spectra, &exchanged) >= reached * (1.0 - 1e-9));
             }
         }
         let mut uniform = Uniform(3);
         let random = |_| {
             let mut set: Vec<usize> = Vec::new();
             while set.len() < 11 {
-                let place = (uniform.next() * 400.0) as usize;
-                if !set.contains(&place) {
-                    set.push(place);
+                let index = (uniform.next() * 400.0) as usize;
+                if !set.contains(&index) {
+                    set.push(index);
                 }
             }
             misfit(&spectra, &set)
         };
         let least = (0..5000).map(random).fold(f64::INFINITY, f64::min);
-        assert!(own < 0.2 * least, "{own} {least}");
+        assert!(reached < 0.2 * least, "{reached} {least}");
     }
 
     #[test]
@@ -206,8 +206,8 @@ mod tests {
                 .collect()
         };
         let mut spectra = candidates(100);
-        for (k, place) in [3, 20, 50, 51, 77, 104].into_iter().enumerate() {
-            spectra.insert(place, planted(if k % 2 == 0 { 1.0 } else { -1.0 }));
+        for (k, index) in [3, 20, 50, 51, 77, 104].into_iter().enumerate() {
+            spectra.insert(index, planted(if k % 2 == 0 { 1.0 } else { -1.0 }));
         }
         let moments = Moments {
             mean: &mean,

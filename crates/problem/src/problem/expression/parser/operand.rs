@@ -125,8 +125,10 @@ impl Parser<'_> {
     /// The row of the table with the longest name that `rest` begins with, of the names with brackets, such as `max(a3 - a2)`.
     fn row_with_brackets(&self, rest: &str) -> Option<usize> {
         let rows = self.table.iter().enumerate();
-        let begins = rows.filter(|(_, own)| own.name.contains('(') && rest.starts_with(&*own.name));
-        Some(begins.max_by_key(|(_, own)| own.name.len())?.0)
+        let begins = rows.filter(|(_, parameter)| {
+            parameter.name.contains('(') && rest.starts_with(&*parameter.name)
+        });
+        Some(begins.max_by_key(|(_, parameter)| parameter.name.len())?.0)
     }
 
     /// The value of the parameter in a row.

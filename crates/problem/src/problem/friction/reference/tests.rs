@@ -8,8 +8,8 @@ use crate::problem::numbers::parameter::Value;
 use crate::solve::{self, ContactTrack, ToSystem};
 use std::f64::consts::PI;
 
-fn case(law: &'static str, own: &[(&'static str, f64)]) -> OscillatorCase {
-    let numbers = own.iter().map(|(name, x)| (*name, Value::Number(*x)));
+fn case(law: &'static str, pairs: &[(&'static str, f64)]) -> OscillatorCase {
+    let numbers = pairs.iter().map(|(name, x)| (*name, Value::Number(*x)));
     let mut given: Vec<_> = numbers.collect();
     given.push(("law", Value::Name(law)));
     given.push(("dT", Value::Number(PI / 40.0)));
@@ -22,27 +22,27 @@ fn case(law: &'static str, own: &[(&'static str, f64)]) -> OscillatorCase {
 #[test]
 fn a_wrong_force_at_release_is_seen() {
     let lugre = [("sigma0", 2.0), ("sigma1", 0.5)];
-    for (law, own) in [
+    for (law, pairs) in [
         ("bouc-wen", &[("alpha", 0.5), ("exponent", 2.0)][..]),
         ("dahl", &[("alpha", 0.5), ("exponent", 1.0)]),
         ("lugre", &lugre),
     ] {
-        let case = case(law, own);
+        let case = case(law, pairs);
         let track = solve::run::<ContactTrack>(&case.system()).unwrap().track;
         let times: Vec<f64> = (0..=case.last).map(|i| i as f64 * case.step).collect();
         let states = times.iter().zip(&track.0);
         let computed: History = states.map(|(time, state)| (*time, *state)).collect();
         let of = |other: &OscillatorCase| {
-            let mut own = between(other, &times, true).unwrap();
+            let mut budget = between(other, &times, true).unwrap();
             let norm = Norm {
                 channels: 1,
                 size: case.x0.abs(),
                 sum: &|_, _| f64::NAN,
                 count: 1.0,
             };
-            let found = own.errors(&case.preset(), &computed, &norm)[0].unwrap();
-            let motion = own.motions.pop().unwrap();
-            let coarse = own.coarse[0].displacement();
+            let found = budget.errors(&case.preset(), &computed, &norm)[0].unwrap();
+            let motion = budget.motions.pop().unwrap();
+            let coarse = budget.coarse[0].displacement();
             let by_tolerance = difference(motion.displacement(), coarse, case.x0.abs());
             (motion, found, by_tolerance)
         };

@@ -9,9 +9,9 @@ use crate::problem::impact::case;
 use crate::problem::numbers::parameter::Value;
 use crate::solve::{self, ToSystem};
 
-fn given(law: &'static str, own: &[(&'static str, f64)]) -> ImpactCase {
-    let all = [("gamma", 1.0), ("n", 10.0), ("dt", 0.01), ("duration", 1.5)];
-    let numbers = all.iter().chain(own);
+fn given(law: &'static str, pairs: &[(&'static str, f64)]) -> ImpactCase {
+    let common = [("gamma", 1.0), ("n", 10.0), ("dt", 0.01), ("duration", 1.5)];
+    let numbers = common.iter().chain(pairs);
     let mut given: Vec<_> = numbers
         .map(|(name, x)| (*name, Value::Number(*x)))
         .collect();
@@ -24,31 +24,31 @@ fn given(law: &'static str, own: &[(&'static str, f64)]) -> ImpactCase {
 #[test]
 fn a_mesh_that_starts_at_another_gap_is_seen() {
     let damped = [("restitution", 0.5)];
-    for (law, own) in [
+    for (law, extra) in [
         ("hertz", &[][..]),
         ("hunt-crossley", &damped),
         ("kelvin-voigt", &damped),
     ] {
-        let case = given(law, own);
+        let case = given(law, extra);
         let mut track = solve::run::<Track<1>>(&case.system()).unwrap().track;
         case::condense(&[case], &mut track);
         let computed = track.history(case.dt);
         let of = |other: &ImpactCase| {
-            let own = between(other, &computed.time, true).unwrap();
+            let budget = between(other, &computed.time, true).unwrap();
             let norm = Norm {
                 channels: 2,
                 size: 1.0,
                 sum: &|_, _| f64::NAN,
                 count: 1.0,
             };
-            let found = own.errors(&case.preset(), &computed, &norm);
+            let found = budget.errors(&case.preset(), &computed, &norm);
             let by_tolerance = [0, 1].map(|channel| {
-                let pairs = own.motions.iter().zip(&own.coarse);
+                let pairs = budget.motions.iter().zip(&budget.coarse);
                 let each =
                     pairs.map(|(a, b)| difference(a.channel(channel), b.channel(channel), 1.0));
                 each.fold(0.0, f64::max)
             });
-            let mesh = own.motions[1].clone();
+            let mesh = budget.motions[1].clone();
             (
                 mesh,
                 [0, 1].map(|channel| found[channel].unwrap()),

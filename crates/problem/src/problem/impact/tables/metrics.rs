@@ -43,11 +43,11 @@ metric_rows! {
     /// Their values; `None` without contact.
     fn of_exact(of: Option<&OfExact>) -> Option<f64>;
     ["contact_duration_exact", "exact contact duration/*T*_I_", "T_I"], "contact_duration of the exact motion"
-    => of.and_then(|own| own.duration);
+    => of.and_then(|exact| exact.duration);
     ["peak_force_exact", "exact peak of *F*/*F*_0_", "F0"], "peak_force of the exact motion"
-    => of.map(|own| own.peak_force);
+    => of.map(|exact| exact.peak_force);
     ["restitution_exact", "exact restitution", "1"], "restitution of the exact motion, from its impulse until the last step"
-    => of.map(|own| own.restitution);
+    => of.map(|exact| exact.restitution);
 }
 
 /// What contact and method take of the energy, and the cost.
@@ -116,12 +116,12 @@ pub(super) fn table() -> Vec<Metric> {
 
 /// The norm of a part of the error.
 fn error(part: usize, [name, symbol, over, unit]: Component) -> Metric {
-    let [own, made_by, motion] = PARTS[part];
+    let [part_name, made_by, motion] = PARTS[part];
     let before = part.checked_sub(1).map_or("e", |before| PARTS[before][2]);
     Metric::built(
         [
-            format!("{own}_error_{name}"),
-            format!("{own} error of {symbol}{over}"),
+            format!("{part_name}_error_{name}"),
+            format!("{part_name} error of {symbol}{over}"),
             unit.into(),
         ],
         format!(
@@ -133,11 +133,11 @@ fn error(part: usize, [name, symbol, over, unit]: Component) -> Metric {
 
 /// Its share in the error.
 fn share(part: usize, [name, symbol, ..]: Component) -> Metric {
-    let [own, ..] = PARTS[part];
+    let [part_name, ..] = PARTS[part];
     Metric::built(
         [
-            format!("{own}_share_{name}"),
-            format!("{own} share of {symbol}"),
+            format!("{part_name}_share_{name}"),
+            format!("{part_name} share of {symbol}"),
             "1".into(),
         ],
         format!(
@@ -189,13 +189,13 @@ pub const ENERGY_DRIFT_FINAL: usize = metric_of("energy_drift_final");
 
 /// The errors with their parts.
 pub(super) fn budgets() -> Vec<Budget> {
-    let budget = |(place, [name, symbol, over, _]): (usize, Component)| Budget {
+    let budget = |(index, [name, symbol, over, _]): (usize, Component)| Budget {
         name: name.into(),
         title: format!("rms error of {symbol}{over}").into(),
-        total: metric_of("rms_error_r") + place,
+        total: metric_of("rms_error_r") + index,
         parts: (0..PARTS.len())
             .map(|part| {
-                let row = ROWS.parts.start + part * COMPONENTS.len() + place;
+                let row = ROWS.parts.start + part * COMPONENTS.len() + index;
                 (PARTS[part][0].into(), row)
             })
             .collect(),

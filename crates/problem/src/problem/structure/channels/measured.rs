@@ -55,8 +55,8 @@ pub struct Compared<'a> {
 impl Measured {
     /// The number of a channel that was measured; the same quantity may have another name.
     pub fn channel(&self, channel: &Channel) -> Option<usize> {
-        let mut all = self.channels.iter();
-        all.position(|own| own.0.terms == channel.terms)
+        let mut channels = self.channels.iter();
+        channels.position(|column| column.0.terms == channel.terms)
     }
 
     /// What was measured in a case whose motion has the steps 0..=`last`, `dt` apart.
@@ -65,7 +65,7 @@ impl Measured {
     /// The delay is none of the study, or less than [`FEWEST`] points are within the motion.
     pub fn in_case(&self, case: &Case, dt: f64, last: u64) -> Result<Compared<'_>, Violation> {
         let name = self.file.name(case);
-        let found = self.tests.iter().find(|own| own.0 == name);
+        let found = self.tests.iter().find(|pair| pair.0 == name);
         let (_, test) = found.ok_or_else(|| self.violation("the case has no file".to_owned()))?;
         let [least, most] = self.delays;
         let delay = self
@@ -132,8 +132,8 @@ fn outside(name: &str, test: &Test, delays: [f64; 2], end: f64, points: Range<us
 impl Compared<'_> {
     /// The measured values of a channel that are compared; `None` if it was not measured.
     pub fn values(&self, channel: &Channel) -> Option<&[f64]> {
-        let place = self.measured.channel(channel)?;
-        self.test.values[place].get(self.points.clone())
+        let column = self.measured.channel(channel)?;
+        self.test.values[column].get(self.points.clone())
     }
 
     /// Times of the points that are compared, in the time of the motion.
@@ -145,7 +145,7 @@ impl Compared<'_> {
     /// All channels with all points.
     pub fn channels(&self) -> Vec<MeasuredChannel> {
         let time: Vec<f64> = self.test.time.iter().map(|t| t - self.delay).collect();
-        let all = self.measured.channels.iter().zip(&self.test.values);
+        let columns = self.measured.channels.iter().zip(&self.test.values);
         let one = |((channel, column), values): (&(Channel, usize), &Vec<f64>)| MeasuredChannel {
             name: channel.name.clone(),
             column: *column,
@@ -153,7 +153,7 @@ impl Compared<'_> {
             values: values.clone(),
             compared: self.points.clone(),
         };
-        all.map(one).collect()
+        columns.map(one).collect()
     }
 
     /// A line for `explain`.
@@ -165,7 +165,7 @@ impl Compared<'_> {
             delay => format!(", delay {}", shortest(delay)),
         };
         let names = self.measured.channels.iter();
-        let names: Vec<&str> = names.map(|own| own.0.name.as_str()).collect();
+        let names: Vec<&str> = names.map(|column| column.0.name.as_str()).collect();
         format!(
             "measured: {} of {}, {points} of {of} points are compared{delay}\n",
             names.join(", "),

@@ -61,19 +61,19 @@ impl Names {
         bars: Vec<String>,
         matrices: Vec<(String, Arc<Imported>)>,
     ) -> Names {
-        let all = masses
+        let of_masses = masses
             .iter()
             .enumerate()
             .map(|(i, name)| (name, Part::Mass(i)));
-        let all = all.chain(
+        let with_bars = of_masses.chain(
             bars.iter()
                 .enumerate()
                 .map(|(i, name)| (name, Part::Bar(i))),
         );
         let of_matrices = matrices.iter().enumerate();
-        let all = all.chain(of_matrices.map(|(i, (name, _))| (name, Part::Matrices(i))));
+        let named = with_bars.chain(of_matrices.map(|(i, (name, _))| (name, Part::Matrices(i))));
         Names {
-            parts: all.map(|(name, part)| (name.clone(), part)).collect(),
+            parts: named.map(|(name, part)| (name.clone(), part)).collect(),
             masses,
             bars,
             matrices,
@@ -90,18 +90,20 @@ impl Names {
     /// The same with these contacts.
     pub fn with_contacts(mut self, contacts: Vec<String>) -> Names {
         let places = contacts.iter().enumerate();
-        self.places = places.map(|(place, name)| (name.clone(), place)).collect();
+        self.places = places
+            .map(|(contact, name)| (name.clone(), contact))
+            .collect();
         self.contacts = contacts;
         self
     }
 
     /// The same with the springs, the ground and the directions of a structure.
-    pub fn with_structure(self, own: StructureNames) -> Names {
+    pub fn with_structure(self, given: StructureNames) -> Names {
         Names {
-            springs: own.springs,
-            planes: own.planes,
-            ground: own.ground,
-            directions: own.directions,
+            springs: given.springs,
+            planes: given.planes,
+            ground: given.ground,
+            directions: given.directions,
             ..self
         }
     }
@@ -109,32 +111,34 @@ impl Names {
     /// The place of the first direction of the contact in a plane with this name.
     pub fn plane(&self, name: &str) -> Option<usize> {
         let mut planes = self.planes.iter();
-        planes.find(|own| own.0 == name).map(|own| own.1)
+        planes.find(|plane| plane.0 == name).map(|plane| plane.1)
     }
 
     /// The names of contacts, of those in a plane as a whole.
     pub fn named_contacts(&self) -> impl Iterator<Item = &str> {
-        let planes = self.planes.iter().map(|own| own.0.as_str());
+        let planes = self.planes.iter().map(|plane| plane.0.as_str());
         planes.chain(self.contacts.iter().map(String::as_str))
     }
 
     /// The place of the spring with this name.
     pub fn spring(&self, name: &str) -> Option<usize> {
         let mut springs = self.springs.iter();
-        springs.find(|own| own.0 == name).map(|own| own.1)
+        springs
+            .find(|spring| spring.0 == name)
+            .map(|spring| spring.1)
     }
 
     /// The names of springs.
     pub fn springs(&self) -> impl Iterator<Item = &str> {
-        self.springs.iter().map(|own| own.0.as_str())
+        self.springs.iter().map(|spring| spring.0.as_str())
     }
 
     /// The same with these supports, whose motions have the directions x, y and z.
     pub fn with_supports(mut self, supports: Vec<(String, [bool; 3])>) -> Names {
         let mut motions = 0;
         for (name, directions) in supports {
-            let place = Part::Support(self.supports.len());
-            self.parts.insert(name.clone(), place);
+            let part = Part::Support(self.supports.len());
+            self.parts.insert(name.clone(), part);
             let motion = |given: bool| {
                 given.then(|| {
                     motions += 1;
@@ -156,8 +160,8 @@ impl Names {
 
     fn moving(&self, support: usize, direction: Direction) -> Option<usize> {
         let mut directions = Direction::TRANSLATIONS.iter();
-        let place = directions.position(|own| *own == direction)?;
-        self.supports[support].1[place]
+        let axis = directions.position(|known| *known == direction)?;
+        self.supports[support].1[axis]
     }
 
     /// Whether a name is that of a support, with or without a direction.
@@ -182,25 +186,24 @@ impl Names {
             Some(Part::Support(support)) => return Some(self.support(*support, Direction::X)),
             _ => {}
         }
-        let (part, place) = name.split_once('.')?;
+        let (part, rest) = name.split_once('.')?;
         match *self.parts.get(part)? {
             Part::Mass(_) => None,
             Part::Support(support) => {
-                let direction = Direction::named(place)?;
+                let direction = Direction::named(rest)?;
                 let moves = Direction::TRANSLATIONS.contains(&direction);
                 moves.then(|| self.support(support, direction))
             }
             Part::Matrices(matrices) => {
-                let row = self.matrices[matrices].1.dofs.row(place)?;
+                let row = self.matrices[matrices].1.dofs.row(rest)?;
                 Some(NodeRef::Dof(matrices, row))
             }
-            Part::Bar(bar) => match place {
+            Part::Bar(bar) => match rest {
                 "left" => Some(NodeRef::Left(bar)),
                 "right" => Some(NodeRef::Right(bar)),
                 _ => {
-                    let digits =
-                        place.bytes().all(|c| c.is_ascii_digit()) && !place.starts_with('0');
-                    let inner = place.parse().ok().filter(|_| digits)?;
+                    let digits = rest.bytes().all(|c| c.is_ascii_digit()) && !rest.starts_with('0');
+                    let inner = rest.parse().ok().filter(|_| digits)?;
                     Some(NodeRef::Inner(bar, inner))
                 }
             },
@@ -212,9 +215,9 @@ impl Names {
         if let Some(node) = self.node(name) {
             return Some(vec![(1.0, node)]);
         }
-        let (part, place) = name.split_once('.')?;
+        let (part, dof) = name.split_once('.')?;
         let matrices = self.matrices(part)?;
-        let tie = self.matrices[matrices].1.dofs.tie(place)?;
+        let tie = self.matrices[matrices].1.dofs.tie(dof)?;
         let terms = tie.along.iter();
         let terms = terms.map(|(row, factor)| (*factor, NodeRef::Dof(matrices, *row)));
         Some(terms.collect())
@@ -225,12 +228,12 @@ impl Names {
         if self.node(name).is_some() {
             return None;
         }
-        let (part, place) = name.split_once('.')?;
+        let (part, dof) = name.split_once('.')?;
         let matrices = self.matrices(part)?;
-        let tie = self.matrices[matrices].1.dofs.tie(place)?;
+        let tie = self.matrices[matrices].1.dofs.tie(dof)?;
         Some(TiedDof {
             matrices,
-            node: place.rsplit_once('.')?.0.to_owned(),
+            node: dof.rsplit_once('.')?.0.to_owned(),
             direction: tie.direction,
             factor: factor.clone(),
         })
@@ -266,17 +269,17 @@ impl Names {
 
     /// Why a name such as `tower.7.q` is no node of matrices, by the directions that its node has; `None` for other names.
     pub fn why_no_dof(&self, name: &str) -> Option<String> {
-        let (part, place) = name.split_once('.')?;
-        let (own, imported) = &self.matrices[self.matrices(part)?];
-        let node = place.split('.').next().unwrap_or_default();
+        let (part, dof) = name.split_once('.')?;
+        let (title, imported) = &self.matrices[self.matrices(part)?];
+        let node = dof.split('.').next().unwrap_or_default();
         let directions = imported.dofs.directions(node);
         let directions: Vec<&str> = directions.iter().map(|one| one.name()).collect();
         Some(match directions.is_empty() {
             true => format!(
-                "{own} has no node or force {node:?}; its dofs are in the file under \"dofs\", its forces in that under \"forces\""
+                "{title} has no node or force {node:?}; its dofs are in the file under \"dofs\", its forces in that under \"forces\""
             ),
             false => format!(
-                "node {node} of {own} has the directions {}",
+                "node {node} of {title} has the directions {}",
                 directions.join(", ")
             ),
         })

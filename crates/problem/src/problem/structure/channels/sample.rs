@@ -19,9 +19,9 @@ pub struct Sample {
 impl Sample {
     /// Times and values of a channel in each test; `None` if it was not measured. The same quantity may have another name.
     pub fn channel(&self, channel: &Channel) -> Option<impl Iterator<Item = (&[f64], &[f64])>> {
-        let mut all = self.channels.iter();
-        let place = all.position(|own| own.terms == channel.terms)?;
+        let mut channels = self.channels.iter();
+        let column = channels.position(|known| known.terms == channel.terms)?;
         let tests = self.tests.iter();
-        Some(tests.map(move |test| (&test.time[..], &test.values[place][..])))
+        Some(tests.map(move |test| (&test.time[..], &test.values[column][..])))
     }
 }

@@ -69,9 +69,9 @@ impl Phrase {
 impl Words<'_> {
     /// A contact in words.
     pub fn contact(&self, name: &str) -> String {
-        let mut own = self.shown.contacts.iter();
-        let own = own.find(|own| own.0 == name);
-        own.map_or(name, |own| &own.1).to_owned()
+        let mut titles = self.shown.contacts.iter();
+        let title = titles.find(|pair| pair.0 == name);
+        title.map_or(name, |pair| &pair.1).to_owned()
     }
 
     /// A channel in words, such as `displacement of g1.right relative to p2`.
@@ -93,21 +93,21 @@ impl Words<'_> {
                 let both = format!("{} relative to {}", one.of, other.of);
                 one.words.replace("{}", &both)
             }
-            all => {
-                let term = |(place, (sign, phrase)): (usize, &(&str, Phrase))| match place {
+            several => {
+                let term = |(index, (sign, phrase)): (usize, &(&str, Phrase))| match index {
                     0 => phrase.text(),
                     _ => format!(" {} {}", sign.replace('-', "−"), phrase.text()),
                 };
-                all.iter().enumerate().map(term).collect()
+                several.iter().enumerate().map(term).collect()
             }
         }
     }
 
     /// What the study gives a channel: its words and its unit.
     fn given(&self, channel: &Channel) -> Option<&[String; 2]> {
-        let mut own = self.shown.channels.iter();
-        let own = own.find(|own| own.0.terms == channel.terms)?;
-        Some(&own.1)
+        let mut channels = self.shown.channels.iter();
+        let entry = channels.find(|pair| pair.0.terms == channel.terms)?;
+        Some(&entry.1)
     }
 
     /// The unit of a channel, if the study gives it one or `of` knows that of its dimension.
@@ -171,8 +171,8 @@ impl Words<'_> {
         let Some((_, term)) = channel.terms.first() else {
             return plain("{}", word);
         };
-        let words = WORDS.iter().find(|own| own.0 == key(*term));
-        let words = words.map_or("{}", |own| own.1);
+        let words = WORDS.iter().find(|row| row.0 == key(*term));
+        let words = words.map_or("{}", |row| row.1);
         let above = || word.rsplit_once('.').map_or(word, |(above, _)| above);
         match term {
             Term::Displacement(_)
@@ -214,7 +214,7 @@ impl Words<'_> {
             };
         }
         let split = node.rsplit_once('.');
-        let split = split.filter(|(_, own)| Direction::named(own).is_some());
+        let split = split.filter(|(_, end)| Direction::named(end).is_some());
         match split {
             Some((base, direction)) => Phrase {
                 words: format!("{words} in {direction}"),
@@ -251,9 +251,9 @@ impl Words<'_> {
     }
 
     /// Words with the direction behind, if there are several.
-    fn in_direction(&self, words: &str, direction: Direction, all: &[Direction]) -> Phrase {
+    fn in_direction(&self, words: &str, direction: Direction, directions: &[Direction]) -> Phrase {
         Phrase {
-            words: match all.len() > 1 {
+            words: match directions.len() > 1 {
                 true => format!("{words} in {}", direction.name()),
                 false => words.to_owned(),
             },
@@ -310,12 +310,12 @@ mod tests {
 
     #[test]
     fn every_channel_of_the_pages_has_words() {
-        let nodes = OF_NODES.map(|own| format!("NODE.{}", own.0));
-        let contacts = QUANTITIES.map(|own| format!("CONTACT.{}", own.0));
+        let nodes = OF_NODES.map(|row| format!("NODE.{}", row.0));
+        let contacts = QUANTITIES.map(|row| format!("CONTACT.{}", row.0));
         let others = [&OF_SPRINGS[..], &OF_GROUND, &OF_BASE, &OF_ENERGY].concat();
-        let others = others.into_iter().map(|own| own.0.to_owned());
+        let others = others.into_iter().map(|row| row.0.to_owned());
         for name in nodes.into_iter().chain(contacts).chain(others) {
-            assert!(WORDS.iter().any(|own| own.0 == name), "{name}");
+            assert!(WORDS.iter().any(|row| row.0 == name), "{name}");
         }
     }
 

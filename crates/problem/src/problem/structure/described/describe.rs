@@ -38,13 +38,13 @@ pub fn describe(
         count(structure.contacts.len(), "contact"),
         count(loads(structure), "load"),
     );
-    for own in &models.each {
+    for summary in &models.each {
         text += &format!(
             "matrices {}: {}, {} of them without mass, mass {}\n",
-            own.name,
-            count(own.dofs, "dof"),
-            own.massless,
-            by_direction(&own.mass),
+            summary.name,
+            count(summary.dofs, "dof"),
+            summary.massless,
+            by_direction(&summary.mass),
         );
     }
     let nodes = structure
@@ -69,19 +69,19 @@ pub fn describe(
         .contacts
         .iter()
         .enumerate()
-        .map(|(place, contact)| {
+        .map(|(index, contact)| {
             let law = law(&contact.law);
             let gap = match contact.gap {
                 0.0 => String::new(),
                 gap => format!(", gap {}", short(gap)),
             };
             let touch = touch(structure, contact, dt);
-            let restitution = restitutions.get(place).copied().flatten();
-            let restitution = restitution.map_or(String::new(), |own| format!(", {own}"));
+            let restitution = restitutions.get(index).copied().flatten();
+            let restitution = restitution.map_or(String::new(), |stated| format!(", {stated}"));
             format!(
                 "{}: {}{gap}, {law}{restitution}{touch}{}",
                 contact.name,
-                ends(structure, place),
+                ends(structure, index),
                 closes(structure, contact),
             )
         });
@@ -108,8 +108,8 @@ pub fn describe(
 
 /// Number of loads that are not of supports.
 fn loads(structure: &Structure) -> usize {
-    let own = |load: &&Load| !matches!(*load.signal, Signal::Motion(..));
-    structure.loads.iter().filter(own).count()
+    let is_load = |load: &&Load| !matches!(*load.signal, Signal::Motion(..));
+    structure.loads.iter().filter(is_load).count()
 }
 
 /// The largest |u| and |v| of a motion up to a time, at its points and at some between.
@@ -143,10 +143,10 @@ fn ends(structure: &Structure, contact: usize) -> String {
         let carried = along
             .iter()
             .map(|(node, factor)| factor * support.carried[*node]);
-        let own = support.gaps[contact] - carried.sum::<f64>();
+        let gap = support.gaps[contact] - carried.sum::<f64>();
         // Round-off of what the nodes are carried.
-        let own = (own * 1e9).round() / 1e9;
-        (own != 0.0).then_some((&support.name, own))
+        let rounded = (gap * 1e9).round() / 1e9;
+        (rounded != 0.0).then_some((&support.name, rounded))
     });
     let mut terms: Vec<(&String, f64)> = nodes.chain(supports).collect();
     if let [(_, 1.0), (_, -1.0)] = terms[..] {
@@ -212,7 +212,7 @@ fn periods(which: &str, modes: &Modes, structure: &Structure) -> String {
 fn law(relation: &StructureLaw) -> String {
     let pressing = |limit: &Limit| {
         let pressed_by = limit.pressed_by.as_ref();
-        pressed_by.map_or(0, |own| own.contacts.len() + own.springs.len())
+        pressed_by.map_or(0, |parts| parts.contacts.len() + parts.springs.len())
     };
     let limit = |limit: &Limit| match limit.varying {
         _ if pressing(limit) == 1 => "limit by the force of another part".to_owned(),
@@ -220,7 +220,7 @@ fn law(relation: &StructureLaw) -> String {
         None => format!("limit {}", short(limit.at(0.0))),
         Some(_) => format!("limit {} at t = 0, varying", short(limit.at(0.0))),
     };
-    let own = relation.as_given();
+    let given = relation.as_given();
     let text = match relation.line() {
         Some(ClippedLine::Spring { stiffness }) => {
             format!("impact spring k = {}", short(stiffness))
@@ -230,16 +230,16 @@ fn law(relation: &StructureLaw) -> String {
             format!("rigid impact, restitution {e} in the exact motion; the time steps ignore it")
         }
         Some(ClippedLine::Elastic { stiffness }) => {
-            format!("{} k = {}", own.name(), short(stiffness))
+            format!("{} k = {}", given.name(), short(stiffness))
         }
         Some(ClippedLine::Viscous { viscosity }) => {
-            format!("{} c = {}", own.name(), short(viscosity))
+            format!("{} c = {}", given.name(), short(viscosity))
         }
         _ if relation.is_rigid() => "Coulomb friction".to_owned(),
-        _ => curved(&own),
+        _ => curved(&given),
     };
     let plane = relation.row().map_or("", |_| " in a plane");
-    let limit = relation.limit().map(|own| format!(", {}", limit(own)));
+    let limit = relation.limit().map(|bound| format!(", {}", limit(bound)));
     let static_ratio = match relation.static_ratio() {
         1.0 => String::new(),
         ratio => format!(", sticks up to {} times it", short(ratio)),

@@ -29,9 +29,9 @@ pub(super) fn list(what: &str, items: Vec<String>) -> String {
 }
 
 pub(super) fn lines(what: &str, items: Vec<String>) -> String {
-    let all: String = items.iter().map(|item| format!("  {item}\n")).collect();
+    let listed: String = items.iter().map(|item| format!("  {item}\n")).collect();
     match items.is_empty() {
         true => String::new(),
-        false => format!("{what}:\n{all}"),
+        false => format!("{what}:\n{listed}"),
     }
 }

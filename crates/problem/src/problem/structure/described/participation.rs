@@ -24,7 +24,9 @@ pub fn described(structure: &Structure, shaken: &[(Direction, Vec<f64>, f64)]) -
     let parts = shaken.iter().map(|(direction, inertia, mass)| {
         let along: Vec<(usize, f64)> = inertia.iter().copied().enumerate().collect();
         let parts = modes.components(structure, &along).into_iter();
-        let parts: Vec<f64> = parts.map(|own| own * own / mass).collect();
+        let parts: Vec<f64> = parts
+            .map(|component| component * component / mass)
+            .collect();
         (direction.name(), parts)
     });
     let parts: Vec<(&str, Vec<f64>)> = parts.collect();
@@ -34,27 +36,27 @@ pub fn described(structure: &Structure, shaken: &[(Direction, Vec<f64>, f64)]) -
     let mut sums = vec![0.0; parts.len()];
     let mut shown = Vec::new();
     for mode in held.into_iter().take(MOST_MODES) {
-        let mut own = Vec::new();
+        let mut texts = Vec::new();
         for ((direction, parts), sum) in parts.iter().zip(&mut sums) {
             *sum += parts[mode];
             if parts[mode] >= LEAST {
-                own.push(format!("{direction} {:.4}", parts[mode]));
+                texts.push(format!("{direction} {:.4}", parts[mode]));
             }
         }
         if !is_reduced {
             let node = &structure.nodes[modes.most_moved(mode)].name;
-            own.push(format!("mostly {node}"));
+            texts.push(format!("mostly {node}"));
         }
         let period = short(2.0 * PI / modes.omega2[mode].sqrt());
-        shown.push(format!("{period}: {}", own.join(", ")));
+        shown.push(format!("{period}: {}", texts.join(", ")));
         if sums.iter().all(|sum| *sum >= ENOUGH) {
             break;
         }
     }
-    let all = parts.iter().zip(&sums);
-    let all = all.map(|((direction, _), sum)| format!("{direction} {sum:.4}"));
+    let pairs = parts.iter().zip(&sums);
+    let totals = pairs.map(|((direction, _), sum)| format!("{direction} {sum:.4}"));
     if !shown.is_empty() {
-        shown.push(format!("sum: {}", all.collect::<Vec<_>>().join(", ")));
+        shown.push(format!("sum: {}", totals.collect::<Vec<_>>().join(", ")));
     }
     lines(
         "periods without contacts, with the participating part of the mass",

@@ -63,10 +63,10 @@ pub const LARGEST_SEED: u32 = u32::MAX;
 
 impl Source {
     /// A function at a place of the study.
-    pub fn new(kind: Kind, place: (usize, String)) -> Source {
+    pub fn new(kind: Kind, origin: (usize, String)) -> Source {
         Source {
             kind,
-            place,
+            place: origin,
             made: Arc::default(),
         }
     }
@@ -90,9 +90,9 @@ impl Source {
     /// The signal in a case. `metre` is the study's unit of length in m.
     pub fn signal(&self, case: &Case, metre: f64) -> Result<Arc<Signal>, Violation> {
         if let Kind::Record { rows, records, .. } = &self.kind {
-            let place = chosen::place(rows, records, case);
+            let chosen = chosen::place(rows, records, case);
             let none = || self.violation("no record with these parameters");
-            return place.map(|i| records[i].1.clone()).ok_or_else(none);
+            return chosen.map(|i| records[i].1.clone()).ok_or_else(none);
         }
         let numbers = self.numbers(case)?;
         let points = self.points(&numbers)?;
@@ -110,8 +110,8 @@ impl Source {
     pub fn key(&self, case: &Case) -> Result<Vec<u64>, Violation> {
         match &self.kind {
             Kind::Record { rows, records, .. } => {
-                let place = chosen::place(rows, records, case);
-                Ok(vec![place.unwrap_or(records.len()) as u64])
+                let chosen = chosen::place(rows, records, case);
+                Ok(vec![chosen.unwrap_or(records.len()) as u64])
             }
             Kind::Sine { .. } | Kind::Table { .. } | Kind::Pulse(..) | Kind::Synthetic { .. } => {
                 Ok(key(&self.numbers(case)?))

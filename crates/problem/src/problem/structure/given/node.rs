@@ -97,7 +97,7 @@ impl RowsInCase {
             RowsInCase::All(rows) => Ok(rows.number(row)),
             RowsInCase::Kept { rows, nodes, .. } => match rows.number(row) {
                 RowNumber::Free(_) => match nodes.binary_search(&row) {
-                    Ok(place) => Ok(RowNumber::Free(place)),
+                    Ok(index) => Ok(RowNumber::Free(index)),
                     Err(_) => Err("the reduction leaves this dof out".to_owned()),
                 },
                 other @ (RowNumber::Support(_) | RowNumber::Fixed) => Ok(other),
@@ -156,7 +156,7 @@ impl Numbering {
 
     fn of_row(&self, matrices: usize, number: RowNumber) -> Option<usize> {
         match number {
-            RowNumber::Free(place) => Some(self.first_row(matrices) + place),
+            RowNumber::Free(index) => Some(self.first_row(matrices) + index),
             RowNumber::Support(support) => Some(self.nodes() + support),
             RowNumber::Fixed => None,
         }

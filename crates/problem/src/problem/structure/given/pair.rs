@@ -70,8 +70,8 @@ impl Strengths for Pair {
 
     fn identity(&self, case: &Case) -> Result<Vec<u64>, Violation> {
         let mut both = Vec::new();
-        for own in &self.horizontal {
-            let key = own.identity(case)?;
+        for record in &self.horizontal {
+            let key = record.identity(case)?;
             both.push(key.len() as u64);
             both.extend(key);
         }

@@ -81,10 +81,10 @@ impl ScaleTo {
         metre: f64,
         strengths: &dyn Strengths,
     ) -> Result<f64, Violation> {
-        let own = self.own_factor(case, metre, strengths)?;
+        let alone = self.own_factor(case, metre, strengths)?;
         match self.state(case, metre, strengths)? {
-            None => Ok(own),
-            Some(state) => Ok(own * state.factor),
+            None => Ok(alone),
+            Some(state) => Ok(alone * state.factor),
         }
     }
 
@@ -152,7 +152,7 @@ impl ScaleTo {
         metre: f64,
         strengths: &dyn Strengths,
     ) -> Result<f64, Violation> {
-        let own = |measure| {
+        let strength = |measure| {
             let asked = Asked {
                 measure,
                 component: self.component,
@@ -163,21 +163,21 @@ impl ScaleTo {
         match &self.goal {
             Goal::Factor(value) => value.value(case),
             Goal::PeakAcceleration(value) => {
-                Ok(unit * value.value(case)? / own(Measure::PeakAcceleration)?)
+                Ok(unit * value.value(case)? / strength(Measure::PeakAcceleration)?)
             }
             Goal::Spectral { value, period } => {
                 let measure = Measure::Spectral {
                     period: period.value(case)?,
                     ratio: self.damping(case)?,
                 };
-                Ok(unit * value.value(case)? / own(measure)?)
+                Ok(unit * value.value(case)? / strength(measure)?)
             }
             Goal::Spectrum { target, between } => {
                 let ratio = self.damping(case)?;
                 let target = target.in_case(case, ratio)?;
                 let periods = self.fit.periods(bounds(between, case)?);
                 let spectral = |period: &f64| {
-                    own(Measure::Spectral {
+                    strength(Measure::Spectral {
                         period: *period,
                         ratio,
                     })
@@ -198,8 +198,8 @@ impl ScaleTo {
             Goal::PeakAcceleration(_) | Goal::Factor(_) => Some((Vec::new(), RATIO)),
             Goal::Spectral { period, .. } => Some((vec![period.value(case).ok()?], ratio)),
             Goal::Spectrum { between, .. } => {
-                let all = self.fit.periods(bounds(between, case).ok()?);
-                Some((all.into_iter().step_by(EVERY).collect(), ratio))
+                let periods = self.fit.periods(bounds(between, case).ok()?);
+                Some((periods.into_iter().step_by(EVERY).collect(), ratio))
             }
         }
     }

@@ -133,10 +133,10 @@ impl Set {
 
     /// The set in a case.
     pub(super) fn state(&self, case: &Case, motions: &Motions) -> Result<State, Violation> {
-        let own = self.between.iter().flat_map(|own| &own.1);
-        let own = own.chain(self.target.amounts()).chain([&self.least]);
-        let own = own.chain(&self.at_zero).chain(&self.factor);
-        let numbers = values(own, case)?.into_iter().chain([motions.ratio]);
+        let bounds = self.between.iter().flat_map(|bound| &bound.1);
+        let amounts = bounds.chain(self.target.amounts()).chain([&self.least]);
+        let used = amounts.chain(&self.at_zero).chain(&self.factor);
+        let numbers = values(used, case)?.into_iter().chain([motions.ratio]);
         let mut key: Vec<u64> = numbers.map(f64::to_bits).collect();
         for values in &self.members {
             let member = self.member(values, case);
@@ -160,7 +160,9 @@ impl Set {
             (value / (least * motions.unit * target.at(period)), period)
         };
         let ratios = periods.iter().zip(&statistic);
-        let mut ratios: Vec<(f64, f64)> = ratios.map(|(t, own)| over(least, *own, *t)).collect();
+        let mut ratios: Vec<(f64, f64)> = ratios
+            .map(|(t, ordinate)| over(least, *ordinate, *t))
+            .collect();
         if let Some(at_zero) = &self.at_zero {
             let peaks = self.each(Measure::PeakAcceleration, case, motions)?;
             ratios.push(over(at_zero.value(case)?, self.of(&peaks), 0.0));
@@ -194,8 +196,8 @@ impl Set {
         };
         let strength = |values: &Vec<(usize, Value)>| {
             let member = self.member(values, case);
-            let own = motions.strengths.strength(asked, &member, motions.metre)?;
-            Ok(measure.scaled(own, (motions.factor)(&member)?))
+            let unscaled = motions.strengths.strength(asked, &member, motions.metre)?;
+            Ok(measure.scaled(unscaled, (motions.factor)(&member)?))
         };
         self.members.iter().map(strength).collect()
     }
@@ -224,9 +226,12 @@ impl Set {
             .iter()
             .map(|period| self.each(spectral(period), case, motions));
         let by_period = by_period.collect::<Result<Vec<Vec<f64>>, Violation>>()?;
-        let of = |i: usize| by_period.iter().map(|own| own[i]).collect();
+        let of = |i: usize| by_period.iter().map(|values| values[i]).collect();
         let each = (0..self.members.len()).map(of).collect();
-        Ok((each, by_period.iter().map(|own| self.of(own)).collect()))
+        Ok((
+            each,
+            by_period.iter().map(|values| self.of(values)).collect(),
+        ))
     }
 
     /// The spectra at these periods in a case.
@@ -237,7 +242,7 @@ impl Set {
         motions: &Motions,
     ) -> Result<SetSpectra, Violation> {
         let state = self.state(case, motions)?;
-        let scaled = |own: Vec<f64>| own.into_iter().map(|x| state.factor * x).collect();
+        let scaled = |spectrum: Vec<f64>| spectrum.into_iter().map(|x| state.factor * x).collect();
         let (each, statistic) = self.spectra(periods, case, motions)?;
         let target: Target = self.target.in_case(case, motions.ratio)?;
         let wanted = periods.iter().map(|t| motions.unit * target.at(*t));

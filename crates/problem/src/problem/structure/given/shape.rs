@@ -58,10 +58,10 @@ impl Shape {
     fn times(&self, case: &Case) -> Result<[Option<f64>; 3], Violation> {
         let of = |amount: &Option<Amount>| amount.as_ref().map(|x| x.value(case)).transpose();
         let times = [of(&self.start)?, of(&self.end)?, of(&self.delay)?];
-        if let ([start, Some(end), _], Some(place)) = (times, &self.end)
+        if let ([start, Some(end), _], Some(until)) = (times, &self.end)
             && end <= start.unwrap_or(0.0)
         {
-            return Err(place.violation("must be later than the start"));
+            return Err(until.violation("must be later than the start"));
         }
         Ok(times)
     }

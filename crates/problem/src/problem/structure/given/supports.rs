@@ -37,8 +37,8 @@ impl Support {
                     message,
                     at: Some(*at),
                 };
-                let values = |own: &Vec<Amount>| -> Result<Vec<f64>, Violation> {
-                    own.iter().map(|amount| amount.value(case)).collect()
+                let values = |amounts: &Vec<Amount>| -> Result<Vec<f64>, Violation> {
+                    amounts.iter().map(|amount| amount.value(case)).collect()
                 };
                 let through = |t: &[f64], u: &[f64], line: Line| match line {
                     Line::Cubic => Motion::through(t, u, delay),
@@ -53,7 +53,7 @@ impl Support {
                     Points::List([t, u], line) => through(&values(t)?, &values(u)?, *line),
                     Points::File(file, files, line) => {
                         let name = file.name(case);
-                        let found = files.iter().find(|own| own.0 == name);
+                        let found = files.iter().find(|pair| pair.0 == name);
                         let none = || broken("the case has no file".to_owned());
                         let [t, u] = &*found.ok_or_else(none)?.1;
                         through(t, u, *line)

@@ -32,13 +32,13 @@ fn inverse(structure: &Structure, contact: &Contact) -> Option<f64> {
 /// The mass of a node without what the modes of a reduction move with it: M_bb - M_bm M_mb, M_mm = 1.
 fn mass(structure: &Structure, node: usize) -> f64 {
     let is_modal = |node: usize| structure.nodes[node].direction == Direction::Modal;
-    let own = structure.nodes[node].mass;
+    let mass_of_node = structure.nodes[node].mass;
     if !(0..structure.len()).any(is_modal) {
-        return own;
+        return mass_of_node;
     }
     let entries = structure.coupled_mass.entries();
     let coupled = entries.filter(|((i, j), _)| *j == node && is_modal(*i));
-    own - coupled.map(|(_, m)| m * m).sum::<f64>()
+    mass_of_node - coupled.map(|(_, m)| m * m).sum::<f64>()
 }
 
 /// Whether an impact touches for too few steps of `dt`.

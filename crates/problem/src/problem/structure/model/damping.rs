@@ -67,19 +67,19 @@ impl Modes {
         for (node, value) in along {
             values[*node] += value;
         }
-        let own = self.nodes.iter().map(|node| values[*node]);
-        let own = DVector::from_iterator(self.nodes.len(), own);
+        let of_nodes = self.nodes.iter().map(|node| values[*node]);
+        let force = DVector::from_iterator(self.nodes.len(), of_nodes);
         let scaled = match &self.root {
-            Some(root) => root.solve_lower_triangular(&own),
+            Some(root) => root.solve_lower_triangular(&force),
             None => {
                 let roots = self
                     .nodes
                     .iter()
                     .map(|node| structure.nodes[*node].mass.sqrt());
-                Some(own.component_div(&DVector::from_iterator(self.nodes.len(), roots)))
+                Some(force.component_div(&DVector::from_iterator(self.nodes.len(), roots)))
             }
         };
-        scaled.map_or(Vec::new(), |own| self.shapes.tr_mul(&own).data.into())
+        scaled.map_or(Vec::new(), |vector| self.shapes.tr_mul(&vector).data.into())
     }
 
     /// phi^T C phi/(2 omega) of each mode; `None` without damping, and where nodes without mass follow others.
@@ -126,7 +126,7 @@ impl Modes {
         let shape = self.shapes.column(mode);
         let places =
             (0..self.nodes.len()).max_by(|i, j| shape[*i].abs().total_cmp(&shape[*j].abs()));
-        places.map_or(0, |place| self.nodes[place])
+        places.map_or(0, |row| self.nodes[row])
     }
 }
 
@@ -167,9 +167,9 @@ fn coupled_modes(structure: &Structure, stiffness: &Symmetric, nodes: Vec<usize>
     let others: Vec<usize> = others.collect();
     let mut condensed = stiffness.select_rows(&nodes).select_columns(&nodes);
     if !others.is_empty() {
-        let own = stiffness.select_rows(&others).select_columns(&others);
+        let inner = stiffness.select_rows(&others).select_columns(&others);
         let mixed = stiffness.select_rows(&others).select_columns(&nodes);
-        condensed -= mixed.transpose() * own.cholesky()?.solve(&mixed);
+        condensed -= mixed.transpose() * inner.cholesky()?.solve(&mixed);
     }
     let root = structure.mass().block(&nodes).full().cholesky()?.l();
     let left = root.solve_lower_triangular(&condensed)?;

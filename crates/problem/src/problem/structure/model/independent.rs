@@ -24,12 +24,12 @@ impl IndependentRows {
             if x.abs() <= ROUND_OFF * largest {
                 continue;
             }
-            let Some(own) = self.rows.get(&first) else {
-                let own = rest.into_iter().map(|(column, y)| (column, y / x));
-                self.rows.insert(first, own.collect());
+            let Some(known_row) = self.rows.get(&first) else {
+                let new_row = rest.into_iter().map(|(column, y)| (column, y / x));
+                self.rows.insert(first, new_row.collect());
                 return true;
             };
-            for (column, y) in own {
+            for (column, y) in known_row {
                 *rest.entry(*column).or_default() -= x * y;
             }
         }

@@ -52,8 +52,8 @@ fn hold_others(structure: &mut Structure, is_between: &[bool]) {
     let mut chosen = vec![false; contacts.len()];
     let mut rows = IndependentRows::default();
     for i in softest_first {
-        let own = contacts[i].1.iter().filter(|(node, _)| is_alone[*node]);
-        chosen[i] = rows.add(own.copied());
+        let along = contacts[i].1.iter().filter(|(node, _)| is_alone[*node]);
+        chosen[i] = rows.add(along.copied());
     }
     let mut chosen = chosen.into_iter();
     contacts.retain(|_| chosen.next() == Some(true));
@@ -108,8 +108,8 @@ fn condensed(structure: &Structure, massless: &[bool]) -> Result<(Vec<usize>, Fa
     let nodes: Vec<usize> = (0..structure.len())
         .filter(|node| massless[*node] && !is_between[*node])
         .collect();
-    let own = structure.stiffness.block(&nodes);
-    let factor = Factor::new(&own, &vec![false; nodes.len()]);
+    let block = structure.stiffness.block(&nodes);
+    let factor = Factor::new(&block, &vec![false; nodes.len()]);
     let factor = factor.map_err(|NotPositive { row }| nodes[row])?;
     Ok((nodes, factor))
 }
@@ -156,7 +156,7 @@ fn spread(structure: &mut Structure) {
     for chain in structure.chains() {
         let u = &structure.displacement;
         let leaders = chain.leaders();
-        let ends = leaders.map(|own| own.sign * structure.relative(own.contact, u));
+        let ends = leaders.map(|leader| leader.sign * structure.relative(leader.contact, u));
         let share = ends.sum::<f64>() / chain.links.len() as f64;
         for (member, inner) in chain.leaders().zip(&chain.nodes) {
             let r = structure.relative(member.contact, &structure.displacement);

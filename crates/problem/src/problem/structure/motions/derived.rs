@@ -53,29 +53,29 @@ impl Sums<'_> {
                 self.add_acceleration(&[(node, 1.0)], &mut terms)?;
                 let direction = self.structure.nodes[node].direction;
                 let ground = self.observed.ground.iter();
-                let own = ground.filter(|ground| ground.direction == direction);
+                let shaking = ground.filter(|ground| ground.direction == direction);
                 terms
                     .signals
-                    .extend(own.map(|ground| (ground.scale, ground.signal.clone())));
+                    .extend(shaking.map(|ground| (ground.scale, ground.signal.clone())));
             }
             Derived::Spring(spring) => {
-                let own = &self.observed.springs[spring];
-                self.add_spring(&own.along, [own.k, own.c], &mut terms);
+                let observed = &self.observed.springs[spring];
+                self.add_spring(&observed.along, [observed.k, observed.c], &mut terms);
             }
             Derived::Element(bar, [left, right]) => {
-                let own = &self.observed.bars[bar];
+                let observed = &self.observed.bars[bar];
                 // On a finer mesh the mean of the elements between the nodes.
                 let count = (right - left) as f64;
                 let along = [(left, -1.0), (right, 1.0)];
-                self.add_spring(&along, [own.k / count, own.c / count], &mut terms);
+                self.add_spring(&along, [observed.k / count, observed.c / count], &mut terms);
             }
             Derived::Ground(direction, quantity) => {
                 let mut ground = self.observed.ground.iter();
-                if let Some(own) = ground.find(|ground| ground.direction == direction) {
+                if let Some(given) = ground.find(|ground| ground.direction == direction) {
                     if quantity == Quantity::Acceleration {
-                        terms.signals.push((own.scale, own.signal.clone()));
+                        terms.signals.push((given.scale, given.signal.clone()));
                     } else {
-                        let motion = Motion::new(&own.signal, own.scale, 0.0, Baseline::None);
+                        let motion = Motion::new(&given.signal, given.scale, 0.0, Baseline::None);
                         let motion = motion.map_err(|_| Unsolvable::OutOfRange)?;
                         terms.add_motion(1.0, &Arc::new(motion), quantity);
                     }
@@ -86,23 +86,28 @@ impl Sums<'_> {
                 let along = nodes.map(|node| f64::from(u8::from(node.direction == direction)));
                 self.add_base(&along.collect::<Vec<f64>>(), &mut terms);
                 let end = format!(".{}", direction.name());
-                for (support, own) in self.observed.reactions.iter().enumerate() {
+                for (support, reaction) in self.observed.reactions.iter().enumerate() {
                     if self.structure.supports[support].name.ends_with(&end) {
-                        self.add_inertia(own, &mut terms)?;
+                        self.add_inertia(reaction, &mut terms)?;
                     }
                 }
             }
             Derived::Reaction(support) => {
-                let own = &self.observed.reactions[support];
-                self.add_inertia(own, &mut terms)?;
-                let [_, damping, stiffness] = &own.nodes;
+                let reaction = &self.observed.reactions[support];
+                self.add_inertia(reaction, &mut terms)?;
+                let [_, damping, stiffness] = &reaction.nodes;
                 terms.u.extend(stiffness);
                 terms.v.extend(damping);
-                terms.s.extend(&own.contacts);
-                self.add_carried(damping, &own.supports[1], Quantity::Velocity, &mut terms);
+                terms.s.extend(&reaction.contacts);
+                self.add_carried(
+                    damping,
+                    &reaction.supports[1],
+                    Quantity::Velocity,
+                    &mut terms,
+                );
                 self.add_carried(
                     stiffness,
-                    &own.supports[2],
+                    &reaction.supports[2],
                     Quantity::Displacement,
                     &mut terms,
                 );
@@ -203,8 +208,9 @@ impl Sums<'_> {
             if by == 0.0 {
                 continue;
             }
-            let scaled =
-                |all: &Along| -> Along { all.iter().map(|(at, x)| (*at, by * x)).collect() };
+            let scaled = |factors: &Along| -> Along {
+                factors.iter().map(|(at, x)| (*at, by * x)).collect()
+            };
             let nodes = scaled(&nodes);
             self.add_carried(&nodes, &scaled(&supports), quantity, terms);
             match quantity {
@@ -215,12 +221,15 @@ impl Sums<'_> {
     }
 
     /// Adds the sum of factors times what supports carry of nodes, and times the motions of supports.
-    fn add_carried(&self, nodes: &Along, own: &Along, quantity: Quantity, terms: &mut Terms) {
+    fn add_carried(&self, nodes: &Along, supports: &Along, quantity: Quantity, terms: &mut Terms) {
         for (s, support) in self.structure.supports.iter().enumerate() {
             let carried = nodes.iter().map(|(node, x)| x * support.carried[*node]);
-            let own = own.iter().filter(|(at, _)| *at == s).map(|own| own.1);
+            let moved = supports
+                .iter()
+                .filter(|(at, _)| *at == s)
+                .map(|pair| pair.1);
             let (sum, size) = carried
-                .chain(own)
+                .chain(moved)
                 .fold((0.0, 0.0), |(sum, size), x| (sum + x, size + f64::abs(x)));
             if f64::abs(sum) > ROUND_OFF * size {
                 terms.add_motion(sum, &support.motion, quantity);

@@ -90,9 +90,9 @@ pub(super) fn record(
         let mut terms = terms.iter();
         for (series, number) in series.iter_mut().zip(numbers) {
             let value = match number {
-                Number::Derived(_) => terms.next().map(|own| {
+                Number::Derived(_) => terms.next().map(|sum| {
                     let force = |contact: usize| state.force[contact];
-                    own.value(|i| state.u[i], |i| state.v[i], force, own.at(times[i]))
+                    sum.value(|i| state.u[i], |i| state.v[i], force, sum.at(times[i]))
                 }),
                 // Its series stays empty.
                 Number::Energy(_) => None,
@@ -104,15 +104,15 @@ pub(super) fn record(
             series.extend(value);
         }
     };
-    let of_terms = terms.iter().flat_map(|own| own.u.iter().chain(&own.v));
+    let of_terms = terms.iter().flat_map(|sum| sum.u.iter().chain(&sum.v));
     let pressed = structure.contacts.iter();
-    let pressed = pressed.filter_map(|own| own.law.limit()?.pressed_by.as_ref());
-    let springs = pressed.flat_map(|own| &own.springs);
+    let pressed = pressed.filter_map(|contact| contact.law.limit()?.pressed_by.as_ref());
+    let springs = pressed.flat_map(|pressed_by| &pressed_by.springs);
     let nodes: BTreeSet<usize> = numbers
         .iter()
         .filter_map(Number::node)
         .chain(of_terms.map(|term| term.0))
-        .chain(springs.flat_map(|own| own.spring.along.iter().map(|(node, _)| *node)))
+        .chain(springs.flat_map(|pressing| pressing.spring.along.iter().map(|(node, _)| *node)))
         .collect();
     // Those behind the nodes are supports.
     let nodes = nodes.into_iter().filter(|node| *node < structure.len());

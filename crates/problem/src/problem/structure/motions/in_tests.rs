@@ -7,18 +7,18 @@ use crate::problem::structure::metrics::window::within;
 impl StructureProblem {
     /// A metric in each test of the sample: the reduction of the measured values.
     pub(crate) fn sample_of(&self, metric: usize) -> Option<Vec<f64>> {
-        let metric = self.metrics.get(metric).filter(|own| !own.measured)?;
+        let metric = self.metrics.get(metric).filter(|found| !found.measured)?;
         let Function::Values(function) = metric.reduction.row().function else {
             return None;
         };
         let tests = self.template.sample.as_ref()?;
         let mut tests = tests.channel(metric.channel.as_ref()?)?;
         let limits = metric.window.constant()?;
-        tests.try_fold(Vec::new(), |mut all, (time, values)| {
+        tests.try_fold(Vec::new(), |mut results, (time, values)| {
             let points = within(limits, time)?;
             let time = &time[points.clone()];
-            all.push(function(&values[points], &|place| time[place])?);
-            Some(all)
+            results.push(function(&values[points], &|i| time[i])?);
+            Some(results)
         })
     }
 

@@ -31,7 +31,8 @@ impl StructureProblem {
     pub(crate) fn compared(&self, ready: &Ready) -> Result<Option<Compared<'_>>, Unsolvable> {
         let compares = self.metrics.iter().any(|metric| metric.measured);
         let measured = self.template.measured.as_ref().filter(|_| compares);
-        let compared = measured.map(|own| own.in_case(&ready.case, ready.dt, ready.last));
+        let compared =
+            measured.map(|measured_file| measured_file.in_case(&ready.case, ready.dt, ready.last));
         let broken = |one| Unsolvable::BrokenRules(Violation::all(&[one]).unwrap_or_default());
         compared.transpose().map_err(broken)
     }
@@ -97,7 +98,7 @@ pub fn value(metric: &StructureMetric, of: MetricContext, computed: &Recorded) -
         metric.reduction.of_measured(),
         metric.reduction.row().function,
     ) {
-        (Some(own), _) => match own.function {
+        (Some(measured_row), _) => match measured_row.function {
             MeasuredFunction::Channel(function) => of_channel(function),
             MeasuredFunction::Contact(function) => {
                 let [r, s] = measured_loop(metric.contact?);

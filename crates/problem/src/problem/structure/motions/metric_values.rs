@@ -40,11 +40,11 @@ pub fn needed(metric: &StructureMetric, numbering: &Numbering, contacts: usize) 
             .map(move |quantity| Number::Contact(contact, *quantity))
     });
     // Which of them are impacts, the case decides.
-    let all = match metric.reduction == Reduction::ImpactsBeforeDivergence {
+    let counted = match metric.reduction == Reduction::ImpactsBeforeDivergence {
         true => 0..contacts,
         false => 0..0,
     };
-    let forces = all.map(|contact| Number::Contact(contact, Quantity::Force));
+    let forces = counted.map(|contact| Number::Contact(contact, Quantity::Force));
     of_channel.chain(of_contact).chain(forces).collect()
 }
 
@@ -63,11 +63,11 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
             Motion::Finer => motions
                 .finer
                 .as_ref()
-                .map(|(own, numbers)| (own, numbers))?,
+                .map(|(finer, numbers)| (finer, numbers))?,
             Motion::Unreduced => motions
                 .unreduced
                 .as_ref()
-                .map(|(own, numbers)| (own, numbers))?,
+                .map(|(unreduced, numbers)| (unreduced, numbers))?,
         };
         let mut values = recorded.channel(metric.channel.as_ref()?, numbering);
         if metric.window.is_given() {
@@ -92,8 +92,8 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
             Some(both) => length(both, of, motions),
             None => {
                 let mut errors = motions.reference_errors.iter();
-                let own = errors.find(|(name, _)| *name == metric.name);
-                own.map(|(_, error)| *error)
+                let estimate = errors.find(|(name, _)| *name == metric.name);
+                estimate.map(|(_, error)| *error)
             }
         },
         Function::Perturbed(function) => {
@@ -144,7 +144,7 @@ fn directions(metric: &StructureMetric) -> Option<[StructureMetric; 2]> {
 
 /// The rms of a distance is the length of those of its directions.
 fn length(both: [StructureMetric; 2], of: MetricContext, motions: &Motions) -> Option<f64> {
-    let [first, second] = both.map(|own| value(&own, of, motions));
+    let [first, second] = both.map(|component| value(&component, of, motions));
     Some(libm::hypot(first?, second?))
 }
 
@@ -152,8 +152,8 @@ fn length(both: [StructureMetric; 2], of: MetricContext, motions: &Motions) -> O
 fn impacts(of: MetricContext, computed: &Recorded, end: usize) -> usize {
     let contacts = of.structure.contacts.iter().enumerate();
     let impacts = contacts.filter(|(_, contact)| contact.law.kind() == ContactKind::Impact);
-    let closed = impacts.map(|(place, _)| {
-        let force = computed.of(Number::Contact(place, Quantity::Force));
+    let closed = impacts.map(|(index, _)| {
+        let force = computed.of(Number::Contact(index, Quantity::Force));
         closings(&force[..end.min(force.len())])
     });
     closed.sum()

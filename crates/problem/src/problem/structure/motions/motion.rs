@@ -98,8 +98,8 @@ pub fn steps_every<const L: usize>(
         let (l, end) = ends.next().unwrap_or((0, Ok(())));
         end?;
         let of_lane = |series: &mut [Vec<f64>; L]| std::mem::take(&mut series[l]);
-        let own = series.iter_mut().map(of_lane).collect();
-        let recorded = Recorded::new(numbers, own, count);
+        let taken = series.iter_mut().map(of_lane).collect();
+        let recorded = Recorded::new(numbers, taken, count);
         let energies = energies.as_ref().map(|[error, dissipation]| Energies {
             error: error[l],
             dissipation: dissipation[l],
@@ -142,8 +142,8 @@ pub(super) fn value<const L: usize>(state: &State<L>, number: Number) -> Lane<L>
         Number::Derived(_) | Number::Energy(_) => Lane::splat(0.0),
         Number::Contact(contact, quantity) => match quantity.of_direction() {
             None => of_contact(&state.contact(contact), quantity),
-            Some(own) => {
-                let of = |contact| of_contact(&state.contact(contact), own);
+            Some(component) => {
+                let of = |contact| of_contact(&state.contact(contact), component);
                 of(contact).zip(of(contact + 1), libm::hypot)
             }
         },
@@ -200,7 +200,7 @@ pub fn perturbed(structure: &Structure) -> Structure {
         observed
             .ground
             .iter_mut()
-            .for_each(|own| larger(&mut own.scale));
+            .for_each(|motion| larger(&mut motion.scale));
     }
     for load in &mut other.loads {
         load.pattern.iter_mut().for_each(|(_, x)| larger(x));

@@ -38,10 +38,10 @@ impl<'a, const L: usize> Observer<'a, L> {
         steps: usize,
     ) -> Result<Option<Observer<'a, L>>, [Unsolvable; L]> {
         let places = || numbers.iter().enumerate();
-        let wanted = places().filter_map(|(place, number)| Some((place, number.derived()?)));
+        let wanted = places().filter_map(|(column, number)| Some((column, number.derived()?)));
         let wanted: Vec<(usize, Derived)> = wanted.collect();
-        let energies = places().filter_map(|(place, number)| match number {
-            Number::Energy(energy) => Some((place, *energy)),
+        let energies = places().filter_map(|(column, number)| match number {
+            Number::Energy(energy) => Some((column, *energy)),
             Number::Displacement(_)
             | Number::Velocity(_)
             | Number::Acceleration(_)
@@ -60,11 +60,11 @@ impl<'a, const L: usize> Observer<'a, L> {
             let terms = terms.map_err(|why| std::array::from_fn(|_| why.clone()))?;
             lanes.push(terms.into_iter());
         }
-        let sums = wanted.iter().map(|(place, _)| {
-            let mut own = lanes.iter_mut().map(|lane| lane.next().unwrap_or_default());
-            let terms: [Terms; L] = std::array::from_fn(|_| own.next().unwrap_or_default());
+        let sums = wanted.iter().map(|(column, _)| {
+            let mut of_lanes = lanes.iter_mut().map(|lane| lane.next().unwrap_or_default());
+            let terms: [Terms; L] = std::array::from_fn(|_| of_lanes.next().unwrap_or_default());
             Sum {
-                place: *place,
+                place: *column,
                 of_time: std::array::from_fn(|l| terms[l].at_steps(dt, steps)),
                 terms,
             }
@@ -99,8 +99,8 @@ impl<'a, const L: usize> Observer<'a, L> {
             }
             none => none.insert(Ledger::new(self.structures, state)),
         };
-        for (place, energy) in &self.energies {
-            row[*place] = match energy {
+        for (column, energy) in &self.energies {
+            row[*column] = match energy {
                 Energy::Kinetic => ledger.kinetic(),
                 Energy::Elastic => ledger.elastic(),
                 Energy::Damping => ledger.damping(),

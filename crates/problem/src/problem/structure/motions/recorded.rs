@@ -28,7 +28,7 @@ impl Recorded {
             false => [].iter().enumerate(),
         };
         Recorded {
-            places: places.map(|(place, number)| (*number, place)).collect(),
+            places: places.map(|(row, number)| (*number, row)).collect(),
             numbers: numbers.to_vec(),
             series,
             len,
@@ -37,11 +37,11 @@ impl Recorded {
 
     /// The values of a quantity; none if it is not recorded.
     pub fn of(&self, number: Number) -> &[f64] {
-        let place = match self.numbers.len() > FEW {
+        let row = match self.numbers.len() > FEW {
             true => self.places.get(&number).copied(),
-            false => self.numbers.iter().position(|own| *own == number),
+            false => self.numbers.iter().position(|known| *known == number),
         };
-        place.map_or(&[], |place| &self.series[place])
+        row.map_or(&[], |i| &self.series[i])
     }
 
     /// The values of a channel of a structure with this numbering; none if a quantity of it is not recorded.

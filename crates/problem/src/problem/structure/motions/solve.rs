@@ -28,14 +28,14 @@ pub type JudgedCase = (Motions, Vec<Option<f64>>, Warnings);
 impl StructureProblem {
     /// Whether a metric compares with this motion.
     fn needs(&self, motion: Motion) -> bool {
-        let mut all = self.metrics.iter();
-        all.any(|metric| metric.needs(motion))
+        let mut metrics = self.metrics.iter();
+        metrics.any(|metric| metric.needs(motion))
     }
 
     /// Whether a metric is the estimated error of the exact motion.
     fn needs_estimate(&self) -> bool {
-        let mut all = self.metrics.iter();
-        all.any(|metric| metric.is_exact(Reduction::ReferenceError))
+        let mut metrics = self.metrics.iter();
+        metrics.any(|metric| metric.is_exact(Reduction::ReferenceError))
     }
 
     /// Cost of the exact motions of the metrics, in steps times modes.
@@ -70,8 +70,8 @@ impl StructureProblem {
 
     /// Whether a metric compares with the run with start and loads that are 1e-10 larger.
     pub(crate) fn needs_perturbed(&self) -> bool {
-        let mut all = self.metrics.iter();
-        all.any(|metric| metric.reduction.needs(Motion::Perturbed))
+        let mut metrics = self.metrics.iter();
+        metrics.any(|metric| metric.reduction.needs(Motion::Perturbed))
     }
 
     /// Cost of the motion with the whole matrices, in steps times modes; 0 if no metric compares with it.
@@ -83,9 +83,9 @@ impl StructureProblem {
             return 0;
         };
         let matrices = self.template.matrices.iter().enumerate();
-        let more = matrices.map(|(place, own)| {
-            let nodes = numbering.first_row(place + 1) - numbering.first_row(place);
-            own.imported.len().saturating_sub(nodes)
+        let more = matrices.map(|(block, matrices)| {
+            let nodes = numbering.first_row(block + 1) - numbering.first_row(block);
+            matrices.imported.len().saturating_sub(nodes)
         });
         self.stepping_work(case, numbering.nodes() + more.sum::<usize>())
     }
@@ -166,8 +166,8 @@ impl StructureProblem {
 
     /// Why there is no exact motion, with the first metric that needs it.
     fn needing(&self, why: Unsolvable) -> Unsolvable {
-        let mut all = self.metrics.iter();
-        match (why, all.find(|metric| metric.needs_exact())) {
+        let mut metrics = self.metrics.iter();
+        match (why, metrics.find(|metric| metric.needs_exact())) {
             (Unsolvable::Reference(why), Some(metric)) => {
                 Unsolvable::Reference(format!("{why} ({} needs it)", metric.name))
             }
@@ -180,8 +180,9 @@ impl StructureProblem {
             last: ready.last,
             numbers,
             energy: {
-                let mut all = self.metrics.iter();
-                all.any(|metric| matches!(metric.reduction.row().function, Function::Energies(_)))
+                let mut metrics = self.metrics.iter();
+                metrics
+                    .any(|metric| matches!(metric.reduction.row().function, Function::Energies(_)))
             },
             watch: (!self.template.contacts.is_empty()).then_some(motion::EVERY),
         }

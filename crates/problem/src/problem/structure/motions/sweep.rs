@@ -64,8 +64,8 @@ impl Groups<'_> {
     }
 
     /// Records why a case could not be solved.
-    pub fn fail(&mut self, place: usize, why: Unsolvable) {
-        self.table.fail(place, why);
+    pub fn fail(&mut self, index: usize, why: Unsolvable) {
+        self.table.fail(index, why);
     }
 
     /// Adds a case to the group with its linear part.

@@ -34,8 +34,8 @@ pub struct Contact {
 impl Contact {
     /// A number, if the contact has it.
     pub fn number(&self, key: &str) -> Option<&Amount> {
-        let own = self.numbers.iter().find(|own| own.0 == key);
-        own.map(|(_, amount)| amount)
+        let found = self.numbers.iter().find(|number| number.0 == key);
+        found.map(|(_, amount)| amount)
     }
 
     /// Its value in a case.

@@ -21,18 +21,18 @@ pub fn listed(template: &Template, elements: &[u32]) -> String {
         1 => format!("{}.1.S", bar.name),
         n => format!("{0}.1.S to {0}.{n}.S", bar.name),
     }));
-    let forces = template.matrices.iter().flat_map(|own| {
-        let forces = own.imported.dofs.member_forces().iter();
-        forces.map(|force| format!("{}.{}", own.name, force.name))
+    let forces = template.matrices.iter().flat_map(|matrices| {
+        let forces = matrices.imported.dofs.member_forces().iter();
+        forces.map(|force| format!("{}.{}", matrices.name, force.name))
     });
     parts.extend(forces);
     parts.push("base".to_owned());
     let supports = template.supports.iter();
-    parts.extend(supports.map(|own| format!("base.{}", own.full_name())));
+    parts.extend(supports.map(|support| format!("base.{}", support.full_name())));
     if !template.ground.is_empty() {
         parts.push("ground".to_owned());
     }
-    let energies = OF_ENERGY.map(|own| own.0.trim_start_matches("energy."));
+    let energies = OF_ENERGY.map(|row| row.0.trim_start_matches("energy."));
     parts.push(format!("energy.{{{}}}", energies.join(", ")));
     format!("channels: {}\n", parts.join("; "))
 }
@@ -43,25 +43,29 @@ impl Template {
         let springs = self.springs.iter().enumerate();
         let springs = springs.filter(|(_, spring)| !spring.name.is_empty());
         let contacts = self.contacts.iter().enumerate();
-        let first = contacts.filter(|(_, own)| own.row == Some(PlaneRow::First));
-        let masses = self.masses.iter().map(|own| own.direction);
-        let bars = self.bars.iter().map(|own| own.direction);
+        let first = contacts.filter(|(_, contact)| contact.row == Some(PlaneRow::First));
+        let masses = self.masses.iter().map(|mass| mass.direction);
+        let bars = self.bars.iter().map(|bar| bar.direction);
         let rows = self.matrices.iter();
-        let rows = rows.flat_map(|own| own.imported.dofs.rows());
-        let all: HashSet<Direction> = masses
+        let rows = rows.flat_map(|matrices| matrices.imported.dofs.rows());
+        let moving: HashSet<Direction> = masses
             .chain(bars)
             .chain(rows.map(|dof| dof.direction))
             .collect();
         let directions = Direction::TRANSLATIONS.into_iter();
         StructureNames {
             springs: springs
-                .map(|(place, spring)| (spring.name.clone(), place))
+                .map(|(index, spring)| (spring.name.clone(), index))
                 .collect(),
             planes: first
-                .filter_map(|(place, own)| Some((own.name.strip_suffix(".1")?.to_owned(), place)))
+                .filter_map(|(index, contact)| {
+                    Some((contact.name.strip_suffix(".1")?.to_owned(), index))
+                })
                 .collect(),
-            ground: self.ground.iter().map(|own| own.0).collect(),
-            directions: directions.filter(|own| all.contains(own)).collect(),
+            ground: self.ground.iter().map(|motion| motion.0).collect(),
+            directions: directions
+                .filter(|direction| moving.contains(direction))
+                .collect(),
         }
     }
 }

@@ -34,10 +34,10 @@ impl Models {
         structure: &Structure,
         numbering: &Numbering,
     ) -> Models {
-        let of_case = template.matrices.iter().map(|own| {
-            let imported = own.in_case(case);
+        let of_case = template.matrices.iter().map(|matrices| {
+            let imported = matrices.in_case(case);
             Summary {
-                name: own.name.clone(),
+                name: matrices.name.clone(),
                 dofs: imported.len(),
                 massless: imported.massless_rows(),
                 mass: mass(imported),
@@ -45,24 +45,24 @@ impl Models {
         });
         let each: Vec<Summary> = of_case.collect();
         // Masses and bars come before the matrices.
-        let own = structure.nodes.iter().take(numbering.first_row(0));
-        let own = own.map(|node| (node.direction, node.mass));
-        let all: Vec<(Direction, f64)> = own
-            .chain(each.iter().flat_map(|own| own.mass.iter().copied()))
+        let lumped = structure.nodes.iter().take(numbering.first_row(0));
+        let of_nodes = lumped.map(|node| (node.direction, node.mass));
+        let masses: Vec<(Direction, f64)> = of_nodes
+            .chain(each.iter().flat_map(|summary| summary.mass.iter().copied()))
             .collect();
         Models {
-            total: (!each.is_empty()).then(|| sums(&all)),
+            total: (!each.is_empty()).then(|| sums(&masses)),
             each,
         }
     }
 }
 
 /// The sum of each direction of translation that is there.
-fn sums(all: &[(Direction, f64)]) -> Vec<(Direction, f64)> {
+fn sums(masses: &[(Direction, f64)]) -> Vec<(Direction, f64)> {
     let sum = |direction: Direction| {
-        let mut own = all.iter().filter(|one| one.0 == direction).peekable();
-        own.peek()?;
-        Some((direction, own.map(|one| one.1).sum()))
+        let mut along = masses.iter().filter(|one| one.0 == direction).peekable();
+        along.peek()?;
+        Some((direction, along.map(|one| one.1).sum()))
     };
     Direction::TRANSLATIONS
         .into_iter()
@@ -73,12 +73,12 @@ fn sums(all: &[(Direction, f64)]) -> Vec<(Direction, f64)> {
 fn mass(imported: &Imported) -> Vec<(Direction, f64)> {
     let rows = imported.dofs.rows();
     // A direction whose rows have no mass is there as well.
-    let mut all: Vec<(Direction, f64)> = rows.iter().map(|dof| (dof.direction, 0.0)).collect();
+    let mut masses: Vec<(Direction, f64)> = rows.iter().map(|dof| (dof.direction, 0.0)).collect();
     for ((i, j), value) in imported.mass.entries() {
         if rows[i].direction == rows[j].direction {
             let twice = if i == j { 1.0 } else { 2.0 };
-            all.push((rows[i].direction, twice * value));
+            masses.push((rows[i].direction, twice * value));
         }
     }
-    sums(&all)
+    sums(&masses)
 }

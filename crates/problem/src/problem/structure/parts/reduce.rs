@@ -56,10 +56,10 @@ pub struct Start {
 impl Start {
     /// Replaces what rows of a direction have by what is given of u and v.
     pub fn set(&mut self, direction: Direction, given: [Option<f64>; 2]) {
-        for (all, value) in self.directions.iter_mut().zip(given) {
+        for (list, value) in self.directions.iter_mut().zip(given) {
             if let Some(value) = value {
-                all.retain(|(known, _)| *known != direction);
-                all.push((direction, value));
+                list.retain(|(known, _)| *known != direction);
+                list.push((direction, value));
             }
         }
     }
@@ -67,12 +67,12 @@ impl Start {
     /// Sets the coordinates of the modes in u and v. `nodes` are those of the kept rows and the modes; supports are at rest.
     pub fn project(&self, reduced: &Reduced, nodes: &[Option<usize>], motion: [&mut [f64]; 2]) {
         let (kept, modes) = nodes.split_at(reduced.kept().len());
-        for (all, values) in self.directions.iter().zip(motion) {
+        for (start, values) in self.directions.iter().zip(motion) {
             let kept = kept
                 .iter()
                 .map(|node| node.map_or(0.0, |node| values[node]));
-            let own = reduced.modal(&kept.collect::<Vec<_>>(), all);
-            for (node, x) in modes.iter().zip(own) {
+            let modal = reduced.modal(&kept.collect::<Vec<_>>(), start);
+            for (node, x) in modes.iter().zip(modal) {
                 if let Some(node) = node {
                     values[*node] = x;
                 }

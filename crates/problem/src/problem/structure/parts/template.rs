@@ -67,7 +67,7 @@ impl Template {
     /// Whether a node of a case may be without mass.
     pub fn has_massless_nodes(&self, case: &Case) -> bool {
         let none = |mass: &Mass| mass.mass.value(case) == Ok(0.0);
-        let has_massless = |own: &Matrices| own.in_case(case).massless_rows() > 0;
+        let has_massless = |matrices: &Matrices| matrices.in_case(case).massless_rows() > 0;
         self.matrices.iter().any(has_massless) || self.masses.iter().any(none)
     }
 
@@ -86,8 +86,9 @@ impl Template {
         match node {
             NodeRef::Mass(mass) => self.masses[mass].mass.value(case) == Ok(0.0),
             NodeRef::Dof(matrices, row) => {
-                let own = self.matrices[matrices].in_case(case);
-                !own.mass
+                let imported = self.matrices[matrices].in_case(case);
+                !imported
+                    .mass
                     .entries()
                     .any(|((i, j), m)| m != 0.0 && (i == row || j == row))
             }
@@ -126,9 +127,9 @@ impl Template {
                 Some(Normal::Constant(_) | Normal::Parts(_)) | None => None,
             });
         let supports = self.supports.iter().filter_map(Support::acceleration);
-        let supports = supports.map(|own| &own.source);
-        let all = loads.chain(ground).chain(supports).chain(normals);
-        all.filter(|source| source.is_sampled())
+        let supports = supports.map(|acceleration| &acceleration.source);
+        let sources = loads.chain(ground).chain(supports).chain(normals);
+        sources.filter(|source| source.is_sampled())
     }
 }
 

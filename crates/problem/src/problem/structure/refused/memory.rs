@@ -40,7 +40,10 @@ impl StructureProblem {
         }
         let (structure, _) = self.structure(case, Model::Study).ok()?;
         let corrects = self.method(case).is_some_and(|method| method.corrects());
-        let is_rigid = structure.contacts.iter().any(|own| own.law.is_rigid());
+        let is_rigid = structure
+            .contacts
+            .iter()
+            .any(|contact| contact.law.is_rigid());
         let at_once = is_rigid || structure.massless().contains(&true);
         let known = !self.template.at_rest.is_empty() || self.template.reference.is_some();
         let sizes = match corrects || at_once || known {

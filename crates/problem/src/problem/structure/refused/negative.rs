@@ -43,11 +43,11 @@ fn cause(template: &Template, case: &Case) -> Option<Violation> {
     });
     let of_matrices = || {
         let mut matrices = template.matrices.iter();
-        let own = matrices.find(|own| own.in_case(case).is_negative)?;
+        let negative = matrices.find(|block| block.in_case(case).is_negative)?;
         Some(Violation {
-            parameter: own.place.1.clone().into(),
+            parameter: negative.place.1.clone().into(),
             message: String::new(),
-            at: Some(own.place.0),
+            at: Some(negative.place.0),
         })
     };
     negative.next().or_else(of_matrices)

@@ -20,7 +20,7 @@ impl StructureProblem {
             return Vec::new();
         }
         let mut parameters = self.schema.parameters.iter();
-        let row = parameters.position(|own| own.name == method::PARAMETERS[0].name);
+        let row = parameters.position(|parameter| parameter.name == method::PARAMETERS[0].name);
         let name = row.map_or("", |row| case.name_at(row));
         let contacts = self.template.contacts.iter();
         let rigid = contacts.filter_map(|contact| contacts::restitution(contact, case));

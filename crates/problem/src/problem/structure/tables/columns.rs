@@ -32,10 +32,10 @@ pub fn all_numbers(structure: &Structure, template: &Template) -> Vec<Number> {
     });
     let of_contacts = template.contacts.iter().enumerate();
     let of_contacts = of_contacts.flat_map(|(c, contact)| {
-        let own = OF_CONTACTS.map(|(quantity, _)| Number::Contact(c, quantity));
+        let numbers = OF_CONTACTS.map(|(quantity, _)| Number::Contact(c, quantity));
         let lengths = (contact.row == Some(PlaneRow::Second))
             .then(|| OF_CONTACTS.map(|(quantity, _)| Number::Contact(c - 1, quantity.in_plane())));
-        own.into_iter().chain(lengths.into_iter().flatten())
+        numbers.into_iter().chain(lengths.into_iter().flatten())
     });
     of_nodes.chain(of_supports).chain(of_contacts).collect()
 }
@@ -63,8 +63,10 @@ pub fn of(
             names.into_iter().zip(dimensions)
         };
         let lengths = (contact.row == Some(PlaneRow::Second)).then(|| columns(String::new()));
-        let own = columns(direction);
-        own.chain(lengths.into_iter().flatten()).collect::<Vec<_>>()
+        let in_direction = columns(direction);
+        in_direction
+            .chain(lengths.into_iter().flatten())
+            .collect::<Vec<_>>()
     });
     let supports = structure.supports.iter().flat_map(|support| {
         [

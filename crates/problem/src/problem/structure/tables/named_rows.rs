@@ -53,10 +53,14 @@ pub fn named_rows(
 pub fn described(template: &Template, case: &Case) -> String {
     let mut text = String::new();
     for matrices in &template.matrices {
-        let Some(Ok(reduced)) = matrices.reduce.as_ref().map(|own| own.reduced(case)) else {
+        let Some(Ok(reduced)) = matrices
+            .reduce
+            .as_ref()
+            .map(|reduction| reduction.reduced(case))
+        else {
             continue;
         };
-        let [last, next] = reduced.frequencies().map(|own| own.map(short));
+        let [last, next] = reduced.frequencies().map(|frequency| frequency.map(short));
         let last = last.map_or(String::new(), |last| format!(" up to the frequency {last}"));
         let next = match next {
             Some(next) => format!(", the first left out has {next}"),

@@ -18,19 +18,19 @@ pub fn closed(structure: &Structure) -> Option<Doubt> {
     }
     let largest = largest_length(structure);
     let impacts = structure.contacts.iter().enumerate();
-    let impacts = impacts.filter(|(_, own)| own.law.kind() == ContactKind::Impact);
-    let overlaps = impacts.map(|(place, own)| {
+    let impacts = impacts.filter(|(_, contact)| contact.law.kind() == ContactKind::Impact);
+    let overlaps = impacts.map(|(index, contact)| {
         (
-            place,
-            own,
-            structure.relative(place, &structure.displacement),
+            index,
+            contact,
+            structure.relative(index, &structure.displacement),
         )
     });
-    let overlaps = overlaps.map(|(place, own, r)| (place, own, -(r + own.gap)));
-    let (place, contact, overlap) = overlaps
+    let overlaps = overlaps.map(|(index, contact, r)| (index, contact, -(r + contact.gap)));
+    let (index, contact, overlap) = overlaps
         .filter(|(.., overlap)| *overlap > ROUND_OFF * largest)
         .max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let force = forces_at_start(structure).map_or(0.0, |forces| -forces[place]);
+    let force = forces_at_start(structure).map_or(0.0, |forces| -forces[index]);
     let force = match contact.law.is_rigid() {
         true => String::new(),
         false => format!(" and presses with {}", short(force)),
@@ -53,26 +53,26 @@ pub fn at_once(structure: &Structure) -> Option<Doubt> {
     };
     let stops = structure.contacts.iter().enumerate();
     let stops: Vec<(usize, &Contact, f64)> = stops
-        .filter_map(|(place, own)| Some((place, own, restitution(own)?)))
+        .filter_map(|(index, contact)| Some((index, contact, restitution(contact)?)))
         .collect();
     if stops.len() < 2 {
         return None;
     }
     let largest = largest_length(structure);
-    let touches = |place: usize, own: &Contact| {
-        structure.relative(place, &structure.displacement) + own.gap <= ROUND_OFF * largest
+    let touches = |index: usize, contact: &Contact| {
+        structure.relative(index, &structure.displacement) + contact.gap <= ROUND_OFF * largest
     };
     let part = structure.parts();
     let share = |a: &Contact, b: &Contact| {
         let mut nodes = a.along.iter();
         nodes.any(|(i, _)| b.along.iter().any(|(j, _)| part[*i] == part[*j]))
     };
-    stops.iter().find_map(|(place, own, e)| {
-        let mut others = stops.iter().filter(|(other, ..)| other != place);
+    stops.iter().find_map(|(index, contact, e)| {
+        let mut others = stops.iter().filter(|(other, ..)| other != index);
         let (_, other, _) = others.find(|(_, other, also)| {
-            touches(*place, own) && e.max(*also) > 0.0 && share(own, other)
+            touches(*index, contact) && e.max(*also) > 0.0 && share(contact, other)
         })?;
-        let text = format!("contacts {} and {}", own.name, other.name);
+        let text = format!("contacts {} and {}", contact.name, other.name);
         Some((Warning::ImpactsAtOnce, text))
     })
 }

@@ -24,11 +24,11 @@ struct Function<'a> {
     records: bool,
 }
 
-fn scaled(name: String, own: &Scaled, records: bool) -> Function<'_> {
+fn scaled(name: String, given: &Scaled, records: bool) -> Function<'_> {
     Function {
         name,
-        source: &own.source,
-        is_cut: own.shape.start.is_some(),
+        source: &given.source,
+        is_cut: given.shape.start.is_some(),
         records,
     }
 }
@@ -38,14 +38,15 @@ fn functions(template: &Template) -> impl Iterator<Item = Function<'_>> {
     let loads = template.loads.iter().enumerate();
     let loads = loads.map(|(number, load)| scaled(format!("loads[{number}]"), &load.force, true));
     let ground = template.ground.iter();
-    let ground = ground.map(|own| scaled(format!("ground in {}", own.0.name()), &own.1, false));
-    let accelerated = template.supports.iter().filter_map(|own| {
-        let name = format!("support {}", own.full_name());
-        Some(scaled(name, own.acceleration()?, false))
+    let ground =
+        ground.map(|motion| scaled(format!("ground in {}", motion.0.name()), &motion.1, false));
+    let accelerated = template.supports.iter().filter_map(|support| {
+        let name = format!("support {}", support.full_name());
+        Some(scaled(name, support.acceleration()?, false))
     });
-    let normals = template.contacts.iter().filter_map(|own| {
-        let name = format!("N of contact {}", own.name);
-        match own.normal.as_ref()? {
+    let normals = template.contacts.iter().filter_map(|contact| {
+        let name = format!("N of contact {}", contact.name);
+        match contact.normal.as_ref()? {
             Normal::Table(source) => Some(Function {
                 name,
                 source,
@@ -61,9 +62,14 @@ fn functions(template: &Template) -> impl Iterator<Item = Function<'_>> {
 
 /// The first load, motion or N of which the steps have too little.
 pub fn missed(template: &Template, case: &Case, steps: Steps) -> Option<Doubt> {
-    let found = functions(template).find_map(|own| {
-        let text = of_source(own.source, own.records, case, (template.metre, steps))?;
-        Some(format!("{}: {text}", own.name))
+    let found = functions(template).find_map(|function| {
+        let text = of_source(
+            function.source,
+            function.records,
+            case,
+            (template.metre, steps),
+        )?;
+        Some(format!("{}: {text}", function.name))
     });
     let text = found.or_else(|| displaced(template, case, steps))?;
     Some((Warning::MotionCut, text))
@@ -71,24 +77,25 @@ pub fn missed(template: &Template, case: &Case, steps: Steps) -> Option<Doubt> {
 
 /// The first load, motion or N by points of the study that begins before t = 0; of files, notes of their reader tell it.
 pub fn before(template: &Template, case: &Case) -> Option<Doubt> {
-    let begins = |own: &Function| {
-        let signal = own.source.signal(case, template.metre).ok()?;
+    let begins = |function: &Function| {
+        let signal = function.source.signal(case, template.metre).ok()?;
         match &*signal {
-            Signal::Table(table) if !own.is_cut => table.times().first().copied(),
+            Signal::Table(table) if !function.is_cut => table.times().first().copied(),
             Signal::Table(_) | Signal::Sine { .. } | Signal::Motion(..) => None,
         }
     };
-    let is_given = |own: &Function| matches!(own.source.kind(), Kind::Table { .. });
-    let mut all = functions(template).filter(is_given);
-    let found = all.find_map(|own| Some((begins(&own).filter(|t| *t < 0.0)?, own.name)));
+    let is_given = |function: &Function| matches!(function.source.kind(), Kind::Table { .. });
+    let mut tables = functions(template).filter(is_given);
+    let found =
+        tables.find_map(|function| Some((begins(&function).filter(|t| *t < 0.0)?, function.name)));
     let displaced = || {
-        template.supports.iter().find_map(|own| {
-            let Course::Displacement(Points::List(..), _) = &own.course else {
+        template.supports.iter().find_map(|support| {
+            let Course::Displacement(Points::List(..), _) = &support.course else {
                 return None;
             };
-            let motion = own.in_case(case, template.metre, true).ok()?;
+            let motion = support.in_case(case, template.metre, true).ok()?;
             let first = motion.points().into_iter().next().filter(|t| *t < 0.0)?;
-            Some((first, format!("support {}", own.full_name())))
+            Some((first, format!("support {}", support.full_name())))
         })
     };
     let (first, name) = found.or_else(displaced)?;
@@ -134,12 +141,12 @@ fn of_source(
 
 /// A support whose given displacement has a larger value or velocity between steps.
 fn displaced(template: &Template, case: &Case, steps: Steps) -> Option<String> {
-    template.supports.iter().find_map(|own| {
+    template.supports.iter().find_map(|support| {
         // The velocity of a file is mostly noise.
-        let Course::Displacement(Points::List(..), _) = &own.course else {
+        let Course::Displacement(Points::List(..), _) = &support.course else {
             return None;
         };
-        let motion = own.in_case(case, template.metre, true).ok()?;
+        let motion = support.in_case(case, template.metre, true).ok()?;
         let end = steps.last as f64 * steps.dt;
         let times = motion.points().into_iter().filter(|time| *time <= end);
         let times: Vec<f64> = times.collect();
@@ -153,7 +160,7 @@ fn displaced(template: &Template, case: &Case, steps: Steps) -> Option<String> {
             let whole = largest(which, &mut times.iter().copied().chain(middles.clone()));
             less(name, [whole, largest(which, &mut steps.times())])
         })?;
-        Some(format!("support {}: {text}", own.full_name()))
+        Some(format!("support {}: {text}", support.full_name()))
     })
 }
 

@@ -36,16 +36,16 @@ pub fn of_one_body(template: &Template, case: &Case) -> Option<Doubt> {
         contact.row.is_none() && law.is_some_and(|law| law.kind == ContactKind::Friction)
     };
     let contacts = template.contacts.iter().filter(rubs);
-    let all: Vec<(&Contact, Vec<Joined>)> = contacts
-        .filter_map(|own| Some((own, bodies(template, case, own)?)))
+    let joining: Vec<(&Contact, Vec<Joined>)> = contacts
+        .filter_map(|contact| Some((contact, bodies(template, case, contact)?)))
         .filter(|(_, bodies)| !bodies.is_empty())
         .collect();
-    for (i, own) in all.iter().enumerate() {
-        let mut fan = vec![own];
+    for (i, joined) in joining.iter().enumerate() {
+        let mut fan = vec![joined];
         // Those of other directions than all before.
-        for other in &all[i + 1..] {
-            let differs = |own: &&(&Contact, Vec<Joined>)| {
-                directions_differ(template, case, &own.1, &other.1) == Some(true)
+        for other in &joining[i + 1..] {
+            let differs = |known: &&(&Contact, Vec<Joined>)| {
+                directions_differ(template, case, &known.1, &other.1) == Some(true)
             };
             if fan.iter().all(differs) {
                 fan.push(other);
@@ -81,10 +81,10 @@ fn fan_words(
 /// Whether two contacts that join the same bodies have different directions; `None` for those of other bodies.
 fn directions_differ(template: &Template, case: &Case, a: &[Joined], b: &[Joined]) -> Option<bool> {
     let mut differ = false;
-    let mut pairs = a.iter().map(|(own, x)| {
+    let mut pairs = a.iter().map(|(body, x)| {
         let other = b
             .iter()
-            .find(|(other, _)| is_same(template, case, own, other))?;
+            .find(|(other, _)| is_same(template, case, body, other))?;
         differ |= !are_parallel(*x, other.1);
         Some(())
     });
@@ -116,10 +116,10 @@ fn bodies<'a>(
         }
         let (direction, body) = match term.node.node {
             NodeRef::Ground => continue,
-            NodeRef::Mass(place) => {
-                let own = &template.masses[place];
-                let name = own.name.split('.').next().unwrap_or_default();
-                (own.direction, Body::Mass(name, place))
+            NodeRef::Mass(index) => {
+                let mass = &template.masses[index];
+                let name = mass.name.split('.').next().unwrap_or_default();
+                (mass.direction, Body::Mass(name, index))
             }
             NodeRef::Left(bar) | NodeRef::Right(bar) | NodeRef::Inner(bar, _) => {
                 (template.bars[bar].direction, Body::Bar(bar))
@@ -128,9 +128,9 @@ fn bodies<'a>(
                 let dof = template.matrices[matrices].imported.dofs.rows().get(row)?;
                 (dof.direction, Body::Node(matrices, &dof.node))
             }
-            NodeRef::Support(place) => {
-                let own = &template.supports[place];
-                (own.direction, Body::Support(&own.name))
+            NodeRef::Support(index) => {
+                let support = &template.supports[index];
+                (support.direction, Body::Support(&support.name))
             }
         };
         add(template, case, &mut found, (body, direction, &term.factor))?;
@@ -147,7 +147,7 @@ fn add<'a>(
     (body, direction, factor): (Body<'a>, Direction, &Amount),
 ) -> Option<()> {
     let mut translations = Direction::TRANSLATIONS.iter();
-    let axis = translations.position(|own| *own == direction)?;
+    let axis = translations.position(|translation| *translation == direction)?;
     let factor = factor.value(case).ok()?;
     let known = found
         .iter_mut()
@@ -167,10 +167,10 @@ fn add<'a>(
 fn is_same(template: &Template, case: &Case, first: &Body, second: &Body) -> bool {
     match (first, second) {
         (Body::Mass(a, i), Body::Mass(b, j)) => {
-            let [own, other] = [*i, *j].map(|place| &template.masses[place]);
-            let are_whole = !own.name.contains('.') && !other.name.contains('.');
-            let [m, n] = [own, other].map(|own| own.mass.value(case));
-            a == b || are_whole && own.direction != other.direction && m.is_ok() && m == n
+            let [mass, other] = [*i, *j].map(|index| &template.masses[index]);
+            let are_whole = !mass.name.contains('.') && !other.name.contains('.');
+            let [m, n] = [mass, other].map(|part| part.mass.value(case));
+            a == b || are_whole && mass.direction != other.direction && m.is_ok() && m == n
         }
         (Body::Node(matrices, a), Body::Node(other, b)) => {
             let dofs = &template.matrices[*matrices].imported.dofs;

@@ -33,10 +33,17 @@ pub fn spring_mass(template: &Template, case: &Case, masses: &Masses) -> Option<
         let SpringNumbers::Period { mass, .. } = &spring.numbers else {
             return None;
         };
-        let own = mass.value(case).ok()?;
+        let stated = mass.value(case).ok()?;
         let [low, _, high] = masses.along(&spring.along, case)?;
-        let fits = ((1.0 - ROUNDED) * low..=(1.0 + ROUNDED) * high).contains(&own);
-        let text = || format!("{} is {}, {}", mass.path, short(own), between([low, high]));
+        let fits = ((1.0 - ROUNDED) * low..=(1.0 + ROUNDED) * high).contains(&stated);
+        let text = || {
+            format!(
+                "{} is {}, {}",
+                mass.path,
+                short(stated),
+                between([low, high])
+            )
+        };
         (!fits).then(|| (Warning::SpringMass, text()))
     })
 }
@@ -65,8 +72,8 @@ pub fn damping_ratio(template: &Template, case: &Case) -> Option<Doubt> {
         Rayleigh::Ratios { ratios, .. } => ratios,
     });
     ratios.find_map(|ratio| {
-        let own = ratio.value(case).ok().filter(|own| *own > 1.0)?;
-        let text = format!("{} is {}", ratio.path, short(own));
+        let value = ratio.value(case).ok().filter(|x| *x > 1.0)?;
+        let text = format!("{} is {}", ratio.path, short(value));
         Some((Warning::DampingRatio, text))
     })
 }
@@ -79,16 +86,16 @@ pub fn radius(template: &Template, case: &Case) -> Option<Doubt> {
     template.contacts.iter().find_map(|contact| {
         law_named(contact.law.name(case)).filter(|law| law.has("R"))?;
         let radius = contact.number("R")?;
-        let own = radius.value(case).ok()? * template.metre;
-        let text = || format!("{} is {} m", radius.path, short(own));
-        (own > RADIUS).then(|| (Warning::LargeRadius, text()))
+        let metres = radius.value(case).ok()? * template.metre;
+        let text = || format!("{} is {} m", radius.path, short(metres));
+        (metres > RADIUS).then(|| (Warning::LargeRadius, text()))
     })
 }
 
 /// A support with a sine acceleration from rest, whose velocity has a mean.
 pub fn support_drift(template: &Template, case: &Case, end: f64) -> Option<Doubt> {
-    template.supports.iter().find_map(|own| {
-        let acceleration = own.acceleration()?;
+    template.supports.iter().find_map(|support| {
+        let acceleration = support.acceleration()?;
         let signal = acceleration.source.signal(case, template.metre).ok()?;
         let Signal::Sine {
             omega,
@@ -100,11 +107,11 @@ pub fn support_drift(template: &Template, case: &Case, end: f64) -> Option<Doubt
         };
         // v(t) = (cos(phase) - cos(omega t + phase)) amplitude/omega; u oscillates by amplitude/omega^2.
         let drift = (libm::cos(phase) * omega * end).abs();
-        let is_removed = own.baseline != Baseline::None;
+        let is_removed = support.baseline != Baseline::None;
         (amplitude != 0.0 && drift > 1.0 && !is_removed).then(|| {
             let text = format!(
                 "support {} drifts by {} times the amplitude of its displacement",
-                own.full_name(),
+                support.full_name(),
                 short((drift * 10.0).round() / 10.0)
             );
             (Warning::SupportDrift, text)
@@ -118,8 +125,8 @@ pub fn friction_coefficient(template: &Template, case: &Case) -> Option<Doubt> {
     contacts.find_map(|contact| {
         law_named(contact.law.name(case)).filter(|law| law.has("nu"))?;
         let nu = contact.number("nu")?;
-        let own = nu.value(case).ok().filter(|own| *own > COEFFICIENT)?;
-        let text = format!("{} is {}", nu.path, short(own));
+        let value = nu.value(case).ok().filter(|x| *x > COEFFICIENT)?;
+        let text = format!("{} is {}", nu.path, short(value));
         Some((Warning::FrictionCoefficient, text))
     })
 }
@@ -130,20 +137,34 @@ pub fn colliding_mass(template: &Template, case: &Case, masses: &Masses) -> Opti
     contacts.find_map(|contact| {
         law_named(contact.law.name(case)).filter(|law| law.has("colliding_mass"))?;
         let mass = contact.number("colliding_mass")?;
-        let own = mass.value(case).ok()?;
+        let stated = mass.value(case).ok()?;
         let [low, high, _] = masses.along(&contact.along, case)?;
-        let fits = (low / FAR..=high * FAR).contains(&own);
-        let text = || format!("{} is {}, {}", mass.path, short(own), between([low, high]));
+        let fits = (low / FAR..=high * FAR).contains(&stated);
+        let text = || {
+            format!(
+                "{} is {}, {}",
+                mass.path,
+                short(stated),
+                between([low, high])
+            )
+        };
         (!fits).then(|| (Warning::CollidingMass, text()))
     })
 }
 
 /// Gravity in a direction in which no node moves.
 pub fn idle_gravity(template: &Template, case: &Case) -> Option<Doubt> {
-    let masses = template.masses.iter().map(|own| own.direction);
-    let bars = template.bars.iter().map(|own| own.direction);
+    let masses = template.masses.iter().map(|mass| mass.direction);
+    let bars = template.bars.iter().map(|bar| bar.direction);
     let rows = template.matrices.iter();
-    let rows = rows.flat_map(|own| own.imported.dofs.rows().iter().map(|dof| dof.direction));
+    let rows = rows.flat_map(|matrices| {
+        matrices
+            .imported
+            .dofs
+            .rows()
+            .iter()
+            .map(|dof| dof.direction)
+    });
     let moving: Vec<_> = masses.chain(bars).chain(rows).collect();
     template.gravities().find_map(|(direction, amount)| {
         let acts = amount.value(case).is_ok_and(|value| value != 0.0);

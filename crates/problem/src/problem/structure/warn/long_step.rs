@@ -47,23 +47,26 @@ impl StructureProblem {
         if structure.len() > MOST || shortest_bound(structure) >= limit {
             return None;
         }
-        let own = modes(structure, &elastic(structure))?;
-        let omega: Vec<f64> = own.omega2.iter().map(|x| x.max(0.0).sqrt()).collect();
-        let periods: Vec<f64> = omega.iter().map(|own| 2.0 * PI / own).collect();
+        let natural = modes(structure, &elastic(structure))?;
+        let omega: Vec<f64> = natural.omega2.iter().map(|x| x.max(0.0).sqrt()).collect();
+        let periods: Vec<f64> = omega.iter().map(|frequency| 2.0 * PI / frequency).collect();
         if periods.iter().all(|period| *period >= limit) {
             return None;
         }
         // A motion without a spring is as slow as the whole run.
         let slowest = 2.0 * PI / (steps.dt * steps.last.max(1) as f64);
-        let omega: Vec<f64> = omega.iter().map(|own| own.max(slowest)).collect();
-        let drives = drives(structure, &own, &omega);
+        let omega: Vec<f64> = omega
+            .iter()
+            .map(|frequency| frequency.max(slowest))
+            .collect();
+        let drives = drives(structure, &natural, &omega);
         let numbers = self
             .metrics
             .iter()
             .flat_map(|metric| needed(metric, numbering, 0));
         let channels = numbers.filter_map(|number| followed(structure, number));
         let channels: Vec<_> = channels
-            .map(|(along, order)| (own.components(structure, &along), order))
+            .map(|(along, order)| (natural.components(structure, &along), order))
             .collect();
         let matters = |mode: &usize| {
             let of = |drive: &Drive| {
@@ -101,8 +104,8 @@ fn elastic(structure: &Structure) -> Symmetric {
 
 fn links(structure: &Structure) -> impl Iterator<Item = (&[(usize, f64)], f64)> {
     let links = structure.contacts.iter();
-    let links = links.filter(|own| own.law.kind() == ContactKind::Link);
-    let links = links.map(|own| (&own.along[..], own.initial_stiffness()));
+    let links = links.filter(|contact| contact.law.kind() == ContactKind::Link);
+    let links = links.map(|contact| (&contact.along[..], contact.initial_stiffness()));
     links.filter(|(_, k)| *k > 0.0)
 }
 
@@ -150,17 +153,17 @@ fn drives(structure: &Structure, modes: &Modes, omega: &[f64]) -> Vec<Drive> {
         let by_mode = modes.components(structure, &load.pattern);
         Some(Drive { by_mode, shortest })
     });
-    let mut all: Vec<Drive> = loads.collect();
+    let mut drives: Vec<Drive> = loads.collect();
     let starts = [(&structure.displacement, 2), (&structure.velocity, 1)];
     // Static equilibrium does not move.
     let starts = starts
         .into_iter()
         .filter(|(start, order)| start.iter().any(|x| *x != 0.0) && (*order == 1 || !at_rest));
-    all.extend(starts.map(|(start, order)| {
+    drives.extend(starts.map(|(start, order)| {
         let mut inertia: Vec<f64> = vec![0.0; structure.len()];
         structure.coupled_mass.add_product(start, &mut inertia);
-        let own = structure.nodes.iter().zip(start).zip(inertia).enumerate();
-        let force: Vec<(usize, f64)> = own
+        let of_nodes = structure.nodes.iter().zip(start).zip(inertia).enumerate();
+        let force: Vec<(usize, f64)> = of_nodes
             .map(|(i, ((node, x), coupled))| (i, node.mass * x + coupled))
             .collect();
         let by_mode = modes.components(structure, &force).into_iter().zip(omega);
@@ -171,7 +174,7 @@ fn drives(structure: &Structure, modes: &Modes, omega: &[f64]) -> Vec<Drive> {
             shortest: 0.0,
         }
     }));
-    all
+    drives
 }
 
 /// The shortest period that points at these times drive.
@@ -186,20 +189,20 @@ fn between(times: &[f64]) -> f64 {
 fn followed(structure: &Structure, number: Number) -> Option<(Vec<(usize, f64)>, i32)> {
     let node = |node: usize| (node < structure.len()).then(|| vec![(node, 1.0)]);
     match number {
-        Number::Displacement(own) => Some((node(own)?, 0)),
-        Number::Velocity(own) => Some((node(own)?, 1)),
-        Number::Derived(Derived::Acceleration(own) | Derived::Absolute(own)) => {
-            Some((node(own)?, 2))
+        Number::Displacement(index) => Some((node(index)?, 0)),
+        Number::Velocity(index) => Some((node(index)?, 1)),
+        Number::Derived(Derived::Acceleration(index) | Derived::Absolute(index)) => {
+            Some((node(index)?, 2))
         }
-        Number::Derived(Derived::Spring(own)) => {
+        Number::Derived(Derived::Spring(spring)) => {
             let springs = &structure.observed.as_ref()?.springs;
-            Some((springs.get(own)?.along.clone(), 0))
+            Some((springs.get(spring)?.along.clone(), 0))
         }
         Number::Derived(Derived::Element(_, [left, right])) => {
             Some((vec![(left, -1.0), (right, 1.0)], 0))
         }
-        Number::Contact(own, quantity) => {
-            let along = || structure.contacts[own].along.clone();
+        Number::Contact(contact, quantity) => {
+            let along = || structure.contacts[contact].along.clone();
             match quantity {
                 Quantity::Displacement
                 | Quantity::Slip
@@ -207,7 +210,7 @@ fn followed(structure: &Structure, number: Number) -> Option<(Vec<(usize, f64)>,
                 | Quantity::SlipDistance => Some((along(), 0)),
                 Quantity::Velocity | Quantity::Speed => Some((along(), 1)),
                 Quantity::Force | Quantity::Size => {
-                    let is_elastic = structure.contacts[own].law.kind() == ContactKind::Link;
+                    let is_elastic = structure.contacts[contact].law.kind() == ContactKind::Link;
                     is_elastic.then(|| (along(), 0))
                 }
                 Quantity::Limit => None,

@@ -43,8 +43,8 @@ impl<'a> Masses<'a> {
                 *sum += factor * factor / mass;
             }
         }
-        let [own, part] = inverse.map(|sum| 1.0 / sum);
-        (inverse[1] > 0.0).then_some([own, part, largest])
+        let [least, part] = inverse.map(|sum| 1.0 / sum);
+        (inverse[1] > 0.0).then_some([least, part, largest])
     }
 
     fn own(&self, node: usize) -> f64 {
@@ -56,8 +56,8 @@ impl<'a> Masses<'a> {
             let nodes = &self.structure.nodes;
             let parts = self.structure.parts();
             let mut sums = vec![0.0; nodes.len()];
-            for (own, part) in nodes.iter().zip(&parts) {
-                sums[*part] += own.mass;
+            for (node, part) in nodes.iter().zip(&parts) {
+                sums[*part] += node.mass;
             }
             parts.iter().map(|part| sums[*part]).collect()
         });

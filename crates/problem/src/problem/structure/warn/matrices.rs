@@ -37,8 +37,8 @@ pub fn periods(template: &Template, structure: &Structure) -> Option<Doubt> {
 fn longest(structure: &Structure) -> Option<f64> {
     let factor = Factor::regular(&structure.stiffness, SMALLEST).ok()?;
     let product = |x: &[f64]| {
-        let own = structure.nodes.iter().zip(x).map(|(node, x)| node.mass * x);
-        let mut sum: Vec<f64> = own.collect();
+        let products = structure.nodes.iter().zip(x).map(|(node, x)| node.mass * x);
+        let mut sum: Vec<f64> = products.collect();
         structure.coupled_mass.add_product(x, &mut sum);
         sum
     };

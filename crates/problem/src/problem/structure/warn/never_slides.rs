@@ -19,14 +19,14 @@ pub fn has_stuck(template: &Template, ready: &Ready, watched: Option<&Watched>) 
     let contacts = template.contacts.iter().zip(&structure.contacts);
     let contacts = contacts.zip(&watched.contacts).enumerate();
     let slides: Vec<(usize, bool)> = contacts
-        .filter(|(_, ((_, own), _))| own.law.kind() == ContactKind::Friction)
-        .map(|(place, ((given, _), seen))| {
+        .filter(|(_, ((_, contact), _))| contact.law.kind() == ContactKind::Friction)
+        .map(|(index, ((given, _), seen))| {
             let value = |key| given.value(key, &ready.case).ok().flatten();
             // At rest the coefficient is nu_min.
             let least = value("nu_min")
                 .zip(value("nu"))
                 .map_or(1.0, |(min, nu)| min / nu);
-            (place, seen.of_limit >= SLIDES * least.min(1.0))
+            (index, seen.of_limit >= SLIDES * least.min(1.0))
         })
         .collect();
     let mut stuck = slides.iter().filter(|(_, slides)| !slides).peekable();
@@ -56,11 +56,11 @@ fn is_elastic_link(
     };
     structure.contacts[contact].initial_stiffness() > 0.0
         && chains.iter().any(|chain| {
-            let has = |member: usize| chain.members().any(|own| own.contact == member);
+            let has = |member: usize| chain.members().any(|end| end.contact == member);
             let mut others = chain
                 .links
                 .iter()
-                .filter(|link| link.iter().all(|own| own.contact != contact));
-            has(contact) && others.any(|link| link.iter().all(|own| gives_way(own.contact)))
+                .filter(|link| link.iter().all(|end| end.contact != contact));
+            has(contact) && others.any(|link| link.iter().all(|end| gives_way(end.contact)))
         })
 }

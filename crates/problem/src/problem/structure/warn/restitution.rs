@@ -37,7 +37,7 @@ pub fn restitutions(
     structure: &Structure,
 ) -> Vec<Option<Restitution>> {
     let contacts = template.contacts.iter().zip(&structure.contacts);
-    let of = |(given, own)| of_contact(given, own, case, structure);
+    let of = |(given, contact)| of_contact(given, contact, case, structure);
     contacts.map(of).collect()
 }
 
@@ -63,11 +63,11 @@ fn of_contact(
 
 /// The first contact that misses its target.
 pub fn missed(template: &Template, case: &Case, structure: &Structure) -> Option<Doubt> {
-    let all = restitutions(template, case, structure);
-    let mut all = template.contacts.iter().zip(all);
-    all.find_map(|(contact, own)| {
-        let own = own.filter(|own| (own.given - own.target).abs() > MISSED)?;
-        let text = format!("contact {}: {own}", contact.name);
+    let results = restitutions(template, case, structure);
+    let mut pairs = template.contacts.iter().zip(results);
+    pairs.find_map(|(contact, restitution)| {
+        let miss = restitution.filter(|found| (found.given - found.target).abs() > MISSED)?;
+        let text = format!("contact {}: {miss}", contact.name);
         Some((Warning::Restitution, text))
     })
 }

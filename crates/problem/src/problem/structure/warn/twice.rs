@@ -20,12 +20,14 @@ pub fn damped(template: &Template, case: &Case) -> Option<Doubt> {
             SpringNumbers::Period { ratio, .. } => ratio.as_ref().filter(|ratio| acts(ratio)),
             SpringNumbers::Stiffness { .. } => None,
         });
-    let matrices = template.matrices.iter().find(|own| {
-        let damping = own.in_case(case).damping.iter();
-        damping.flat_map(|own| own.entries()).any(|(_, c)| c != 0.0)
+    let matrices = template.matrices.iter().find(|block| {
+        let damping = block.in_case(case).damping.iter();
+        damping
+            .flat_map(|matrix| matrix.entries())
+            .any(|(_, c)| c != 0.0)
     });
     let parts = ratio.map(|ratio| ratio.path.clone());
-    let parts = parts.or_else(|| matrices.map(|own| format!("{}.C", own.place.1)));
+    let parts = parts.or_else(|| matrices.map(|block| format!("{}.C", block.place.1)));
     let modal = template.modal_damping.iter();
     let modal = modal
         .flat_map(ModalDamping::amounts)
@@ -33,8 +35,8 @@ pub fn damped(template: &Template, case: &Case) -> Option<Doubt> {
     let rayleigh = template.rayleigh.amounts();
     let rayleigh = rayleigh.into_iter().find(|amount| acts(amount));
     let given = [
-        modal.map(|own| own.path.clone()),
-        rayleigh.map(|own| own.path.clone()),
+        modal.map(|amount| amount.path.clone()),
+        rayleigh.map(|amount| amount.path.clone()),
         parts,
     ];
     let given: Vec<String> = given.into_iter().flatten().collect();
@@ -46,16 +48,16 @@ pub fn none(template: &Template, case: &Case, structure: &Structure) -> Option<D
     let impact = structure
         .contacts
         .iter()
-        .find(|own| own.law.kind() == ContactKind::Impact)?;
+        .find(|contact| contact.law.kind() == ContactKind::Impact)?;
     let ground = template.ground.iter().map(|(_, ground)| ground);
     let supports = template
         .supports
         .iter()
-        .filter_map(|own| own.acceleration());
-    let is_earthquake = ground.chain(supports).any(|own| {
+        .filter_map(|support| support.acceleration());
+    let is_earthquake = ground.chain(supports).any(|motion| {
         let moves = |kind: &Kind| matches!(kind, Kind::Record { .. } | Kind::Synthetic { .. });
-        let scale = own.scale.as_ref().map(|scale| scale.value(case));
-        moves(own.source.kind()) && scale != Some(Ok(0.0))
+        let scale = motion.scale.as_ref().map(|scale| scale.value(case));
+        moves(motion.source.kind()) && scale != Some(Ok(0.0))
     });
     let is_undamped = || structure.damping.entries().all(|(_, c)| c == 0.0);
     (is_earthquake && is_undamped())

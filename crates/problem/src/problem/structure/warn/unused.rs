@@ -13,21 +13,23 @@ const YIELDS: f64 = 0.95;
 /// The warnings of a case with some of these: of a bridge, some parts may be idle.
 pub fn with(given: Warnings, template: &Template, ready: &Ready, watched: &Watched) -> Warnings {
     let contacts = ready.structure.contacts.iter().zip(&watched.contacts);
-    let in_tension = contacts.clone().any(|(own, seen)| in_tension(own, seen));
+    let in_tension = contacts
+        .clone()
+        .any(|(contact, seen)| in_tension(contact, seen));
     let given = given.with(Warning::NormalTension, in_tension);
     let has = |key: &str| {
         let mut contacts = template.contacts.iter();
-        contacts.any(|own| own.number(key).is_some())
+        contacts.any(|contact| contact.number(key).is_some())
     };
     if !has("Fy") && !has("slack") {
         return given;
     }
     let [mut yielding, mut pulling] = [Vec::new(), Vec::new()];
-    for (own, (_, seen)) in template.contacts.iter().zip(contacts) {
+    for (contact, (_, seen)) in template.contacts.iter().zip(contacts) {
         // A contact may have numbers for another law.
-        let law = law_named(own.law.name(&ready.case));
+        let law = law_named(contact.law.name(&ready.case));
         let number = |key: &str| {
-            let value = own.value(key, &ready.case).ok().flatten();
+            let value = contact.value(key, &ready.case).ok().flatten();
             value.filter(|_| law.is_some_and(|law| law.has(key)))
         };
         let force = seen.pull.max(-seen.force);
@@ -38,7 +40,7 @@ pub fn with(given: Warnings, template: &Template, ready: &Ready, watched: &Watch
             yielding.push(force >= YIELDS * fy);
         }
     }
-    let never = |all: &[bool]| !all.is_empty() && !all.contains(&true);
+    let never = |answers: &[bool]| !answers.is_empty() && !answers.contains(&true);
     given
         .with(Warning::NeverYields, never(&yielding))
         .with(Warning::NeverPulls, never(&pulling))
@@ -50,5 +52,5 @@ fn in_tension(contact: &Contact, seen: &WatchedContact) -> bool {
         .law
         .limit()
         .and_then(|limit| limit.pressed_by.as_ref());
-    pressed.is_some_and(|own| own.contacts.is_empty()) && seen.limit <= 0.0
+    pressed.is_some_and(|parts| parts.contacts.is_empty()) && seen.limit <= 0.0
 }

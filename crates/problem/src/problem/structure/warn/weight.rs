@@ -31,16 +31,17 @@ struct Body<'a> {
 
 /// A part that rests on contacts with N alone.
 pub fn far(template: &Template, case: &Case, structure: &Structure) -> Option<Doubt> {
-    let has_normal = |own: &Given| own.normal.is_some();
+    let has_normal = |contact: &Given| contact.normal.is_some();
     if template.units.is_empty() || !template.contacts.iter().any(has_normal) {
         return None;
     }
     let gravity = STANDARD_GRAVITY / template.metre;
     let part = structure.parts();
     let parts = (0..structure.len()).filter(|node| part[*node] == *node);
-    let bodies = parts.flat_map(|own| [Direction::X, Direction::Y, Direction::Z].map(|d| (own, d)));
+    let bodies =
+        parts.flat_map(|node| [Direction::X, Direction::Y, Direction::Z].map(|d| (node, d)));
     let of = Parts::new(template, case, structure, &part);
-    bodies.filter_map(|own| of.body(own)).find_map(|body| {
+    bodies.filter_map(|key| of.body(key)).find_map(|body| {
         let weight = body.mass * gravity;
         let fits = (weight / FAR..=weight * FAR).contains(&body.normal);
         let text = || {
@@ -65,12 +66,12 @@ pub fn along_friction(template: &Template, case: &Case, structure: &Structure) -
     let part = structure.parts();
     let of = Parts::new(template, case, structure, &part);
     let mut parts = (0..structure.len()).filter(|node| part[*node] == *node);
-    let contact = parts.find_map(|own| {
-        let own = (own, direction);
-        of.free_mass(own)?;
+    let contact = parts.find_map(|node| {
+        let key = (node, direction);
+        of.free_mass(key)?;
         let contacts = structure.contacts.iter();
         let mut contacts = contacts
-            .filter(|contact| of.touches(contact, own))
+            .filter(|contact| of.touches(contact, key))
             .peekable();
         let first = contacts.peek()?.name.clone();
         let is_friction = |contact: &Contact| contact.law.kind() == ContactKind::Friction;
@@ -110,8 +111,8 @@ impl<'a> Parts<'a> {
     }
 
     /// A part that contacts with N hold in a direction, and nothing else.
-    fn body(&self, own: (usize, Direction)) -> Option<Body<'_>> {
-        let mass = self.free_mass(own)?;
+    fn body(&self, key: (usize, Direction)) -> Option<Body<'_>> {
+        let mass = self.free_mass(key)?;
         let mut body = Body {
             mass,
             normal: 0.0,
@@ -119,7 +120,7 @@ impl<'a> Parts<'a> {
         };
         let contacts = self.template.contacts.iter().zip(&self.structure.contacts);
         for (given, contact) in contacts {
-            if !self.touches(contact, own) {
+            if !self.touches(contact, key) {
                 continue;
             }
             match contact.law.kind() {
@@ -130,9 +131,9 @@ impl<'a> Parts<'a> {
                 ContactKind::Friction => {}
             }
             let others = contact.along.iter().map(|(node, _)| *node);
-            let mut others = others.filter(|node| self.part[*node] != own.0);
+            let mut others = others.filter(|node| self.part[*node] != key.0);
             // What lies on another part may have others on itself.
-            if others.any(|node| self.free_mass((self.part[node], own.1)).is_some()) {
+            if others.any(|node| self.free_mass((self.part[node], key.1)).is_some()) {
                 return None;
             }
             body.normal += self.normal(given)?;
@@ -153,8 +154,8 @@ impl<'a> Parts<'a> {
         }
     }
 
-    fn touches(&self, contact: &Contact, own: (usize, Direction)) -> bool {
-        contact.along.iter().any(|(node, _)| self.is_in(*node, own))
+    fn touches(&self, contact: &Contact, key: (usize, Direction)) -> bool {
+        contact.along.iter().any(|(node, _)| self.is_in(*node, key))
     }
 
     fn is_in(&self, node: usize, (part, direction): (usize, Direction)) -> bool {
@@ -162,26 +163,26 @@ impl<'a> Parts<'a> {
     }
 
     /// The mass of a part in a direction, > 0, if no spring holds it there.
-    fn free_mass(&self, own: (usize, Direction)) -> Option<f64> {
-        self.free_masses.get(&own).copied()
+    fn free_mass(&self, key: (usize, Direction)) -> Option<f64> {
+        self.free_masses.get(&key).copied()
     }
 }
 
 /// The masses, > 0, of parts in directions in which no spring holds them.
 fn free_masses(structure: &Structure, part: &[usize]) -> BTreeMap<(usize, Direction), f64> {
-    let own = |node: usize| (part[node], structure.nodes[node].direction);
+    let key = |node: usize| (part[node], structure.nodes[node].direction);
     let mut masses = BTreeMap::new();
     for (node, given) in structure.nodes.iter().enumerate() {
-        *masses.entry(own(node)).or_insert(0.0) += given.mass;
+        *masses.entry(key(node)).or_insert(0.0) += given.mass;
     }
     for ((i, j), m) in structure.coupled_mass.entries() {
         let both = if i == j { m } else { 2.0 * m };
-        if own(i) == own(j) {
-            masses.entry(own(i)).and_modify(|mass| *mass += both);
+        if key(i) == key(j) {
+            masses.entry(key(i)).and_modify(|mass| *mass += both);
         }
     }
     let most = FREE * structure.stiffness.largest();
-    for (held, force) in structure.holding(own) {
+    for (held, force) in structure.holding(key) {
         if force > most {
             masses.remove(&held);
         }

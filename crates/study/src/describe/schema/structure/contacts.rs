@@ -49,8 +49,8 @@ fn of_law(law: &Offered, keys: Keys) -> Json {
     let numbers: Vec<&Number> = law.structure_numbers().collect();
     let is_of_law = |key: &str| NUMBERS.iter().any(|number| number.key == key);
     let of_all = keys.iter().map(|key| key.0).filter(|key| !is_of_law(key));
-    let own = numbers.iter().map(|number| number.key);
-    let allowed: Vec<&str> = of_all.chain(own).chain(["//"]).collect();
+    let of_law = numbers.iter().map(|number| number.key);
+    let allowed: Vec<&str> = of_all.chain(of_law).chain(["//"]).collect();
     let mut needs: Vec<Json> = Vec::new();
     let has = |key: &str| numbers.iter().any(|number| number.key == key);
     for number in &numbers {
@@ -102,8 +102,8 @@ fn value(key: &str, function: &Json, part: &str) -> Json {
         }
         "table" => described(keys::LAW_TABLE, |_| super::numbers(), &["r", "S"]),
         _ => {
-            let own = NUMBERS.iter().find(|number| number.key == key);
-            own.map_or_else(any, |own| number(own.range))
+            let found = NUMBERS.iter().find(|number| number.key == key);
+            found.map_or_else(any, |row| number(row.range))
         }
     }
 }

@@ -33,11 +33,11 @@ pub(super) fn function() -> Json {
 
 /// What a key of a function needs or excludes.
 fn dependencies() -> Json {
-    let mut all = json!({ "sine": none_of(&OF_POINTS) });
+    let mut needs = json!({ "sine": none_of(&OF_POINTS) });
     for key in OF_RECORD {
-        all[key] = json!(["record"]);
+        needs[key] = json!(["record"]);
     }
-    all
+    needs
 }
 
 /// A load: a function with its node.
@@ -57,11 +57,11 @@ fn by_directions(function: &Json) -> Json {
 
 /// The ground: a function in x, or one in each direction.
 pub(super) fn ground(function: &Json) -> Json {
-    let mut all = by_directions(function);
+    let mut schema = by_directions(function);
     let strength = described(&[keys::OF_GROUND], |_| scale_to(true), &[]);
-    add_properties(&mut all, &strength);
-    all["dependencies"] = json!({ "scale_to": ["x", "y"] });
-    json!({ "anyOf": [function, all] })
+    add_properties(&mut schema, &strength);
+    schema["dependencies"] = json!({ "scale_to": ["x", "y"] });
+    json!({ "anyOf": [function, schema] })
 }
 
 fn function_value(key: &str) -> Json {
@@ -158,7 +158,7 @@ fn set() -> Json {
             let one = number(keys::range(keys::SET, key));
             json!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 1 }] })
         }
-        "statistic" => names_of(keys::STATISTICS.map(|own| own.0)),
+        "statistic" => names_of(keys::STATISTICS.map(|row| row.0)),
         "component" => names_of(Component::ALL.map(Component::name)),
         "spectrum" => spectrum(),
         _ => number(keys::range(keys::SET, key)),
@@ -194,7 +194,7 @@ pub(super) fn support(function: &Json) -> Json {
         );
     }
     schema["oneOf"] = courses;
-    let own = described(
+    let of_support = described(
         keys::SUPPORT,
         |key| match key {
             "baseline" => json!({ "enum": Baseline::ALL.map(Baseline::name) }),
@@ -203,7 +203,7 @@ pub(super) fn support(function: &Json) -> Json {
         },
         &[],
     );
-    for more in [directions, own] {
+    for more in [directions, of_support] {
         add_properties(&mut schema, &more);
     }
     schema

@@ -12,25 +12,25 @@ use slipgap_problem::problem::structure::metrics::reduction::{REDUCTIONS, in_bra
 /// The name of a metric.
 pub(super) fn metric() -> Json {
     let one = |name: &str| {
-        let own = match name.strip_prefix(PREFIX) {
+        let pattern = match name.strip_prefix(PREFIX) {
             Some(measure) => format!("ground\\.([xyz]\\.)?{measure}"),
             None => name.to_owned(),
         };
         match in_brackets(name) {
-            Some(_) => own + " *\\(.+\\)",
-            None => own,
+            Some(_) => pattern + " *\\(.+\\)",
+            None => pattern,
         }
     };
     let example = |name: &str| match in_brackets(name) {
         Some(inside) => format!("{name}({inside})"),
         None => name.to_owned(),
     };
-    let all: Vec<String> = REDUCTIONS.iter().map(|known| one(known.0)).collect();
+    let patterns: Vec<String> = REDUCTIONS.iter().map(|known| one(known.0)).collect();
     // Editors offer them as completions.
     let examples: Vec<String> = REDUCTIONS.iter().map(|known| example(known.0)).collect();
     json!({
         "type": "string",
-        "pattern": format!("^({})$", all.join("|")),
+        "pattern": format!("^({})$", patterns.join("|")),
         "examples": examples,
         "description": "a reduction of a channel, such as peak(g1.right - p2) or impacts(gap12), or a measure of the ground, such as ground.pga or, of several directions, ground.y.pga",
     })

@@ -47,10 +47,10 @@ pub(super) fn none_of(keys: &[&str]) -> Json {
 
 /// Parts by names, several alike as `a|b`; no part is called `ground`.
 pub(super) fn parts_by_name(one: Json) -> Json {
-    let mut all = named(one);
+    let mut schema = named(one);
     let name = "(?! *ground *(\\||$)) *[A-Za-z_][A-Za-z0-9_]* *";
-    all["propertyNames"] = json!({ "pattern": format!("^({name}(\\|{name})*|//)$") });
-    all
+    schema["propertyNames"] = json!({ "pattern": format!("^({name}(\\|{name})*|//)$") });
+    schema
 }
 
 /// An object with free names as keys.

@@ -90,7 +90,7 @@ pub const OF_ENERGY: [(&str, &str); 6] = [
 pub(super) fn each(what: &str, directions: &[Direction], end: &str) -> String {
     let names = directions
         .iter()
-        .map(|own| format!("{what}.{}{end}", own.name()));
+        .map(|direction| format!("{what}.{}{end}", direction.name()));
     names.collect::<Vec<_>>().join(" or ")
 }
 
@@ -109,7 +109,7 @@ pub(super) fn unknown(word: &str, names: &Names) -> String {
 
 /// The names of a table.
 pub fn joined(table: &[(&str, &str)]) -> String {
-    let names: Vec<&str> = table.iter().map(|own| own.0).collect();
+    let names: Vec<&str> = table.iter().map(|row| row.0).collect();
     names.join(", ")
 }
 
@@ -132,9 +132,9 @@ impl Names {
         let ground = (!self.ground.is_empty()).then(|| "ground".to_owned());
         let known = masses.chain(bars).chain(dofs).chain(supports);
         let known = known.chain(contacts).chain(springs).chain(ground);
-        let all = ["base".to_owned()].into_iter();
+        let base = ["base".to_owned()].into_iter();
         known
-            .chain(all)
-            .chain(OF_ENERGY.map(|own| own.0.to_owned()))
+            .chain(base)
+            .chain(OF_ENERGY.map(|row| row.0.to_owned()))
     }
 }

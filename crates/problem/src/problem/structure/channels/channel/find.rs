@@ -10,11 +10,11 @@ use crate::system::import::ForceKind;
 use crate::system::structure::{Direction, Quantity as OfMotion};
 
 pub(super) fn of_contact(contact: usize, quantity: &str) -> Result<Term, String> {
-    let place = QUANTITIES.iter().position(|known| known.0 == quantity);
-    let all = QUANTITIES.map(|known| known.0).join(", ");
-    let unknown = || format!("a contact has the channels {all}, got '{quantity}'");
-    let place = place.ok_or_else(unknown)?;
-    Ok(match ALL.get(place) {
+    let found = QUANTITIES.iter().position(|known| known.0 == quantity);
+    let allowed = QUANTITIES.map(|known| known.0).join(", ");
+    let unknown = || format!("a contact has the channels {allowed}, got '{quantity}'");
+    let row = found.ok_or_else(unknown)?;
+    Ok(match ALL.get(row) {
         Some(quantity) => Term::Contact(contact, *quantity),
         None => Term::Energy(Energy::Contact(contact)),
     })
@@ -37,7 +37,7 @@ pub(super) fn in_plane(word: &str, names: &Names) -> Option<Result<Vec<(f64, Ter
             Ok(vec![energy(contact), energy(contact + 1)])
         }));
     }
-    let direction = ["1", "2"].iter().position(|own| *own == last)?;
+    let direction = ["1", "2"].iter().position(|digit| *digit == last)?;
     let (contact, quantity) = rest.rsplit_once('.')?;
     let first = names.plane(contact)?;
     Some(of(first + direction, quantity).and_then(alone))
@@ -93,7 +93,7 @@ pub(super) fn ground(word: &str, names: &Names) -> Found {
     }
     let quantity = match parts[..] {
         [] => Some(OfMotion::Acceleration),
-        [name] => OF_MOTION.iter().find(|own| own.0 == name).map(|own| own.1),
+        [name] => OF_MOTION.iter().find(|row| row.0 == name).map(|row| row.1),
         _ => None,
     };
     let Some(quantity) = quantity else {
@@ -101,21 +101,21 @@ pub(super) fn ground(word: &str, names: &Names) -> Found {
             "the ground has the channels ground (its acceleration), ground.a, ground.v and ground.u, got '{word}'"
         )));
     };
-    let own = match (direction, &names.ground[..]) {
+    let chosen = match (direction, &names.ground[..]) {
         (_, []) => Err("the study has no \"ground\"; a support has a motion of its own".to_owned()),
         (None, [one]) => Ok(*one),
         (None, several) => Err(format!(
             "the ground moves in several directions; name one: {}",
             describe::each("ground", several, ".a")
         )),
-        (Some(own), all) if all.contains(&own) => Ok(own),
-        (Some(own), all) => Err(format!(
+        (Some(asked), moving) if moving.contains(&asked) => Ok(asked),
+        (Some(asked), moving) => Err(format!(
             "the ground does not move in {}; allowed: {}",
-            own.name(),
-            describe::each("ground", all, ".a")
+            asked.name(),
+            describe::each("ground", moving, ".a")
         )),
     };
-    Some(own.map(|direction| Term::Ground(direction, quantity)))
+    Some(chosen.map(|direction| Term::Ground(direction, quantity)))
 }
 
 /// The force of a spring, or of an element of a bar.
@@ -141,12 +141,12 @@ pub(super) fn force(word: &str, names: &Names) -> Found {
 
 pub(super) fn energy(word: &str) -> Found {
     let name = word.strip_prefix("energy.")?;
-    let own = ENERGIES.iter().find(|own| own.0 == name);
-    let all = ENERGIES.map(|own| format!("energy.{}", own.0)).join(", ");
-    Some(match own {
+    let found = ENERGIES.iter().find(|row| row.0 == name);
+    let allowed = ENERGIES.map(|row| format!("energy.{}", row.0)).join(", ");
+    Some(match found {
         Some((_, energy)) => Ok(Term::Energy(*energy)),
         None => Err(format!(
-            "no energy '{word}'; allowed: {all}, and dissipated of a contact"
+            "no energy '{word}'; allowed: {allowed}, and dissipated of a contact"
         )),
     })
 }
@@ -154,25 +154,25 @@ pub(super) fn energy(word: &str) -> Found {
 /// The force of the ground and of all supports, or of one support: `base`, `base.y`, `base.left`, `base.left.y`.
 pub(super) fn base(word: &str, names: &Names) -> Found {
     let rest = word.strip_prefix("base")?;
-    let all = &names.directions;
+    let directions = &names.directions;
     let Some(rest) = rest.strip_prefix('.') else {
         if !rest.is_empty() {
             return None;
         }
-        return Some(match all[..] {
+        return Some(match directions[..] {
             [one] => Ok(Term::Base(one)),
             _ => Err(format!(
                 "the structure moves in several directions; name one: {}",
-                describe::each("base", all, "")
+                describe::each("base", directions, "")
             )),
         });
     };
     if let Some(direction) = Direction::named(rest) {
-        return Some(match all.contains(&direction) {
+        return Some(match directions.contains(&direction) {
             true => Ok(Term::Base(direction)),
             false => Err(format!(
                 "no node moves in {rest}; allowed: {}",
-                describe::each("base", all, "")
+                describe::each("base", directions, "")
             )),
         });
     }

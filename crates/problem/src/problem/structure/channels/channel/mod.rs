@@ -132,11 +132,11 @@ impl Channel {
                 _ => {}
             }
             let factor = sign * factor.map_or(1.0, |(factor, _)| factor);
-            for (own, term) in Term::parse(word, names)? {
+            for (weight, term) in Term::parse(word, names)? {
                 if let Some((_, first)) = terms.first() {
                     of_one_dimension(text, *first, term)?;
                 }
-                terms.push((factor * own, term));
+                terms.push((factor * weight, term));
             }
             shown += word;
             let Some(operator) = rest.chars().next() else {
@@ -171,10 +171,10 @@ impl Channel {
         let [(1.0, Term::Contact(contact, quantity))] = self.terms[..] else {
             return None;
         };
-        let own = quantity.of_direction()?;
+        let component = quantity.of_direction()?;
         Some([0, 1].map(|direction| Channel {
             name: format!("{}.{}", self.name, direction + 1),
-            terms: vec![(1.0, Term::Contact(contact + direction, own))],
+            terms: vec![(1.0, Term::Contact(contact + direction, component))],
         }))
     }
 

@@ -74,8 +74,8 @@ impl Number {
     pub fn directions(&self) -> Option<[Number; 2]> {
         match self {
             Number::Contact(contact, quantity) => {
-                let own = quantity.of_direction()?;
-                Some([0, 1].map(|direction| Number::Contact(contact + direction, own)))
+                let component = quantity.of_direction()?;
+                Some([0, 1].map(|direction| Number::Contact(contact + direction, component)))
             }
             Number::Displacement(_)
             | Number::Velocity(_)

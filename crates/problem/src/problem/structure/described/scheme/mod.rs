@@ -88,7 +88,11 @@ impl<'a> Draft<'a> {
             elements: None,
             model: None,
         };
-        let mut parts: Vec<Part> = template.masses.iter().map(|own| part(&own.name)).collect();
+        let mut parts: Vec<Part> = template
+            .masses
+            .iter()
+            .map(|mass| part(&mass.name))
+            .collect();
         for bar in &template.bars {
             let elements = bar.elements.whole(case, 1, MOST_NODES);
             parts.push(Part {
@@ -98,13 +102,13 @@ impl<'a> Draft<'a> {
         }
         let blocks = parts.len();
         let mut rows = Vec::new();
-        for own in &template.matrices {
-            let (nodes, count) = model::nodes_of_rows(&own.imported.dofs);
+        for matrices in &template.matrices {
+            let (nodes, count) = model::nodes_of_rows(&matrices.imported.dofs);
             parts.push(Part {
-                model: Some(Model::new(own.in_case(case), &nodes, count)),
-                ..part(&own.name)
+                model: Some(Model::new(matrices.in_case(case), &nodes, count)),
+                ..part(&matrices.name)
             });
-            rows.push((&*own.imported.dofs, nodes));
+            rows.push((&*matrices.imported.dofs, nodes));
         }
         Some(Draft {
             template,
@@ -124,8 +128,8 @@ impl<'a> Draft<'a> {
             NodeRef::Right(bar) => End::Part(self.masses + bar, Place::Right),
             NodeRef::Inner(bar, node) => {
                 let elements = self.parts[self.masses + bar].elements.unwrap_or(1);
-                let place = f64::from(node) / f64::from(elements);
-                End::Part(self.masses + bar, Place::Inner(place))
+                let share = f64::from(node) / f64::from(elements);
+                End::Part(self.masses + bar, Place::Inner(share))
             }
             NodeRef::Dof(matrices, row) => {
                 let (dofs, nodes) = &self.rows[matrices];
@@ -180,10 +184,10 @@ impl<'a> Draft<'a> {
         if let NodeRef::Dof(matrices, row) = node {
             let (dofs, nodes) = &self.rows[matrices];
             key = NodeRef::Dof(matrices, nodes[row]);
-            let own = dofs.rows()[row].direction;
-            turns = !Direction::TRANSLATIONS.contains(&own);
+            let along = dofs.rows()[row].direction;
+            turns = !Direction::TRANSLATIONS.contains(&along);
             let axes = Direction::TRANSLATIONS.iter().zip(&mut direction);
-            for (_, x) in axes.filter(|(axis, _)| **axis == own) {
+            for (_, x) in axes.filter(|(axis, _)| **axis == along) {
                 *x = factor;
             }
         }

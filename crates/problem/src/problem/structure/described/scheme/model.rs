@@ -87,7 +87,10 @@ impl Model {
     /// The place of a row in the interface, which has it from now on.
     pub fn named(&mut self, dofs: &Dofs, row: usize, node: usize) -> usize {
         let name = dofs.name(row);
-        let known = self.interface.iter().position(|own| own.name == name);
+        let known = self
+            .interface
+            .iter()
+            .position(|known_node| known_node.name == name);
         known.unwrap_or_else(|| {
             self.interface.push(Named {
                 name,

@@ -8,8 +8,8 @@ use crate::system::structure::{Contact, Limit, PlaneRow, StructureLaw};
 
 impl Draft<'_> {
     pub(super) fn contacts(&mut self) {
-        let all = &self.template.contacts;
-        for (i, contact) in all.iter().enumerate() {
+        let contacts = &self.template.contacts;
+        for (i, contact) in contacts.iter().enumerate() {
             let along = self.along(&contact.along);
             let nodes = self.numbering.nodes();
             let is_held = along.is_empty() && contact.row.is_some();
@@ -50,8 +50,8 @@ impl Draft<'_> {
         i: usize,
         is_held: bool,
     ) -> Result<StructureLaw, Violation> {
-        let all = &self.template.contacts;
-        let contact = &all[i];
+        let contacts = &self.template.contacts;
+        let contact = &contacts[i];
         let Some(row) = contact.row else {
             return Ok(law);
         };
@@ -73,7 +73,7 @@ impl Draft<'_> {
             PlaneRow::First => i + 1,
             PlaneRow::Second => i - 1,
         };
-        if self.along(&all[other].along).is_empty() {
+        if self.along(&contacts[other].along).is_empty() {
             return Ok(law);
         }
         Ok(match row {
@@ -88,9 +88,9 @@ impl Draft<'_> {
             return;
         }
         for (c, contact) in self.template.contacts.iter().enumerate() {
-            let own = &self.structure.contacts[c];
-            let r = self.structure.relative(c, &self.structure.displacement) + own.gap;
-            if own.law.is_stop() && r < 0.0 {
+            let placed = &self.structure.contacts[c];
+            let r = self.structure.relative(c, &self.structure.displacement) + placed.gap;
+            if placed.law.is_stop() && r < 0.0 {
                 let message = format!("a rigid contact must start with r >= 0, got {r}");
                 self.violations.push(contacts::violation(contact, message));
             }

@@ -98,7 +98,7 @@ impl Draft<'_> {
     /// M times 1 in the nodes of a direction and 0 in the others.
     pub(super) fn shaken(&self, direction: Direction) -> Vec<f64> {
         let supports = self.template.supports.iter();
-        let supports: Vec<Direction> = supports.map(|own| own.direction).collect();
+        let supports: Vec<Direction> = supports.map(|support| support.direction).collect();
         let reduced = (&self.reduced[..], &self.numbering);
         inertia(&self.structure, &supports, reduced, direction)
     }
@@ -126,15 +126,18 @@ impl Draft<'_> {
                     .imported
                     .dofs
                     .forces(*direction);
-                let forces = forces.into_iter().enumerate().filter(|own| own.1 != 0.0);
+                let forces = forces
+                    .into_iter()
+                    .enumerate()
+                    .filter(|entry| entry.1 != 0.0);
                 let nodes = forces
                     .filter_map(|(row, force)| Some((self.numbering.row(*matrices, row)?, force)));
-                nodes.filter(|own| own.0 < nodes_in_case).collect()
+                nodes.filter(|pair| pair.0 < nodes_in_case).collect()
             }
             Moved::Tied(terms) => {
                 let nodes = terms.iter();
                 let nodes = nodes.filter_map(|(factor, name)| Some((self.node(name)?, *factor)));
-                nodes.filter(|own| own.0 < nodes_in_case).collect()
+                nodes.filter(|pair| pair.0 < nodes_in_case).collect()
             }
             Moved::Node(_) | Moved::Bar(_) => {
                 self.moved(of).into_iter().map(|node| (node, 1.0)).collect()
@@ -168,13 +171,13 @@ impl Draft<'_> {
     pub(super) fn supports(&mut self) {
         let mut motions = Vec::with_capacity(self.template.supports.len());
         let n = self.structure.nodes.len();
-        for (place, support) in self.template.supports.iter().enumerate() {
+        for (index, support) in self.template.supports.iter().enumerate() {
             let motion =
                 support.in_case(self.case, self.template.metre, self.detail == Detail::Whole);
             if let Some(motion) = self.checked(motion) {
                 let mut coupled = self.structure.coupled_mass.entries();
                 let is_coupled =
-                    coupled.any(|((i, j), m)| m != 0.0 && i.min(j) < n && i.max(j) == n + place);
+                    coupled.any(|((i, j), m)| m != 0.0 && i.min(j) < n && i.max(j) == n + index);
                 if let (true, Some(time), Course::Displacement(_, (at, path))) =
                     (is_coupled, motion.blows().first(), &support.course)
                 {
@@ -214,9 +217,9 @@ pub fn inertia(
         Some(node) => node.direction == direction,
         None => supports.get(i - nodes.len()) == Some(&direction),
     };
-    let own = nodes.iter().enumerate();
-    let own = own.map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 });
-    let mut shaken: Vec<f64> = own.collect();
+    let indexed = nodes.iter().enumerate();
+    let masses = indexed.map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 });
+    let mut shaken: Vec<f64> = masses.collect();
     for ((i, j), mass) in structure.coupled_mass.entries() {
         for (row, column) in [(i, j), (j, i)] {
             if let (Some(sum), true) = (shaken.get_mut(row), is_shaken(column)) {
@@ -224,10 +227,10 @@ pub fn inertia(
             }
         }
     }
-    for (place, reduced) in reduced.iter().enumerate() {
+    for (block, reduced) in reduced.iter().enumerate() {
         if let Some(reduced) = reduced {
             let inertia = reduced.inertia(direction).into_iter();
-            let nodes = numbering.coordinates(place, reduced).into_iter();
+            let nodes = numbering.coordinates(block, reduced).into_iter();
             for (node, inertia) in nodes.zip(inertia) {
                 if let Some(node) = node {
                     shaken[node] = inertia;

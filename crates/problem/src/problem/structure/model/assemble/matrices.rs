@@ -9,26 +9,26 @@ impl Draft<'_> {
         if !self.is_built() {
             return;
         }
-        for (place, matrices) in self.template.matrices.iter().enumerate() {
-            let first = self.numbering.first_row(place);
-            let own = matrices.in_case(self.case);
+        for (block, matrices) in self.template.matrices.iter().enumerate() {
+            let first = self.numbering.first_row(block);
+            let imported = matrices.in_case(self.case);
             let node = |row: usize| Node {
-                name: format!("{}.{}", matrices.name, own.dofs.name(row)),
+                name: format!("{}.{}", matrices.name, imported.dofs.name(row)),
                 mass: 0.0,
-                direction: own.dofs.rows()[row].direction,
+                direction: imported.dofs.rows()[row].direction,
             };
             let nodes = &mut self.structure.nodes;
-            match &self.reduced[place] {
+            match &self.reduced[block] {
                 None => {
                     nodes.extend(matrices.rows.nodes().map(node));
-                    let numbers: Vec<_> = (0..own.len())
-                        .map(|row| self.numbering.row(place, row))
+                    let numbers: Vec<_> = (0..imported.len())
+                        .map(|row| self.numbering.row(block, row))
                         .collect();
                     add_matrices(
                         &mut self.structure,
                         |row| numbers[row],
-                        [&own.mass, &own.stiffness],
-                        own.damping.as_deref(),
+                        [&imported.mass, &imported.stiffness],
+                        imported.damping.as_deref(),
                     );
                 }
                 Some(reduced) => {
@@ -50,7 +50,7 @@ impl Draft<'_> {
                     add_matrices(
                         &mut self.structure,
                         |row| match kept.get(row) {
-                            Some(row) => self.numbering.row(place, *row),
+                            Some(row) => self.numbering.row(block, *row),
                             None => Some(first_mode + (row - kept.len())),
                         },
                         [&mass, &stiffness],

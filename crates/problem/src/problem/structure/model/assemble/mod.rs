@@ -114,8 +114,8 @@ fn draft(
     let mut reduced = Vec::with_capacity(template.matrices.len());
     for Matrices { reduce, .. } in &template.matrices {
         let wanted = reduce.as_ref().filter(|_| model != Model::Unreduced);
-        match wanted.map(|own| own.reduced(case)).transpose() {
-            Ok(own) => reduced.push(own),
+        match wanted.map(|reduction| reduction.reduced(case)).transpose() {
+            Ok(of_block) => reduced.push(of_block),
             Err(violation) => violations.push(violation),
         }
     }
@@ -123,9 +123,9 @@ fn draft(
         return Err(violations);
     }
     let rows = template.matrices.iter().zip(&reduced);
-    let rows = rows.map(|(own, reduced)| match reduced {
-        Some(reduced) => RowsInCase::kept(&own.rows, reduced.kept(), reduced.modes()),
-        None => RowsInCase::All(own.rows.clone()),
+    let rows = rows.map(|(matrices, reduced)| match reduced {
+        Some(reduced) => RowsInCase::kept(&matrices.rows, reduced.kept(), reduced.modes()),
+        None => RowsInCase::All(matrices.rows.clone()),
     });
     let finer = match model {
         Model::Finer(finer) => finer,

@@ -49,12 +49,12 @@ impl Draft<'_> {
                 observed.bars.push(Elements { k, c });
             }
             for i in if self.is_built() { 0..n + 1 } else { 0..0 } {
-                let (place, mass) = match i {
+                let (end, mass) = match i {
                     0 => ("left".to_owned(), 0.5 * element),
                     i if i == n => ("right".to_owned(), 0.5 * element),
                     i => (i.to_string(), element),
                 };
-                let name = format!("{}.{place}", bar.name);
+                let name = format!("{}.{end}", bar.name);
                 let direction = bar.direction;
                 self.structure.nodes.push(Node {
                     name,

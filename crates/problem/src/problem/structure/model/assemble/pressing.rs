@@ -10,15 +10,15 @@ use crate::system::structure::{PressedBy, PressingSpring, Spring};
 impl Draft<'_> {
     /// What the normal force of a contact names, without nu.
     pub(super) fn pressed_by(&mut self, contact: &Contact) -> PressedBy {
-        let mut all = PressedBy::default();
+        let mut pressing = PressedBy::default();
         let Some(Normal::Parts(parts)) = &contact.normal else {
-            return all;
+            return pressing;
         };
         for part in parts {
             match part.part {
                 Pressing::Contact(number) => {
                     self.check_presses(part, number);
-                    all.contacts.push(number);
+                    pressing.contacts.push(number);
                 }
                 Pressing::Spring(number) => {
                     let spring = self.spring(number);
@@ -31,11 +31,11 @@ impl Draft<'_> {
                         self.violations.push(violation(part, message));
                     }
                     let at_start = 0.0;
-                    all.springs.push(PressingSpring { spring, at_start });
+                    pressing.springs.push(PressingSpring { spring, at_start });
                 }
             }
         }
-        all
+        pressing
     }
 
     /// Only contacts that push have a normal force.

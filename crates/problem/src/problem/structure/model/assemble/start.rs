@@ -43,9 +43,9 @@ impl Draft<'_> {
         if !self.is_built() {
             return;
         }
-        for (place, start) in starts.iter().enumerate() {
-            if let Some(reduced) = &self.reduced[place] {
-                let nodes = self.numbering.coordinates(place, reduced);
+        for (block, start) in starts.iter().enumerate() {
+            if let Some(reduced) = &self.reduced[block] {
+                let nodes = self.numbering.coordinates(block, reduced);
                 let Structure {
                     displacement,
                     velocity,
@@ -69,10 +69,12 @@ impl Draft<'_> {
             Moved::Rows(matrices, direction) => {
                 let rows = self.template.matrices[*matrices].imported.dofs.rows();
                 let rows = rows.iter().enumerate();
-                let own = rows.filter(|(_, dof)| dof.direction == *direction);
-                let own = own.filter_map(|(row, _)| self.numbering.row(*matrices, row));
+                let dofs = rows.filter(|(_, dof)| dof.direction == *direction);
+                let nodes = dofs.filter_map(|(row, _)| self.numbering.row(*matrices, row));
                 // Those behind the nodes are supports.
-                own.filter(|node| *node < self.numbering.nodes()).collect()
+                nodes
+                    .filter(|node| *node < self.numbering.nodes())
+                    .collect()
             }
         }
     }

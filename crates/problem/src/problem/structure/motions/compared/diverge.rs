@@ -56,9 +56,9 @@ impl StructureProblem {
         let of = |motion: &Recorded, channel| motion.channel(channel, numbering);
         let computed = &motions.computed;
         channels.any(|channel| {
-            let own = of(computed, channel);
-            !still.is_channel(channel, (computed, numbering), &own)
-                && part(&own, &of(other, channel))
+            let values = of(computed, channel);
+            !still.is_channel(channel, (computed, numbering), &values)
+                && part(&values, &of(other, channel))
         }) || self
             .plain(numbering)
             .into_iter()

@@ -15,23 +15,24 @@ impl StructureProblem {
         rows: &[usize],
     ) -> Result<Vec<Option<f64>>, Unsolvable> {
         let metrics: Vec<&StructureMetric> = rows.iter().map(|row| &self.metrics[*row]).collect();
-        let of_motion = |own: &StructureMetric| !own.measured && own.reduction.is_of_values();
-        let numbers = |own: &StructureMetric| {
-            metric_values::needed(own, &ready.numbering, self.template.contacts.len())
+        let of_motion =
+            |metric: &StructureMetric| !metric.measured && metric.reduction.is_of_values();
+        let numbers = |metric: &StructureMetric| {
+            metric_values::needed(metric, &ready.numbering, self.template.contacts.len())
         };
-        let known = metrics.iter().filter(|own| of_motion(own));
-        let all = distinct(known.flat_map(|own| numbers(own)));
-        if all.is_empty() {
+        let known = metrics.iter().filter(|metric| of_motion(metric));
+        let wanted = distinct(known.flat_map(|metric| numbers(metric)));
+        if wanted.is_empty() {
             return Ok(vec![None; rows.len()]);
         }
         let rigid = self.against_rigid();
-        let own = match rigid {
+        let structure = match rigid {
             true => &motion::rigid(&ready.structure)?,
             false => &ready.structure,
         };
         let times: Vec<f64> = (0..=ready.last).map(|i| i as f64 * ready.dt).collect();
         let motions = Motions {
-            computed: exact_motion::exact(own, &times, &all)?,
+            computed: exact_motion::exact(structure, &times, &wanted)?,
             ..Motions::default()
         };
         let of = MetricContext {

@@ -15,9 +15,9 @@ pub fn of(
     motion: &History,
 ) -> Vec<Option<Vec<f64>>> {
     let numbers = all_numbers(structure, template);
-    let course = |own: Number| {
-        let place = numbers.iter().position(|number| *number == own);
-        place.map_or(&[][..], |place| motion.channel(first + place))
+    let course = |wanted: Number| {
+        let column = numbers.iter().position(|number| *number == wanted);
+        column.map_or(&[][..], |i| motion.channel(first + i))
     };
     let contacts = structure.contacts.iter();
     contacts

@@ -52,9 +52,9 @@ impl StructureProblem {
         let is_own = |metric: &&StructureMetric| metric.is_exact(Reduction::ReferenceError);
         let metrics: Vec<_> = self.metrics.iter().filter(is_own).collect();
         let count = ready.last as usize + 1;
-        let channels = metrics.iter().filter_map(|own| {
-            let steps = own.window.steps(&ready.case, ready.dt, count)?;
-            Some((own.channel.as_ref()?, steps))
+        let channels = metrics.iter().filter_map(|metric| {
+            let steps = metric.window.steps(&ready.case, ready.dt, count)?;
+            Some((metric.channel.as_ref()?, steps))
         });
         let channels: Vec<_> = channels.collect();
         let steps = Stepped {
@@ -85,11 +85,11 @@ impl Stepped<'_> {
             values
         };
         let referred = |channel: &(&Channel, Range<usize>)| {
-            let own = of(exact, channel);
+            let values = of(exact, channel);
             let terms = channel.0.numbers(self.numbering);
             Referred {
-                estimate: difference(&own, &of(coarse, channel), 1.0),
-                exact: own,
+                estimate: difference(&values, &of(coarse, channel), 1.0),
+                exact: values,
                 computed: of(computed, channel),
                 size: terms.map(|term| reduce::peak(computed.of(term))).sum(),
             }
@@ -97,7 +97,7 @@ impl Stepped<'_> {
         let referred: Vec<Referred> = channels.iter().map(referred).collect();
         let numbers = channels
             .iter()
-            .flat_map(|own| own.0.numbers(self.numbering));
+            .flat_map(|channel| channel.0.numbers(self.numbering));
         let numbers = distinct(numbers);
         reference_errors(&referred, |halvings| {
             let (motion, resolved) = self.halved(halvings, &numbers)?;

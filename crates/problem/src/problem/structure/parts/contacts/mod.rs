@@ -24,21 +24,21 @@ pub fn law_named(name: &str) -> Option<&'static Offered> {
 
 /// The numbers of contacts: those of several laws, then those that only one has.
 pub static NUMBERS: LazyLock<Vec<&'static Number>> = LazyLock::new(|| {
-    let mut all = TABLE.to_vec();
+    let mut numbers = TABLE.to_vec();
     for number in LAWS.iter().flat_map(Offered::structure_numbers) {
-        if !number.is_in(&all) {
-            all.push(number);
+        if !number.is_in(&numbers) {
+            numbers.push(number);
         }
     }
-    all
+    numbers
 });
 
 /// The meaning of a number, with the laws that have it.
 pub fn meaning(number: &Number) -> String {
     let names = |friction: bool| {
-        let own = LAWS.iter().filter(|law| law.has(number.key));
-        let own = own.filter(|law| !friction || law.kind == ContactKind::Friction);
-        let names: Vec<&str> = own.map(|law| law.offer.name).collect();
+        let having = LAWS.iter().filter(|law| law.has(number.key));
+        let of_kind = having.filter(|law| !friction || law.kind == ContactKind::Friction);
+        let names: Vec<&str> = of_kind.map(|law| law.offer.name).collect();
         match names[..] {
             [ref first @ .., last] if !first.is_empty() => {
                 format!("{} and {last}", first.join(", "))
@@ -64,14 +64,15 @@ pub fn relation(
     (pressed_by, with_samples): (PressedBy, bool),
 ) -> Result<StructureLaw, Violation> {
     let name = contact.law.name(case);
-    let Some((law, own)) = law_named(name).and_then(|law| Some((law, law.offer.structure?))) else {
+    let Some((law, offer)) = law_named(name).and_then(|law| Some((law, law.offer.structure?)))
+    else {
         return Err(violation(contact, format!("no law \"{name}\"")));
     };
     let (limit, at_rest) = match law.kind {
         ContactKind::Friction => limit(contact, case, metre, (pressed_by, with_samples))?,
         ContactKind::Impact | ContactKind::Link => (Limit::constant(0.0), 0.0),
     };
-    let values = own
+    let values = offer
         .numbers
         .iter()
         .map(|number| contact.value(number.key, case));
@@ -84,7 +85,7 @@ pub fn relation(
     }
     let given = GivenNumbers {
         law: law.offer.name,
-        numbers: own.numbers,
+        numbers: offer.numbers,
         values: &values,
         table: &contact.table(case)?,
         others: &others,
@@ -121,8 +122,8 @@ fn pressing_names(contact: &Contact) -> String {
 
 /// The laws of contacts that push, whose forces may be a normal force.
 pub fn pressing_laws() -> impl Iterator<Item = &'static str> {
-    let all = LAWS.iter().filter(|law| law.at(Place::Structure).is_some());
-    all.filter(|law| law.kind == ContactKind::Impact)
+    let laws = LAWS.iter().filter(|law| law.at(Place::Structure).is_some());
+    laws.filter(|law| law.kind == ContactKind::Impact)
         .map(|law| law.offer.name)
 }
 

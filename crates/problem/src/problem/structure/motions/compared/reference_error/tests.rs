@@ -97,7 +97,7 @@ struct Said {
 }
 
 /// `reference_error` of a channel where the exact motion is that of `other`.
-fn said(own: &Structure, other: &Structure, channel: &str, dt: f64) -> Said {
+fn said(sound: &Structure, other: &Structure, channel: &str, dt: f64) -> Said {
     let names = Names::new(vec!["m".into()], Vec::new(), Vec::new());
     let names = names.with_contacts(vec!["c".into(), "idle".into()]);
     let channel = Channel::parse(channel, &names).unwrap();
@@ -111,17 +111,17 @@ fn said(own: &Structure, other: &Structure, channel: &str, dt: f64) -> Said {
         energy: false,
         watch: None,
     };
-    let prepared = motion::prepare(own, &method, dt).unwrap();
-    let [run] = motion::steps(&[own], &prepared, recording);
+    let prepared = motion::prepare(sound, &method, dt).unwrap();
+    let [run] = motion::steps(&[sound], &prepared, recording);
     let computed = run.unwrap().0;
     let times: Vec<f64> = (0..=last).map(|i| i as f64 * dt).collect();
     let exact = |of: &Structure| exact_motion::exact(of, &times, &numbers).unwrap();
-    let [right, given] = [own, other].map(exact);
+    let [right, given] = [sound, other].map(exact);
     let coarse = exact_motion::coarse(other, &times, &numbers)
         .unwrap()
         .unwrap();
     let steps = Stepped {
-        structure: own,
+        structure: sound,
         numbering: &numbering,
         method: &method,
         dt,
@@ -143,11 +143,11 @@ fn said(own: &Structure, other: &Structure, channel: &str, dt: f64) -> Said {
 
 /// The fault is a part of the motion, the tolerances do not show it, and `reference_error` has its size: each step of the first
 /// order of these motions would err by less than a tenth of it after five halvings.
-fn assert_seen(own: &Structure, other: &Structure, channel: &str, dt: f64, what: &str) {
-    let right = said(own, own, channel, dt);
+fn assert_seen(sound: &Structure, other: &Structure, channel: &str, dt: f64, what: &str) {
+    let right = said(sound, sound, channel, dt);
     assert_eq!(right.error, right.estimate, "{what} {channel} {dt}");
     assert!(right.error < 1e-8 * right.rms, "{what} {channel} {dt}");
-    let wrong = said(own, other, channel, dt);
+    let wrong = said(sound, other, channel, dt);
     assert!(wrong.fault > 1e-3 * right.rms, "{what} {channel} {dt}");
     assert!(wrong.estimate < 1e-8 * right.rms, "{what} {channel} {dt}");
     let part = wrong.error / wrong.fault;
@@ -163,16 +163,16 @@ fn a_pendulum_that_starts_away_from_its_middle_with_bent_friction_is_seen() {
         at_rest: [2.0, 1.0],
         rising: [1.0, 0.0],
     }));
-    let mut own = mass(pendulum, [-0.01, 0.0]);
+    let mut swinging = mass(pendulum, [-0.01, 0.0]);
     // A pendulum alone has a motion by events. This contact makes it an integrated one, and never closes.
     let idle = mass(laws().remove(4), [0.0; 2]).contacts.remove(0);
-    own.contacts.push(Contact { gap: 5.0, ..idle });
+    swinging.contacts.push(Contact { gap: 5.0, ..idle });
     // S = 0 at rest, so that friction balances (N/R) r: a start that integrated motions once had.
-    let mut other = own.clone();
+    let mut other = swinging.clone();
     other.preload.forces = vec![Some(0.0), None];
     for dt in [0.004, 0.001, 0.00025] {
         for channel in ["m", "m.v", "c.S"] {
-            assert_seen(&own, &other, channel, dt, "pendulum");
+            assert_seen(&swinging, &other, channel, dt, "pendulum");
         }
     }
 }
@@ -180,12 +180,12 @@ fn a_pendulum_that_starts_away_from_its_middle_with_bent_friction_is_seen() {
 #[test]
 fn a_bristle_that_forgets_its_static_deflection_is_seen() {
     let lugre = laws().remove(0);
-    let own = load(mass(lugre, [0.0, -0.5]), 1.2);
-    let mut other = own.clone();
+    let driven = load(mass(lugre, [0.0, -0.5]), 1.2);
+    let mut other = driven.clone();
     other.preload.forces = vec![None];
     for dt in [0.002, 0.001, 0.00025] {
         for channel in ["m", "m.v"] {
-            assert_seen(&own, &other, channel, dt, "lugre");
+            assert_seen(&driven, &other, channel, dt, "lugre");
         }
     }
 }
@@ -202,16 +202,16 @@ fn a_wrong_start_load_law_or_mass_is_seen() {
         ("damping", |of| of.damping.add(0, 0, 0.4)),
     ];
     for law in laws() {
-        let own = mass(law, [0.01, 0.4]);
+        let sound = mass(law, [0.01, 0.4]);
         for (what, fault) in faults {
-            let mut other = own.clone();
+            let mut other = sound.clone();
             fault(&mut other);
             // Friction that has no memory of r has no gap.
             let impact = other.contacts[0].law.kind() == ContactKind::Impact;
             if what == "gap" && !impact {
                 continue;
             }
-            assert_seen(&own, &other, "m", 0.001, what);
+            assert_seen(&sound, &other, "m", 0.001, what);
         }
     }
 }
