@@ -40,7 +40,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        36_400,
+        36_800,
     ),
     (
         "drawing, figures",
