@@ -169,8 +169,8 @@ pub(super) fn reference() -> String {
             "`metrics` lists reductions of a channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`, and measures of \
              the ground, with several directions as `ground.y.pga`. c is computed, e exact (`contacts_reference`), g the exact motion of \
              the softened laws. A window, as in `peak(a, from=10, to=2*T)`, takes the steps at times t with from <= t <= to; either limit may \
-             be left out, and both are numbers or expressions of parameters. Reductions of channels have it, but not those of contacts, \
-             energies, the ground and divergence.",
+             be left out, and both are numbers or expressions of parameters. All reductions have it but those of energies, the ground and \
+             divergence.",
             &REDUCTIONS,
         ),
         keys(

@@ -84,7 +84,7 @@ fn a_window_outside_of_the_motion_is_a_fault() {
         ("peak(from=1)", "needs a channel"),
         ("peak(m, from=x)", "x"),
         (
-            "impacts(m, from=1)",
+            "energy_error(from=1)",
             "takes no from= and to=; these do: peak, last",
         ),
         ("divergence(m, 0.01, from=1)", "takes no from="),
@@ -170,4 +170,26 @@ fn the_residual_is_where_friction_stops_a_vibrating_mass() {
         assert!((found[2] - offset).abs() < most, "{dt} {found:?}");
         assert!((found[4] - offset).abs() > most, "{dt} {found:?}");
     }
+}
+
+#[test]
+fn reductions_of_contacts_have_windows() {
+    // A ball of mass 2 between two stops at -0.5 and 0.5, from 0 with v = 1: it strikes at some 0.5, 1.5, 2.5, .. in turn.
+    let found = metrics(
+        r#"{"problem": "structure", "parameters": {"dt": 0.001, "duration": 6},
+            "structure": {"masses": {"m": 2}, "start": {"m": {"v": 1}},
+                "contacts": {"right": {"law": "impact", "between": ["m", "ground"], "gap": 0.5, "k": 2e4},
+                             "left": {"law": "impact", "between": ["ground", "m"], "gap": 0.5, "k": 2e4}}},
+            "metrics": ["impacts(right)", "impacts(right, from=1, to=5)", "impacts(left, to=2)", "impacts(left, from=2, to=3)",
+                        "impulse(right, from=1, to=3.5)", "contact_time(right, from=1)", "impacts(right, from=0.51)", "work(right, to=0.516)"]}"#,
+    );
+    assert_eq!(found[..4], [3.0, 2.0, 1.0, 0.0], "{found:?}");
+    // At 0.51 the ball is at the stop: its impact began before.
+    assert_eq!(found[6], 2.0);
+    let half_period = std::f64::consts::PI / 100.0;
+    // The impulse 2 m v and the time of a half wave: an impact begins and ends within steps of 1/30 of it.
+    assert!((found[4] - 4.0).abs() < 0.02, "{found:?}");
+    assert!((found[5] - 2.0 * half_period).abs() < 0.003, "{found:?}");
+    // The stop has the whole energy m v^2/2 at half of the impact, 0.5157; trapezoids err by the first step, of up to 1/30.
+    assert!((found[7] - 1.0).abs() < 0.005, "{found:?}");
 }

@@ -212,10 +212,11 @@ impl Reduction {
             | Function::Distance(..)
             | Function::Pair(..)
             | Function::Estimated
+            | Function::Contact(..)
             | Function::Measured(_)
             | Function::Loop(_) => true,
             Function::Perturbed(_) => self == Reduction::Difference,
-            Function::Contact(..) | Function::Energies(_) | Function::Ground(_) => false,
+            Function::Energies(_) | Function::Ground(_) => false,
         }
     }
 }

@@ -13,6 +13,7 @@ use crate::problem::structure::metrics::function::{
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::metrics::reduction::Reduction;
 use std::borrow::Cow;
+use std::ops::Range;
 
 /// The quantities that a metric of a structure with so many contacts needs.
 pub fn needed(metric: &StructureMetric, numbering: &Numbering, contacts: usize) -> Vec<Number> {
@@ -113,15 +114,26 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
             })
         }
         Function::Contact(_, plane, function) => {
-            let of_contact = Contacts {
-                of,
-                computed: &motions.computed,
-                function,
+            let of_contact = |steps: Range<usize>| {
+                let of_contact = Contacts {
+                    of,
+                    computed: &motions.computed,
+                    function,
+                    steps,
+                };
+                let contact = metric.contact?;
+                match metric.in_plane {
+                    true => of_contact.in_plane(contact, plane),
+                    false => of_contact.one(contact),
+                }
             };
-            let contact = metric.contact?;
-            match metric.in_plane {
-                true => of_contact.in_plane(contact, plane),
-                false => of_contact.one(contact),
+            let steps = metric
+                .window
+                .steps(of.case, of.dt, motions.computed.count())?;
+            match metric.reduction == Reduction::Impacts {
+                // What closes before the window does not count, even where it is still closed.
+                true => Some(of_contact(0..steps.end)? - of_contact(0..steps.start)?),
+                false => of_contact(steps),
             }
         }
         Function::Energies(function) => {
@@ -164,11 +176,19 @@ struct Contacts<'a> {
     of: MetricContext<'a>,
     computed: &'a Recorded,
     function: fn(&ContactSeries) -> Option<f64>,
+    /// The steps that it is of.
+    steps: Range<usize>,
 }
 
 impl Contacts<'_> {
+    /// A quantity of a contact.
+    fn series(&self, contact: usize, quantity: Quantity) -> &[f64] {
+        let values = self.computed.of(Number::Contact(contact, quantity));
+        values.get(self.steps.clone()).unwrap_or_default()
+    }
+
     fn one(&self, contact: usize) -> Option<f64> {
-        let of = |quantity| Cow::Borrowed(self.computed.of(Number::Contact(contact, quantity)));
+        let of = |quantity| Cow::Borrowed(self.series(contact, quantity));
         self.by(contact, &of)
     }
 
@@ -182,10 +202,8 @@ impl Contacts<'_> {
             Plane::Vector => Some(libm::hypot(self.one(first)?, self.one(second)?)),
             Plane::OfSizes => {
                 let sizes = |quantity| {
-                    let [a, b] = [first, second].map(|contact| {
-                        let number = Number::Contact(contact, quantity);
-                        self.computed.of(number).iter()
-                    });
+                    let [a, b] =
+                        [first, second].map(|contact| self.series(contact, quantity).iter());
                     Cow::Owned(a.zip(b).map(|(a, b)| libm::hypot(*a, *b)).collect())
                 };
                 self.by(first, &sizes)

@@ -21,6 +21,11 @@ pub struct Recorded {
 }
 
 impl Recorded {
+    /// Number of values of each quantity.
+    pub fn count(&self) -> usize {
+        self.len
+    }
+
     /// `len` values of each of these quantities.
     pub fn new(numbers: &[Number], series: Vec<Vec<f64>>, len: usize) -> Recorded {
         let places = match numbers.len() > FEW {
