@@ -56,16 +56,17 @@ pub fn add(study: &Study, needed: &Needed, part: &mut PartResult, shown: &mut Sh
     if study.figures.is_empty() {
         return;
     }
-    let all = 0..part.len() as u32;
+    let indices = 0..part.len() as u32;
     let rows: Vec<u32> = match study
         .figures
         .iter()
         .any(|figure| figure.filter.0.is_empty())
     {
-        true => all.collect(),
+        true => indices.collect(),
         false => {
             let mut cases = part.cases.shown();
-            all.filter(|row| show(study, cases.at(*row as usize)))
+            indices
+                .filter(|row| show(study, cases.at(*row as usize)))
                 .collect()
         }
     };
@@ -117,12 +118,13 @@ pub fn with_data<T>(
             dpi: style::DPI,
         })
     };
-    let all = 0..shown.len() as u32;
+    let indices = 0..shown.len() as u32;
     let rows: Vec<u32> = match figure.filter.0.is_empty() {
-        true => all.collect(),
+        true => indices.collect(),
         false => {
             let mut cases = shown.cases().shown();
-            all.filter(|row| figure.filter.matches(cases.at(*row as usize)))
+            indices
+                .filter(|row| figure.filter.matches(cases.at(*row as usize)))
                 .collect()
         }
     };

@@ -38,21 +38,21 @@ impl ClaimsArgs {
 fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
     let ledgers = read(paths)?;
     let mut folder = Folder::open(out)?;
-    let mut all = Vec::new();
+    let mut judged = Vec::new();
     for ledger in ledgers {
         let cases = ledger.studies.iter().map(|s| s.study.len()).sum();
         let bar = progress::bar(&ledger.paper, cases);
         let findings = claims::compute(&ledger, out, &bar)?;
         progress::finish(&bar, &ledger.paper, &cases_run(cases));
-        all.push(Judged { ledger, findings });
+        judged.push(Judged { ledger, findings });
     }
-    let path = folder.write(PAGE, claims::page(&all).as_bytes())?;
+    let path = folder.write(PAGE, claims::page(&judged).as_bytes())?;
     let mut rows = vec![
         ["claim", "verdict", "", "statement"]
             .map(String::from)
             .to_vec(),
     ];
-    for (claim, findings) in all.iter().flat_map(Judged::claims) {
+    for (claim, findings) in judged.iter().flat_map(Judged::claims) {
         let verdict = Verdict::of(findings.iter().map(|f| f.holds));
         let pairs = claim.readings.iter().zip(findings);
         let changed = pairs.filter(|(r, f)| r.holds != f.holds);
@@ -74,8 +74,8 @@ fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
     }
     print(&table(&rows))?;
     let count = rows.len() - 1;
-    let changed: usize = all.iter().map(Judged::changed).sum();
-    let (near, unexplained) = all
+    let changed: usize = judged.iter().map(Judged::changed).sum();
+    let (near, unexplained) = judged
         .iter()
         .map(Judged::near)
         .fold((0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1));

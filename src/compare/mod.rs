@@ -144,10 +144,10 @@ pub fn compare(parameters: &[Parameter], a: &Rows, b: &Rows, tolerance: f64) -> 
 
 /// The values of the parameters in each row, as text: numbers with 15 digits, so that `1` is `1.0` and 1.9999999999999998 is 2.
 fn keys<'a>(parameters: &[Parameter], rows: &'a Rows) -> Vec<Vec<Cow<'a, str>>> {
-    let place = |name: &str| rows.columns.iter().position(|column| column == name);
+    let column_of = |name: &str| rows.columns.iter().position(|column| column == name);
     let table = parameters.iter();
     let places: Vec<(&Parameter, Option<usize>)> =
-        table.map(|p| (p, place(p.column_name()))).collect();
+        table.map(|p| (p, column_of(p.column_name()))).collect();
     let key = |row: &'a Vec<String>| {
         let mut key: Vec<Cow<str>> = Vec::new();
         for (parameter, index) in &places {

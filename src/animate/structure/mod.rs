@@ -120,9 +120,9 @@ impl Draft<'_, '_> {
                     Place::Dof(dof) => {
                         let model = part.model.as_ref()?;
                         let dof_of_part = &model.interface[dof];
-                        let all = self.placed.filter(|_| has_places(part));
-                        let matrices =
-                            all.and_then(|placed| nodes::matrices(placed, dof_of_part.node));
+                        let with_places = self.placed.filter(|_| has_places(part));
+                        let matrices = with_places
+                            .and_then(|placed| nodes::matrices(placed, dof_of_part.node));
                         format!("{}.{}", matrices.unwrap_or(&part.name), dof_of_part.name)
                     }
                 };

@@ -57,10 +57,10 @@ impl<'a> ReducedMetrics<'a> {
             let columns = of.iter().map(|row| part.metrics.column(*row).collect());
             let columns: Vec<Vec<Option<f64>>> = columns.collect();
             let mut shown = part.cases.shown();
-            for (place, number) in (0..part.len()).map(|row| (row, part.number(row))) {
-                groups.add(number, shown.at(place), |row| {
+            for (index, number) in (0..part.len()).map(|row| (row, part.number(row))) {
+                groups.add(number, shown.at(index), |row| {
                     let column = of.iter().position(|of| *of == row)?;
-                    columns[column][place]
+                    columns[column][index]
                 });
             }
         }

@@ -46,8 +46,8 @@ impl<'a> PartQueue<'a> {
         let has = |number: u64| shard.is_none_or(|shard| shard.has(number));
         while self.parts.len() < count && !self.chunks.is_empty() {
             let missing = count - self.parts.len();
-            let own = self.chunks.by_ref().filter(|chunk| !whole || has(*chunk));
-            let chunks: Vec<u64> = own.take(missing).collect();
+            let wanted = self.chunks.by_ref().filter(|chunk| !whole || has(*chunk));
+            let chunks: Vec<u64> = wanted.take(missing).collect();
             let parts = |chunk: &u64| (*chunk, chunk::parts(study, *chunk));
             let new: Vec<(u64, Vec<Part>)> = chunks.par_iter().map(parts).collect();
             for (chunk, parts) in new {

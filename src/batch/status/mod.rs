@@ -61,8 +61,8 @@ pub fn study_status(
     shards.resize_with(of.unwrap_or(0) as usize, Progress::default);
     for sign in &signs {
         status.all.sign(sign);
-        let own = sign.shard.filter(|shard| of == Some(shard.of()));
-        if let Some(shard) = own {
+        let known = sign.shard.filter(|shard| of == Some(shard.of()));
+        if let Some(shard) = known {
             shards[shard.index() as usize - 1].sign(sign);
         }
     }

@@ -216,12 +216,12 @@ impl Encoder<'_> {
     /// A column that `write` writes.
     fn written(
         &self,
-        place: usize,
+        index: usize,
         write: impl FnOnce(&mut ColumnWriter) -> Result<()>,
     ) -> Result<EncodedColumn> {
         let mut bytes = TrackedWrite::new(Vec::new());
         let pages = Box::new(SerializedPageWriter::new(&mut bytes));
-        let column = self.schema.columns()[place].clone();
+        let column = self.schema.columns()[index].clone();
         let mut writer = get_column_writer(column, self.properties.clone(), pages);
         write(&mut writer)?;
         let closed = writer.close()?;

@@ -47,8 +47,8 @@ fn a_table_has_measured_columns_at_the_steps() {
     let text = String::from_utf8(bytes).unwrap();
     let mut rows = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let header = rows.next().unwrap();
-    let place = header.len() - 3;
-    let ends = &header[place..];
+    let offset = header.len() - 3;
+    let ends = &header[offset..];
     assert_eq!(ends, ["m_measured", "pad.r_measured", "pad.S_measured"]);
     let [first, last] = [times[0], times[times.len() - 1]].map(|t| t - DELAY);
     let mut inside = 0;
@@ -59,10 +59,10 @@ fn a_table_has_measured_columns_at_the_steps() {
             // The displacement is a straight line, so that it is this between the points, too.
             true => {
                 inside += 1;
-                let measured: f64 = row[place].parse().unwrap();
+                let measured: f64 = row[offset].parse().unwrap();
                 assert!((measured - 1e-3 * at(t + DELAY)[0]).abs() < 1e-14);
             }
-            false => assert_eq!(row[place], "", "{t}"),
+            false => assert_eq!(row[offset], "", "{t}"),
         }
     }
     assert!((70..=80).contains(&inside), "{inside}");

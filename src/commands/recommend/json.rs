@@ -9,12 +9,12 @@ use serde_json::{Map, Value, json};
 pub fn answer(advice: &Advice) -> Value {
     let candidates = advice.choices.iter().enumerate();
     let candidates: Vec<Value> = candidates
-        .map(|(at, own)| candidate(advice, at, own))
+        .map(|(at, choice)| candidate(advice, at, choice))
         .collect();
     let lists: Vec<Value> = advice
         .not_converged
         .iter()
-        .map(|own| list(advice, own))
+        .map(|entry| list(advice, entry))
         .collect();
     let recommended = advice
         .chosen
@@ -62,7 +62,7 @@ fn list(advice: &Advice, list: &NotConverged) -> Value {
 fn parameters(advice: &Advice, values: &[(usize, parameter::Value)]) -> Map<String, Value> {
     let named = values
         .iter()
-        .map(|(row, own)| (advice.name(*row).to_owned(), value(*own)));
+        .map(|(row, chosen)| (advice.name(*row).to_owned(), value(*chosen)));
     named.collect()
 }
 

@@ -95,7 +95,7 @@ impl RecommendArgs {
             return Ok(0);
         }
         let lists = advice.not_converged.iter();
-        let names: Vec<&str> = lists.map(|own| advice.name(own.parameter)).collect();
+        let names: Vec<&str> = lists.map(|list| advice.name(list.parameter)).collect();
         let why = match names[..] {
             [] => "no candidate keeps all metrics within their tolerances in all physical cases"
                 .to_owned(),
@@ -156,15 +156,18 @@ const CSV: Style = Style {
 };
 
 fn has_warnings(advice: &Advice) -> bool {
-    advice.choices.iter().any(|own| !own.warnings.is_empty())
+    advice
+        .choices
+        .iter()
+        .any(|choice| !choice.warnings.is_empty())
 }
 
 /// The table of all candidates, with a line of names.
 fn rows(advice: &Advice, style: &Style) -> Vec<Vec<String>> {
     let (parameters, within) = (advice.parameters(), advice.within());
-    let names = parameters.iter().map(|own| own.1);
+    let names = parameters.iter().map(|parameter| parameter.1);
     let names = names.chain(["cost", "energy_gain", "energy_loss"]);
-    let names = names.chain(within.iter().map(|own| own.0));
+    let names = names.chain(within.iter().map(|metric| metric.0));
     let has_warnings = has_warnings(advice);
     let warnings = (style.always_warnings || has_warnings).then_some("warnings");
     let header = names.chain(["worst"]).chain(warnings).chain(["verdict"]);
@@ -175,10 +178,10 @@ fn rows(advice: &Advice, style: &Style) -> Vec<Vec<String>> {
     };
     let row = |(at, choice): (usize, &Choice)| -> Vec<String> {
         let value = |row: usize| {
-            let own = choice.value(row);
-            own.map_or(style.missing.into(), style.value)
+            let chosen = choice.value(row);
+            chosen.map_or(style.missing.into(), style.value)
         };
-        let values = parameters.iter().map(|own| value(own.0));
+        let values = parameters.iter().map(|parameter| value(parameter.0));
         let error = |i: usize| choice.errors.get(i).copied().unwrap_or(f64::INFINITY);
         let energies = [choice.energy.gain, choice.energy.loss].into_iter();
         let numbers = energies
@@ -199,7 +202,7 @@ fn rows(advice: &Advice, style: &Style) -> Vec<Vec<String>> {
 fn tolerances(advice: &Advice) -> Vec<String> {
     let limits = [advice.energy.gain, advice.energy.loss].into_iter();
     let limits = limits
-        .chain(advice.within().into_iter().map(|own| own.1))
+        .chain(advice.within().into_iter().map(|metric| metric.1))
         .chain([1.0]);
     let limit = |x: f64| match x.is_finite() {
         true => format!("<= {}", shortest(x)),

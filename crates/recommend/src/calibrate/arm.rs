@@ -171,10 +171,10 @@ impl Asking for Arm<'_> {
             misfit,
             at,
         };
-        let place = self
+        let index = self
             .reached
             .partition_point(|r| r.distance < found.distance);
-        self.reached.insert(place, found);
+        self.reached.insert(index, found);
         self.inner = self.next();
     }
 }

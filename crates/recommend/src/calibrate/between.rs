@@ -58,17 +58,17 @@ impl Between {
         let tail = 0.5 * (1.0 - CONFIDENCE);
         let square = at(&|q| q > freedom);
         let ends = [1.0 - tail, tail].map(|p| at(&|q| below(q) > p));
-        let own = weighted(square);
+        let mean = weighted(square);
         let half = match varies {
             true => {
                 let t = fisher::quantile(CONFIDENCE, 1.0, freedom).sqrt();
-                t * ((own.q / freedom).max(1.0) / own.weight).sqrt()
+                t * ((mean.q / freedom).max(1.0) / mean.weight).sqrt()
             }
-            false => normal::quantile(1.0 - tail) / own.weight.sqrt(),
+            false => normal::quantile(1.0 - tail) / mean.weight.sqrt(),
         };
         Some(Between {
-            mean: own.mean,
-            mean_interval: [own.mean - half, own.mean + half],
+            mean: mean.mean,
+            mean_interval: [mean.mean - half, mean.mean + half],
             scatter: square.sqrt(),
             scatter_interval: ends.map(f64::sqrt),
             p_common: 1.0 - below(weighted(0.0).q),
@@ -121,12 +121,14 @@ mod tests {
     ];
 
     fn compare(found: Between, expected: [f64; 7]) {
-        let own = [found.mean].into_iter().chain(found.mean_interval);
-        let own = own.chain([found.scatter]).chain(found.scatter_interval);
-        for (own, expected) in own.chain([found.p_common]).zip(expected) {
+        let computed = [found.mean].into_iter().chain(found.mean_interval);
+        let numbers = computed
+            .chain([found.scatter])
+            .chain(found.scatter_interval);
+        for (number, expected) in numbers.chain([found.p_common]).zip(expected) {
             // Roots on both sides; p is a difference to 1.
-            let error = (own - expected).abs();
-            assert!(error < 1e-9 * expected.abs() + 1e-15, "{own} {expected}");
+            let error = (number - expected).abs();
+            assert!(error < 1e-9 * expected.abs() + 1e-15, "{number} {expected}");
         }
     }
 
@@ -221,7 +223,7 @@ mod tests {
             }
             // Of 400 intervals that hold the truth with 95 %, fewer than 369 do so with a probability of 0.9 % (binomial).
             assert!(
-                held.iter().all(|own| *own >= 369),
+                held.iter().all(|hits| *hits >= 369),
                 "{count} {scatter}: {held:?}"
             );
         }

@@ -78,9 +78,9 @@ pub fn round<T: Asking>(searches: &mut [T], counted: &mut Counted) -> Result<Rou
     };
     let mut rest = misfits.as_slice();
     for (search, count) in searches.iter_mut().zip(counts) {
-        let (own, after) = rest.split_at(count);
+        let (of_search, after) = rest.split_at(count);
         if count > 0 {
-            search.tell(own);
+            search.tell(of_search);
         }
         rest = after;
     }

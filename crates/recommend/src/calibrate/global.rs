@@ -57,8 +57,8 @@ pub fn search(
         // Successive points of the sequence are as evenly distributed as all.
         let size = points.len().div_ceil(count);
         let first = |start: usize| {
-            let own = start * size..points.len().min((start + 1) * size);
-            let best = own.min_by(|a, b| misfits[*a].total_cmp(&misfits[*b]))?;
+            let block = start * size..points.len().min((start + 1) * size);
+            let best = block.min_by(|a, b| misfits[*a].total_cmp(&misfits[*b]))?;
             let mut random = ChaCha8Rng::seed_from_u64(options.seed);
             random.set_stream((1 << 32) + ((rounds as u64) << 8) + start as u64);
             Some(Start::new(

@@ -50,7 +50,12 @@ pub struct Choice {
 /// A candidate, not yet solved. The judge then knows its physical cases.
 pub(super) fn choice(alternative: Alternative, judge: &mut Judge) -> Choice {
     let study = judge.study;
-    let within: Vec<usize> = judge.recommend.within.iter().map(|own| own.0).collect();
+    let within: Vec<usize> = judge
+        .recommend
+        .within
+        .iter()
+        .map(|metric| metric.0)
+        .collect();
     let cases = all_of(&study.point_cases(&alternative, &[]).cases(&[Vec::new()]));
     let mut conditions = HashSet::new();
     for case in &cases {
@@ -96,8 +101,8 @@ impl Choice {
 
     /// The value of a parameter that it has.
     pub fn value(&self, row: usize) -> Option<Value> {
-        let own = self.values.iter().find(|(own, _)| *own == row);
-        own.map(|(_, value)| *value)
+        let found = self.values.iter().find(|(known, _)| *known == row);
+        found.map(|(_, value)| *value)
     }
 
     /// The same as a number.
@@ -121,14 +126,17 @@ impl Choice {
     pub(super) fn differing(&self, other: &Choice) -> Option<usize> {
         let is_free = |row: usize| self.free.iter().any(|free| free.parameter == row);
         let chosen = |of: &Choice| -> Vec<(usize, Value)> {
-            let own = of.values.iter().filter(|own| !is_free(own.0));
-            own.copied().collect()
+            let fixed = of.values.iter().filter(|pair| !is_free(pair.0));
+            fixed.copied().collect()
         };
-        let (own, others) = (chosen(self), chosen(other));
-        let mut differing = own.iter().zip(&others).filter(|(own, other)| own != other);
+        let (these, others) = (chosen(self), chosen(other));
+        let mut differing = these
+            .iter()
+            .zip(&others)
+            .filter(|(one, other)| one != other);
         let (first, second) = (differing.next()?, differing.next());
         let is_number = first.0.0 == first.1.0 && first.0.1.as_f64().is_some();
-        (is_number && second.is_none() && own.len() == others.len()).then_some(first.0.0)
+        (is_number && second.is_none() && these.len() == others.len()).then_some(first.0.0)
     }
 
     /// Greater for a finer mesh, then for a smaller step.
@@ -151,13 +159,13 @@ pub(super) fn decide(choice: &mut Choice, judge: &mut Judge) -> Result<(), Stopp
         let mut worst = Worst { choice, judge };
         let best = search(worst.choice.free.len(), &mut worst, &options)?;
         let free = choice.free.iter().zip(&best.at);
-        let values = free.map(|(own, u)| (own.parameter, Value::Number(own.range.at(*u))));
+        let values = free.map(|(number, u)| (number.parameter, Value::Number(number.range.at(*u))));
         choice.values.extend(values);
     }
     let (free, values) = choice.free();
     let judged = judge.judged(&choice.cases(judge, free, &values))?;
     let (errors, energy) = largest(&judged);
-    let why = judged.iter().find_map(|own| own.why.clone());
+    let why = judged.iter().find_map(|case| case.why.clone());
     choice.worst = judge.worst(&judged);
     choice.warnings = warnings(&judged);
     choice.state = match why {
@@ -174,8 +182,8 @@ pub(super) fn decide(choice: &mut Choice, judge: &mut Judge) -> Result<(), Stopp
 /// The warnings of cases, as `run` gives them: of some kinds only if all cases have them.
 fn warnings(judged: &[Judged]) -> Warnings {
     let applies = |kind: Warning| match kind.is_of_all_cases() {
-        true => judged.iter().all(|own| own.warnings.has(kind)),
-        false => judged.iter().any(|own| own.warnings.has(kind)),
+        true => judged.iter().all(|case| case.warnings.has(kind)),
+        false => judged.iter().any(|case| case.warnings.has(kind)),
     };
     let said = WARNINGS.into_iter().filter(|kind| !kind.is_note());
     said.fold(Warnings::NONE, |set, kind| set.with(kind, applies(kind)))
@@ -183,13 +191,22 @@ fn warnings(judged: &[Judged]) -> Warnings {
 
 /// The largest errors and changes of energy of cases.
 fn largest(judged: &[Judged]) -> (Vec<f64>, EnergyChange) {
-    let count = judged.first().map_or(0, |own| own.errors.len());
-    let error = |at: usize| judged.iter().map(|own| own.errors[at]).fold(0.0, f64::max);
-    let fold =
-        |of: fn(&EnergyChange) -> f64| judged.iter().map(|own| of(&own.energy)).fold(0.0, f64::max);
+    let count = judged.first().map_or(0, |case| case.errors.len());
+    let error = |at: usize| {
+        judged
+            .iter()
+            .map(|case| case.errors[at])
+            .fold(0.0, f64::max)
+    };
+    let fold = |of: fn(&EnergyChange) -> f64| {
+        judged
+            .iter()
+            .map(|case| of(&case.energy))
+            .fold(0.0, f64::max)
+    };
     let energy = EnergyChange {
-        gain: fold(|own| own.gain),
-        loss: fold(|own| own.loss),
+        gain: fold(|change| change.gain),
+        loss: fold(|change| change.loss),
     };
     ((0..count).map(error).collect(), energy)
 }
@@ -202,15 +219,16 @@ struct Worst<'a, 'b> {
 
 impl Objective for Worst<'_, '_> {
     fn misfits(&mut self, points: &[Vec<f64>]) -> Result<Vec<f64>, Stopped> {
-        let own = self
+        let sampled = self
             .judge
             .study
             .point_cases(&self.choice.alternative, &self.choice.free);
-        let judged = self.judge.judged(&own.cases(points))?;
+        let judged = self.judge.judged(&sampled.cases(points))?;
         // Those of the first physical case come first.
         let of = |point: usize| {
-            let own = judged.iter().skip(point).step_by(points.len());
-            own.map(|own| self.judge.worst(std::slice::from_ref(own)))
+            let of_point = judged.iter().skip(point).step_by(points.len());
+            of_point
+                .map(|case| self.judge.worst(std::slice::from_ref(case)))
                 .fold(0.0, f64::max)
         };
         Ok((0..points.len()).map(of).collect())

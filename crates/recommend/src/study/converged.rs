@@ -55,7 +55,7 @@ pub(super) fn not_converged(
         let kept = tolerances.filter(|(metric, _)| judge.from[*metric] != From::Zero);
         let changes = kept.map(|(metric, within)| (metric, change(metric), within.1));
         let largest = changes.max_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)));
-        let Some((metric, change, _)) = largest.filter(|own| own.1 > own.2) else {
+        let Some((metric, change, _)) = largest.filter(|entry| entry.1 > entry.2) else {
             continue;
         };
         let value = |choice: &Choice| choice.value(parameter);

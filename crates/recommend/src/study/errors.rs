@@ -33,20 +33,20 @@ pub(super) fn errors(
     values: &[Option<f64>],
     references: &[Option<f64>],
 ) -> Vec<f64> {
-    let all = from.iter().zip(values).zip(references);
-    let error = |((from, own), reference): ((&From, &Option<f64>), &Option<f64>)| match from {
-        From::Zero => own.map_or(f64::INFINITY, f64::abs),
-        From::Exact | From::Finest => difference(*own, *reference),
+    let pairs = from.iter().zip(values).zip(references);
+    let error = |((from, value), reference): ((&From, &Option<f64>), &Option<f64>)| match from {
+        From::Zero => value.map_or(f64::INFINITY, f64::abs),
+        From::Exact | From::Finest => difference(*value, *reference),
     };
-    all.map(error).collect()
+    pairs.map(error).collect()
 }
 
 /// The relative difference of a value from its reference; 0 if both are undefined.
-pub(super) fn difference(own: Option<f64>, reference: Option<f64>) -> f64 {
-    match (own, reference) {
+pub(super) fn difference(value: Option<f64>, reference: Option<f64>) -> f64 {
+    match (value, reference) {
         (None, None) => 0.0,
-        (Some(own), Some(reference)) if own == reference => 0.0,
-        (Some(own), Some(reference)) => ((own - reference) / reference).abs(),
+        (Some(value), Some(reference)) if value == reference => 0.0,
+        (Some(value), Some(reference)) => ((value - reference) / reference).abs(),
         _ => f64::INFINITY,
     }
 }

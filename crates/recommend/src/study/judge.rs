@@ -97,21 +97,24 @@ impl<'a> Judge<'a> {
 
     /// The largest quotient of error and tolerance; infinite if a case gains or loses too much energy, or if a contact may make some.
     pub fn worst(&self, judged: &[Judged]) -> f64 {
-        let makes = |own: &Judged| own.warnings.iter().any(Warning::is_contact_energy);
+        let makes = |case: &Judged| case.warnings.iter().any(Warning::is_contact_energy);
         if judged
             .iter()
-            .any(|own| !self.allows(own.energy) || makes(own))
+            .any(|case| !self.allows(case.energy) || makes(case))
         {
             return f64::INFINITY;
         }
-        let quotients = judged.iter().map(|own| self.quotient(&own.errors));
+        let quotients = judged.iter().map(|case| self.quotient(&case.errors));
         quotients.fold(0.0, f64::max)
     }
 
     /// The largest quotient of error and tolerance of a case.
     fn quotient(&self, errors: &[f64]) -> f64 {
         let within = self.recommend.within.iter();
-        let quotients = errors.iter().zip(within).map(|(error, own)| error / own.1);
+        let quotients = errors
+            .iter()
+            .zip(within)
+            .map(|(error, metric)| error / metric.1);
         quotients.fold(0.0, f64::max)
     }
 
@@ -125,12 +128,12 @@ impl<'a> Judge<'a> {
             .collect();
         let table = self.study.problem.sweep(cases, &rows);
         let mut shown = cases.shown();
-        for (place, row) in rows.into_iter().enumerate() {
+        for (index, row) in rows.into_iter().enumerate() {
             let case = shown.at(row as usize);
-            let makes = table.warnings(place).iter().any(Warning::is_contact_energy);
+            let makes = table.warnings(index).iter().any(Warning::is_contact_energy);
             let reference = self.references.get(&self.condition(case));
-            if let (Some(reference), false) = (reference, makes || table.failure(place).is_some()) {
-                let metrics: Vec<Option<f64>> = table.row(place).collect();
+            if let (Some(reference), false) = (reference, makes || table.failure(index).is_some()) {
+                let metrics: Vec<Option<f64>> = table.row(index).collect();
                 let values = self.measured(case, &metrics);
                 quotients[row as usize] = self.quotient(&errors(&self.from, &values, reference));
             }
@@ -152,7 +155,7 @@ impl<'a> Judge<'a> {
 
     /// Rows of the measures to keep.
     pub fn rows(&self) -> impl Iterator<Item = usize> {
-        self.recommend.within.iter().map(|own| own.0)
+        self.recommend.within.iter().map(|metric| metric.0)
     }
 
     /// The metrics to keep, from those of the problem.
@@ -191,38 +194,38 @@ impl<'a> Judge<'a> {
     pub fn solve(&mut self, cases: &Cases) -> Result<Vec<Solved>, Stopped> {
         let (study, stop) = (self.study, self.stop);
         let problem = &*study.problem;
-        let mut all: Vec<Solved> = vec![Err(String::new()); cases.len()];
+        let mut results: Vec<Solved> = vec![Err(String::new()); cases.len()];
         for (row, why) in cases.refused() {
-            all[row] = Err(why.to_owned());
+            results[row] = Err(why.to_owned());
         }
         if problem.schema().described {
             let (rows, table) = sweep(problem, cases, stop, &|_| ())?;
             self.solved += rows.len() as u64;
-            for (place, row) in rows.into_iter().enumerate() {
-                let metrics: Vec<Option<f64>> = table.row(place).collect();
-                all[row as usize] = match table.failure(place) {
+            for (index, row) in rows.into_iter().enumerate() {
+                let metrics: Vec<Option<f64>> = table.row(index).collect();
+                results[row as usize] = match table.failure(index) {
                     Some(why) => Err(why.to_string()),
                     None => Ok(SolvedCase {
                         energy: of_structure(study, &metrics),
-                        warnings: table.warnings(place),
+                        warnings: table.warnings(index),
                         metrics,
                     }),
                 };
             }
-            return Ok(all);
+            return Ok(results);
         }
         let each = all_of(cases);
         self.solved += each.len() as u64;
-        let solve = |(row, own): (usize, &mut Solved)| {
+        let solve = |(row, result): (usize, &mut Solved)| {
             if cases.may_be_solved(row) && !stop.is_stopped() {
-                *own = solve_one(study, &each[row]);
+                *result = solve_one(study, &each[row]);
             }
         };
-        all.par_iter_mut().enumerate().for_each(solve);
+        results.par_iter_mut().enumerate().for_each(solve);
         if stop.is_stopped() {
             return Err(Stopped);
         }
-        Ok(all)
+        Ok(results)
     }
 }
 
@@ -247,8 +250,12 @@ fn solve_one(study: &Study, case: &Case) -> Solved {
 /// The change of energy of a structure by its metrics. One that the study keeps itself has the tolerance that it gives.
 fn of_structure(study: &Study, metrics: &[Option<f64>]) -> EnergyChange {
     let kept = |name: &str| {
-        let own = study.recommend.iter().flat_map(|own| &own.within);
-        own.map(|(row, _)| &study.measures[*row])
+        let tolerances = study
+            .recommend
+            .iter()
+            .flat_map(|recommend| &recommend.within);
+        tolerances
+            .map(|(row, _)| &study.measures[*row])
             .any(|measure| measure.name == name)
     };
     let value = |name: &str| {

@@ -87,18 +87,21 @@ impl<'a> Levels<'a> {
     }
 
     fn lens(&self, block: usize) -> Vec<u64> {
-        self.blocks[block].groups().map(|own| own.len()).collect()
+        self.blocks[block]
+            .groups()
+            .map(|group| group.len())
+            .collect()
     }
 
     /// Writes a physical case of a candidate over `case`, and tests whether it is a case that breaks no rule.
-    pub fn put(&self, place: &Place, physical: usize, case: &mut Case) -> bool {
-        self.blocks[place.block].put(&place.positions, physical, case)
+    pub fn put(&self, candidate: &Place, physical: usize, case: &mut Case) -> bool {
+        self.blocks[candidate.block].put(&candidate.positions, physical, case)
     }
 
     /// The first physical case of a candidate.
-    fn first_case(&self, place: &Place) -> Case {
+    fn first_case(&self, candidate: &Place) -> Case {
         let mut case = Case::new(self.problem().schema());
-        self.put(place, 0, &mut case);
+        self.put(candidate, 0, &mut case);
         case
     }
 
@@ -106,7 +109,7 @@ impl<'a> Levels<'a> {
         let lens = self.lens(block);
         let positions = vec![0; lens.len()];
         let first = Place { block, positions };
-        let cost = |place: &Place| cost(self.problem(), &self.first_case(place));
+        let cost = |candidate: &Place| cost(self.problem(), &self.first_case(candidate));
         let usual = cost(&first);
         let decides = |(group, len): (usize, &u64)| {
             let mut others = (1..*len).map(|position| first.at(group, position));
@@ -144,7 +147,8 @@ impl<'a> Levels<'a> {
         let mut places = vec![first.clone()];
         for (group, len) in lens.iter().enumerate() {
             if self.decisive[first.block][group] == decisive {
-                let at = |place: Place| (0..*len).map(move |position| place.at(group, position));
+                let at =
+                    |candidate: Place| (0..*len).map(move |position| candidate.at(group, position));
                 places = places.into_iter().flat_map(at).collect();
             }
         }
@@ -157,57 +161,57 @@ impl<'a> Levels<'a> {
     }
 
     /// The candidate of a place; `None` if it has no case.
-    pub fn choice(&self, place: &Place, judge: &mut Judge) -> Option<Choice> {
-        let candidate = self.blocks[place.block].candidate(&place.positions)?;
+    pub fn choice(&self, wanted: &Place, judge: &mut Judge) -> Option<Choice> {
+        let candidate = self.blocks[wanted.block].candidate(&wanted.positions)?;
         Some(choice(candidate, judge))
     }
 
     /// The candidates that have the next smaller or the next larger value of one of these numbers.
-    pub fn neighbours(&self, place: &Place, rows: &[usize]) -> Vec<Place> {
-        let groups = self.blocks[place.block].groups().enumerate();
+    pub fn neighbours(&self, candidate: &Place, rows: &[usize]) -> Vec<Place> {
+        let groups = self.blocks[candidate.block].groups().enumerate();
         let of_group = |(group, axes): (usize, &AxisGroup)| -> Vec<Place> {
-            let mut own = axes.axes.iter();
-            let Some(axis) = own.find(|axis| rows.contains(&axis.parameter)) else {
+            let mut listed = axes.axes.iter();
+            let Some(axis) = listed.find(|axis| rows.contains(&axis.parameter)) else {
                 return Vec::new();
             };
             let value = |position: u64| axis.values.at(position as usize).as_f64();
-            let own = value(place.positions[group]).unwrap_or(f64::NAN);
+            let held = value(candidate.positions[group]).unwrap_or(f64::NAN);
             let others = (0..axes.len()).filter_map(|other| Some((value(other)?, other)));
             let [smaller, larger]: [Vec<(f64, u64)>; 2] = [
-                others.clone().filter(|other| other.0 < own).collect(),
-                others.filter(|other| other.0 > own).collect(),
+                others.clone().filter(|other| other.0 < held).collect(),
+                others.filter(|other| other.0 > held).collect(),
             ];
             let smaller = smaller.iter().max_by(|a, b| a.0.total_cmp(&b.0));
             let larger = larger.iter().min_by(|a, b| a.0.total_cmp(&b.0));
             let next = smaller.into_iter().chain(larger);
-            next.map(|other| place.at(group, other.1)).collect()
+            next.map(|other| candidate.at(group, other.1)).collect()
         };
         groups.flat_map(of_group).collect()
     }
 
     /// Whether a combination meets the condition of the block.
-    fn has_cases(&self, place: &Place) -> bool {
-        let candidates = &self.blocks[place.block];
-        candidates.candidate(&place.positions).is_some()
+    fn has_cases(&self, candidate: &Place) -> bool {
+        let candidates = &self.blocks[candidate.block];
+        candidates.candidate(&candidate.positions).is_some()
     }
 
     /// The candidates with other meshes: for each number that decides the size the one with the next finer mesh, else one with another.
-    pub fn meshes(&self, place: &Place) -> Vec<Place> {
-        let size = |place: &Place| size(self.problem(), &self.first_case(place));
-        let own = size(place);
+    pub fn meshes(&self, candidate: &Place) -> Vec<Place> {
+        let size = |candidate: &Place| size(self.problem(), &self.first_case(candidate));
+        let given = size(candidate);
         let of_group = |(group, len): (usize, u64)| -> Option<Place> {
-            if !self.decisive[place.block][group] {
+            if !self.decisive[candidate.block][group] {
                 return None;
             }
-            let others = (0..len).map(|position| place.at(group, position));
+            let others = (0..len).map(|position| candidate.at(group, position));
             let others = others.filter(|other| self.has_cases(other));
             let others = others.map(|other| (size(&other), other));
-            let others: Vec<(u64, Place)> = others.filter(|other| other.0 != own).collect();
-            let finer = others.iter().filter(|other| other.0 > own);
+            let others: Vec<(u64, Place)> = others.filter(|other| other.0 != given).collect();
+            let finer = others.iter().filter(|other| other.0 > given);
             let next = finer.min_by_key(|other| other.0);
             next.or(others.first()).map(|other| other.1.clone())
         };
-        let groups = self.lens(place.block).into_iter().enumerate();
+        let groups = self.lens(candidate.block).into_iter().enumerate();
         groups.filter_map(of_group).collect()
     }
 
@@ -219,15 +223,15 @@ impl<'a> Levels<'a> {
         })?;
         let mut case = Case::new(self.problem().schema());
         let mut places = self.of_level(finest).into_iter().rev();
-        places.find(|place| self.put(place, 0, &mut case))
+        places.find(|candidate| self.put(candidate, 0, &mut case))
     }
 
     /// The candidates with the value before in each list that does not decide the cost.
-    pub fn before(&self, place: &Place) -> impl Iterator<Item = Place> {
-        let groups = place.positions.iter().enumerate();
+    pub fn before(&self, candidate: &Place) -> impl Iterator<Item = Place> {
+        let groups = candidate.positions.iter().enumerate();
         groups.filter_map(move |(group, position)| {
-            let free = !self.decisive[place.block][group] && *position > 0;
-            free.then(|| place.at(group, position - 1))
+            let free = !self.decisive[candidate.block][group] && *position > 0;
+            free.then(|| candidate.at(group, position - 1))
         })
     }
 }

@@ -120,7 +120,9 @@ type Compared = (Found, Option<Reference>, Vec<NotConverged>);
 /// Compares all candidates.
 fn compared(levels: &Levels, judge: &mut Judge) -> Result<Compared, Stopped> {
     let listed = levels.listed();
-    let mut choices: Vec<Choice> = listed.map(|own| candidate::choice(own, judge)).collect();
+    let mut choices: Vec<Choice> = listed
+        .map(|alternative| candidate::choice(alternative, judge))
+        .collect();
     let reference = reference::refer(&choices, judge)?;
     let not_converged = converged::not_converged(&choices, judge)?;
     for choice in &mut choices {
@@ -144,9 +146,11 @@ fn searched<'a>(levels: &mut Levels<'a>, judge: &mut Judge<'a>) -> Result<Compar
         levels.choice(&first, judge);
     }
     let finest = levels.finest();
-    let before = finest.iter().flat_map(|own| levels.before(own));
+    let before = finest.iter().flat_map(|candidate| levels.before(candidate));
     let places: Vec<Place> = before.chain(finest.clone()).collect();
-    let choices = places.iter().filter_map(|own| levels.choice(own, judge));
+    let choices = places
+        .iter()
+        .filter_map(|candidate| levels.choice(candidate, judge));
     let choices: Vec<Choice> = choices.collect();
     let reference = reference::refer(&choices, judge)?;
     let not_converged = converged::not_converged(&choices, judge)?;

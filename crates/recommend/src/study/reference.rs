@@ -74,13 +74,14 @@ fn exact(cases: &[Case], judge: &Judge) -> Vec<Vec<Option<f64>>> {
         true => vec![None; metrics.len()],
         false => problem
             .as_structure()
-            .map_or(vec![None; metrics.len()], |own| {
-                own.exact_metrics(case, &metrics)
+            .map_or(vec![None; metrics.len()], |structure| {
+                structure.exact_metrics(case, &metrics)
             }),
     };
     let exact: Vec<Vec<Option<f64>>> = cases.par_iter().map(exact).collect();
-    let own = cases.iter().zip(&exact);
-    own.map(|(case, metrics)| judge.measured(case, metrics))
+    let pairs = cases.iter().zip(&exact);
+    pairs
+        .map(|(case, metrics)| judge.measured(case, metrics))
         .collect()
 }
 
@@ -97,8 +98,8 @@ pub(super) fn values(cases: &[Case], judge: &mut Judge) -> Result<Vec<Vec<Option
         for (at, solved) in judge.solve(&halves)?.iter().enumerate() {
             let metrics = solved.as_ref().map_or(&none, |solved| &solved.metrics);
             let finest = judge.measured(&cases[at], metrics);
-            let places = (0..finest.len()).filter(|place| judge.from[*place] == From::Finest);
-            places.for_each(|place| values[at][place] = finest[place]);
+            let places = (0..finest.len()).filter(|metric| judge.from[*metric] == From::Finest);
+            places.for_each(|metric| values[at][metric] = finest[metric]);
         }
     }
     Ok(values)

@@ -99,8 +99,8 @@ impl<'a, 'b> Search<'a, 'b> {
             }
             let open = batch.iter().flat_map(|level| {
                 let places = self.levels.of_level(level).into_iter();
-                places.map(|place| Open {
-                    place,
+                places.map(|candidate| Open {
+                    place: candidate,
                     cost: level.cost,
                     worst: 0.0,
                 })
@@ -123,21 +123,21 @@ impl<'a, 'b> Search<'a, 'b> {
             compared,
         } = self.found;
         let chosen = chosen.or(self.first);
-        let mut own: Vec<(bool, Choice)> = choices
+        let mut marked: Vec<(bool, Choice)> = choices
             .into_iter()
             .enumerate()
             .map(|(at, choice)| (Some(at) == chosen, choice))
             .collect();
-        own.sort_by(|(_, a), (_, b)| a.cost.cmp(&b.cost).then(a.worst.total_cmp(&b.worst)));
+        marked.sort_by(|(_, a), (_, b)| a.cost.cmp(&b.cost).then(a.worst.total_cmp(&b.worst)));
         let mut least = f64::INFINITY;
-        own.retain(|(_, choice)| {
+        marked.retain(|(_, choice)| {
             let is_better = choice.worst < least;
             least = least.min(choice.worst);
             is_better || choice.state == State::Keeps
         });
         Found {
-            chosen: own.iter().position(|own| own.0),
-            choices: own.into_iter().map(|own| own.1).collect(),
+            chosen: marked.iter().position(|pair| pair.0),
+            choices: marked.into_iter().map(|pair| pair.1).collect(),
             compared,
         }
     }
@@ -158,30 +158,30 @@ impl<'a, 'b> Search<'a, 'b> {
             let pairs = (0..open.len()).map(|at| (at, *physical)).collect();
             self.solve(&mut open, pairs)?;
             let before = open.len();
-            open.retain(|own| self.is_open(own));
+            open.retain(|candidate| self.is_open(candidate));
             self.rejected[*physical] += (before - open.len()) as u64;
         }
         open.sort_by(Open::compare);
         let mut keeping = Vec::new();
         let mut rest = open.into_iter().peekable();
         while rest.peek().is_some() {
-            let some = rest.by_ref().filter(|own| self.is_open(own));
+            let some = rest.by_ref().filter(|candidate| self.is_open(candidate));
             let mut some: Vec<Open> = some.take(TOGETHER).collect();
             for physical in others.chunks(SURVEY) {
                 let candidates = 0..some.len();
                 let pairs = physical
                     .iter()
-                    .flat_map(|own| candidates.clone().map(|at| (at, *own)));
+                    .flat_map(|case| candidates.clone().map(|at| (at, *case)));
                 let pairs = pairs.collect();
                 self.solve(&mut some, pairs)?;
-                some.retain(|own| self.is_open(own));
+                some.retain(|candidate| self.is_open(candidate));
             }
             some.sort_by(Open::compare);
-            for own in some {
-                if own.worst <= 1.0 {
-                    keeping.push(own);
-                } else if self.is_open(&own) {
-                    self.improve(&own)?;
+            for candidate in some {
+                if candidate.worst <= 1.0 {
+                    keeping.push(candidate);
+                } else if self.is_open(&candidate) {
+                    self.improve(&candidate)?;
                 }
             }
         }
@@ -215,8 +215,8 @@ impl<'a, 'b> Search<'a, 'b> {
     }
 
     /// The candidate with all errors, warnings and changes of energy.
-    fn decided(&mut self, place: &Place) -> Result<Option<Choice>, Stopped> {
-        let Some(mut choice) = self.levels.choice(place, self.judge) else {
+    fn decided(&mut self, candidate: &Place) -> Result<Option<Choice>, Stopped> {
+        let Some(mut choice) = self.levels.choice(candidate, self.judge) else {
             return Ok(None);
         };
         decide(&mut choice, self.judge)?;
@@ -242,8 +242,8 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// Tests candidates further, in this order; true if one of them is recommended.
     fn try_each(&mut self, keeping: Vec<Open>) -> Result<bool, Stopped> {
-        for own in keeping {
-            let Some(mut choice) = self.decided(&own.place)? else {
+        for open in keeping {
+            let Some(mut choice) = self.decided(&open.place)? else {
                 continue;
             };
             if choice.state != State::Keeps {
@@ -251,11 +251,11 @@ impl<'a, 'b> Search<'a, 'b> {
             }
             let rows = self.judge.recommend.neighbours.clone();
             let mut near = Vec::new();
-            for place in self.levels.neighbours(&own.place, &rows) {
-                near.extend(self.decided(&place)?);
+            for candidate in self.levels.neighbours(&open.place, &rows) {
+                near.extend(self.decided(&candidate)?);
             }
-            let places = self.levels.meshes(&own.place).into_iter();
-            let meshes = places.filter_map(|place| self.levels.choice(&place, self.judge));
+            let places = self.levels.meshes(&open.place).into_iter();
+            let meshes = places.filter_map(|candidate| self.levels.choice(&candidate, self.judge));
             let meshes: Vec<Choice> = meshes.collect();
             let others = [near.as_slice(), &meshes];
             let is_first = self.first.is_none();
@@ -268,8 +268,8 @@ impl<'a, 'b> Search<'a, 'b> {
             }
             let is_answer = trial.is_robust() && is_first;
             let kind = |trial: super::Trial| (trial.is_converged(), trial.is_robust());
-            let mut listed = self.found.choices.iter().filter_map(|own| own.trial);
-            if is_answer || !listed.any(|own| kind(own) == kind(trial)) {
+            let mut listed = self.found.choices.iter().filter_map(|known| known.trial);
+            if is_answer || !listed.any(|known| kind(known) == kind(trial)) {
                 let at = self.list(choice);
                 self.first = self.first.or(is_answer.then_some(at));
             }

@@ -9,7 +9,7 @@ use slipgap_study::{Alternative, Free, Study};
 pub fn used(
     study: &Study,
     alternative: &Alternative,
-    all: &[Free],
+    parameters: &[Free],
     measures: &[usize],
 ) -> [Vec<Free>; 2] {
     let in_metric = |free: &Free| {
@@ -22,11 +22,16 @@ pub fn used(
             .as_structure()
             .is_some_and(|structure| structure.has_same_motion(one, other))
     };
-    let uses: Vec<bool> = (0..all.len())
-        .map(|place| in_metric(&all[place]) || changes(study, alternative, all, place, &same))
+    let uses: Vec<bool> = (0..parameters.len())
+        .map(|index| {
+            in_metric(&parameters[index]) || changes(study, alternative, parameters, index, &same)
+        })
         .collect();
     [true, false].map(|wanted| {
-        let places = all.iter().zip(&uses).filter(|(_, uses)| **uses == wanted);
+        let places = parameters
+            .iter()
+            .zip(&uses)
+            .filter(|(_, uses)| **uses == wanted);
         places.map(|(free, _)| *free).collect()
     })
 }
@@ -39,8 +44,8 @@ pub fn apart(study: &Study, alternative: &Alternative, free: &[Free]) -> Vec<Fre
             .as_structure()
             .is_some_and(|structure| structure.are_side_by_side(one, other))
     };
-    let places = (0..free.len()).filter(|place| changes(study, alternative, free, *place, &same));
-    places.map(|place| free[place]).collect()
+    let places = (0..free.len()).filter(|index| changes(study, alternative, free, *index, &same));
+    places.map(|index| free[index]).collect()
 }
 
 /// Whether cases with other values of a free parameter are not the same: both ends of its range and its middle, with the others in the
@@ -50,14 +55,14 @@ fn changes(
     study: &Study,
     alternative: &Alternative,
     free: &[Free],
-    place: usize,
+    index: usize,
     same: &dyn Fn(&Case, &Case) -> bool,
 ) -> bool {
     let mut known = false;
     for others in [vec![0.5; free.len()], own_point(study, alternative, free)] {
         let at = |u: f64| {
             let mut point = others.clone();
-            point[place] = u;
+            point[index] = u;
             point
         };
         let points = [0.0, 0.5, 1.0].map(at);
@@ -68,11 +73,11 @@ fn changes(
             .map(|row| cases.may_be_solved(row))
             .collect();
         let tests = each.chunks(points.len()).zip(solvable.chunks(points.len()));
-        for (own, solvable) in tests {
-            let is_same = |k: usize| solvable[k] == solvable[0] && same(&own[0], &own[k]);
+        for (group, solvable) in tests {
+            let is_same = |k: usize| solvable[k] == solvable[0] && same(&group[0], &group[k]);
             if solvable.contains(&true) {
                 known = true;
-                if !(1..own.len()).all(is_same) {
+                if !(1..group.len()).all(is_same) {
                     return true;
                 }
             }
@@ -85,10 +90,10 @@ fn changes(
 fn own_point(study: &Study, alternative: &Alternative, free: &[Free]) -> Vec<f64> {
     let cases = study.point_cases(alternative, &[]).cases(&[Vec::new()]);
     let mut shown = cases.shown();
-    let unit = |own: &Free| match shown.at(0).values[own.parameter] {
-        Some(Value::Number(x)) => own
+    let unit = |parameter: &Free| match shown.at(0).values[parameter.parameter] {
+        Some(Value::Number(x)) => parameter
             .range
-            .unit(x.clamp(own.range.ends[0], own.range.ends[1])),
+            .unit(x.clamp(parameter.range.ends[0], parameter.range.ends[1])),
         _ => 0.5,
     };
     free.iter().map(unit).collect()

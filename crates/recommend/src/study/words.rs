@@ -11,16 +11,20 @@ impl Advice {
     /// The rows and names of the parameters that candidates have.
     pub fn parameters(&self) -> Vec<(usize, &str)> {
         let recommend = self.study.recommend.iter();
-        let rows = recommend.flat_map(|own| {
-            let free = own.free.iter().map(|free| free.parameter);
-            own.over.iter().copied().chain(free)
+        let rows = recommend.flat_map(|recommend| {
+            let free = recommend.free.iter().map(|free| free.parameter);
+            recommend.over.iter().copied().chain(free)
         });
         rows.map(|row| (row, self.name(row))).collect()
     }
 
     /// The metrics to keep, each with its tolerance.
     pub fn within(&self) -> Vec<(&str, f64)> {
-        let within = self.study.recommend.iter().flat_map(|own| &own.within);
+        let within = self
+            .study
+            .recommend
+            .iter()
+            .flat_map(|recommend| &recommend.within);
         let name = |row: usize| self.study.measures[row].name.as_str();
         within
             .map(|(row, tolerance)| (name(*row), *tolerance))
@@ -61,7 +65,7 @@ impl Advice {
         } else if !trial.holds() {
             "only with the seeds of the study".into()
         } else {
-            let names: Vec<&str> = lists.iter().map(|own| self.name(own.parameter)).collect();
+            let names: Vec<&str> = lists.iter().map(|list| self.name(list.parameter)).collect();
             format!("not converged in {}", names.join(", "))
         }
     }
@@ -90,7 +94,7 @@ impl Advice {
             )
         }));
         lines.extend(self.warnings());
-        lines.extend(self.not_converged.iter().map(|own| self.list_ends(own)));
+        lines.extend(self.not_converged.iter().map(|list| self.list_ends(list)));
         lines.extend(self.answer());
         lines
     }
@@ -98,7 +102,10 @@ impl Advice {
     /// How many candidates have each warning.
     fn warnings(&self) -> impl Iterator<Item = String> {
         WARNINGS.into_iter().filter_map(|kind| {
-            let with = self.choices.iter().filter(|own| own.warnings.has(kind));
+            let with = self
+                .choices
+                .iter()
+                .filter(|choice| choice.warnings.has(kind));
             let (count, of) = (with.count(), self.choices.len());
             (count > 0).then(|| {
                 let (name, message) = (kind.name(), kind.message());
@@ -107,11 +114,11 @@ impl Advice {
         })
     }
 
-    fn list_ends(&self, own: &NotConverged) -> String {
-        let (name, within) = (self.name(own.parameter), self.within());
-        let [before, last] = own.values.map(shown);
-        let (metric, tolerance) = within[own.metric];
-        let (change, tolerance) = (cell(own.change), shortest(tolerance));
+    fn list_ends(&self, list: &NotConverged) -> String {
+        let (name, within) = (self.name(list.parameter), self.within());
+        let [before, last] = list.values.map(shown);
+        let (metric, tolerance) = within[list.metric];
+        let (change, tolerance) = (cell(list.change), shortest(tolerance));
         format!(
             "Not converged in {name}: from {name} = {before} to {last} {metric} changes by {change}, more than its tolerance {tolerance}. \
              Continue the list, or compare with rigid contact (\"contacts_reference\": \"rigid\"); the force of an impact grows with k, and needs that of the real contact."

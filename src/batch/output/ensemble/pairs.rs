@@ -50,8 +50,8 @@ impl EnsembleMetrics<'_> {
         (0..self.outside.len()).filter(equal).collect()
     }
 
-    fn pairs_of(&self, place: usize, equal: &[usize]) -> Vec<Pair> {
-        let value = |ensemble: usize| self.ensembles[ensemble][place];
+    fn pairs_of(&self, index: usize, equal: &[usize]) -> Vec<Pair> {
+        let value = |ensemble: usize| self.ensembles[ensemble][index];
         let given = (0..self.ensembles.len()).filter(|ensemble| value(*ensemble).is_some());
         let classes = alike::grouped(given, |ensemble| {
             let values = equal.iter().map(|other| self.ensembles[*ensemble][*other]);
@@ -70,7 +70,7 @@ impl EnsembleMetrics<'_> {
                     .iter()
                     .filter(|b| !Value::identical(value(*a), value(**b)));
                 pairs.extend(different.map(|b| Pair {
-                    place,
+                    place: index,
                     ensembles: [*a, *b],
                 }));
             }

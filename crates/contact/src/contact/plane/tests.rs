@@ -165,10 +165,10 @@ fn run(law: &ContactLaw, turn: &dyn Fn(Pair) -> Pair, flat: bool, size: f64) -> 
 #[test]
 fn a_law_is_the_same_in_every_direction() {
     for law in laws() {
-        let own = run(&law, &|x| x, false, 0.3);
+        let unturned = run(&law, &|x| x, false, 0.3);
         let turn = turned(0.7);
-        for (own, turned) in own.into_iter().zip(run(&law, &turn, false, 0.3)) {
-            let difference = length(pair::map(turn(own), turned, |a, b| a - b));
+        for (vector, turned) in unturned.into_iter().zip(run(&law, &turn, false, 0.3)) {
+            let difference = length(pair::map(turn(vector), turned, |a, b| a - b));
             assert!(difference < 1e-9, "{law:?} {difference}");
         }
     }

@@ -36,7 +36,11 @@ impl Draw for Spectrum {
         let of = self.of.map(|row| &study.problem.schema().quantities[row]);
         let (motions, shown) = motions(study, cases, of);
         // Without its unit.
-        let of = of.map(|of| of.title.rsplit_once(", ").map_or(&*of.title, |own| own.0));
+        let of = of.map(|of| {
+            of.title
+                .rsplit_once(", ")
+                .map_or(&*of.title, |parts| parts.0)
+        });
         let named = label::labels(study.problem.parameters(), &shown, None, &[]);
         let ratios = number::digits(self.damping.iter().copied());
         let periods = over_periods(self.periods);
@@ -156,8 +160,9 @@ fn motions<'a>(
 ) -> (Vec<GroundMotion>, Vec<DrawnCase<'a>>) {
     let (mut motions, mut first) = (Vec::new(), Vec::new());
     let structure = study.problem.as_structure();
-    let unit = |dimension| structure.and_then(|own| own.unit_name(dimension));
-    let units = [Dimension::Length, Dimension::Time].map(|own| unit(own).unwrap_or_default());
+    let unit = |dimension| structure.and_then(|structure| structure.unit_name(dimension));
+    let units =
+        [Dimension::Length, Dimension::Time].map(|dimension| unit(dimension).unwrap_or_default());
     let motion = |shown: &DrawnCase| match of {
         None => structure?.ground_motion(&shown.case()),
         Some(of) => {

@@ -98,14 +98,14 @@ fn a_rotated_function_needs_as_many_points() {
         d[0] - d[1] - d[2] + d[3],
     ]
     .map(|x| 0.5 + 0.5 * x);
-    let [own, other] = [
+    let [aligned, other] = [
         evaluations(&ellipsoid, OFF, 32),
         evaluations(&rotated, start, 32),
     ];
     // Medians of 51 counts whose quartiles are within 5 %.
     assert!(
-        (own as f64 / other as f64 - 1.0).abs() < 0.05,
-        "{own} {other}"
+        (aligned as f64 / other as f64 - 1.0).abs() < 0.05,
+        "{aligned} {other}"
     );
 }
 

@@ -149,10 +149,7 @@ fn blocks(root: &Node) -> Vec<&Node> {
 fn rows(parameters: &Node, zip: &[&str], reader: &Reader) -> Result<Vec<Member>, String> {
     let mut combined: Vec<Member> = Vec::new();
     for name in zip {
-        let row = reader
-            .table
-            .iter()
-            .position(|parameter| parameter.name == *name);
+        let row = reader.table.iter().position(|row| row.name == *name);
         let Some((row, node)) = row.zip(member(parameters, name)) else {
             continue;
         };
@@ -196,10 +193,7 @@ fn follower(used: &BTreeSet<usize>, rows: &BTreeSet<usize>, reader: &Reader) -> 
     // A chain of expressions has at most as many links as there are parameters.
     for _ in reader.table {
         for (given, _) in &given {
-            let row = reader
-                .table
-                .iter()
-                .position(|parameter| parameter.name == given.key);
+            let row = reader.table.iter().position(|row| row.name == given.key);
             let follows = |text: &&str| {
                 let formula = Formula::number(text, reader.table);
                 formula.is_ok_and(|formula| formula.uses().iter().any(|row| changing.contains(row)))

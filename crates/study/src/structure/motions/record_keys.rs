@@ -147,10 +147,7 @@ fn chosen(node: &Node, of_names: bool, reader: &Reader) -> Option<usize> {
     let Tree::Text(text) = &node.tree else {
         return None;
     };
-    let row = reader
-        .table
-        .iter()
-        .position(|parameter| parameter.name == *text)?;
+    let row = reader.table.iter().position(|row| row.name == *text)?;
     (matches!(reader.table[row].kind, Kind::Choice(_)) == of_names).then_some(row)
 }
 

@@ -93,25 +93,25 @@ fn the_base_is_what_springs_and_contacts_exert_and_what_the_masses_need() {
             }
             let solution = chain(method, *ends, shaken, &y);
             assert!(solution.metrics[1] >= Some(1.0), "{method} {ends:?}");
-            let all = &solution.computed.channels;
+            let channels = &solution.computed.channels;
             // Round-off of the largest of a few terms.
-            vanishes(&all[1], &all[0], 1e-12, method);
-            for own in all
+            vanishes(&channels[1], &channels[0], 1e-12, method);
+            for sum in channels
                 .iter()
                 .skip(2 + MASSES.len())
                 .take(if is_support { 3 } else { 0 })
             {
-                vanishes(own, &all[0], 1e-12, method);
+                vanishes(sum, &channels[0], 1e-12, method);
             }
             let steps = solution.computed.time.iter().enumerate();
             let rest: Vec<f64> = steps
                 .map(|(i, t)| {
                     let masses = MASSES.iter().enumerate();
-                    let inertia: f64 = masses.map(|(k, (_, mass))| mass * all[2 + k][i]).sum();
-                    inertia - load(*t) - all[0][i]
+                    let inertia: f64 = masses.map(|(k, (_, mass))| mass * channels[2 + k][i]).sum();
+                    inertia - load(*t) - channels[0][i]
                 })
                 .collect();
-            vanishes(&rest, &all[0], 1e-12, method);
+            vanishes(&rest, &channels[0], 1e-12, method);
         }
     }
 }
@@ -128,9 +128,9 @@ fn accelerations_are_the_slopes_of_velocities() {
         &format!(r#""ground": {SHAKE}"#),
         &y,
     );
-    let all = &solution.computed.channels;
+    let channels = &solution.computed.channels;
     for pair in [0, 2, 6] {
-        let [a, v] = [&all[pair], &all[pair + 1]];
+        let [a, v] = [&channels[pair], &channels[pair + 1]];
         let steps = a.windows(2).zip(v.windows(2));
         let rest: Vec<f64> = steps
             .map(|(a, v)| 0.5 * (a[0] + a[1]) - (v[1] - v[0]) / 0.01)
@@ -138,10 +138,10 @@ fn accelerations_are_the_slopes_of_velocities() {
         // Round-off of v over dt, and of u times k/m = 7000.
         vanishes(&rest, a, 1e-11, y[pair]);
     }
-    let rest: Vec<f64> = (0..all[2].len())
-        .map(|i| all[2][i] + all[5][i] - all[4][i])
+    let rest: Vec<f64> = (0..channels[2].len())
+        .map(|i| channels[2][i] + channels[5][i] - channels[4][i])
         .collect();
-    vanishes(&rest, &all[4], 1e-14, "a_abs");
+    vanishes(&rest, &channels[4], 1e-14, "a_abs");
 }
 
 #[test]
@@ -158,15 +158,18 @@ fn the_ground_moves_as_its_acceleration_says() {
         &format!(r#""supports": {{"left": {SHAKE}, "right": {SHAKE}}}"#),
         &["left.a", "left.x.a", "left.v", "left"],
     );
-    let [all, same] = [ground, support].map(|one| one.computed.channels);
-    for (own, same) in all.iter().zip(&same).take(4) {
-        let rest: Vec<f64> = own.iter().zip(same).map(|(a, b)| a - b).collect();
+    let [of_ground, same] = [ground, support].map(|one| one.computed.channels);
+    for (channel, same) in of_ground.iter().zip(&same).take(4) {
+        let rest: Vec<f64> = channel.iter().zip(same).map(|(a, b)| a - b).collect();
         // A table and the cubics of a motion differ by round-off.
-        vanishes(&rest, own, 1e-14, "ground");
+        vanishes(&rest, channel, 1e-14, "ground");
     }
     // 1.3 times 4 at 0.31, by hand.
-    assert!((all[0][31] - 5.2).abs() < 1e-12 && (all[2][31] - 0.5 * 0.31 * 5.2).abs() < 1e-12);
-    assert!((all[3][31] - 5.2 * 0.31 * 0.31 / 6.0).abs() < 1e-12);
+    assert!(
+        (of_ground[0][31] - 5.2).abs() < 1e-12
+            && (of_ground[2][31] - 0.5 * 0.31 * 5.2).abs() < 1e-12
+    );
+    assert!((of_ground[3][31] - 5.2 * 0.31 * 0.31 / 6.0).abs() < 1e-12);
 }
 
 #[test]
@@ -187,16 +190,19 @@ fn the_energies_add_up_to_the_input() {
         let relative = chain(method, ["ground"; 2], &ground, &y);
         let carried = chain(method, ["left", "right"], &supports, &y);
         for solution in [&relative, &carried] {
-            let all = &solution.computed.channels;
+            let channels = &solution.computed.channels;
             // Round-off of 600 steps.
-            vanishes(&all[1], &all[0], 1e-12, method);
-            vanishes(&all[3], &all[0], 1e-12, method);
-            assert!(all[4].windows(2).all(|pair| pair[1] >= pair[0]), "{method}");
-            assert!(peak(&all[6]) > 0.01 * peak(&all[0]), "{method}");
+            vanishes(&channels[1], &channels[0], 1e-12, method);
+            vanishes(&channels[3], &channels[0], 1e-12, method);
+            assert!(
+                channels[4].windows(2).all(|pair| pair[1] >= pair[0]),
+                "{method}"
+            );
+            assert!(peak(&channels[6]) > 0.01 * peak(&channels[0]), "{method}");
             if method == "average-acceleration" {
-                vanishes(&all[2], &all[0], 1e-12, method);
+                vanishes(&channels[2], &channels[0], 1e-12, method);
                 // A spring gives back what it takes, but for the trapezoids of the steps in which it opens and closes.
-                vanishes(&all[5], &all[0], 0.1, method);
+                vanishes(&channels[5], &channels[0], 0.1, method);
             }
         }
         // The same motion in both forms, and so the same energies of it.
@@ -348,15 +354,16 @@ fn the_base_of_matrices_is_the_reaction_of_held_rows() {
     ];
     let solution = matrices(false, &ground, &y);
     for motion in [&solution.computed, &solution.exact] {
-        let all = &motion.channels;
-        let springs = (0..all[0].len()).map(|i| all[0][i] + 80.0 * all[1][i] + 70.0 * all[2][i]);
-        vanishes(&springs.collect::<Vec<_>>(), &all[0], 1e-12, "springs");
-        let inertia = (0..all[0].len()).map(|i| {
-            let [a1, a2, top] = [3, 4, 5].map(|k| all[k][i]);
-            5.0 * a1 + 5.0 * a2 + 3.0 * top - all[0][i]
+        let channels = &motion.channels;
+        let springs = (0..channels[0].len())
+            .map(|i| channels[0][i] + 80.0 * channels[1][i] + 70.0 * channels[2][i]);
+        vanishes(&springs.collect::<Vec<_>>(), &channels[0], 1e-12, "springs");
+        let inertia = (0..channels[0].len()).map(|i| {
+            let [a1, a2, top] = [3, 4, 5].map(|k| channels[k][i]);
+            5.0 * a1 + 5.0 * a2 + 3.0 * top - channels[0][i]
         });
         // The exact motion solves the coupled masses by modes.
-        vanishes(&inertia.collect::<Vec<_>>(), &all[0], 1e-11, "inertia");
+        vanishes(&inertia.collect::<Vec<_>>(), &channels[0], 1e-11, "inertia");
     }
     // Second order, (omega dt)^2/12 with omega = 8.
     assert!(solution.metrics[0].unwrap() < 0.01 * peak(&solution.computed.channels[3]));
@@ -380,23 +387,23 @@ fn supports_of_matrices_have_their_rows_of_the_equations() {
             "t.2.x - right",
         ];
         let solution = matrices(true, &shaken, &y);
-        let all = &solution.computed.channels;
+        let channels = &solution.computed.channels;
         let rest = |f: &dyn Fn([f64; 10]) -> f64| -> Vec<f64> {
-            let row = |i: usize| std::array::from_fn(|k| all[k][i]);
-            (0..all[0].len()).map(|i| f(row(i))).collect()
+            let row = |i: usize| std::array::from_fn(|k| channels[k][i]);
+            (0..channels[0].len()).map(|i| f(row(i))).collect()
         };
         let left = rest(&|x| 2.0 * x[6] + x[3] - 80.0 * x[8] - x[1]);
         let right = rest(&|x| 2.0 * x[7] + x[4] - 70.0 * x[9] - x[2]);
         let sum = rest(&|x| x[1] + x[2] - x[0]);
         let inertia =
             rest(&|x| 3.0 * x[6] + 6.0 * x[3] + 6.0 * x[4] + 3.0 * x[7] + 3.0 * x[5] - x[0]);
-        for (what, own) in [
+        for (what, residual) in [
             ("left", left),
             ("right", right),
             ("sum", sum),
             ("inertia", inertia),
         ] {
-            vanishes(&own, &all[0], 1e-11, what);
+            vanishes(&residual, &channels[0], 1e-11, what);
         }
     }
 }

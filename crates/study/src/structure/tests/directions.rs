@@ -34,7 +34,7 @@ fn a_spring_acts_in_its_direction_of_a_support() {
 fn a_support_that_does_not_move_in_the_direction_is_a_fault() {
     let only_x = r#"{"sine": {"amplitude": 1, "omega": 3}}"#;
     let says = "left does not move in y; the node \"left.y\" is held there";
-    for (spring, place) in [
+    for (spring, at) in [
         (
             r#""between": ["left", "a"], "direction": "y""#,
             "3:40: structure.springs[0].between[0]: ",
@@ -45,7 +45,7 @@ fn a_support_that_does_not_move_in_the_direction_is_a_fault() {
         ),
     ] {
         let found = faults(&text(spring, only_x));
-        assert!(found.contains(&format!("{place}{says}")), "{found}");
+        assert!(found.contains(&format!("{at}{says}")), "{found}");
     }
     assert_eq!(
         study(&text(r#""between": ["left.y", "a"]"#, only_x)).len(),

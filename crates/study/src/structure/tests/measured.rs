@@ -27,7 +27,10 @@ fn study(folder: &std::path::Path, text: &str) -> Study {
 fn write(folder: &std::path::Path, name: &str, header: &str, columns: &[&[f64]]) {
     let mut text = format!("{header}\n");
     for i in 0..columns[0].len() {
-        let row: Vec<String> = columns.iter().map(|own| format!("{:e}", own[i])).collect();
+        let row: Vec<String> = columns
+            .iter()
+            .map(|column| format!("{:e}", column[i]))
+            .collect();
         text += &row.join(",");
         text.push('\n');
     }
@@ -51,8 +54,8 @@ fn solved(study: &Study, case: &Case) -> Solution {
 }
 
 /// The computed channel at the compared times of a measured one, by lines between the two steps beside each time.
-fn at(solution: &Solution, own: &MeasuredChannel, dt: f64) -> Vec<f64> {
-    let u = solution.computed.channel(own.column);
+fn at(solution: &Solution, measured: &MeasuredChannel, dt: f64) -> Vec<f64> {
+    let u = solution.computed.channel(measured.column);
     let value = |t: &f64| {
         let after = (1..u.len() - 1)
             .find(|i| *i as f64 * dt > *t)
@@ -60,7 +63,10 @@ fn at(solution: &Solution, own: &MeasuredChannel, dt: f64) -> Vec<f64> {
         let share = t / dt - (after - 1) as f64;
         u[after - 1] * (1.0 - share) + u[after] * share
     };
-    own.time[own.compared.clone()].iter().map(value).collect()
+    measured.time[measured.compared.clone()]
+        .iter()
+        .map(value)
+        .collect()
 }
 
 const KEY: &str = r#""measured": {"file": "a.csv", "time": {"column": "ms", "unit": "ms"},
@@ -95,22 +101,25 @@ fn errors_are_sums_over_the_measured_times_in_the_units_of_the_study() {
     for case in study.cases() {
         let solution = solved(&study, &case);
         let measured = study.problem.as_structure().unwrap().measured(&case);
-        let names: Vec<&str> = measured.iter().map(|own| own.name.as_str()).collect();
+        let names: Vec<&str> = measured
+            .iter()
+            .map(|channel| channel.name.as_str())
+            .collect();
         assert_eq!(names, ["deck.u", "gap.S", "wall.a"]);
         let lag = case.number("lag").unwrap();
-        let own = &measured[0];
+        let deck = &measured[0];
         // Within the motion, 0 to 4, for both delays: from 0.25 to 4 in the time of the file.
         let inside = |t: &f64| (250.0..=4000.0).contains(t);
-        assert_eq!(own.compared.start, times.iter().position(inside).unwrap());
+        assert_eq!(deck.compared.start, times.iter().position(inside).unwrap());
         assert_eq!(
-            own.compared.len(),
+            deck.compared.len(),
             times.iter().filter(|t| inside(t)).count()
         );
         let sizes = [(&disp, 1e-3), (&force, 1e-3), (&acc, 9.80665)];
-        for (own, (column, size)) in measured.iter().zip(sizes) {
+        for (channel, (column, size)) in measured.iter().zip(sizes) {
             for i in 0..times.len() {
-                assert!((own.time[i] - (times[i] / 1000.0 - lag)).abs() < 1e-14);
-                assert!((own.values[i] - column[i] * size).abs() < 1e-15 * size * 1000.0);
+                assert!((channel.time[i] - (times[i] / 1000.0 - lag)).abs() < 1e-14);
+                assert!((channel.values[i] - column[i] * size).abs() < 1e-15 * size * 1000.0);
             }
         }
         let [u, s, a] = [0, 1, 2].map(|i| at(&solution, &measured[i], 0.01));
@@ -173,12 +182,12 @@ fn cases_side_by_side_have_the_metrics_of_each() {
         metrics,
     );
     let study = study(&folder, &text);
-    let all: Vec<Case> = study.cases().collect();
+    let listed: Vec<Case> = study.cases().collect();
     let mut cases = Cases::new(study.problem.schema());
-    all.iter().for_each(|case| cases.push(case));
-    let rows: Vec<u32> = (0..all.len() as u32).collect();
+    listed.iter().for_each(|case| cases.push(case));
+    let rows: Vec<u32> = (0..listed.len() as u32).collect();
     let table = study.problem.sweep(&cases, &rows);
-    for (i, case) in all.iter().enumerate() {
+    for (i, case) in listed.iter().enumerate() {
         let alone = solved(&study, case).metrics;
         let row: Vec<Option<f64>> = table.row(i).collect();
         assert_eq!(row, alone, "{i}");
@@ -209,7 +218,7 @@ fn a_file_of_the_motion_itself_has_no_error() {
         .unwrap()
         .measured(&case)
         .iter()
-        .map(|own| own.column)
+        .map(|channel| channel.column)
         .collect();
     let [u, s, r] = [0, 1, 2].map(|i| solution.computed.channel(columns[i]));
     // The file begins 0.7 s before the motion; forces and displacements are 1.25 times as large.
@@ -219,10 +228,10 @@ fn a_file_of_the_motion_itself_has_no_error() {
     let same = study(&folder, &text(r#", "delay": 0.7"#));
     let values = solved(&same, &same.case(0).unwrap()).metrics;
     let energy = values[6].unwrap();
-    for (place, value) in values.iter().enumerate().filter(|(place, _)| *place != 6) {
+    for (index, value) in values.iter().enumerate().filter(|(index, _)| *index != 6) {
         // A time has a round-off of 1e-16 times 4.7/0.01 steps, times a step of the force of some 10; a distance is of points along
         // a line.
-        assert!(value.unwrap().abs() < 1e-9, "{place}: {value:?}");
+        assert!(value.unwrap().abs() < 1e-9, "{index}: {value:?}");
     }
     assert!(energy > 0.0);
     write(
@@ -245,11 +254,11 @@ fn a_file_of_the_motion_itself_has_no_error() {
         energy,
         0.25 * peak,
     ];
-    for (place, (value, expected)) in values.iter().zip(expected).enumerate() {
+    for (index, (value, expected)) in values.iter().zip(expected).enumerate() {
         let error = (value.unwrap() - expected).abs();
         assert!(
-            error < 1e-9 || place == 4,
-            "{place}: {value:?}, not {expected}"
+            error < 1e-9 || index == 4,
+            "{index}: {value:?}, not {expected}"
         );
     }
     // The forces over their half range are the same but for the factor 1/1.25.
@@ -314,16 +323,19 @@ fn several_files_are_an_axis() {
     let columns = r#""time": "t", "columns": {"deck.u": "u"}"#;
     let axis = format!(r#""measured": {{"file": {{"files": "run-*.csv"}}, {columns}}},"#);
     let metrics = "\"rms_error(deck, measured)\"";
-    let all = study(&folder, &pounding(r#""k": [100, 120]"#, &axis, metrics));
-    let files: Vec<&str> = all.cases().map(|case| case.choice("measured")).collect();
+    let by_files = study(&folder, &pounding(r#""k": [100, 120]"#, &axis, metrics));
+    let files: Vec<&str> = by_files
+        .cases()
+        .map(|case| case.choice("measured"))
+        .collect();
     assert_eq!(files, ["run-a.csv", "run-b.csv", "run-a.csv", "run-b.csv"]);
-    for case in all.cases() {
+    for case in by_files.cases() {
         let file = case.choice("measured");
         let one = format!(r#""measured": {{"file": "{file}", {columns}}},"#);
         let k = format!("\"k\": {}", case.number("k").unwrap());
         let one = study(&folder, &pounding(&k, &one, metrics));
         let alone = solved(&one, &one.case(0).unwrap());
-        assert_eq!(solved(&all, &case).metrics, alone.metrics);
+        assert_eq!(solved(&by_files, &case).metrics, alone.metrics);
     }
     // A parameter of any name.
     let named = format!(r#""measured": {{"file": "test", {columns}}},"#);
@@ -367,27 +379,32 @@ fn measurements_need_no_exact_motion_and_change_only_their_own_identity() {
         )
     };
     let first = identity(&measured(r#""m.u": "u""#, ""));
-    let mut all = vec![plain.to_owned(), first.clone()];
-    all.push(identity(&measured(r#""m.u": "t""#, "")));
-    all.push(identity(&measured(r#""m.u": "u""#, r#", "delay": 0.1"#)));
+    let mut identities = vec![plain.to_owned(), first.clone()];
+    identities.push(identity(&measured(r#""m.u": "t""#, "")));
+    identities.push(identity(&measured(r#""m.u": "u""#, r#", "delay": 0.1"#)));
     write(&folder, "a.csv", "t,u", &[&times, &times]);
-    all.push(identity(&measured(r#""m.u": "u""#, "")));
-    let count = all.len();
-    all.sort();
-    all.dedup();
-    assert_eq!(all.len(), count);
+    identities.push(identity(&measured(r#""m.u": "u""#, "")));
+    let count = identities.len();
+    identities.sort();
+    identities.dedup();
+    assert_eq!(identities.len(), count);
     // The exact motion of the metric would be at work.
     let text = pounding(
         r#""k": 100"#,
         r#""measured": {"file": "a.csv", "time": "t", "columns": {"deck": "u"}},"#,
         r#""rms_error(deck, measured)""#,
     );
-    let own = study(&folder, &text);
-    assert_eq!(own.problem.reference_work(&own.case(0).unwrap(), &[]), 0);
-    assert!(own.problem.schema().budgets.is_empty());
-    assert_eq!(own.problem.metrics()[0].unit, "m");
+    let compared = study(&folder, &text);
     assert_eq!(
-        own.problem.metrics()[0].symbol,
+        compared
+            .problem
+            .reference_work(&compared.case(0).unwrap(), &[]),
+        0
+    );
+    assert!(compared.problem.schema().budgets.is_empty());
+    assert_eq!(compared.problem.metrics()[0].unit, "m");
+    assert_eq!(
+        compared.problem.metrics()[0].symbol,
         "rms error of displacement of deck against what was measured, m"
     );
 }

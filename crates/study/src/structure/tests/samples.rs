@@ -44,11 +44,11 @@ fn each_test_gives_the_reductions_of_its_values() {
     let expected = [10.0, 5.0, -10.0, 5.0, rms];
     for (row, value) in expected.into_iter().enumerate() {
         let found = study.in_tests(row).unwrap();
-        let mut own: Vec<f64> = [1.0, 2.0, 3.0].map(|size| size * value * 1e-3).to_vec();
-        own.sort_by(f64::total_cmp);
-        for (a, b) in found.iter().zip(&own) {
+        let mut values: Vec<f64> = [1.0, 2.0, 3.0].map(|size| size * value * 1e-3).to_vec();
+        values.sort_by(f64::total_cmp);
+        for (a, b) in found.iter().zip(&values) {
             // A few roundings.
-            assert!((a - b).abs() < 1e-15, "{row}: {found:?} {own:?}");
+            assert!((a - b).abs() < 1e-15, "{row}: {found:?} {values:?}");
         }
     }
     // The first time of the largest absolute value, by the times of the file.

@@ -22,7 +22,9 @@ fn named(names: &str) -> String {
 fn quantities(names: &str) -> Vec<String> {
     let study = study(&named(names));
     let quantities = study.problem.schema().quantities.iter();
-    quantities.map(|own| own.title.to_string()).collect()
+    quantities
+        .map(|quantity| quantity.title.to_string())
+        .collect()
 }
 
 /// The titles of metrics.
@@ -85,8 +87,11 @@ fn names_reach_channels_and_contacts() {
     // A parameter is before a part of the structure.
     let table = study(&named(names));
     let table = table.problem.parameters();
-    let width = table.iter().find(|own| own.name == "width");
-    assert_eq!(width.map(|own| own.title()), Some("Width of it, t".into()));
+    let width = table.iter().find(|parameter| parameter.name == "width");
+    assert_eq!(
+        width.map(|parameter| parameter.title()),
+        Some("Width of it, t".into())
+    );
     // Columns keep their names.
     let study = study(&named(names));
     assert_eq!(study.measures[1].name, "max(f2 - f1)");
@@ -135,7 +140,10 @@ fn records_are_named_by_their_headers_or_by_the_study() {
         let file = folder.join("s.json").display().to_string();
         let study = Input::new(&file, &text).study(1000).unwrap();
         let table = study.problem.parameters();
-        let row = table.iter().position(|own| own.name == "record").unwrap();
+        let row = table
+            .iter()
+            .position(|parameter| parameter.name == "record")
+            .unwrap();
         let value = |number| study.case(number).unwrap().values[row];
         // The values, which tables have, are the files.
         assert_eq!(value(0), Some(Value::Name("r/a.AT2")));

@@ -36,8 +36,8 @@ impl Dofs {
         }
         let rows = lines.iter().enumerate().skip(1);
         for (index, line) in rows.filter(|(_, line)| !line.trim().is_empty()) {
-            let mut own = cells(line);
-            let name = own.next().unwrap_or_default();
+            let mut fields = cells(line);
+            let name = fields.next().unwrap_or_default();
             if name.is_empty() || !is_plain(name) {
                 let message = format!(
                     "a force is named by letters, digits and _, got {}",
@@ -48,7 +48,7 @@ impl Dofs {
             if self.force(name).is_some() {
                 return Err(fault(index, format!("{name} is there twice")));
             }
-            let kind = match own.next().unwrap_or_default() {
+            let kind = match fields.next().unwrap_or_default() {
                 "force" => ForceKind::Force,
                 "moment" => ForceKind::Moment,
                 other => {
@@ -56,7 +56,7 @@ impl Dofs {
                     return Err(fault(index, message));
                 }
             };
-            let along = self.sum_of(own, index)?;
+            let along = self.sum_of(fields, index)?;
             if along.is_empty() {
                 return Err(fault(index, format!("{name} has no dof:factor")));
             }
@@ -77,7 +77,9 @@ impl Dofs {
 
     /// The force of members with this name.
     pub fn force(&self, name: &str) -> Option<&MemberForce> {
-        self.forces_of_members.iter().find(|own| own.name == name)
+        self.forces_of_members
+            .iter()
+            .find(|force| force.name == name)
     }
 
     /// The forces of members.

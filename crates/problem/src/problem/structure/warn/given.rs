@@ -33,17 +33,10 @@ pub fn spring_mass(template: &Template, case: &Case, masses: &Masses) -> Option<
         let SpringNumbers::Period { mass, .. } = &spring.numbers else {
             return None;
         };
-        let stated = mass.value(case).ok()?;
+        let m = mass.value(case).ok()?;
         let [low, _, high] = masses.along(&spring.along, case)?;
-        let fits = ((1.0 - ROUNDED) * low..=(1.0 + ROUNDED) * high).contains(&stated);
-        let text = || {
-            format!(
-                "{} is {}, {}",
-                mass.path,
-                short(stated),
-                between([low, high])
-            )
-        };
+        let fits = ((1.0 - ROUNDED) * low..=(1.0 + ROUNDED) * high).contains(&m);
+        let text = || format!("{} is {}, {}", mass.path, short(m), between([low, high]));
         (!fits).then(|| (Warning::SpringMass, text()))
     })
 }
@@ -137,17 +130,10 @@ pub fn colliding_mass(template: &Template, case: &Case, masses: &Masses) -> Opti
     contacts.find_map(|contact| {
         law_named(contact.law.name(case)).filter(|law| law.has("colliding_mass"))?;
         let mass = contact.number("colliding_mass")?;
-        let stated = mass.value(case).ok()?;
+        let m = mass.value(case).ok()?;
         let [low, high, _] = masses.along(&contact.along, case)?;
-        let fits = (low / FAR..=high * FAR).contains(&stated);
-        let text = || {
-            format!(
-                "{} is {}, {}",
-                mass.path,
-                short(stated),
-                between([low, high])
-            )
-        };
+        let fits = (low / FAR..=high * FAR).contains(&m);
+        let text = || format!("{} is {}, {}", mass.path, short(m), between([low, high]));
         (!fits).then(|| (Warning::CollidingMass, text()))
     })
 }
@@ -157,14 +143,7 @@ pub fn idle_gravity(template: &Template, case: &Case) -> Option<Doubt> {
     let masses = template.masses.iter().map(|mass| mass.direction);
     let bars = template.bars.iter().map(|bar| bar.direction);
     let rows = template.matrices.iter();
-    let rows = rows.flat_map(|matrices| {
-        matrices
-            .imported
-            .dofs
-            .rows()
-            .iter()
-            .map(|dof| dof.direction)
-    });
+    let rows = rows.flat_map(|block| block.imported.dofs.rows().iter().map(|dof| dof.direction));
     let moving: Vec<_> = masses.chain(bars).chain(rows).collect();
     template.gravities().find_map(|(direction, amount)| {
         let acts = amount.value(case).is_ok_and(|value| value != 0.0);

@@ -72,11 +72,11 @@ fn misfit(logarithms: &[Vec<f64>], scaled: bool) -> f64 {
     let mean = median.map(|a: f64| (a * 9.80665).ln());
     let n = logarithms.len() as f64;
     let at = |i: usize| {
-        let value = |own: &Vec<f64>| own[i] + if scaled { mean[2] - own[2] } else { 0.0 };
+        let value = |logs: &Vec<f64>| logs[i] + if scaled { mean[2] - logs[2] } else { 0.0 };
         let values: Vec<f64> = logarithms.iter().map(value).collect();
-        let own = values.iter().sum::<f64>() / n;
-        let squares: f64 = values.iter().map(|x| (x - own) * (x - own)).sum();
-        (own - mean[i]).powi(2) + ((squares / (n - 1.0)).sqrt() - sigma[i]).powi(2)
+        let average = values.iter().sum::<f64>() / n;
+        let squares: f64 = values.iter().map(|x| (x - average) * (x - average)).sum();
+        (average - mean[i]).powi(2) + ((squares / (n - 1.0)).sqrt() - sigma[i]).powi(2)
     };
     (0..4).map(at).sum()
 }
@@ -84,17 +84,18 @@ fn misfit(logarithms: &[Vec<f64>], scaled: bool) -> f64 {
 #[test]
 fn the_chosen_records_are_the_best_of_a_folder_and_have_their_partners() {
     let folder = folder("best");
-    let all = chosen(&folder, &text("")).unwrap();
-    assert_eq!(all.len(), COUNT);
+    let records = chosen(&folder, &text("")).unwrap();
+    assert_eq!(records.len(), COUNT);
     let logarithms = |motion: &GroundMotion| -> Vec<f64> {
-        let all = spectrum(&motion.acceleration, &PERIODS, 0.05).unwrap();
+        let ordinates = spectrum(&motion.acceleration, &PERIODS, 0.05).unwrap();
         let omega = |t: f64| 2.0 * PI / t;
-        let square = |own: f64, t: f64| (own * omega(t) * omega(t)).ln();
-        all.iter()
-            .map(|own| square(own.displacement, own.period))
+        let square = |u: f64, t: f64| (u * omega(t) * omega(t)).ln();
+        ordinates
+            .iter()
+            .map(|ordinate| square(ordinate.displacement, ordinate.period))
             .collect()
     };
-    let of_all: Vec<Vec<f64>> = all.iter().map(|own| logarithms(&own.1)).collect();
+    let of_all: Vec<Vec<f64>> = records.iter().map(|record| logarithms(&record.1)).collect();
     for (more, scaled) in [("", false), (r#", "at": 1"#, true)] {
         let found = chosen(&folder, &text(&choose(5, more))).unwrap();
         assert_eq!(found.len(), 5);
@@ -103,20 +104,20 @@ fn the_chosen_records_are_the_best_of_a_folder_and_have_their_partners() {
         for ([x, y], _) in &found {
             assert_eq!(x.replace("-x", "-y"), *y);
         }
-        let place = |x: &String| all.iter().position(|own| own.0[0] == *x).unwrap();
-        let places: Vec<usize> = found.iter().map(|own| place(&own.0[0])).collect();
+        let index_of = |x: &String| records.iter().position(|record| record.0[0] == *x).unwrap();
+        let places: Vec<usize> = found.iter().map(|record| index_of(&record.0[0])).collect();
         assert!(places.windows(2).all(|pair| pair[0] < pair[1]));
         let of = |places: &[usize]| {
             let spectra: Vec<Vec<f64>> = places.iter().map(|i| of_all[*i].clone()).collect();
             misfit(&spectra, scaled)
         };
-        let own = of(&places);
+        let reached = of(&places);
         for k in 0..5 {
             for other in (0..COUNT).filter(|i| !places.contains(i)) {
                 let mut exchanged = places.clone();
                 exchanged[k] = other;
                 // Round-off.
-                assert!(of(&exchanged) >= own * (1.0 - 1e-9));
+                assert!(of(&exchanged) >= reached * (1.0 - 1e-9));
             }
         }
     }

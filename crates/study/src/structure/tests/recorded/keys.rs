@@ -64,12 +64,12 @@ fn files_with_steps_and_units_of_their_own_are_an_axis() {
     // The same file with two steps, each with both units.
     let parameters =
         r#""parameters": {"unit": ["g", "cm/s2"], "step": [0.5, 0.25], "dt": 0.01, "duration": 2}"#;
-    let all = study(
+    let signals = study(
         parameters,
         r#""record": "g.txt", "unit": "unit", "dt": "step""#,
     )
     .unwrap();
-    assert_eq!(at(&all, 0.5), [G, -3.0 * G, 0.01, -0.03]);
+    assert_eq!(at(&signals, 0.5), [G, -3.0 * G, 0.01, -0.03]);
     // Each block has its own values.
     let blocks = r#""blocks": [{"parameters": {"unit": "g", "step": 0.5, "dt": 0.01, "duration": 2}},
         {"parameters": {"unit": "mm/s2", "step": 0.25, "dt": 0.01, "duration": 2}}]"#;

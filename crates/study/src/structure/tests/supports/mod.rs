@@ -178,21 +178,21 @@ fn a_table_with_a_delay_and_a_dashpot_is_the_closed_form() {
         .iter()
         .map(|x| *x.last().unwrap());
     let last: Vec<f64> = last.skip(2).take(3).collect();
-    for (own, expected) in last.iter().zip([2.7 * 2.7, 5.4, 2.0]) {
-        assert!((own - expected).abs() < 1e-14 * 10.0, "{last:?}");
+    for (value, expected) in last.iter().zip([2.7 * 2.7, 5.4, 2.0]) {
+        assert!((value - expected).abs() < 1e-14 * 10.0, "{last:?}");
     }
 }
 
 #[test]
 fn a_delay_of_steps_shifts_the_motion_by_them() {
-    let all = r#"["a", "b.v", "gap.r", "bearing.S", "left.u"]"#;
+    let drawn = r#"["a", "b.v", "gap.r", "bearing.S", "left.u"]"#;
     for method in ["average-acceleration", "bathe"] {
         let of = |delay: &str| {
             // The record begins with 0, so that no jump is between two steps of one and at a step of the other.
             let shake =
                 format!(r#"{{"table": {{"t": [0, 0.3, 0.8, 3], "f": [0, 4, -7, 1]}}{delay}}}"#);
             let supports = format!(r#""supports": {{"left": {shake}, "right": {shake}}}"#);
-            let text = chain(method, LAWS[0], &supports, ["left", "right"], all);
+            let text = chain(method, LAWS[0], &supports, ["left", "right"], drawn);
             channels(&text)
         };
         let (now, zero, later) = (of(""), of(r#", "delay": 0"#), of(r#", "delay": 0.25"#));
@@ -303,12 +303,12 @@ fn imported(name: &str, support: &str, rows: [&str; 2]) -> std::path::PathBuf {
     let mut dofs = format!("node,direction,{support}\n");
     for direction in ["x", "y"] {
         for node in 0..4 {
-            let own = match node {
+            let row = match node {
                 0 => rows[0],
                 3 => rows[1],
                 _ => "",
             };
-            dofs += &format!("{node},{direction},{own}\n");
+            dofs += &format!("{node},{direction},{row}\n");
         }
     }
     std::fs::write(folder.join("dofs.csv"), dofs).unwrap();
@@ -410,7 +410,7 @@ fn faults_of_supports_have_places() {
     };
     let sine = r#"{"sine": {"amplitude": 1, "omega": 1}}"#;
     let left = format!(r#"{{"left": {sine}}}"#);
-    for (supports, more, place, part) in [
+    for (supports, more, at, part) in [
         (
             left.clone(),
             format!(r#", "ground": {sine}"#),
@@ -469,7 +469,7 @@ fn faults_of_supports_have_places() {
     ] {
         let found = of(&supports, &more);
         assert!(
-            found.contains(place) && found.contains(part),
+            found.contains(at) && found.contains(part),
             "{supports}{more}: {found}"
         );
     }
@@ -517,9 +517,9 @@ fn the_delay_of_a_wave_is_an_axis_and_explain_shows_it() {
         let solution = study.problem.solve(&case, &[]).unwrap();
         let x: f64 = 4.0 * (2.0 - delay);
         let expected = [(x - x.sin()) / 16.0, x.sin(), (1.0 - x.cos()) / 4.0];
-        for (own, expected) in solution.metrics.iter().zip(expected) {
+        for (value, expected) in solution.metrics.iter().zip(expected) {
             assert!(
-                (own.unwrap() - expected).abs() < 1e-14,
+                (value.unwrap() - expected).abs() < 1e-14,
                 "{:?}",
                 solution.metrics
             );
@@ -568,11 +568,11 @@ fn parts_that_nothing_holds_do_not_follow_supports() {
         if *t < 1.0 {
             // a and b move with the support or not, as R says: their u stays 0.
             let expected = [0.5 - 0.5 * t * t, -t, 0.0, 0.0];
-            for (own, expected) in [r, rate, a, s].iter().zip(expected) {
+            for (value, expected) in [r, rate, a, s].iter().zip(expected) {
                 assert!(
-                    (own[i] - expected).abs() < 1e-12,
+                    (value[i] - expected).abs() < 1e-12,
                     "{t}: {} {expected}",
-                    own[i]
+                    value[i]
                 );
             }
         }

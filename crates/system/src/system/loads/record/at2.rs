@@ -100,7 +100,7 @@ fn is_table(lines: &[&str], header: usize) -> bool {
         && rows
             .windows(2)
             .all(|pair| pair[0].first() < pair[1].first());
-    rows.iter().all(|own| own.len() == width)
+    rows.iter().all(|row| row.len() == width)
         && (rows.len() * width) as f64 != npts
         && (rows.len() as f64 == npts || rises)
 }

@@ -64,8 +64,8 @@ fn starts(lines: &[&str]) -> Vec<usize> {
 
 /// The event in the first columns of the second line, the code of the station and the direction of the channel.
 fn heading(lines: &[&str], reading: &Reading) -> Heading {
-    let place = reading.component.unwrap_or(1).saturating_sub(1);
-    let start = starts(lines).get(place).copied().unwrap_or_default();
+    let index = reading.component.unwrap_or(1).saturating_sub(1);
+    let start = starts(lines).get(index).copied().unwrap_or_default();
     let event = lines.get(start + 1).copied().unwrap_or_default();
     let mut header = lines.iter().skip(start).take(20);
     let code = header.find_map(|line| line.split_once("Code:"));

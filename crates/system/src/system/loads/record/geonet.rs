@@ -103,8 +103,8 @@ fn behind<'a>(lines: &[&'a str], start: usize, label: &str) -> &'a str {
 /// The date of the event, the code of the station and the component.
 fn heading(lines: &[&str], reading: &Reading) -> Heading {
     let starts = starts(lines);
-    let place = reading.component.unwrap_or(1).saturating_sub(1);
-    let start = starts.get(place).copied().unwrap_or_default();
+    let index = reading.component.unwrap_or(1).saturating_sub(1);
+    let start = starts.get(index).copied().unwrap_or_default();
     let first = |label| behind(lines, start, label).split_whitespace().next();
     let mut header = lines.iter().skip(start).take(HEADER[0]);
     Heading {
@@ -133,7 +133,7 @@ fn date(line: &str) -> Option<String> {
     let mut words = line.split_whitespace();
     let year: u16 = words.next()?.parse().ok()?;
     let month = words.next()?;
-    let month = MONTHS.iter().position(|own| *own == month)? + 1;
+    let month = MONTHS.iter().position(|name| *name == month)? + 1;
     let day: u8 = words.next()?.parse().ok()?;
     Some(format!("{year}-{month:02}-{day:02}"))
 }

@@ -20,7 +20,7 @@ impl Heading {
         let text = decode(bytes);
         let lines: Vec<&str> = text.lines().collect();
         let format = FORMATS.iter().find(|format| (format.find)(&lines).is_ok());
-        format.map_or_else(Heading::default, |own| (own.heading)(&lines, reading))
+        format.map_or_else(Heading::default, |format| (format.heading)(&lines, reading))
     }
 
     /// `event, station, component`, without what is empty.

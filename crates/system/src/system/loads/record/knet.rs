@@ -94,7 +94,7 @@ fn parse(lines: &[&str], mean: Mean) -> Series {
         .iter()
         .chain(&record.values)
         .all(|x| x.is_finite());
-    let line = header(lines, "Sampling Freq(Hz)").map_or(0, |own| own.0);
+    let line = header(lines, "Sampling Freq(Hz)").map_or(0, |pair| pair.0);
     finite
         .then_some((record, Some(Stated::new(dt, "Sampling Freq(Hz)", line))))
         .ok_or_else(|| fault(HEADER, RecordCause::TooLarge))

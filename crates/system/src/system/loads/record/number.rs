@@ -175,14 +175,14 @@ pub(super) fn fields(line: &str) -> impl Iterator<Item = &str> {
 /// The numbers of a text with several points, as Fortran writes them in full fields: each with as many decimals as the last one, two or
 /// more.
 fn pointed(text: &str) -> impl Iterator<Item = &str> {
-    let decimals = text.rsplit_once('.').map_or(0, |own| own.1.len());
+    let decimals = text.rsplit_once('.').map_or(0, |parts| parts.1.len());
     let mut rest = text;
     std::iter::from_fn(move || {
         let point = rest.find('.').filter(|_| decimals > 1);
         let cut = point.map(|point| point + 1 + decimals);
         let is_whole = |cut: &usize| {
             let digits = rest.as_bytes().get(cut - decimals..*cut);
-            let digits = digits.is_some_and(|own| own.iter().all(u8::is_ascii_digit));
+            let digits = digits.is_some_and(|bytes| bytes.iter().all(u8::is_ascii_digit));
             digits && rest[*cut..].contains('.')
         };
         let cut = cut.filter(is_whole).unwrap_or(rest.len());

@@ -61,7 +61,10 @@ fn has_whole(lines: &[&str]) -> bool {
 /// The record of a channel.
 fn read(lines: &[&str], reading: &Reading) -> Series {
     let channels = channels(lines);
-    let names: Vec<String> = channels.iter().map(|own| name(text(lines, own))).collect();
+    let names: Vec<String> = channels
+        .iter()
+        .map(|channel| name(text(lines, channel)))
+        .collect();
     let channel = &channels[component(&names, reading.component)?];
     let head = text(lines, channel);
     if let Some((line, _)) = behind(head, "SPECTRA") {
@@ -165,7 +168,7 @@ fn pairs(lines: &[&str], channel: &Channel) -> Series {
     let times = &record.times;
     let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
     let mut between = times.windows(2).map(|pair| pair[1] - pair[0]);
-    let is_even = between.all(|own| (own - step).abs() <= EVEN * step);
+    let is_even = between.all(|dt| (dt - step).abs() <= EVEN * step);
     let stated = is_even.then(|| Stated::new(step, "the times", channel.data));
     Ok((record, stated))
 }
@@ -238,8 +241,8 @@ fn channel_words(head: &[&str]) -> [String; 2] {
 /// The event, the station and the direction of the channel.
 fn heading(lines: &[&str], reading: &Reading) -> Heading {
     let channels = channels(lines);
-    let place = reading.component.unwrap_or(1).saturating_sub(1);
-    let Some(channel) = channels.get(place) else {
+    let index = reading.component.unwrap_or(1).saturating_sub(1);
+    let Some(channel) = channels.get(index) else {
         return Heading::default();
     };
     let head = text(lines, channel);

@@ -129,8 +129,8 @@ fn values<'a>(lines: &[&'a str], label: &str) -> Vec<(usize, &'a str)> {
         let values = rest.split(by).map(str::trim);
         Some(
             values
-                .filter(|own| !own.is_empty())
-                .map(move |own| (i, own)),
+                .filter(|value| !value.is_empty())
+                .map(move |value| (i, value)),
         )
     };
     let head = lines.iter().take(LINES).enumerate();
@@ -153,7 +153,7 @@ fn read(lines: &[&str], reading: &Reading, labels: &Labels) -> Series {
     let steps = values(lines, labels.step).len();
     let directions = values(lines, labels.component);
     let names: Vec<String> = (0..steps)
-        .map(|i| directions.get(i).map_or("", |own| own.1).to_owned())
+        .map(|i| directions.get(i).map_or("", |pair| pair.1).to_owned())
         .collect();
     let channel = match steps {
         0 => 0,
@@ -203,7 +203,7 @@ fn units(lines: &[&str], labels: &Labels) -> Result<Option<Unit>, LineFault> {
             ("veloc", "velocity"),
             ("displ", "displacement"),
         ];
-        if let Some((_, other)) = others.into_iter().find(|own| text.contains(own.0)) {
+        if let Some((_, other)) = others.into_iter().find(|pair| text.contains(pair.0)) {
             return Err(fault(line, RecordCause::Quantity(other)));
         }
     }
@@ -227,8 +227,8 @@ fn rows(
     for (index, line) in body(lines, labels).filter(|(_, line)| !line.trim().is_empty()) {
         let row = numbers(line).map_err(|cause| fault(index, cause))?;
         if row.len() != channels {
-            let place = format!("{} of line {}", labels.step, at + 1);
-            let cause = RecordCause::Channels(row.len(), place, channels);
+            let source = format!("{} of line {}", labels.step, at + 1);
+            let cause = RecordCause::Channels(row.len(), source, channels);
             return Err(fault(index, cause));
         }
         rows.push(row);
@@ -250,7 +250,7 @@ fn body<'a>(lines: &'a [&str], labels: &Labels) -> impl Iterator<Item = (usize, 
         .rposition(begins)
         .unwrap_or_default();
     let body = lines.iter().copied().enumerate().skip(last + 1);
-    body.skip_while(|(_, line)| !numbers(line).is_ok_and(|own| !own.is_empty()))
+    body.skip_while(|(_, line)| !numbers(line).is_ok_and(|row| !row.is_empty()))
 }
 
 /// The numbers of a line.
@@ -259,11 +259,11 @@ fn numbers(line: &str) -> Result<Vec<f64>, RecordCause> {
 }
 
 fn heading(lines: &[&str], reading: &Reading, labels: &Labels) -> Heading {
-    let of = |label, place| value(lines, label, place).map_or("", |own| own.1);
-    let place = reading.column.unwrap_or(1).saturating_sub(1);
+    let of = |label, index| value(lines, label, index).map_or("", |pair| pair.1);
+    let column = reading.column.unwrap_or(1).saturating_sub(1);
     Heading {
         event: spaced(of(labels.event, 0)).replace('/', "-"),
         station: spaced(of(labels.station, 0)),
-        component: heading::component(of(labels.component, place)),
+        component: heading::component(of(labels.component, column)),
     }
 }

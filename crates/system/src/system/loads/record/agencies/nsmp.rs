@@ -56,7 +56,10 @@ fn blocks(lines: &[&str]) -> Vec<(usize, bool)> {
 /// The lines with the type of the blocks that have accelerations.
 fn accelerations(lines: &[&str]) -> Vec<usize> {
     let blocks = blocks(lines).into_iter();
-    blocks.filter(|own| own.1).map(|own| own.0).collect()
+    blocks
+        .filter(|block| block.1)
+        .map(|block| block.0)
+        .collect()
 }
 
 /// The text of a block before the line with its type.
@@ -84,7 +87,7 @@ fn read(lines: &[&str], reading: &Reading) -> Series {
     let rate = positive(labelled(at, "SAMPLES/SEC=")?, "SAMPLES/SEC", at)?;
     let points = count(labelled(at + 1, "NO OF POINTS=")?, "NO OF POINTS", at + 1)?;
     let units = labelled(at + 1, "UNITS=")?.split(',').next();
-    let units = units.and_then(unit).map(|own| own.0);
+    let units = units.and_then(unit).map(|pair| pair.0);
     let source = format!("NO OF POINTS of line {}", at + 2);
     let values = block(lines, at + 2, points, &source)?;
     let stated = Stated::new(1.0 / rate, "SAMPLES/SEC", at);
@@ -93,8 +96,8 @@ fn read(lines: &[&str], reading: &Reading) -> Series {
 
 /// The station, the event and the direction of a block.
 fn heading(lines: &[&str], reading: &Reading) -> Heading {
-    let place = reading.component.unwrap_or(1).saturating_sub(1);
-    let Some(at) = accelerations(lines).get(place).copied() else {
+    let index = reading.component.unwrap_or(1).saturating_sub(1);
+    let Some(at) = accelerations(lines).get(index).copied() else {
         return Heading::default();
     };
     let titles = titles(lines, at);

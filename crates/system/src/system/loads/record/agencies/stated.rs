@@ -8,8 +8,8 @@ use crate::system::loads::Unit;
 /// What is behind a label in capitals in the first of these lines that has it, without signs between, and the index of the line.
 pub(super) fn behind<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
     let of = |line: &&'a str| {
-        let place = line.to_ascii_uppercase().find(label)?;
-        let rest = &line[place + label.len()..];
+        let start = line.to_ascii_uppercase().find(label)?;
+        let rest = &line[start + label.len()..];
         Some(rest.trim_start_matches([' ', '=', ':']).trim_end())
     };
     lines
@@ -67,12 +67,12 @@ pub(super) fn peak(
     let word = words.next()?;
     let stated = number(word).ok()?.abs();
     let named = words.next().and_then(Unit::spelled);
-    let [own, other] = [record.unit?, named.or(unit).or(record.unit)?].map(Unit::in_m_s2);
+    let [of_record, other] = [record.unit?, named.or(unit).or(record.unit)?].map(Unit::in_m_s2);
     let largest = record
         .values
         .iter()
         .fold(0.0, |max: f64, a| max.max(a.abs()));
-    let largest = largest * own / other;
+    let largest = largest * of_record / other;
     let tolerance = last_digit(word)? + ROUNDED * largest;
     let cause = || RecordCause::Peak(largest, format!("{by} of line {}", line + 1), stated);
     ((largest - stated).abs() > tolerance).then(|| Doubt::new(line, cause()))
@@ -86,9 +86,9 @@ pub(super) fn ends(
 ) -> Option<Doubt> {
     let word = text.split([' ', ',']).next()?;
     let stated = number(word).ok()?;
-    let place = format!("{by} of line {}", line + 1);
+    let source = format!("{by} of line {}", line + 1);
     let differs = (end - stated).abs() > 2.0 * step + last_digit(word)?;
-    differs.then(|| Doubt::new(line, RecordCause::Ends(end, place, stated)))
+    differs.then(|| Doubt::new(line, RecordCause::Ends(end, source, stated)))
 }
 
 /// One unit of the last digit of a number such as `-267.957`.

@@ -88,7 +88,9 @@ impl Facts {
             };
             let of = |(by, value, _): (String, f64, bool)| Stated { value, by, line };
             if facts.count.is_none() {
-                facts.count = found(&COUNTS).filter(|own| own.1.fract() == 0.0).map(of);
+                facts.count = found(&COUNTS)
+                    .filter(|entry| entry.1.fract() == 0.0)
+                    .map(of);
             }
             if facts.step.is_none() {
                 let step = found(&STEPS).map(|(by, value, is_ms)| {
@@ -97,10 +99,10 @@ impl Facts {
                 });
                 // Below 1 the number may be the step itself.
                 let rate = || {
-                    let rate = found(&RATES).filter(|own| own.1 >= 1.0);
+                    let rate = found(&RATES).filter(|entry| entry.1 >= 1.0);
                     rate.map(|(by, value, is_ms)| of((by, 1.0 / value, is_ms)))
                 };
-                facts.step = step.or_else(rate).filter(|own| own.value > 0.0);
+                facts.step = step.or_else(rate).filter(|stated| stated.value > 0.0);
             }
             if facts.unit.is_none()
                 && let Some(words) = UNITS.iter().find_map(|label| units(after(&plain, label)?))

@@ -19,7 +19,7 @@ const EVEN: f64 = 1e-3;
 /// From the last number of a row to the first of the next one is then a single step, from row to row are several; columns that have
 /// little to do with each other differ by more than their own steps.
 pub(super) fn is_series(rows: &Rows) -> bool {
-    let Some(values) = values(rows).filter(|own| own.len() >= FEWEST) else {
+    let Some(values) = values(rows).filter(|found| found.len() >= FEWEST) else {
         return false;
     };
     let width = values[0].len();
@@ -48,7 +48,7 @@ pub(super) fn is_series(rows: &Rows) -> bool {
 
 /// The step of the first column if it has times: it rises evenly, and is not 1, as that of row numbers.
 pub(super) fn step(rows: &Rows) -> Option<f64> {
-    let values = values(rows).filter(|own| own.len() >= FEWEST && own[0].len() > 1)?;
+    let values = values(rows).filter(|found| found.len() >= FEWEST && found[0].len() > 1)?;
     let step = (values[values.len() - 1][0] - values[0][0]) / (values.len() - 1) as f64;
     let is_even = values
         .windows(2)
@@ -86,7 +86,7 @@ fn values(rows: &Rows) -> Option<Vec<Vec<f64>>> {
     let row = |line: &&str| {
         let fields = cells(line);
         let numbers: Option<Vec<f64>> = fields.iter().map(|field| number(field).ok()).collect();
-        numbers.filter(|own| own.len() == width)
+        numbers.filter(|found| found.len() == width)
     };
     rows.lines.iter().map(row).collect()
 }

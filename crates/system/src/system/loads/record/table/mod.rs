@@ -176,24 +176,30 @@ fn check_facts(
     reading: &Reading,
 ) -> Result<(), LineFault> {
     let count = record.times.len();
-    if let Some(own) = facts.count.as_ref().filter(|own| own.value != count as f64) {
+    if let Some(stated) = facts
+        .count
+        .as_ref()
+        .filter(|stated| stated.value != count as f64)
+    {
         return Err(fault(
-            own.line,
-            RecordCause::Rows(count, own.place(), own.value),
+            stated.line,
+            RecordCause::Rows(count, stated.place(), stated.value),
         ));
     }
     let of_times = layout::step(rows);
     match (reading.dt, &facts.step, of_times) {
-        (Some(dt), Some(own), _) => super::agree(own, Some(dt)),
+        (Some(dt), Some(stated), _) => super::agree(stated, Some(dt)),
         (Some(dt), None, Some(step)) if (dt - step).abs() > 1e-3 * step => {
             let cause = RecordCause::Contradicts(dt, step, "the times of column 1".to_owned());
             Err(fault(0, cause))
         }
         // Times have few digits.
-        (None, Some(own), Some(step)) if (own.value - step).abs() > 0.01 * step => Err(fault(
-            own.line,
-            RecordCause::Steps(step, own.place(), own.value),
-        )),
+        (None, Some(stated), Some(step)) if (stated.value - step).abs() > 0.01 * step => {
+            Err(fault(
+                stated.line,
+                RecordCause::Steps(step, stated.place(), stated.value),
+            ))
+        }
         _ => Ok(()),
     }
 }

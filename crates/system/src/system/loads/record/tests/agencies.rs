@@ -705,7 +705,7 @@ fn without_its_marks_a_file_is_in_no_format_and_each_says_why() {
         // A table with a known step, and one of two columns whose first one has no times.
         let of_table = ["states a time step: give \"dt\"", "the times must rise"];
         let told =
-            fault.contains(&why.join(", ")) || of_table.iter().any(|own| fault.contains(own));
+            fault.contains(&why.join(", ")) || of_table.iter().any(|text| fault.contains(text));
         assert!(told, "{fault}");
     }
 }

@@ -27,8 +27,8 @@ fn block(rows: usize, width: usize, places: &[(usize, f64)], field: usize) -> St
     let value = |i: usize| {
         places
             .iter()
-            .find(|own| own.0 == i)
-            .map_or(0.0, |own| own.1)
+            .find(|pair| pair.0 == i)
+            .map_or(0.0, |pair| pair.1)
     };
     let row = |row: usize| {
         let cells = (0..width).map(|i| format!("{:>field$}", value(row * width + i)));

@@ -269,9 +269,9 @@ fn the_mean_of_any_record_is_kept_or_removed() {
 fn knet_faults_have_their_line() {
     let good = ["100Hz", "0.02", "2000(gal)/8000"];
     let source = "Duration Time(s) times Sampling Freq(Hz)";
-    let with = |place: usize, text| {
+    let with = |line: usize, text| {
         let mut header = good;
-        header[place] = text;
+        header[line] = text;
         knet(header, "1 2")
     };
     for (text, fault) in [

@@ -126,8 +126,8 @@ fn rows_of_one_series_are_no_columns_without_a_header_either() {
 }
 
 /// The number at a place of a text.
-fn read_number(text: &str, place: usize) -> f64 {
-    text.split_whitespace().nth(place).unwrap().parse().unwrap()
+fn read_number(text: &str, index: usize) -> f64 {
+    text.split_whitespace().nth(index).unwrap().parse().unwrap()
 }
 
 /// The header of ESM, shortened, before numbers.
