@@ -130,7 +130,7 @@ fn errors_are_sums_over_the_measured_times_in_the_units_of_the_study() {
         };
         let peak = |x: &[f64]| x.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         let window = |from: f64, to: f64| {
-            let compared = own.time[own.compared.clone()].iter();
+            let compared = measured[0].time[measured[0].compared.clone()].iter();
             let inside: Vec<usize> = (0..)
                 .zip(compared)
                 .filter(|(_, t)| (from..=to).contains(*t))
