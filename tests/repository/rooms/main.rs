@@ -35,7 +35,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "contact, system, motion",
         &["crates/contact", "crates/system", "crates/motion"],
-        36_400,
+        36_500,
     ),
     (
         "problem, cases, study",

@@ -61,11 +61,14 @@ pub struct Modes {
 }
 
 impl Modes {
-    /// phi^T f of each mode for a force on nodes, or the factor of each mode in a sum of displacements. Nodes without mass are left out.
+    /// phi^T f of each mode for a force on nodes, or the factor of each mode in a sum of displacements. Nodes without mass are left out,
+    /// and supports, whose numbers follow those of the nodes: no mode moves them.
     pub fn components(&self, structure: &Structure, along: &[(usize, f64)]) -> Vec<f64> {
         let mut values = vec![0.0; structure.len()];
         for (node, value) in along {
-            values[*node] += value;
+            if let Some(sum) = values.get_mut(*node) {
+                *sum += value;
+            }
         }
         let of_nodes = self.nodes.iter().map(|node| values[*node]);
         let force = DVector::from_iterator(self.nodes.len(), of_nodes);

@@ -248,3 +248,19 @@ fn gravity_from_the_start_on_lets_bodies_fall() {
         "{fault}"
     );
 }
+
+#[test]
+fn the_force_of_a_spring_to_a_support_is_that_of_its_extension() {
+    // A spring that is named has a force, also where the support moves within a step that is long for the structure.
+    let study = study(
+        r#""dt": 0.05, "duration": 2"#,
+        r#""masses": {"a": 1}, "supports": {"base": {"displacement": {"sine": {"amplitude": 0.02, "omega": 9}}}},
+           "springs": [{"name": "pier", "between": ["base", "a"], "k": 400}]"#,
+        r#""peak(pier.S)", "peak(a - base)""#,
+    );
+    let found = metrics(&study, 0);
+    assert!(
+        (found[0] - 400.0 * found[1]).abs() < 1e-13 * found[0],
+        "{found:?}"
+    );
+}
