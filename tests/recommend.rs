@@ -53,7 +53,7 @@ impl Several for Json {
     fn is_array_or_rule(&self) -> bool {
         self.is_array()
             || self.is_object()
-            || self.as_str().is_some_and(|own| own.starts_with("sqrt"))
+            || self.as_str().is_some_and(|text| text.starts_with("sqrt"))
     }
 }
 
@@ -115,7 +115,10 @@ fn excess(case: &Case) -> f64 {
 }
 
 fn metric(problem: &dyn Problem, case: &Case, name: &str) -> Option<f64> {
-    let row = problem.metrics().iter().position(|own| own.name == name);
+    let row = problem
+        .metrics()
+        .iter()
+        .position(|metric| metric.name == name);
     problem.solve(case, &[row?]).ok()?.metrics[row?]
 }
 
@@ -197,8 +200,10 @@ fn no_cheaper_friction_passes_all_tests() {
         "{found:?} {cheapest:?}"
     );
     // Those listed that cost less have larger errors.
-    let cheaper = advice.choices.iter().filter(|own| own.cost < cost);
-    assert!(cheaper.clone().count() > 0 && cheaper.clone().all(|own| own.state == State::Misses));
+    let cheaper = advice.choices.iter().filter(|choice| choice.cost < cost);
+    assert!(
+        cheaper.clone().count() > 0 && cheaper.clone().all(|choice| choice.state == State::Misses)
+    );
 }
 
 const GAPS: [f64; 2] = [0.0, 0.013];
@@ -218,7 +223,12 @@ fn keeps_impact(mass: &'static str, gamma: f64, n: u64, step: f64) -> bool {
             return false;
         };
         let solution = BarImpact.solve(&case, &[]).unwrap();
-        let row = |name: &str| BarImpact.metrics().iter().position(|own| own.name == name);
+        let row = |name: &str| {
+            BarImpact
+                .metrics()
+                .iter()
+                .position(|metric| metric.name == name)
+        };
         let value = |name: &str| solution.metrics[row(name).unwrap()].unwrap_or(f64::NAN);
         // The exact peak is 1. Another test has the changes of energy.
         let energy = energy_change(&case, &solution.computed).unwrap();
@@ -285,7 +295,7 @@ fn no_cheaper_impact_passes_all_tests() {
     order.sort_unstable();
     let mut cheapest: Vec<(u64, &str, i32, u64, u32)> = Vec::new();
     for (cost, mesh, count) in order {
-        if cheapest.first().is_some_and(|own| own.0 < cost) {
+        if cheapest.first().is_some_and(|first| first.0 < cost) {
             break;
         }
         let (n, step) = (meshes[mesh], 1.0 / f64::from(count));
@@ -419,7 +429,7 @@ fn terminal_and_json_have_the_numbers_of_a_study() {
     let candidates = answer["candidates"].as_array().unwrap();
     let best = candidates
         .iter()
-        .find(|own| own["verdict"] == "recommended")
+        .find(|candidate| candidate["verdict"] == "recommended")
         .unwrap();
     assert_eq!(best["parameters"], answer["recommended"]);
     // Listed are those with a smaller error than all cheaper ones, and some that keep all.
@@ -429,7 +439,9 @@ fn terminal_and_json_have_the_numbers_of_a_study() {
         assert!(worst < least || worst <= 1.0, "{own}");
         least = least.min(worst);
     }
-    let costs = candidates.iter().map(|own| own["cost"].as_u64());
+    let costs = candidates
+        .iter()
+        .map(|candidate| candidate["cost"].as_u64());
     assert!(costs.is_sorted());
     let printed = text(&slipgap(folder.path(), "recommend a.json"));
     let row = printed
@@ -456,7 +468,7 @@ fn terminal_and_json_have_the_numbers_of_a_study() {
         .headers()
         .unwrap()
         .iter()
-        .position(|own| own == "rms_error");
+        .position(|column| column == "rms_error");
     let errors = table
         .records()
         .map(|row| row.unwrap()[column.unwrap()].parse::<f64>().unwrap());

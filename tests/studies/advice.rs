@@ -42,7 +42,7 @@ fn every_row_of_the_table_has_a_test() {
 /// The row of a metric.
 fn metric(problem: &dyn Problem, name: &str) -> usize {
     let mut table = problem.metrics().iter();
-    table.position(|own| own.name == name).unwrap()
+    table.position(|metric| metric.name == name).unwrap()
 }
 
 /// Smallest and largest value of a metric with this part of the step.

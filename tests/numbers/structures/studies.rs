@@ -194,7 +194,7 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
             "\"t, kN, m, s\"",
             "\"t, kN, ell, s\"",
             "structure.units",
-            "length in m, cm or mm",
+            "length in m, mm, cm, km, ft or in",
         ),
         (
             "\"t, kN, m, s\"",

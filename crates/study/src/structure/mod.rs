@@ -242,22 +242,21 @@ fn units(object: &Object, structure: &Node, faults: &mut Faults) -> (String, f64
         faults.add(node.at, &path, message);
         return (String::new(), 1.0);
     }
-    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
-    const LENGTHS: [(&str, f64); 3] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001)];
-    let metre = LENGTHS.iter().find(|known| parts.contains(&known.0));
+    let metre = unit_consistency::metres(&text);
+    let has_seconds = text.split(',').any(|unit| unit.trim() == "s");
     // Of other units, g and the accelerations of records are unknown.
     let needs_metre = ["record", "synthetic", "weight"];
-    if (metre.is_none() || !parts.contains(&"s"))
+    if (metre.is_none() || !has_seconds)
         && crate::structure::reading::given::has_key(structure, &needs_metre)
     {
         let message = format!(
-            "records, synthetic motions and weights need a length in m, cm or mm and a time in s, as in \"t, kN, m, s\", got {}",
+            "records, synthetic motions and weights need a length in {} and a time in s, as in \"t, kN, m, s\", got {}",
+            unit_consistency::lengths(),
             quoted(&text)
         );
         faults.add(node.at, &path, message);
     }
-    let metre = metre.map_or(1.0, |known| known.1);
-    (text, metre)
+    (text, metre.unwrap_or(1.0))
 }
 
 fn reference(object: &Object, faults: &mut Faults) -> Option<Reference> {

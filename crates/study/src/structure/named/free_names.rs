@@ -95,7 +95,9 @@ mod tests {
     /// The metrics of all cases.
     fn metrics(study: &Study) -> Vec<Vec<Option<f64>>> {
         let solved = study.cases().map(|case| study.problem.solve(&case, &[]));
-        solved.map(|own| own.expect("a solution").metrics).collect()
+        solved
+            .map(|solution| solution.expect("a solution").metrics)
+            .collect()
     }
 
     #[test]

@@ -187,13 +187,16 @@ pub(in crate::structure) fn drawn(root: &Object, names: &Names, faults: &mut Fau
         };
         let mut kinds = members.iter().filter(|member| member.key == "kind");
         let keys = kinds.find_map(|member| match &member.node.tree {
-            Tree::Text(kind) => KINDS.iter().find(|own| own.0 == kind).map(|own| own.1),
+            Tree::Text(kind) => KINDS
+                .iter()
+                .find(|known| known.0 == kind)
+                .map(|known| known.1),
             Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
         });
         let keys = keys.unwrap_or_default();
         for member in members
             .iter()
-            .filter(|own| keys.contains(&own.key.as_str()))
+            .filter(|member| keys.contains(&member.key.as_str()))
         {
             let path = format!("figures[{i}].{}", member.key);
             each_text(&member.node, &path, &mut |text, at, path| {

@@ -46,7 +46,7 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
         // A mass may have the name of a matrix.
         match (key, member(structure, "matrices")) {
             (MEASURED, _) => {
-                let file = member(root, key).and_then(|own| member(own, "file"));
+                let file = member(root, key).and_then(|node| member(node, "file"));
                 names.extend(file.into_iter().flat_map(texts));
                 if let Some(supports) = member(structure, "supports") {
                     under(supports, "file", &mut names);
@@ -63,7 +63,7 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
             }
             let choices = match key {
                 "law" => NAMES,
-                UNIT => interned_choices(Unit::ALL.map(|own| (own.name(), key)).to_vec()),
+                UNIT => interned_choices(Unit::ALL.map(|unit| (unit.name(), key)).to_vec()),
                 _ => {
                     let mut files: Vec<(&str, &str)> = Vec::new();
                     for file in values(name) {

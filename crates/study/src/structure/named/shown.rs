@@ -42,9 +42,12 @@ pub(in crate::structure) fn shown(
         .collect::<Vec<_>>();
     let mut records = record_names(&records);
     if let Some(node) = root.get(SHOWN.0) {
-        let mut known: Vec<String> = parameters.iter().map(|own| own.name.clone()).collect();
+        let mut known: Vec<String> = parameters
+            .iter()
+            .map(|parameter| parameter.name.clone())
+            .collect();
         known.extend(names.named_contacts().map(str::to_owned));
-        known.extend(records.iter().map(|own| own.0.clone()));
+        known.extend(records.iter().map(|record| record.0.clone()));
         known.extend(names.channels());
         // Channels of all nodes, and sums, are too many for a list.
         if let Tree::Object(members) = &node.tree {
@@ -95,7 +98,7 @@ pub(in crate::structure) fn shown(
     }
     for named in parameters {
         let choices = named.choices.unwrap_or_default().iter();
-        let files = choices.filter_map(|choice| records.iter().find(|own| own.0 == choice.0));
+        let files = choices.filter_map(|choice| records.iter().find(|record| record.0 == choice.0));
         named.shown_values = files.cloned().collect();
     }
     shown
@@ -126,10 +129,13 @@ fn of(
     (parameters, names): (&[Named], &Names),
     records: &[(String, String)],
 ) -> Option<Of> {
-    if let Some(row) = parameters.iter().position(|own| own.name == *key) {
+    if let Some(row) = parameters
+        .iter()
+        .position(|parameter| parameter.name == *key)
+    {
         return Some(Of::Parameter(row));
     }
-    if names.named_contacts().any(|own| own == key) {
+    if names.named_contacts().any(|contact| contact == key) {
         return Some(Of::Contact);
     }
     let mut files = records
@@ -187,7 +193,7 @@ mod tests {
             ("b/table.1.csv", ""),
         ];
         let names = record_names(&headings.map(owned));
-        let names: Vec<&str> = names.iter().map(|own| own.1.as_str()).collect();
+        let names: Vec<&str> = names.iter().map(|pair| pair.1.as_str()).collect();
         assert_eq!(
             names,
             [

@@ -77,6 +77,68 @@ fn a_vertical_motion_changes_the_weight_in_any_unit_of_length() {
     }
 }
 
+#[test]
+fn a_model_in_inches_feet_and_kips_has_the_numbers_of_the_same_model_in_si() {
+    // One building under a synthetic motion of a given peak: masses, stiffnesses, forces and lengths in each system.
+    let pound = 0.45359237 * 9.80665;
+    let in_units = |units: &str, mass: f64, force: f64, length: f64| {
+        let [m, k, fy, limit, gap] = [
+            150e3 / mass,
+            3e7 / (force / length),
+            4e5 / force,
+            4e4 / force,
+            0.02 / length,
+        ];
+        let found = metrics(&format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.005, "duration": 8}},
+                "structure": {{"units": "{units}", "masses": {{"a|b": {m}}},
+                    "springs": [{{"between": ["a", "b"], "k": {k}, "c": {}}}],
+                    "contacts": {{"storey": {{"law": "bilinear", "between": ["ground", "a"], "k1": {k}, "Fy": {fy}, "ratio": 0.05}},
+                        "pad": {{"law": "coulomb", "between": ["ground", "b"], "limit": {limit}}},
+                        "stop": {{"law": "impact", "between": ["b", "ground"], "gap": {gap}, "k": {}}}}},
+                    "ground": {{"synthetic": 3, "scale_to": {{"pga": 0.3, "unit": "g"}}}}}},
+                "metrics": ["peak(a)", "rms(b)", "peak(b.v)", "peak(b.a_abs)", "peak(storey.S)", "peak(stop.S)", "work(pad)", "ground.pga"]}}"#,
+            k / 100.0,
+            10.0 * k,
+        ));
+        let sizes = [
+            length,
+            length,
+            length,
+            length,
+            force,
+            force,
+            force * length,
+            length,
+        ];
+        let in_si = found.iter().zip(sizes).map(|(value, size)| value * size);
+        in_si.collect::<Vec<f64>>()
+    };
+    let si = in_units("kg, N, m, s", 1.0, 1.0, 1.0);
+    assert!(si.iter().all(|value| *value > 0.0), "{si:?}");
+    // 1 g by definition: peak of the motion, 0.3 g.
+    assert!((si[7] / (0.3 * 9.80665) - 1.0).abs() < 1e-14);
+    for (units, mass, force, length) in [
+        (
+            "kip s2/in, kip, in, s",
+            1e3 * pound / 0.0254,
+            1e3 * pound,
+            0.0254,
+        ),
+        ("slug, lbf, ft, s", pound / 0.3048, pound, 0.3048),
+        ("lbf s2/in, lbf, in, s", pound / 0.0254, pound, 0.0254),
+    ] {
+        let own_units = in_units(units, mass, force, length);
+        for (value, exact) in own_units.iter().zip(&si) {
+            // Round-off of 1600 steps with sliding, yielding and blows.
+            assert!(
+                (value / exact - 1.0).abs() < 1e-9,
+                "{units}: {own_units:?} {si:?}"
+            );
+        }
+    }
+}
+
 /// A mass of 1 with v = 1 on friction with this N, for 2 with dt = 0.25.
 fn sliding(normal: &str, law: &str) -> Vec<f64> {
     metrics(&format!(

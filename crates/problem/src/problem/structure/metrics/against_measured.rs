@@ -60,12 +60,12 @@ static OF_MEASURED: [OfMeasured; 4] = [
 
 /// The reductions of the computed motion that may also compare with what was measured, each with what it then is.
 pub fn of_measured() -> [(&'static str, &'static str); 4] {
-    OF_MEASURED.map(|own| (own.reduction.name(), own.meaning))
+    OF_MEASURED.map(|row| (row.reduction.name(), row.meaning))
 }
 
 impl Reduction {
     /// What it is of measurements, if it is of the computed motion, too.
     pub(crate) fn of_measured(self) -> Option<&'static OfMeasured> {
-        OF_MEASURED.iter().find(|own| own.reduction == self)
+        OF_MEASURED.iter().find(|row| row.reduction == self)
     }
 }

@@ -140,7 +140,7 @@ fn lost_displacement(support: &Support, case: &Case, metre: f64, steps: Steps) -
         return None;
     };
     let name = file.name(case);
-    let [times, _] = &*files.iter().find(|own| own.0 == name)?.1;
+    let [times, _] = &*files.iter().find(|file| file.0 == name)?.1;
     let delay = support.delay.as_ref();
     let delay = delay.map_or(Some(0.0), |delay| delay.value(case).ok())?;
     let motion = support.in_case(case, metre, true).ok()?;

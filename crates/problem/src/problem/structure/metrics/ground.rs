@@ -32,7 +32,7 @@ pub fn without_direction(name: &str) -> (String, Option<Direction>) {
         .and_then(|rest| rest.split_once('.'));
     let named = parts.and_then(|(direction, rest)| {
         let mut directions = Direction::TRANSLATIONS.into_iter();
-        let direction = directions.find(|own| own.name() == direction)?;
+        let direction = directions.find(|known| known.name() == direction)?;
         Some((format!("{PREFIX}{rest}"), Some(direction)))
     });
     named.unwrap_or_else(|| (name.to_owned(), None))
@@ -87,7 +87,7 @@ impl GroundMetric {
             if self.direction.is_some() {
                 return Err("a set has one for all directions; begin with ground.".to_owned());
             }
-            let found = template.set().map(|own| own.0);
+            let found = template.set().map(|set| set.0);
             return found.ok_or_else(|| "the \"scale_to\" of the ground has no \"set\"".to_owned());
         }
         let chosen =

@@ -34,7 +34,7 @@ pub fn pieces(text: &str) -> Vec<Piece> {
         let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == '.'));
         let name = &rest[..end.unwrap_or(rest.len())];
         let known = &*without_direction(name).0;
-        let length = match REDUCTIONS.iter().any(|own| own.0 == known) {
+        let length = match REDUCTIONS.iter().any(|reduction| reduction.0 == known) {
             true => length_of_metric(known, rest, name.len()),
             false => None,
         };
@@ -64,7 +64,7 @@ fn length_of_metric(name: &str, rest: &str, length: usize) -> Option<usize> {
             _ => {}
         }
         if depth == 0 {
-            let is_function = has_comma && FUNCTIONS.iter().any(|own| own.0 == name);
+            let is_function = has_comma && FUNCTIONS.iter().any(|function| function.0 == name);
             return (!is_function).then_some(opens + place + 1);
         }
     }

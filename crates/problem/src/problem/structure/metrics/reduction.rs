@@ -68,13 +68,13 @@ reductions! {
     TimeOfPeak "time_of_peak" Channel Time "time of peak {}" Values(|c, time| of::step_of_peak(c).map(time));
     "first time of the largest absolute value",
     Impacts "impacts" Contact None "number of impacts of {}"
-    Contact(&[Q::Force], Plane::No, |own| Some(of::closings(&own.force()) as f64));
+    Contact(&[Q::Force], Plane::No, |contact| Some(of::closings(&contact.force()) as f64));
     "times that the contact closes: steps with S != 0 after one with S = 0, and S(0) != 0",
     Impulse "impulse" Contact Impulse "impulse of {}"
-    Contact(&[Q::Force], Plane::OfSizes, |own| Some(of::impulse(&own.force(), own.dt)));
+    Contact(&[Q::Force], Plane::OfSizes, |contact| Some(of::impulse(&contact.force(), contact.dt)));
     "integral of abs(S) over time, by trapezoids",
     ContactTime "contact_time" Contact Time "contact time of {}"
-    Contact(&[Q::Force], Plane::No, |own| Some(of::time_where(&own.force(), own.dt, |s| s != 0.0)));
+    Contact(&[Q::Force], Plane::No, |contact| Some(of::time_where(&contact.force(), contact.dt, |s| s != 0.0)));
     "dt times the number of steps that end with S != 0",
     OpenTime "open_time" Contact Time "open time of {}"
     Contact(&[Q::Force, Q::Limit], Plane::Same, |own| Some(match own.kind {

@@ -140,7 +140,7 @@ impl Takes {
         if may(self) {
             return Ok(());
         }
-        let all = Reduction::all().filter(|own| may(own.row().takes));
+        let all = Reduction::all().filter(|reduction| may(reduction.row().takes));
         let all: Vec<&str> = all.map(Reduction::name).collect();
         Err(format!(
             "{name} does not compare with what was measured; these do: {}",

@@ -7,7 +7,7 @@ use crate::problem::structure::channels::words::Words;
 /// The window has the unit of time.
 pub fn title(metric: &StructureMetric, words: Words, time: Option<&str>) -> String {
     let against = metric.reduction.of_measured().filter(|_| metric.measured);
-    let title = against.map_or(metric.reduction.row().title, |own| own.title);
+    let title = against.map_or(metric.reduction.row().title, |row| row.title);
     let channels = metric.channel.iter().chain(&metric.second);
     let channels: Vec<String> = channels.map(|channel| words.channel(channel)).collect();
     let of_contact = channels.is_empty() && title.contains("{}");

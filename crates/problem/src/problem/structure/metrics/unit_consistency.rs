@@ -65,7 +65,11 @@ pub fn fault(text: &str) -> Option<String> {
     let names: [&str; 4] = names.try_into().ok()?;
     let mut sizes = [0.0; 4];
     for (place, (name, (what, table))) in names.iter().zip(TABLES).enumerate() {
-        match size(table, name) {
+        let known = size(table, name).or_else(|| match place {
+            0 => force_over_acceleration(name),
+            _ => None,
+        });
+        match known {
             Some(size) => sizes[place] = size,
             None => {
                 let (other, _) = TABLES
@@ -157,6 +161,25 @@ pub fn examples(dimension: Dimension) -> String {
         }
         Dimension::Energy => "a unit of force, a blank and one of length, as in kN m".to_owned(),
     }
+}
+
+/// A mass as a force over an acceleration, such as `kip s2/in`.
+fn force_over_acceleration(name: &str) -> Option<f64> {
+    let (force, length) = name.split_once(" s2/")?;
+    Some(size(&FORCES, force)? / size(&LENGTHS, length)?)
+}
+
+/// The unit of length in m, of units of mass, force, length and time; `None` without a known one.
+pub fn metres(units: &str) -> Option<f64> {
+    units
+        .split(',')
+        .find_map(|name| size(&LENGTHS, name.trim()))
+}
+
+/// The names of the units of length, for messages.
+pub fn lengths() -> String {
+    let [first @ .., last] = LENGTHS.map(|unit| unit.0);
+    format!("{} or {last}", first.join(", "))
 }
 
 fn size(table: &[(&str, f64)], name: &str) -> Option<f64> {

@@ -50,7 +50,7 @@ impl UnitNames<'_> {
     /// The unit of a metric; `None` for a number or a ratio.
     pub fn of_metric(&self, metric: &StructureMetric, words: Words) -> Option<String> {
         let against = metric.reduction.of_measured().filter(|_| metric.measured);
-        if against.is_some_and(|own| !own.has_unit) {
+        if against.is_some_and(|row| !row.has_unit) {
             return None;
         }
         let of = |dimension| Some(self.of_dimension(dimension));

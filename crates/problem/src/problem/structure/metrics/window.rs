@@ -161,6 +161,9 @@ impl Window {
 
     /// The steps in it, of so many that are `dt` apart: those at times t with from <= t <= to. `None` if there are none.
     pub fn steps(&self, case: &Case, dt: f64, count: usize) -> Option<Range<usize>> {
+        if !self.is_given() {
+            return (count > 0).then_some(0..count);
+        }
         let end = count.checked_sub(1)? as f64 * dt;
         let [from, to] = self.limits(case, [0.0, end]).ok()?;
         let first = step_from(from, dt);
@@ -171,6 +174,9 @@ impl Window {
 
     /// The first step in it.
     pub fn first_step(&self, case: &Case, dt: f64) -> usize {
+        if !self.is_given() {
+            return 0;
+        }
         let from = self.limits(case, [0.0, f64::INFINITY]);
         from.map_or(0, |[from, _]| step_from(from, dt))
     }
@@ -223,7 +229,7 @@ impl Reduction {
 
 /// Why a metric has no window, with those that have one.
 pub fn no_window(name: &str) -> String {
-    let having = Reduction::all().filter(|own| own.has_window());
+    let having = Reduction::all().filter(|reduction| reduction.has_window());
     let having: Vec<&str> = having.map(Reduction::name).collect();
     format!(
         "{name} is of the whole motion and takes no from= and to=; these do: {}",

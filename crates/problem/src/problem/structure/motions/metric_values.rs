@@ -130,7 +130,7 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
             let steps = metric
                 .window
                 .steps(of.case, of.dt, motions.computed.count())?;
-            match metric.reduction == Reduction::Impacts {
+            match metric.reduction == Reduction::Impacts && steps.start > 0 {
                 // What closes before the window does not count, even where it is still closed.
                 true => Some(of_contact(0..steps.end)? - of_contact(0..steps.start)?),
                 false => of_contact(steps),

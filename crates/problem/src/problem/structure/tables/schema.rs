@@ -77,7 +77,7 @@ pub fn schema(
     let metric = |metric: &StructureMetric| Metric {
         name: metric.name.clone().into(),
         symbol: in_unit(
-            title(&metric_title(metric, words, units.map(|own| own.time))),
+            title(&metric_title(metric, words, units.map(|names| names.time))),
             unit_of(metric),
         )
         .into(),

@@ -12,7 +12,7 @@ use crate::problem::structure::parts::contacts::law_named;
 use crate::problem::structure::parts::damping::{ModalDamping, Rayleigh};
 use crate::problem::structure::parts::template::{SpringNumbers, Template};
 use crate::solve::Warning;
-use crate::system::structure::{Baseline, Signal};
+use crate::system::structure::{Baseline, Direction, Signal};
 
 /// Part of a mass by which a spring's may differ from it: masses are rounded.
 const ROUNDED: f64 = 0.01;
@@ -140,15 +140,21 @@ pub fn colliding_mass(template: &Template, case: &Case, masses: &Masses) -> Opti
 
 /// Gravity in a direction in which no node moves.
 pub fn idle_gravity(template: &Template, case: &Case) -> Option<Doubt> {
-    let masses = template.masses.iter().map(|mass| mass.direction);
-    let bars = template.bars.iter().map(|bar| bar.direction);
-    let rows = template.matrices.iter();
-    let rows = rows.flat_map(|block| block.imported.dofs.rows().iter().map(|dof| dof.direction));
-    let moving: Vec<_> = masses.chain(bars).chain(rows).collect();
+    let moves = |direction: Direction| {
+        let masses = template.masses.iter().map(|mass| mass.direction);
+        let bars = template.bars.iter().map(|bar| bar.direction);
+        let rows = template.matrices.iter();
+        let rows =
+            rows.flat_map(|block| block.imported.dofs.rows().iter().map(|dof| dof.direction));
+        masses
+            .chain(bars)
+            .chain(rows)
+            .any(|moving| moving == direction)
+    };
     template.gravities().find_map(|(direction, amount)| {
         let acts = amount.value(case).is_ok_and(|value| value != 0.0);
         let text = || format!("no node moves in {}", direction.name());
-        (acts && !moving.contains(&direction)).then(|| (Warning::IdleGravity, text()))
+        (acts && !moves(direction)).then(|| (Warning::IdleGravity, text()))
     })
 }
 

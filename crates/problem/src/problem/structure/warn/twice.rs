@@ -26,21 +26,26 @@ pub fn damped(template: &Template, case: &Case) -> Option<Doubt> {
             .flat_map(|matrix| matrix.entries())
             .any(|(_, c)| c != 0.0)
     });
-    let parts = ratio.map(|ratio| ratio.path.clone());
-    let parts = parts.or_else(|| matrices.map(|block| format!("{}.C", block.place.1)));
     let modal = template.modal_damping.iter();
     let modal = modal
         .flat_map(ModalDamping::amounts)
         .find(|ratio| acts(ratio));
     let rayleigh = template.rayleigh.amounts();
     let rayleigh = rayleigh.into_iter().find(|amount| acts(amount));
-    let given = [
+    let of_parts = ratio.is_some() || matrices.is_some();
+    let given = [modal.is_some(), rayleigh.is_some(), of_parts];
+    if given.iter().filter(|given| **given).count() < 2 {
+        return None;
+    }
+    let parts = ratio.map(|ratio| ratio.path.clone());
+    let parts = parts.or_else(|| matrices.map(|block| format!("{}.C", block.place.1)));
+    let paths = [
         modal.map(|amount| amount.path.clone()),
         rayleigh.map(|amount| amount.path.clone()),
         parts,
     ];
-    let given: Vec<String> = given.into_iter().flatten().collect();
-    (given.len() > 1).then(|| (Warning::DampedTwice, given.join(" and ")))
+    let paths: Vec<String> = paths.into_iter().flatten().collect();
+    Some((Warning::DampedTwice, paths.join(" and ")))
 }
 
 /// Impacts under an earthquake without any damping.
