@@ -8,7 +8,7 @@ use crate::problem::structure::given::shape::Scaled;
 use crate::problem::structure::given::supports::Course;
 use crate::problem::structure::parts::template::{Moved, StaticLoad};
 use crate::system::reduction::Reduced;
-use crate::system::structure::{Direction, Ground, Load, Node, Signal, Structure};
+use crate::system::structure::{Direction, Ground, Load, Motion, Node, Signal, Structure};
 use std::sync::Arc;
 
 impl Draft<'_> {
@@ -167,30 +167,35 @@ impl Draft<'_> {
         Some((signal, scale))
     }
 
+    /// A displacement of a support whose velocity jumps, where M couples it with nodes.
+    fn blow(&self, index: usize, motion: &Motion) -> Option<Violation> {
+        let Course::Displacement(_, (at, path)) = &self.template.supports[index].course else {
+            return None;
+        };
+        let time = *motion.blows().first()?;
+        let nodes = self.structure.nodes.len();
+        let mut coupled = self.structure.coupled_mass.entries();
+        let is_coupled =
+            coupled.any(|((i, j), m)| m != 0.0 && i.min(j) < nodes && i.max(j) == nodes + index);
+        is_coupled.then(|| Violation {
+            parameter: path.clone().into(),
+            message: format!(
+                "the velocity jumps at t = {}, and M couples the support with nodes: that would be a blow; allowed: \"between\": \"cubic\", or an M without these entries",
+                short(time)
+            ),
+            at: Some(*at),
+        })
+    }
+
     /// Prescribes the motions of the supports.
     pub(super) fn supports(&mut self) {
         let mut motions = Vec::with_capacity(self.template.supports.len());
-        let n = self.structure.nodes.len();
         for (index, support) in self.template.supports.iter().enumerate() {
             let motion =
                 support.in_case(self.case, self.template.metre, self.detail == Detail::Whole);
             if let Some(motion) = self.checked(motion) {
-                let mut coupled = self.structure.coupled_mass.entries();
-                let is_coupled =
-                    coupled.any(|((i, j), m)| m != 0.0 && i.min(j) < n && i.max(j) == n + index);
-                if let (true, Some(time), Course::Displacement(_, (at, path))) =
-                    (is_coupled, motion.blows().first(), &support.course)
-                {
-                    let message = format!(
-                        "the velocity jumps at t = {}, and M couples the support with nodes: that would be a blow; allowed: \"between\": \"cubic\", or an M without these entries",
-                        short(*time)
-                    );
-                    self.violations.push(Violation {
-                        parameter: path.clone().into(),
-                        message,
-                        at: Some(*at),
-                    });
-                }
+                let blow = self.blow(index, &motion);
+                self.violations.extend(blow);
                 motions.push((support.full_name(), Arc::new(motion)));
             }
         }

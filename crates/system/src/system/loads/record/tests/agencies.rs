@@ -2,25 +2,6 @@
 
 use super::*;
 
-fn with(text: &str, reading: Reading) -> Result<Record, String> {
-    parse("f", text.as_bytes(), reading).map_err(|fault| fault.to_string())
-}
-
-fn read(text: &str) -> Record {
-    with(text, Reading::default()).unwrap()
-}
-
-fn refused(text: &str) -> String {
-    with(text, Reading::default()).unwrap_err()
-}
-
-fn component(number: usize) -> Reading {
-    Reading {
-        component: Some(number),
-        ..Reading::default()
-    }
-}
-
 fn column(number: usize) -> Reading {
     Reading {
         column: Some(number),

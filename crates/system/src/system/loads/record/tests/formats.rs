@@ -2,26 +2,6 @@
 
 use super::*;
 
-fn with(text: &str, reading: Reading) -> Result<Record, String> {
-    parse("f", text.as_bytes(), reading).map_err(|fault| fault.to_string())
-}
-
-fn read(text: &str) -> Record {
-    with(text, Reading::default()).unwrap()
-}
-
-fn refused(text: &str) -> String {
-    with(text, Reading::default()).unwrap_err()
-}
-
-/// The n-th component.
-fn component(number: usize) -> Reading {
-    Reading {
-        component: Some(number),
-        ..Reading::default()
-    }
-}
-
 /// Rows of `width` numbers in fields of a width, `places` of them given, the others 0.
 fn block(rows: usize, width: usize, places: &[(usize, f64)], field: usize) -> String {
     let value = |i: usize| {

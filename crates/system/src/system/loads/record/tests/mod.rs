@@ -7,15 +7,25 @@ mod people;
 use super::*;
 use proptest::prelude::*;
 
-fn read(text: &str) -> Record {
-    parse("file", text.as_bytes(), Reading::default()).unwrap()
+/// A text of a file named `f`, read so, or its fault as displayed.
+fn with(text: &str, reading: Reading) -> Result<Record, String> {
+    parse("f", text.as_bytes(), reading).map_err(|fault| fault.to_string())
 }
 
-/// The fault of a text, as displayed for a file named `f`.
+fn read(text: &str) -> Record {
+    with(text, Reading::default()).unwrap()
+}
+
 fn refused(text: &str) -> String {
-    parse("f", text.as_bytes(), Reading::default())
-        .unwrap_err()
-        .to_string()
+    with(text, Reading::default()).unwrap_err()
+}
+
+/// The n-th component.
+fn component(number: usize) -> Reading {
+    Reading {
+        component: Some(number),
+        ..Reading::default()
+    }
 }
 
 /// An AT2 file with this fourth line and these rows.
