@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 use slipgap_problem::metrics::measured::at_times;
-use slipgap_problem::problem::{Case, MeasuredChannel, Solution};
+use slipgap_problem::problem::{Case, Jumps, MeasuredChannel, Solution};
 use slipgap_study::{PointCases, Study};
 
 /// A test at a point of the free parameters.
@@ -63,7 +63,7 @@ pub fn step_error(study: &Study, test: &Test, channel: &str) -> Option<f64> {
     let end = *test.solution.as_ref()?.computed.time.last()?;
     let times = measured.time[measured.compared.clone()].iter();
     let times: Vec<f64> = times.map(|t| t.clamp(0.0, end)).collect();
-    let exact = study.problem.exact_at(&test.case, &times)?;
+    let exact = study.problem.exact(&test.case, &times, Jumps::RightLimit)?;
     let exact = exact.channel(measured.column).iter();
     let squares = computed.iter().zip(exact).map(|(c, e)| (c - e) * (c - e));
     let mean = squares.sum::<f64>() / computed.len() as f64;

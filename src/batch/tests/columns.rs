@@ -6,11 +6,13 @@ use crate::batch::store::Store;
 use crate::batch::store::key::{CaseHash, Key};
 use crate::batch::{RunOptions, run};
 use slipgap_motion::history::History;
-use slipgap_motion::solve::{MetricTable, Unsolvable};
+use slipgap_motion::solve::{MetricTable, Unsolvable, Warning};
 use slipgap_problem::problem::friction::FrictionOscillator;
 use slipgap_problem::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
 use slipgap_problem::problem::table::cases::Cases;
-use slipgap_problem::problem::{Case, Problem, Schema, Solution, Violation};
+use slipgap_problem::problem::{
+    Case, Jumps, Problem, ProblemKind, Schema, Solution, Violation, Work,
+};
 use slipgap_study::{Axis, AxisGroup, Block, Study, parse};
 use std::sync::Arc;
 
@@ -34,18 +36,26 @@ impl Problem for Extended {
     fn schema(&self) -> &Arc<Schema> {
         &self.0
     }
+    fn kind(&self) -> ProblemKind<'_> {
+        FrictionOscillator.kind()
+    }
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
         FrictionOscillator.complete(case)
     }
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         FrictionOscillator.solve(case, wanted)
     }
-
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         FrictionOscillator.sweep(cases, rows)
     }
-    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
-        FrictionOscillator.exact(case, times)
+    fn exact(&self, case: &Case, times: &[f64], jumps: Jumps) -> Option<History> {
+        FrictionOscillator.exact(case, times, jumps)
+    }
+    fn work(&self, case: &Case, wanted: &[usize]) -> Work {
+        FrictionOscillator.work(case, wanted)
+    }
+    fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
+        FrictionOscillator.doubts(case)
     }
 }
 

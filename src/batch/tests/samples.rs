@@ -101,7 +101,7 @@ fn the_pieces_of_an_exact_motion_are_counted_before_they_are_made() {
     };
     let reference = |study: &Study| {
         let case = study.case(0).unwrap();
-        study.problem.reference_work(&case, &study.metrics) as f64
+        study.problem.work(&case, &study.metrics).references as f64
     };
     // No piece is longer than 2/omega. 2000 units for a piece of one node; at the steps, 30 times the work of 18 steps of one node.
     let work = reference(&with("1e6", "\"step_error(m)\""));

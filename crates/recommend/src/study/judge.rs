@@ -69,7 +69,7 @@ impl<'a> Judge<'a> {
     pub fn new(study: &'a Study, recommend: &'a Recommend, stop: &'a Stop) -> Judge<'a> {
         let free = recommend.free.iter().map(|free| free.parameter);
         let chosen: Vec<usize> = recommend.over.iter().copied().chain(free).collect();
-        let friction = study.problem.name() == FrictionOscillator.name();
+        let friction = study.problem.name() == FrictionOscillator.schema().name;
         Judge {
             kept: study.outside_choice(&chosen),
             study,
@@ -233,7 +233,7 @@ fn solve_one(study: &Study, case: &Case) -> Solved {
     let problem = &*study.problem;
     let solution = study.solve(case);
     let solution = solution.map_err(|why| why.to_string())?;
-    let energy = match problem.name() == FrictionOscillator.name() {
+    let energy = match problem.name() == FrictionOscillator.schema().name {
         true => EnergyChange {
             gain: energy_gain(&solution.computed, &solution.exact),
             loss: 0.0,

@@ -8,7 +8,9 @@ mod tables;
 
 use super::method::{self, step_rules};
 use super::side_by_side::{Form, selected, sweep_cases};
-use super::{Case, Problem, Schema, Solution, Violation, ends_early, time_rules};
+use super::{
+    Case, Jumps, Problem, ProblemKind, Schema, Solution, Violation, Work, ends_early, time_rules,
+};
 use crate::exact::coulomb::Coulomb;
 use crate::history::History;
 use crate::lane::Lane;
@@ -43,8 +45,8 @@ pub struct Oscillator {
 pub const FrictionOscillator: Oscillator = Oscillator { schema: None };
 
 impl Problem for Oscillator {
-    fn as_textbook(&self) -> Option<&dyn Textbook> {
-        Some(self)
+    fn kind(&self) -> ProblemKind<'_> {
+        ProblemKind::Textbook(self)
     }
 
     fn schema(&self) -> &Arc<Schema> {
@@ -65,18 +67,20 @@ impl Problem for Oscillator {
         })
     }
 
-    fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
+    fn work(&self, case: &Case, wanted: &[usize]) -> Work {
         let in_closed_form = || {
             let law = OscillatorCase::new(case).map(|oscillator| oscillator.law);
             law.is_none_or(|law| reference::in_closed_form(&law))
         };
-        match needs_reference(wanted) {
+        let steps = case.steps();
+        let references = match needs_reference(wanted) {
             // Measured: 0.4 us for the motion with a law of the papers at a step.
-            true if in_closed_form() => self.steps(case).saturating_mul(200),
+            true if in_closed_form() => steps.saturating_mul(200),
             // The evaluations of 12 stages, and a third of that for the error.
-            true => self.steps(case).saturating_mul(1200),
+            true => steps.saturating_mul(1200),
             false => 0,
-        }
+        };
+        Work { steps, references }
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
@@ -121,7 +125,7 @@ impl Problem for Oscillator {
             .collect()
     }
 
-    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
+    fn exact(&self, case: &Case, times: &[f64], _: Jumps) -> Option<History> {
         Some(coulomb(case.at(rows::X0)?, times))
     }
 }

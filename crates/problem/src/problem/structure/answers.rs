@@ -6,20 +6,37 @@ use super::described::{describe, ground, participation, scheme};
 use super::given::set::SetSpectra;
 use super::given::signal_cache;
 use super::metrics::units::UnitNames;
-use super::model::assemble::{Model, inertia};
+use super::model::assemble::{Model, assemble, inertia};
 use super::motions::compared::friction_limits;
 use super::motions::motion;
 use super::parts::listed;
 use super::parts::models::Models;
 use super::prepared::StructureProblem;
-use super::tables::named_rows;
+use super::tables::{columns, named_rows};
 use super::warn;
 use crate::history::History;
 use crate::problem::numbers::unit::Dimension;
-use crate::problem::{Case, MeasuredChannel, Problem, Samples, Violation};
-use crate::system::structure::Direction;
+use crate::problem::{Case, HistoryColumn, MeasuredChannel, Samples, Violation};
+use crate::system::structure::{Direction, Structure};
 
 impl StructureProblem {
+    /// The columns of the history of a completed case, after the time.
+    pub(in crate::problem) fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
+        let exact = self.template.reference.is_some();
+        match assemble(&self.template, case, Model::Study) {
+            Ok((structure, _)) => columns::of(&structure, &self.template, self.drawn.len(), exact)
+                .into_iter()
+                .chain(columns::of_drawn(&self.drawn, exact))
+                .collect(),
+            Err(_) => Vec::new(),
+        }
+    }
+
+    /// The structure of a completed case; `None` if it cannot be solved.
+    pub(in crate::problem) fn assembled(&self, case: &Case) -> Option<Structure> {
+        Some(self.structure(case, Model::Study).ok()?.0)
+    }
+
     /// A metric, by its row, in each test that the study compares as a sample; `None` without such tests, and if they do not have it.
     pub fn in_tests(&self, metric: usize) -> Option<Vec<f64>> {
         self.sample_of(metric)
@@ -54,7 +71,7 @@ impl StructureProblem {
         text += &named_rows::described(&self.template, case);
         let dt = case.at(self.schema.step)?;
         if let Some(measured) = &self.template.measured
-            && let Ok(compared) = measured.in_case(case, dt, self.steps(case))
+            && let Ok(compared) = measured.in_case(case, dt, case.steps())
         {
             text += &compared.described(case);
         }
@@ -84,13 +101,13 @@ impl StructureProblem {
         Some((spectra, ground::units(&self.template)))
     }
 
-    /// The unit of a dimension as the study of a described structure names it; `None` if it names none, and for other problems.
+    /// The unit of a dimension as the study of a described structure names it; `None` if it names none.
     pub fn unit_name(&self, dimension: Dimension) -> Option<String> {
         let units = UnitNames::of(&self.template.units)?;
         Some(units.of_dimension(dimension))
     }
 
-    /// The structure of a completed case for a picture; `None` for a problem without one.
+    /// The structure of a completed case for a picture; `None` if it cannot be assembled.
     pub fn scheme(&self, case: &Case) -> Option<Scheme> {
         scheme::scheme(&self.template, case)
     }
@@ -100,7 +117,7 @@ impl StructureProblem {
         self.check_history(case)
     }
 
-    /// The friction limit of each contact at the times of a motion, >= 0; `None` without friction. Empty for textbook problems.
+    /// The friction limit of each contact at the times of a motion, >= 0; `None` without friction.
     pub fn friction_limits(&self, case: &Case, motion: &History) -> Vec<Option<Vec<f64>>> {
         match self.structure(case, Model::Study) {
             Ok((structure, _)) => {
@@ -116,7 +133,7 @@ impl StructureProblem {
         else {
             return Vec::new();
         };
-        match measured.in_case(case, dt, self.steps(case)) {
+        match measured.in_case(case, dt, case.steps()) {
             Ok(compared) => compared.channels(),
             Err(_) => Vec::new(),
         }

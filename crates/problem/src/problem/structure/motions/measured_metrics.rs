@@ -10,7 +10,7 @@ use crate::problem::structure::channels::measured::{Compared, FEWEST, measured_l
 use crate::problem::structure::metrics::against_measured::MeasuredFunction;
 use crate::problem::structure::metrics::function::{Function, OfLoop};
 use crate::problem::structure::metrics::metric::StructureMetric;
-use crate::problem::{Case, Problem, Violation};
+use crate::problem::{Case, Violation};
 use crate::solve::Unsolvable;
 
 impl StructureProblem {
@@ -18,7 +18,7 @@ impl StructureProblem {
     pub(crate) fn check_measured(&self, case: &Case) -> Option<Violation> {
         let measured = self.template.measured.as_ref()?;
         let dt = case.at(self.schema.step)?;
-        let compared = match measured.in_case(case, dt, self.steps(case)) {
+        let compared = match measured.in_case(case, dt, case.steps()) {
             Ok(compared) => compared,
             Err(why) => return Some(why),
         };

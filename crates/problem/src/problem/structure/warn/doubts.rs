@@ -7,7 +7,7 @@ use crate::metrics::last_time;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::metrics::computed_ground;
-use crate::problem::{Case, Problem, ends_early};
+use crate::problem::{Case, ends_early};
 use crate::system::structure::Structure;
 
 impl StructureProblem {
@@ -57,6 +57,6 @@ impl StructureProblem {
     /// A duration that is no multiple of the step.
     fn ends_early(&self, case: &Case) -> Option<Doubt> {
         let (step, duration) = (case.at(self.schema.step)?, case.at(self.schema.duration)?);
-        last_time(duration, step, self.steps(case)).map(ends_early)
+        last_time(duration, step, case.steps()).map(ends_early)
     }
 }
