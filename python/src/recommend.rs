@@ -71,12 +71,15 @@ pub fn recommend<'py>(
             .worst
             .total_cmp(&advice.choices[*b].worst)
     };
-    let nearest = (0..front.len()).min_by(order);
-    let nearest = nearest.filter(|at| advice.choices[*at].worst.is_finite());
+    let nearest = (0..front.len())
+        .min_by(order)
+        .filter(|at| advice.choices[*at].worst.is_finite());
     let best = advice.chosen.or(nearest).map(|at| front[at].clone());
     let cheaper = &advice.choices[..advice.chosen.unwrap_or(0)];
-    let own_step = cheaper.iter().position(|choice| choice.worst <= 1.0);
-    let own_step = own_step.map(|at| front[at].clone());
+    let own_step = cheaper
+        .iter()
+        .position(|choice| choice.worst <= 1.0)
+        .map(|at| front[at].clone());
     let class = RECOMMENDATION.import(py, "slipgap._records", "Recommendation")?;
     class.call1((
         advice.chosen.is_some(),

@@ -61,8 +61,10 @@ pub fn step_error(study: &Study, test: &Test, channel: &str) -> Option<f64> {
     let measured = measured(test, channel)?;
     let computed = computed(test, measured)?;
     let end = *test.solution.as_ref()?.computed.time.last()?;
-    let times = measured.time[measured.compared.clone()].iter();
-    let times: Vec<f64> = times.map(|t| t.clamp(0.0, end)).collect();
+    let times: Vec<f64> = measured.time[measured.compared.clone()]
+        .iter()
+        .map(|t| t.clamp(0.0, end))
+        .collect();
     let exact = study.problem.exact_at(&test.case, &times)?;
     let exact = exact.channel(measured.column).iter();
     let squares = computed.iter().zip(exact).map(|(c, e)| (c - e) * (c - e));

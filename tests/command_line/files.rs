@@ -205,8 +205,7 @@ fn a_study_of_a_folder_of_studies_has_the_same_folder_of_results_by_every_path()
     let bench = Bench::new();
     bench.file("studies/bridges/short/s.json", friction(ONE, ""));
     bench.file("other/studies/s.json", friction(ONE, ""));
-    let full = bench.path("studies/bridges/short/s.json");
-    let full = full.to_str().unwrap();
+    let full = bench.path("studies/bridges/short/s.json").to_str().unwrap();
     for path in [
         "studies/bridges/short/s.json",
         "./studies/../studies/bridges/short/s",
@@ -254,8 +253,8 @@ fn the_studies_of_a_folder_run_in_the_order_of_their_cost() {
         let names = done
             .err
             .lines()
-            .filter_map(|line| line.split_once("studies, "));
-        let names = names.filter_map(|(_, rest)| rest.split_once(':'));
+            .filter_map(|line| line.split_once("studies, "))
+            .filter_map(|(_, rest)| rest.split_once(':'));
         names.map(|(name, _)| name.to_owned()).collect::<Vec<_>>()
     };
     assert_eq!(order(&[]), ["b", "c/d", "a"]);

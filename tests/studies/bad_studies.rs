@@ -1486,8 +1486,8 @@ fn a_list_of_names_that_is_empty_says_so() {
     let text = structure(
         r#""k": 1"#,
         r#", "checks": [{ "metric": "foo", "max": 1 }, { "max": 1 }, { "metric": 3, "max": 1 }]"#,
-    );
-    let text = text.replace(r#""metrics": ["peak(m)"]"#, r#""metrics": []"#);
+    )
+    .replace(r#""metrics": ["peak(m)"]"#, r#""metrics": []"#);
     let found = faults(&text);
     assert_eq!(found.len(), 3, "{found:#?}");
     assert!(

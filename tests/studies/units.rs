@@ -53,8 +53,10 @@ fn cells(bytes: &[u8]) -> Vec<Vec<String>> {
 /// The numbers of a column.
 #[track_caller]
 fn column(table: &[Vec<String>], name: &str) -> Vec<f64> {
-    let column_index = table[0].iter().position(|column| column == name);
-    let column_index = column_index.unwrap_or_else(|| panic!("no column {name} in {:?}", table[0]));
+    let column_index = table[0]
+        .iter()
+        .position(|column| column == name)
+        .unwrap_or_else(|| panic!("no column {name} in {:?}", table[0]));
     let cells = table[1..].iter().map(|row| row[column_index].parse());
     cells.map(|cell| cell.unwrap_or(f64::NAN)).collect()
 }

@@ -32,8 +32,8 @@ pub fn escape(plain: &str) -> String {
 
 /// A unit in markup, as in `m/s^2^` for `m/s2` and `kN·m` for `kN m`; another text unchanged.
 pub fn unit(text: &str) -> String {
-    let factors = text.split([' ', '·']).filter(|factor| !factor.is_empty());
-    let factors: Option<Vec<String>> = factors.map(quotient).collect();
+    let parts = text.split([' ', '·']).filter(|factor| !factor.is_empty());
+    let factors: Option<Vec<String>> = parts.map(quotient).collect();
     factors.map_or_else(|| escape(text), |factors| factors.join("·"))
 }
 

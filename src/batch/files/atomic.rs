@@ -81,8 +81,8 @@ impl AtomicFile {
     fn new(path: &Path) -> Result<AtomicFile, Error> {
         refuse_others(path).map_err(Error::io("cannot write", path))?;
         let folder = path.parent().unwrap_or(Path::new("."));
-        let file = new_temporary(&of_temporaries(folder));
-        let file = file.map_err(Error::io("cannot write", path))?;
+        let file =
+            new_temporary(&of_temporaries(folder)).map_err(Error::io("cannot write", path))?;
         let temporary = file.path().to_owned();
         temporary_files().insert(temporary.clone());
         Ok(AtomicFile {

@@ -219,8 +219,9 @@ fn with_signals_of(study: &Study, like: &Case) -> Vec<Case> {
     }
     let raw = study.raw_len();
     let stride = raw.div_ceil(MOST_SUMMED);
-    let cases = (0..raw).step_by(stride as usize);
-    let cases = cases.filter_map(|raw| study.combination(raw));
+    let cases = (0..raw)
+        .step_by(stride as usize)
+        .filter_map(|raw| study.combination(raw));
     let found: Vec<Case> = cases
         .filter(|case| study.samples(case) == samples)
         .collect();

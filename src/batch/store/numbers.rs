@@ -171,8 +171,8 @@ fn statistics(values: &[f64], without: usize) -> Statistics {
         if greatest == 0.0 { 0.0 } else { greatest },
     ));
     let (least, greatest) = some.unzip();
-    let statistics = ValueStatistics::new(least, greatest, None, Some(without as u64), false);
-    let statistics = statistics.with_nan_count(Some(0));
+    let statistics = ValueStatistics::new(least, greatest, None, Some(without as u64), false)
+        .with_nan_count(Some(0));
     Statistics::from(statistics.with_backwards_compatible_min_max(true))
 }
 

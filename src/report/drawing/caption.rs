@@ -130,8 +130,7 @@ fn curves(sheet: &Sheet) -> Option<String> {
 /// The cases that the figure chooses.
 fn cases(data: &FigureData) -> Option<String> {
     let table = data.study.problem.parameters();
-    let chosen = data.figure.filter.0.iter();
-    let chosen = chosen.map(|(row, values)| {
+    let chosen = data.figure.filter.0.iter().map(|(row, values)| {
         let parameter = &table[*row];
         let are_numbers = values.iter().all(|value| value.as_f64().is_some());
         let values: Vec<String> = values

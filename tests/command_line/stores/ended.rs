@@ -184,8 +184,10 @@ fn a_pipe_in_place_of_a_result_does_not_stop_a_run() {
         fs::remove_file(&path).unwrap();
         let made = Command::new("mkfifo").arg(&path).status().unwrap();
         assert!(made.success());
-        let mut command = bench.command();
-        let command = command.args(["run", "s.json"]).stderr(Stdio::null());
+        let command = bench
+            .command()
+            .args(["run", "s.json"])
+            .stderr(Stdio::null());
         let mut child = command.stdout(Stdio::null()).spawn().unwrap();
         // A run takes a fraction of a second; a reader of the pipe waits for ever.
         let mut waits = 0..3000;

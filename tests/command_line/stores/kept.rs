@@ -119,8 +119,7 @@ fn reports_of_one_study_wait_for_each_other() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     let begin = |_| {
-        let mut command = bench.command();
-        let command = command.args(["report", "s.json"]);
+        let command = bench.command().args(["report", "s.json"]);
         command
             .stdout(Stdio::null())
             .stderr(Stdio::null())
@@ -323,11 +322,10 @@ fn other_blocks_do_not_change_the_indices_of_a_saltelli_design() {
         );
         run(&bench);
         let table = bench.text("figures/s/sobol.csv");
-        let rows = table
+        let rows: Vec<String> = table
             .lines()
             .skip(1)
-            .map(|row| row.split_once(',').unwrap());
-        let rows: Vec<String> = rows
+            .map(|row| row.split_once(',').unwrap())
             .map(|(block, rest)| {
                 assert_eq!(block, number.to_string());
                 rest.to_owned()

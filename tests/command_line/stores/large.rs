@@ -62,8 +62,8 @@ fn shards_and_readers_find_the_parts_in_sub_folders() {
         let output = Command::new(&python)
             .args(["-c", &program])
             .current_dir(bench.path(""))
-            .output();
-        let output = output.unwrap();
+            .output()
+            .unwrap();
         assert!(
             output.status.success(),
             "{tool}: {}",

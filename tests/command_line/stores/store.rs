@@ -25,8 +25,10 @@ fn run(bench: &Bench) -> String {
 
 /// The bytes of all files except the manifest, which depends on the path of the study.
 fn bytes(bench: &Bench, folder: &str) -> Vec<(String, Vec<u8>)> {
-    let names = bench.everything(folder).into_iter();
-    let names = names.filter(|name| !name.ends_with("manifest.json"));
+    let names = bench
+        .everything(folder)
+        .into_iter()
+        .filter(|name| !name.ends_with("manifest.json"));
     names
         .map(|name| {
             (
@@ -371,11 +373,11 @@ fn other_programs_read_the_store() {
         .split(',')
         .position(|c| c == "rms_error_r")
         .unwrap();
-    let column = csv
+    let column: Vec<f64> = csv
         .lines()
         .skip(1)
-        .map(|row| row.split(',').nth(number).unwrap().parse().unwrap());
-    let column: Vec<f64> = column.collect();
+        .map(|row| row.split(',').nth(number).unwrap().parse().unwrap())
+        .collect();
     let python = std::env::var("SLIPGAP_PYTHON").unwrap_or("python3".into());
     let partial = "figures/s/store/.slipgap-0123456789aB.partial";
     for written in [false, true] {

@@ -198,11 +198,12 @@ fn normal_force(step: usize) -> f64 {
 fn friction_vanishes_and_slip_follows_in_an_open_contact() {
     let set = Set::frame(0.1, 400);
     let (law, element) = displacement(&set, 0.3, -6.0);
-    let difference = set.difference(law, element, |step, law, element| {
-        law.limit = Lane([friction_limit(0.5, normal_force(step))]);
-        element.normal_force = normal_force(step);
-    });
-    let difference = difference.unwrap();
+    let difference = set
+        .difference(law, element, |step, law, element| {
+            law.limit = Lane([friction_limit(0.5, normal_force(step))]);
+            element.normal_force = normal_force(step);
+        })
+        .unwrap();
     assert!(difference < ROUND_OFF, "{difference:e}");
 
     let mut modal = set.modal(0.0);
@@ -221,11 +222,12 @@ fn friction_vanishes_and_slip_follows_in_an_open_contact() {
     assert!(lifted > 100, "the test must lift the contact");
 
     let (law, element) = velocity(&set, 0.5);
-    let difference = set.difference(law, element, |step, law, element| {
-        law.limit = Lane([friction_limit(0.5, normal_force(step))]);
-        element.normal_force = normal_force(step);
-    });
-    let difference = difference.unwrap();
+    let difference = set
+        .difference(law, element, |step, law, element| {
+            law.limit = Lane([friction_limit(0.5, normal_force(step))]);
+            element.normal_force = normal_force(step);
+        })
+        .unwrap();
     assert!(difference < ROUND_OFF, "{difference:e}");
 }
 

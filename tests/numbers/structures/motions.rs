@@ -432,8 +432,8 @@ fn measures_of_the_ground_are_those_of_an_independent_program() {
         let duration = number("dt") * (number("count") - 1.0);
         let steps = format!("\"dt\": {}, \"duration\": {duration}", number("dt"));
         let whole = text.replace(r#""dt": 0.01, "duration": 1"#, &steps);
-        let study = parse(&whole.replace(r#""peak(m)""#, &metrics.join(", ")));
-        let study = study.unwrap_or_else(|why| panic!("{why}"));
+        let study = parse(&whole.replace(r#""peak(m)""#, &metrics.join(", ")))
+            .unwrap_or_else(|why| panic!("{why}"));
         let metrics = study
             .problem
             .solve(&study.case(case as u64).unwrap(), &[])
@@ -495,8 +495,8 @@ fn measures_are_those_of_the_motion_that_the_structure_gets() {
         let metrics = r#""ground.x.Sa(0.5)", "ground.x.pga", "ground.y.pga", "ground.y.arias""#;
         let text = text.replace(r#""peak(m)""#, metrics);
         let steps = format!(r#""dt": {dt}, "duration": {duration}"#);
-        let study = parse(&text.replace(r#""dt": 0.01, "duration": 1"#, &steps));
-        let study = study.unwrap_or_else(|why| panic!("{why}"));
+        let study = parse(&text.replace(r#""dt": 0.01, "duration": 1"#, &steps))
+            .unwrap_or_else(|why| panic!("{why}"));
         let case = study.case(0).unwrap();
         study.problem.solve(&case, &[]).unwrap().metrics
     };

@@ -123,8 +123,10 @@ fn no_folder_has_more_than_15_entries() {
     let mut offences = Vec::new();
     let folders = FOLDERS.iter().map(|name| root().join(name));
     for folder in folders.filter(|folder| folder.is_dir()) {
-        let entries = WalkDir::new(folder).into_iter();
-        let entries = entries.filter_entry(is_source).map(Result::unwrap);
+        let entries = WalkDir::new(folder)
+            .into_iter()
+            .filter_entry(is_source)
+            .map(Result::unwrap);
         for folder in entries.filter(|entry| entry.file_type().is_dir()) {
             let inside = WalkDir::new(folder.path()).min_depth(1).max_depth(1);
             let count = inside.into_iter().filter_entry(is_source).count();

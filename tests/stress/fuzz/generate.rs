@@ -95,8 +95,9 @@ fn metric<'a>(problem: &'a dyn Problem, random: &mut RandomChoice) -> &'a str {
 fn parameter<'a>(problem: &'a dyn Problem, random: &mut RandomChoice) -> &'a str {
     // Mostly one of those that a study is likely to give.
     let any = random.once_in(8);
-    let table = problem.parameters().iter();
-    let table: Vec<_> = table
+    let table: Vec<_> = problem
+        .parameters()
+        .iter()
         .filter(|row| any || row.column == ColumnRule::Always)
         .collect();
     &table[random.below(table.len())].name

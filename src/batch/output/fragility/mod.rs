@@ -138,8 +138,10 @@ impl<'a> FragilityTable<'a> {
             }
             for share in curve.annual.iter().flat_map(|annual| &annual.shares) {
                 let values = self.values(figure, curve, "");
-                let member = share.member.iter();
-                let member = member.map(|value| value.map(|v| v.cell()).unwrap_or_default());
+                let member = share
+                    .member
+                    .iter()
+                    .map(|value| value.map(|v| v.cell()).unwrap_or_default());
                 let [low, high] = share.capacity;
                 let numbers = [low, high, share.frequency, share.share]
                     .map(Some)
@@ -182,8 +184,9 @@ impl<'a> FragilityTable<'a> {
     /// # Errors
     /// A table that cannot be made.
     pub fn write(self, folder: &mut Folder) -> Result<Vec<PathBuf>, Error> {
-        let tables = [(FRAGILITY, self.writer), (MEMBERS, self.members)];
-        let tables = tables.into_iter().take(1 + usize::from(self.has_members));
+        let tables = [(FRAGILITY, self.writer), (MEMBERS, self.members)]
+            .into_iter()
+            .take(1 + usize::from(self.has_members));
         let write = |(name, table): (&str, csv::Writer<Vec<u8>>)| {
             let bytes = table.into_inner();
             folder.write(name, &bytes.map_err(|e| Error::Internal(e.to_string()))?)

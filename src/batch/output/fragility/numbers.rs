@@ -80,9 +80,8 @@ impl Numbers {
     }
 
     pub(super) fn of(&self, figure: &Fragility, curve: &FragilityCurve) -> Vec<String> {
-        let ends = [curve.intervals(), curve.bootstrap];
-        let ends =
-            ends.map(|ends| ends.map_or([None; 4], |[[a, b], [c, d]]| [a, b, c, d].map(Some)));
+        let ends = [curve.intervals(), curve.bootstrap]
+            .map(|ends| ends.map_or([None; 4], |[[a, b], [c, d]]| [a, b, c, d].map(Some)));
         let mut cells: Vec<String> = ends.concat().into_iter().map(cell).collect();
         let count = |count: usize, has: bool| match has {
             true => count.to_string(),

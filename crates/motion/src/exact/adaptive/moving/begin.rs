@@ -127,8 +127,8 @@ impl Moving<'_> {
                 for (c, first) in firsts.iter().enumerate() {
                     let state = self.in_plane(*first, times[i], &points.states[i], [0.0; 2]);
                     let speed = length(state.rdot);
-                    let limit = self.planes[*first].as_ref()?;
-                    let limit = limit.limit(self.limit(*first, times[i], &points.states[i]));
+                    let plane = self.planes[*first].as_ref()?;
+                    let limit = plane.limit(self.limit(*first, times[i], &points.states[i]));
                     if speed.is_nan() || speed <= 0.0 {
                         return None;
                     }

@@ -158,7 +158,9 @@ pub fn energy(model: &Model, states: &[ContactState], u: &[f64], v: &[f64]) -> f
         let spring = contact.law.spring();
         spring.map_or(0.0, |k| state.force * state.force / k)
     });
-    let flexible = model.flexible.as_ref();
-    let flexible = flexible.map_or(0.0, |flexible| 0.5 * flexible.stored(states));
+    let flexible = model
+        .flexible
+        .as_ref()
+        .map_or(0.0, |flexible| 0.5 * flexible.stored(states));
     flexible + 0.5 * (kinetic + model.stiffness.form(u) + stored.sum::<f64>()) + lines
 }
