@@ -52,8 +52,8 @@ pub fn recommend<'py>(
             errors.set_item(advice.study.measures[*row].name.as_str(), error)?;
         }
         let converged = choice.trial.is_some_and(|trial| trial.holds());
-        let warnings: Vec<&str> = choice.warnings.iter().map(Warning::name).collect();
-        let warnings = PyTuple::new(py, warnings)?;
+        let warning_names: Vec<&str> = choice.warnings.iter().map(Warning::name).collect();
+        let warnings = PyTuple::new(py, warning_names)?;
         class.call1((
             parameters,
             choice.cost,
@@ -64,8 +64,8 @@ pub fn recommend<'py>(
             advice.verdict(at),
         ))
     };
-    let front = advice.choices.iter().enumerate().map(candidate);
-    let front = front.collect::<PyResult<Vec<_>>>()?;
+    let candidates = advice.choices.iter().enumerate().map(candidate);
+    let front = candidates.collect::<PyResult<Vec<_>>>()?;
     let order = |a: &usize, b: &usize| {
         advice.choices[*a]
             .worst

@@ -64,8 +64,8 @@ pub(super) fn sentences(found: &Calibration, fit: &Fit, prefix: &str) -> Vec<Str
     let tests = fit.each.len();
     let one = |free: &Free| {
         let name = &table[free.parameter].name;
-        let varies = found.study.calibrate.as_ref();
-        let varies = varies.is_some_and(|calibrate| calibrate.varies.contains(&free.parameter));
+        let calibrate = found.study.calibrate.as_ref();
+        let varies = calibrate.is_some_and(|calibrate| calibrate.varies.contains(&free.parameter));
         let Some(scatter) = fit.scatter(found, free) else {
             let mut each = fit.each.iter();
             let test = each

@@ -309,7 +309,7 @@ fn the_page_plays() {
     let address = format!("file://{}", file.display());
     let words = ["--virtual-time-budget=3000", "--dump-dom", &address];
     let dom = browse(&program, folder.path(), &words);
-    let time = dom.split_once("data-time=\"").unwrap().1;
-    let time: f64 = time.split_once('"').unwrap().0.parse().unwrap();
+    let rest = dom.split_once("data-time=\"").unwrap().1;
+    let time: f64 = rest.split_once('"').unwrap().0.parse().unwrap();
     assert!(time > 0.5, "{time}");
 }

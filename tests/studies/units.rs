@@ -302,8 +302,8 @@ fn histories_have_the_same_columns_in_units() {
 /// The first figure of a study over all its cases.
 fn drawn(study: &Study) -> Sheet {
     let outcomes = outcomes(study);
-    let solutions = outcomes.iter().map(|o| study.problem.solve(&o.case, &[]));
-    let solutions: Vec<_> = solutions.map(Result::unwrap).collect();
+    let solved = outcomes.iter().map(|o| study.problem.solve(&o.case, &[]));
+    let solutions: Vec<_> = solved.map(Result::unwrap).collect();
     let mut shown = ShownCases::new(study.problem.schema());
     for (outcome, solution) in outcomes.iter().zip(solutions) {
         shown.push(&outcome.case, &outcome.metrics, Some(solution));

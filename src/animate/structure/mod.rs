@@ -39,8 +39,8 @@ pub fn film<'a>(
         moves: Vec::new(),
         stresses: Vec::new(),
     };
-    let names: Vec<&str> = scheme.links.iter().map(|link| &*link.name).collect();
-    let names: Vec<&str> = names.into_iter().filter(|name| !name.is_empty()).collect();
+    let link_names = scheme.links.iter().map(|link| &*link.name);
+    let names: Vec<&str> = link_names.filter(|name| !name.is_empty()).collect();
     let limits = problem.as_structure().map_or(Vec::new(), |structure| {
         structure.friction_limits(case, history)
     });

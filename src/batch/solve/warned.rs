@@ -105,8 +105,8 @@ impl WarningCounts {
 
     /// The kinds that some of the `of` cases of the study have.
     pub fn list(&self, study: &Study, of: u64) -> Vec<WarnedCases> {
-        let found = WARNINGS.into_iter().zip(self.0);
-        let found = found.filter_map(|(kind, found)| Some((kind, found?)));
+        let pairs = WARNINGS.into_iter().zip(self.0);
+        let found = pairs.filter_map(|(kind, found)| Some((kind, found?)));
         let warned = found.map(|(kind, (cases, case))| WarnedCases {
             kind,
             cases,

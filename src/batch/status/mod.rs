@@ -50,8 +50,8 @@ pub fn study_status(
     let store = results.join(STORE);
     let signs = heartbeat::signs(&store);
     let last = signs.iter().max_by_key(|sign| sign.written);
-    let of = last.and_then(|sign| sign.shard).map(Shard::of);
-    let of = shards.or(of.filter(|of| *of <= MOST_SHARDS));
+    let of_last = last.and_then(|sign| sign.shard).map(Shard::of);
+    let of = shards.or(of_last.filter(|of| *of <= MOST_SHARDS));
     let mut status = StudyStatus {
         all: Progress::default(),
         shards: Vec::new(),

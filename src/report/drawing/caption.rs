@@ -133,15 +133,15 @@ fn cases(data: &FigureData) -> Option<String> {
     let chosen = data.figure.filter.0.iter().map(|(row, values)| {
         let parameter = &table[*row];
         let are_numbers = values.iter().all(|value| value.as_f64().is_some());
-        let values: Vec<String> = values
+        let words: Vec<String> = values
             .iter()
             .map(|value| written(parameter, value))
             .collect();
-        let values = match &values[..] {
-            [first, .., last] if are_numbers && values.len() > MOST_NUMBERS => {
-                format!("{} values from {first} to {last}", values.len())
+        let values = match &words[..] {
+            [first, .., last] if are_numbers && words.len() > MOST_NUMBERS => {
+                format!("{} values from {first} to {last}", words.len())
             }
-            values => list(values, "or"),
+            words => list(words, "or"),
         };
         format!("{} = {values}", plain(&parameter.symbol))
     });

@@ -80,10 +80,10 @@ impl Quantiles {
                 .collect();
             let [min, q05, q16, _, median, _, q84, q95, max] = of.quantiles;
             let [cases, empty] = of.counts;
-            let interval = range(of.moments[2], of.moments[3]);
-            let interval = match interval.as_str() {
-                "" => interval,
-                interval => format!(" ({interval})"),
+            let ends = range(of.moments[2], of.moments[3]);
+            let interval = match ends.as_str() {
+                "" => ends,
+                ends => format!(" ({ends})"),
             };
             writeln!(
                 out,

@@ -182,8 +182,8 @@ impl<'a> Results<'a> {
                 )
             }
             None => {
-                let metric = self.study.columns[index - self.parameters.len()];
-                let metric = &self.study.measures[metric];
+                let row = self.study.columns[index - self.parameters.len()];
+                let metric = &self.study.measures[row];
                 (&*metric.name, &*metric.unit, &*metric.meaning, Vec::new())
             }
         };

@@ -73,10 +73,10 @@ fn the_table_has_every_reduction_of_every_group() {
     for (i, group) in groups.into_iter().enumerate() {
         let mut of: Vec<f64> = group.iter().map(|case| errors[*case].unwrap()).collect();
         let mean = of.iter().sum::<f64>() / of.len() as f64;
-        let best = group
+        let found = group
             .iter()
             .min_by(|a, b| errors[**a].unwrap().total_cmp(&errors[**b].unwrap()));
-        let best = *best.unwrap();
+        let best = *found.unwrap();
         assert_eq!(cells("law")[i], column(&results, "law")[best]);
         assert_eq!(cells("dT")[i], column(&results, "dT")[best]);
         assert_eq!(value[i], errors[best]);

@@ -189,8 +189,8 @@ fn a_report_of_a_changed_study_waits_for_the_store() {
     lock.lock().unwrap();
     let mut command = bench.command();
     command.args(["report", "s.json"]);
-    let child = command.stdout(Stdio::null()).stderr(Stdio::piped());
-    let mut child = child.spawn().unwrap();
+    let quiet = command.stdout(Stdio::null()).stderr(Stdio::piped());
+    let mut child = quiet.spawn().unwrap();
     // Time for an attempt to lock the store. The test passes for any time.
     sleep(Duration::from_millis(500));
     assert_eq!(child.try_wait().unwrap(), None);

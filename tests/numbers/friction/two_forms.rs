@@ -252,8 +252,8 @@ fn the_papers_dimensional_data_are_gravitational_units() {
     let limit = friction_limit(nu, -m * g);
     let (mut a, mut b) = (dimensional.modal(0.0), scaled.modal(0.0));
     let compliance = elastic / limit;
-    let law = DisplacementControl { compliance, limit };
-    let law = DisplacementControl::step(&[law], &a.flexibilities()[0]);
+    let control = DisplacementControl { compliance, limit };
+    let law = DisplacementControl::step(&[control], &a.flexibilities()[0]);
     let (scaled_law, _) = displacement(&scaled, alpha, 12.0);
     let [mut law, mut scaled_law] = [law, scaled_law].map(RunningLaw::new);
     for _ in 0..80 {

@@ -153,7 +153,7 @@ fn a_target_spectrum_is_met_by_least_squares() {
             .map(|ordinate| ordinate.pseudo_acceleration())
             .collect()
     };
-    let wanted = |period: f64| {
+    let design = |period: f64| {
         0.3 * G
             * 1.2
             * if period <= 0.5 {
@@ -162,7 +162,7 @@ fn a_target_spectrum_is_met_by_least_squares() {
                 2.5 * 0.5 / period
             }
     };
-    let wanted: Vec<f64> = periods.iter().map(|t| wanted(*t)).collect();
+    let wanted: Vec<f64> = periods.iter().map(|t| design(*t)).collect();
     let ordinates = spectrum_of(&motion(&keys(en)));
     // At the least, the derivative of the squares by the factor is 0.
     let slope: f64 = ordinates

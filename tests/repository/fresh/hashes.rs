@@ -32,10 +32,10 @@ pub fn hashed_name(name: &str) -> String {
 
 /// The SHA-256 of a file, in hexadecimal digits. Of an SVG file without the images in it.
 pub fn hash(file: &Path) -> String {
-    let bytes = fs::read(file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+    let content = fs::read(file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
     let bytes = match file.extension().is_some_and(|ending| ending == "svg") {
-        true => without_images(&String::from_utf8(bytes).unwrap()).into_bytes(),
-        false => bytes,
+        true => without_images(&String::from_utf8(content).unwrap()).into_bytes(),
+        false => content,
     };
     let digits = Sha256::digest(bytes);
     digits.iter().map(|byte| format!("{byte:02x}")).collect()

@@ -66,8 +66,8 @@ fn outputs(results: &Path) -> BTreeSet<String> {
     let mut outputs = BTreeSet::from([CLAIMS.to_owned()]);
     for study in studies() {
         let manifest = manifest(results, &study);
-        let files = manifest["files"].as_array().unwrap().iter();
-        let files = files.map(|file| file.as_str().unwrap());
+        let listed = manifest["files"].as_array().unwrap().iter();
+        let files = listed.map(|file| file.as_str().unwrap());
         let kept = files.filter(|file| file.ends_with(".csv") || file.ends_with(".png"));
         outputs.extend(kept.map(|file| format!("{study}/{file}")));
     }

@@ -198,16 +198,19 @@ impl<'a> FragilityTable<'a> {
 /// The cells after the parameters.
 fn cells(curve: &FragilityCurve, point: &FragilityPoint) -> impl Iterator<Item = String> {
     let counts = [point.cases, point.empty, point.exceeded].map(|count| count.to_string());
-    let part = point.probability;
+    let probability = point.probability;
     let part = [
-        part.map(|p| p.value),
-        part.map(|p| p.low),
-        part.map(|p| p.high),
+        probability.map(|p| p.value),
+        probability.map(|p| p.low),
+        probability.map(|p| p.high),
     ];
-    let fit = curve.function();
-    let fit = [fit.map(|fit| fit.median), fit.map(|fit| fit.dispersion)];
-    let reason = curve.fit.as_ref().err();
-    let reason = reason.map_or(String::new(), |why| why.to_string());
+    let function = curve.function();
+    let fit = [
+        function.map(|fit| fit.median),
+        function.map(|fit| fit.dispersion),
+    ];
+    let why = curve.fit.as_ref().err();
+    let reason = why.map_or(String::new(), |why| why.to_string());
     let numbers = part.into_iter().chain(fit).map(cell);
     counts.into_iter().chain(numbers).chain([reason])
 }
