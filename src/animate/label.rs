@@ -36,7 +36,7 @@ pub fn labels(study: &Study, cases: &[&Case]) -> Vec<String> {
         false => different,
     };
     let label = |case: &&Case| {
-        let values = named.iter().filter_map(|row| {
+        let shown = named.iter().filter_map(|row| {
             let value = case.values[*row]?;
             Some(format!(
                 "{} = {}",
@@ -44,7 +44,7 @@ pub fn labels(study: &Study, cases: &[&Case]) -> Vec<String> {
                 words(&table[*row], value)
             ))
         });
-        let values: Vec<String> = values.collect();
+        let values: Vec<String> = shown.collect();
         let more = match values.len() > MOST {
             true => ", …",
             false => "",

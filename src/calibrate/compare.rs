@@ -45,7 +45,7 @@ pub fn compare(fits: &[Fit]) -> (Vec<usize>, Vec<Comparison>) {
         .copied()
         .filter(|at| fits[*at].misfit().is_finite())
         .collect();
-    let comparisons = solved.iter().skip(1).map(|at| {
+    let with_best = solved.iter().skip(1).map(|at| {
         let [best, other] = [&fits[solved[0]], &fits[*at]];
         let information = information(&judged(best), &judged(other));
         Comparison {
@@ -54,7 +54,7 @@ pub fn compare(fits: &[Fit]) -> (Vec<usize>, Vec<Comparison>) {
             information,
         }
     });
-    let comparisons = comparisons.collect();
+    let comparisons = with_best.collect();
     (order, comparisons)
 }
 

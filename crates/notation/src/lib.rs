@@ -39,7 +39,7 @@ pub fn unit(text: &str) -> String {
 
 /// Units with powers, with `/` between; `None` for another text.
 fn quotient(text: &str) -> Option<String> {
-    let parts = text.split('/').map(|part| {
+    let powers = text.split('/').map(|part| {
         let name = part.trim_end_matches(|c: char| c.is_ascii_digit());
         let power = &part[name.len()..];
         let name = name.trim_end_matches('^');
@@ -53,7 +53,7 @@ fn quotient(text: &str) -> Option<String> {
             _ => None,
         }
     });
-    let parts: Option<Vec<String>> = parts.collect();
+    let parts: Option<Vec<String>> = powers.collect();
     parts.map(|parts| parts.join("/"))
 }
 

@@ -92,7 +92,7 @@ pub fn read_checked(path: &Path) -> Option<Vec<u8>> {
 /// The number of cases of a part that could not be solved, from its footer. Damage of its rows is not seen.
 pub fn failures(path: &Path, key: &Key, cases: usize) -> Result<u64, Miss> {
     let damaged = || Miss::Damaged(path.to_owned());
-    let read = match is_object(path) {
+    let caught = match is_object(path) {
         true => {
             let bytes = Bytes::from(read_file(path).map_err(|_| damaged())?);
             catch_panic(|| reading::failures(bytes, key, cases).ok())
@@ -107,7 +107,7 @@ pub fn failures(path: &Path, key: &Key, cases: usize) -> Result<u64, Miss> {
             catch_panic(|| reading::failures(file, key, cases).ok())
         }
     };
-    let read = read.flatten();
+    let read = caught.flatten();
     read.ok_or_else(damaged)?.map_err(Miss::Outdated)
 }
 

@@ -94,7 +94,7 @@ impl Encoder<'_> {
     /// The pieces of the file with these columns.
     fn file(&self, about: Vec<KeyValue>, columns: Vec<EncodedColumn>) -> Result<Vec<Bytes>> {
         let (rows, mut offset) = (self.cases.len() as i64, MAGIC.len() as i64);
-        let placed = |(pieces, column): &EncodedColumn| {
+        let place_column = |(pieces, column): &EncodedColumn| {
             let column = column.metadata.clone();
             let dictionary = column.dictionary_page_offset().map(|page| page + offset);
             let data = column.data_page_offset() + offset;
@@ -102,7 +102,10 @@ impl Encoder<'_> {
             let column = column.into_builder().set_data_page_offset(data);
             column.set_dictionary_page_offset(dictionary).build()
         };
-        let placed = columns.iter().map(placed).collect::<Result<Vec<_>>>()?;
+        let placed = columns
+            .iter()
+            .map(place_column)
+            .collect::<Result<Vec<_>>>()?;
         let sizes = placed.iter().map(ColumnChunkMetaData::uncompressed_size);
         let group = RowGroupMetaData::builder(self.schema.clone())
             .set_num_rows(rows)

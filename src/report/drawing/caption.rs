@@ -130,7 +130,7 @@ fn curves(sheet: &Sheet) -> Option<String> {
 /// The cases that the figure chooses.
 fn cases(data: &FigureData) -> Option<String> {
     let table = data.study.problem.parameters();
-    let chosen = data.figure.filter.0.iter().map(|(row, values)| {
+    let of_rows = data.figure.filter.0.iter().map(|(row, values)| {
         let parameter = &table[*row];
         let are_numbers = values.iter().all(|value| value.as_f64().is_some());
         let words: Vec<String> = values
@@ -145,7 +145,7 @@ fn cases(data: &FigureData) -> Option<String> {
         };
         format!("{} = {values}", plain(&parameter.symbol))
     });
-    let chosen: Vec<String> = chosen.collect();
+    let chosen: Vec<String> = of_rows.collect();
     (!chosen.is_empty()).then(|| format!("for {}", chosen.join(", ")))
 }
 

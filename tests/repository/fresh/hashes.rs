@@ -57,12 +57,12 @@ fn rewrite() {
     let (committed, results) = (crate::committed(), crate::results());
     let outputs = crate::outputs(&results);
     let others = outputs.iter().filter(|name| !committed.contains(*name));
-    let hashes = others.map(|name| {
+    let pairs = others.map(|name| {
         let name = hashed_name(name);
         (hash(&results.join(&name)), name)
     });
     // By path, as `read` has them.
-    let hashes: BTreeMap<String, String> = hashes.map(|(hash, name)| (name, hash)).collect();
+    let hashes: BTreeMap<String, String> = pairs.map(|(hash, name)| (name, hash)).collect();
     let lines = hashes
         .iter()
         .map(|(name, hash)| format!("{hash}  {name}\n"));

@@ -164,12 +164,12 @@ impl Moving<'_> {
             }
             good = if largest <= allowed { good + 1 } else { 0 };
             if good == 2 {
-                let stiffness = (0..p).map(|c| {
+                let of_columns = (0..p).map(|c| {
                     let trace =
                         influence[4 * c * p + 2 * c] + influence[(2 * c + 1) * 2 * p + 2 * c + 1];
                     0.5 * trace * length(points.forces[POINTS - 1][c])
                 });
-                let stiffness = stiffness.collect();
+                let stiffness = of_columns.collect();
                 return Some((points, stiffness));
             }
             if !eliminate(&mut matrix, &mut rest) {

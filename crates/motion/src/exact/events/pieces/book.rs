@@ -149,11 +149,11 @@ pub fn energy(model: &Model, states: &[ContactState], u: &[f64], v: &[f64]) -> f
         Some(_) => dot(v, v),
     };
     let contacts = model.contacts.iter().zip(states);
-    let lines = contacts.clone().filter_map(|(contact, state)| {
+    let of_lines = contacts.clone().filter_map(|(contact, state)| {
         let line = state.line.as_ref()?;
         Some(lines::of(&contact.law)?.stored(line, state.r))
     });
-    let lines: f64 = lines.sum();
+    let lines: f64 = of_lines.sum();
     let stored = contacts.map(|(contact, state)| {
         let spring = contact.law.spring();
         spring.map_or(0.0, |k| state.force * state.force / k)

@@ -37,7 +37,7 @@ impl<'a, const L: usize> General<'a, L> {
                 (0..m).map(line).collect()
             })
             .collect();
-        let forces = parts.iter().zip(&lines).map(|(linear, lines)| {
+        let of_parts = parts.iter().zip(&lines).map(|(linear, lines)| {
             let pairs = lines.iter().zip(&contacts);
             // A force that is known beforehand needs no compliance.
             let of = pairs.map(|(line, contact)| {
@@ -49,7 +49,7 @@ impl<'a, const L: usize> General<'a, L> {
             });
             Forces::new(&linear.flexibility, of)
         });
-        let mut forces: Vec<_> = forces.collect();
+        let mut forces: Vec<_> = of_parts.collect();
         let moving = Moving::new(cases, prepared.dt, &prepared.method);
         let mut stage = Stage {
             nodes: vec![[zero; 3]; n + 1],
