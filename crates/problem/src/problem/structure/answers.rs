@@ -17,7 +17,7 @@ use super::warn;
 use crate::history::History;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::{Case, HistoryColumn, MeasuredChannel, Samples, Violation};
-use crate::system::structure::{Direction, Structure};
+use crate::system::structure::Structure;
 
 impl StructureProblem {
     /// The columns of the history of a completed case, after the time.
