@@ -6,7 +6,7 @@ use super::arguments::{SettingsArgs, whole};
 use super::list::cases;
 use super::terminal::{duration, print, table};
 use crate::batch::solve::cost::{MEASURING, measure, of_one, sampling, total};
-use crate::batch::{RunOptions, parts::chunk, solve::divergence};
+use crate::batch::{RunOptions, chunks::chunk, solve::divergence};
 use crate::calibrate::explained;
 use crate::error::Error;
 use crate::problem::numbers::parameter::{Default, Parameter};

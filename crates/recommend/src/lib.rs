@@ -1,12 +1,12 @@
 //! Recommends parameters: compares the candidates of a study (`study`), with free parameters by the search of `calibrate`.
 
 pub mod calibrate;
-mod energy;
+mod energy_change;
 pub mod format;
 mod shipped;
 pub mod study;
 
-pub use energy::{EnergyChange, energy_change, energy_gain};
+pub use energy_change::{EnergyChange, energy_change, energy_gain};
 pub use shipped::shipped;
 
 use slipgap_problem::problem::friction::FrictionOscillator;

@@ -3,9 +3,9 @@
 pub mod expression;
 pub mod friction;
 pub mod impact;
-mod laws;
 pub mod method;
 pub mod numbers;
+mod offered_laws;
 mod parameter_expression;
 mod preset;
 mod side_by_side;

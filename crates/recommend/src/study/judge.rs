@@ -4,7 +4,7 @@ use super::errors::{From, errors};
 use super::sweep::sweep;
 use crate::Stop;
 use crate::calibrate::Stopped;
-use crate::energy::{EnergyChange, FRICTION_LIMITS, LIMITS, energy_change, energy_gain};
+use crate::energy_change::{EnergyChange, FRICTION_LIMITS, LIMITS, energy_change, energy_gain};
 use rayon::prelude::*;
 use slipgap_motion::solve::{Warning, Warnings};
 use slipgap_problem::problem::friction::FrictionOscillator;

@@ -1,9 +1,9 @@
 //! The friction oscillator of [F (19)], dimensionless (reference: X'' + X + S = 0, X(0) = x0, X'(0) = 0).
 
 mod case;
-mod law;
-mod metrics;
-mod reference;
+mod law_of_case;
+mod metric_table;
+mod motion_of_law;
 mod tables;
 
 use super::method::{self, step_rules};
@@ -25,7 +25,7 @@ use crate::problem::table::metric_rows::Groups;
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warning};
 use crate::system::System;
 use case::{LANES, OscillatorCase, PlainCase};
-use metrics::{ROWS, Shared, Taken};
+use metric_table::{ROWS, Shared, Taken};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tables::{SCHEMA, rows};
@@ -70,7 +70,7 @@ impl Problem for Oscillator {
     fn work(&self, case: &Case, wanted: &[usize]) -> Work {
         let in_closed_form = || {
             let law = OscillatorCase::new(case).map(|oscillator| oscillator.law);
-            law.is_none_or(|law| reference::in_closed_form(&law))
+            law.is_none_or(|law| motion_of_law::in_closed_form(&law))
         };
         let steps = case.steps();
         let references = match needs_reference(wanted) {
@@ -153,7 +153,7 @@ impl Textbook for Oscillator {
 
     fn exact_of_law(&self, case: &Case, times: &[f64]) -> Option<History> {
         let case = OscillatorCase::new(case)?;
-        reference::between(&case, times, false)?.motions.pop()
+        motion_of_law::between(&case, times, false)?.motions.pop()
     }
 
     fn cost_rows(&self, wanted: &[usize]) -> Option<[usize; 2]> {
@@ -183,7 +183,7 @@ impl Oscillator {
         }
         let x: Vec<_> = computed.displacement().iter().map(|x| Lane([*x])).collect();
         let sampled = case.exact_at_steps();
-        let default = metrics::values(&Shared {
+        let default = metric_table::values(&Shared {
             compared: Compared::new(&x, &sampled),
             work: Lane([work]),
         });
@@ -198,13 +198,13 @@ impl Oscillator {
         let rows = [ROWS.parts, ROWS.errors];
         let of = (&computed, &norm);
         let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
-            reference::between(case, &computed.time, with_errors)
+            motion_of_law::between(case, &computed.time, with_errors)
         });
         let groups = Groups {
             default: cells(default).to_vec(),
             parts,
             exact: Vec::new(),
-            taken: selected(ROWS.taken, metrics::taken(&taken(case, track)), wanted),
+            taken: selected(ROWS.taken, metric_table::taken(&taken(case, track)), wanted),
             errors,
         };
         Ok(Solution {

@@ -1,8 +1,8 @@
 //! The impact of two bars of `[I]`, or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
 
-mod budget;
 pub mod case;
-mod law;
+mod law_of_case;
+mod motions_between;
 mod rules;
 pub mod scaled;
 mod scales;
@@ -236,7 +236,7 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     let rows = [ROWS.parts, ROWS.errors];
     let of = (&computed, &norm);
     let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
-        budget::between(case, &computed.time, with_errors)
+        motions_between::between(case, &computed.time, with_errors)
     });
     let wants_exact = wanted.iter().any(|row| ROWS.exact.contains(row));
     let exact_contact = wants_exact.then(|| reference(&wave, &sampled)).flatten();

@@ -1,18 +1,18 @@
 //! What only structures answer, beside [`Problem`].
 
-use super::described::ground::GroundMotion;
+use super::described::ground_motion::GroundMotion;
 use super::described::scheme::picture::Scheme;
-use super::described::{describe, ground, participation, scheme};
-use super::given::set::SetSpectra;
+use super::described::{describe, ground_motion, participation, scheme};
+use super::given::motion_set::SetSpectra;
 use super::given::signal_cache;
-use super::metrics::units::UnitNames;
+use super::metrics::unit_names::UnitNames;
 use super::model::assemble::{Model, assemble, inertia};
 use super::motions::compared::friction_limits;
 use super::motions::motion;
 use super::parts::listed;
 use super::parts::models::Models;
 use super::prepared::StructureProblem;
-use super::tables::{columns, named_rows};
+use super::tables::{history_columns, named_rows};
 use super::warn;
 use crate::history::History;
 use crate::problem::numbers::unit::Dimension;
@@ -24,10 +24,12 @@ impl StructureProblem {
     pub(in crate::problem) fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
         let exact = self.template.reference.is_some();
         match assemble(&self.template, case, Model::Study) {
-            Ok((structure, _)) => columns::of(&structure, &self.template, self.drawn.len(), exact)
-                .into_iter()
-                .chain(columns::of_drawn(&self.drawn, exact))
-                .collect(),
+            Ok((structure, _)) => {
+                history_columns::of(&structure, &self.template, self.drawn.len(), exact)
+                    .into_iter()
+                    .chain(history_columns::of_drawn(&self.drawn, exact))
+                    .collect()
+            }
             Err(_) => Vec::new(),
         }
     }
@@ -66,7 +68,7 @@ impl StructureProblem {
             text += &participation::described(&structure, &shaken.collect::<Vec<_>>());
         }
         text += &listed::listed(&self.template, numbering.elements());
-        text += &ground::described(&self.template, case, self.computed_steps(case)?);
+        text += &ground_motion::described(&self.template, case, self.computed_steps(case)?);
         text += &named_rows::described(&self.template, case);
         let dt = case.at(self.schema.step)?;
         if let Some(measured) = &self.template.measured
@@ -91,13 +93,13 @@ impl StructureProblem {
     /// The acceleration of the ground in a completed case; `None` where there is none.
     pub fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
         let duration = case.at(self.schema.duration)?;
-        ground::ground_motion(&self.template, case, duration)
+        ground_motion::ground_motion(&self.template, case, duration)
     }
 
     /// The spectra of this set in a completed case at these periods, and the units of length and time; `None` without a set.
     pub fn set_spectra(&self, case: &Case, periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {
-        let spectra = ground::set_spectra(&self.template, case, periods)?;
-        Some((spectra, ground::units(&self.template)))
+        let spectra = ground_motion::set_spectra(&self.template, case, periods)?;
+        Some((spectra, ground_motion::units(&self.template)))
     }
 
     /// The unit of a dimension as the study of a described structure names it; `None` if it names none.

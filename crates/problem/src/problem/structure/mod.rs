@@ -16,9 +16,9 @@ mod warn;
 use super::table::cases::Cases;
 use super::{Case, Jumps, Problem, ProblemKind, Schema, Solution, Violation, Work, time_rules};
 use crate::history::History;
-pub use crate::problem::structure::described::ground::GroundMotion;
+pub use crate::problem::structure::described::ground_motion::GroundMotion;
 pub use crate::problem::structure::described::scheme::picture::Scheme;
-pub use crate::problem::structure::given::set::SetSpectra;
+pub use crate::problem::structure::given::motion_set::SetSpectra;
 pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 use crate::solve::{MetricTable, Unsolvable, Warning};
 pub use model::assemble::MOST_NODES;
@@ -27,7 +27,7 @@ use motions::recorded::distinct;
 use motions::sweep::Groups;
 pub use prepared::StructureProblem;
 use std::sync::Arc;
-use tables::columns::all_numbers;
+use tables::history_columns::all_numbers;
 
 impl Problem for StructureProblem {
     fn schema(&self) -> &Arc<Schema> {

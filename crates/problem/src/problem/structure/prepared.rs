@@ -1,8 +1,8 @@
 //! A case, ready to be solved.
 
 use super::channels::channel::{Channel, Number};
-use super::given::loads::Source;
 use super::given::node::Numbering;
+use super::given::time_functions::Source;
 use super::metrics::computed_ground::Steps;
 use super::metrics::metric::StructureMetric;
 use super::model::assemble::{self, Model, assemble};

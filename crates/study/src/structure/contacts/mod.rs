@@ -18,14 +18,14 @@ use crate::structure::reading::reader::{Reader, open};
 use crate::value::{name, text};
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
-use slipgap_problem::problem::structure::given::loads::{Kind, Source};
 use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_problem::problem::structure::parts::contacts::{NAMES, NUMBERS, law_named};
+use slipgap_problem::problem::structure::given::time_functions::{Kind, Source};
+use slipgap_problem::problem::structure::parts::contact_law::{NAMES, NUMBERS, law_named};
 use slipgap_problem::problem::structure::{
     given::chosen::Chosen,
     parts::{
         along::Term,
-        contact::{Contact, Normal},
+        described_contact::{Contact, Normal},
         template::Spring,
     },
 };

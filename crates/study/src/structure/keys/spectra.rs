@@ -1,7 +1,7 @@
 //! The keys of motions that are scaled to a spectrum, and the rules of codes for sets of them.
 
 use super::Keys;
-use slipgap_problem::problem::structure::given::set::Statistic;
+use slipgap_problem::problem::structure::given::motion_set::Statistic;
 use slipgap_system::system::loads::pair::Component;
 
 /// Keys of `scale_to`; one of the first four is given.

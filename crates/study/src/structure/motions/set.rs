@@ -9,8 +9,8 @@ use crate::structure::reading::reader::{Reader, open};
 use crate::value::name;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
+use slipgap_problem::problem::structure::given::motion_set::{Set, Statistic};
 use slipgap_problem::problem::structure::given::scale_to::Goal;
-use slipgap_problem::problem::structure::given::set::{Set, Statistic};
 use slipgap_system::system::loads::pair::Component;
 
 /// The set under a key, without its motions.

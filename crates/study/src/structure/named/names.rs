@@ -15,7 +15,7 @@ use slipgap_problem::problem::interned;
 use slipgap_problem::problem::method::PARAMETERS;
 use slipgap_problem::problem::numbers::parameter::Parameter;
 use slipgap_problem::problem::structure::metrics::metric::OF_ALL;
-use slipgap_problem::problem::structure::parts::contacts::NAMES;
+use slipgap_problem::problem::structure::parts::contact_law::NAMES;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, Named, of_method};
 use slipgap_system::system::loads::Unit;
 

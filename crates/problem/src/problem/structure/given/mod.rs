@@ -2,17 +2,17 @@
 
 pub mod amount;
 pub mod chosen;
-pub mod loads;
+pub mod motion_set;
 pub mod node;
 pub mod pair;
 pub mod rows;
 pub mod scale_to;
-pub mod set;
 pub mod shape;
 pub(crate) mod signal_cache;
 pub mod strength;
 pub mod supports;
 pub mod target_spectrum;
+pub mod time_functions;
 
 #[cfg(test)]
 mod tests_strength;

@@ -1,10 +1,10 @@
 //! What a study does to the function of a motion: a part of it, its baseline, its strength and its delay, in this order.
 
 use super::amount::Amount;
-use super::loads::Source;
 use super::scale_to::ScaleTo;
 use super::signal_cache::SignalCache;
 use super::strength::Strengths;
+use super::time_functions::Source;
 use crate::problem::{Case, Violation};
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::loads::cut::{cut, delayed, without_baseline};

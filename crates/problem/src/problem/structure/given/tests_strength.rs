@@ -1,13 +1,13 @@
 //! The strength that motions, pairs and sets get, with strengths that are given.
 
 use super::amount::{self, Amount};
-use super::loads::{Kind, Source};
+use super::motion_set::{Motions, Set, Statistic};
 use super::pair::Pair;
 use super::scale_to::{Goal, ScaleTo};
-use super::set::{Motions, Set, Statistic};
 use super::shape::Scaled;
 use super::strength::{Asked, Strengths};
 use super::target_spectrum::TargetSpectrum;
+use super::time_functions::{Kind, Source};
 use crate::problem::friction::FrictionOscillator;
 use crate::problem::numbers::parameter::{Range, Value};
 use crate::problem::{Case, Problem, Violation};

@@ -2,11 +2,11 @@
 
 use crate::problem::Case;
 use crate::problem::numbers::short::short;
-use crate::problem::structure::given::loads::Kind;
 use crate::problem::structure::given::scale_to::RATIO;
 use crate::problem::structure::given::shape::Scaled;
 use crate::problem::structure::given::supports::{Course, Points, Support};
-use crate::problem::structure::parts::contact::Normal;
+use crate::problem::structure::given::time_functions::Kind;
+use crate::problem::structure::parts::described_contact::Normal;
 use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::loads::STANDARD_GRAVITY;

@@ -6,7 +6,7 @@ use crate::metrics::measured as reduce;
 use crate::metrics::structure::peak;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channels::channel::Channel;
-use crate::problem::structure::channels::measured::{Compared, FEWEST, measured_loop};
+use crate::problem::structure::channels::measured_channels::{Compared, FEWEST, measured_loop};
 use crate::problem::structure::metrics::against_measured::MeasuredFunction;
 use crate::problem::structure::metrics::function::{Function, OfLoop};
 use crate::problem::structure::metrics::metric::StructureMetric;

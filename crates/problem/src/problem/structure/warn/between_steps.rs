@@ -3,11 +3,11 @@
 use super::doubt::Doubt;
 use crate::problem::Case;
 use crate::problem::numbers::short::short;
-use crate::problem::structure::given::loads::{Kind, Source};
 use crate::problem::structure::given::shape::Scaled;
 use crate::problem::structure::given::supports::{Course, Points};
+use crate::problem::structure::given::time_functions::{Kind, Source};
 use crate::problem::structure::metrics::computed_ground::{ENOUGH, Steps};
-use crate::problem::structure::parts::contact::Normal;
+use crate::problem::structure::parts::described_contact::Normal;
 use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::structure::Signal;
