@@ -1,6 +1,6 @@
 //! The data of the figures of a calibration.
 
-use super::channel_series;
+use super::channel;
 use super::{Calibration, Fit};
 use crate::figures::{AlternativeMisfit, MeasuredMotion, MeasuredPanel, MisfitPanel, Misfits};
 use slipgap_problem::problem::{MeasuredChannel, escape};
@@ -87,16 +87,16 @@ fn motion(found: &Calibration, best: usize, test: usize, channel: usize) -> Opti
 
 /// The residuals of the minimised channel, of each alternative.
 fn residual(found: &Calibration, best: usize, test: usize) -> Option<MeasuredPanel> {
-    let channel = channel_series::channel(&found.study)?;
+    let channel = channel::channel(&found.study)?;
     let curve = |(index, fit): (usize, &Fit)| {
         let test = fit.tests.get(test)?;
-        let times = points(channel_series::measured(test, channel)?);
-        let residuals = channel_series::residuals(test, channel)?;
+        let times = points(channel::measured(test, channel)?);
+        let residuals = channel::residuals(test, channel)?;
         let pairs = times.iter().zip(residuals);
         let points = pairs.map(|(point, residual)| [point[0], residual]);
         Some((index, escape(fit.label()), points.collect()))
     };
-    let channel_measured = channel_series::measured(&found.fits[best].tests[test], channel)?;
+    let channel_measured = channel::measured(&found.fits[best].tests[test], channel)?;
     Some(MeasuredPanel {
         title: format!("computed - measured, {}", title(found, channel_measured)),
         caption: caption(&found.fits[best], test),

@@ -4,7 +4,7 @@
 //! the misfit for each of them. `numerics` says how much of the misfit the time step and the mesh may be, `residuals` whether what is
 //! left is noise, `scatter` how parameters vary from test to test, `compare` which alternatives are told apart.
 
-mod channel_series;
+mod channel;
 mod compare;
 mod explain;
 mod figure_data;

@@ -7,7 +7,7 @@ use crate::calibrate::Stopped;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::structure::StructureProblem;
-use slipgap_problem::problem::structure::given::time_functions::LARGEST_SEED;
+use slipgap_problem::problem::structure::given::source::LARGEST_SEED;
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_study::alike::identity;
 use std::collections::{BTreeSet, HashSet};

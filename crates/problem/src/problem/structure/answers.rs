@@ -39,11 +39,6 @@ impl StructureProblem {
         Some(self.structure(case, Model::Study).ok()?.0)
     }
 
-    /// A metric, by its row, in each test that the study compares as a sample; `None` without such tests, and if they do not have it.
-    pub fn in_tests(&self, metric: usize) -> Option<Vec<f64>> {
-        self.sample_of(metric)
-    }
-
     /// Lines that describe a completed case, for `explain`.
     pub fn description(&self, case: &Case) -> Option<String> {
         let (structure, numbering) = self.structure(case, Model::Study).ok()?;
@@ -80,16 +75,6 @@ impl StructureProblem {
         Some(text)
     }
 
-    /// Whether a change of 1e-10 in start and loads reaches 1 % of the peak of a channel that metrics are of; `None` if not known.
-    pub fn diverges(&self, case: &Case) -> Option<bool> {
-        self.case_diverges(case)
-    }
-
-    /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
-    pub fn diverges_by(&self, metrics: &[Option<f64>]) -> Option<bool> {
-        self.metrics_say(metrics)
-    }
-
     /// The acceleration of the ground in a completed case; `None` where there is none.
     pub fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
         let duration = case.at(self.schema.duration)?;
@@ -111,11 +96,6 @@ impl StructureProblem {
     /// The structure of a completed case for a picture; `None` if it cannot be assembled.
     pub fn scheme(&self, case: &Case) -> Option<Scheme> {
         scheme::scheme(&self.template, case)
-    }
-
-    /// Why the whole history of a completed case does not fit in memory; `None` if it does. Its metrics and figures may need less.
-    pub fn history_fault(&self, case: &Case) -> Option<Violation> {
-        self.check_history(case)
     }
 
     /// The friction limit of each contact at the times of a motion, >= 0; `None` without friction.

@@ -82,7 +82,7 @@ impl Problem for StructureProblem {
     fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let ready = self.ready(0, case)?;
         // A whole history that does not fit is refused where one is asked for; figures need their own channels.
-        let numbers = match self.check_history(case) {
+        let numbers = match self.history_fault(case) {
             None => all_numbers(&ready.structure, &self.template),
             Some(_) => Vec::new(),
         };

@@ -2,7 +2,7 @@
 
 use super::channels::channel::{Channel, Number};
 use super::given::node::Numbering;
-use super::given::time_functions::Source;
+use super::given::source::Source;
 use super::metrics::computed_ground::Steps;
 use super::metrics::metric::StructureMetric;
 use super::model::assemble::{self, Model, assemble};

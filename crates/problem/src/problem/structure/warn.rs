@@ -18,7 +18,7 @@ mod weight;
 
 use super::channels::channel::{Number, Quantity};
 use super::given::shape::Scaled;
-use super::given::time_functions::Kind;
+use super::given::source::Kind;
 use super::metrics::metric::StructureMetric;
 use super::metrics::reduction::Reduction;
 use super::model::contact_duration::has_short_contact;
@@ -26,7 +26,7 @@ use super::motions::metric_values;
 use super::motions::motion::{self, Recording};
 use super::motions::recorded::{Recorded, distinct};
 use super::motions::sweep::Ready;
-use super::parts::described_contact::Normal;
+use super::parts::contact::Normal;
 use super::prepared::StructureProblem;
 use crate::contact::ContactKind;
 use crate::problem::Case;

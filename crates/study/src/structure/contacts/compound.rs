@@ -10,9 +10,7 @@ use crate::structure::reading::reader::{Reader, open};
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
 use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_problem::problem::structure::parts::{
-    along::Term, described_contact::Contact, template::Mass,
-};
+use slipgap_problem::problem::structure::parts::{along::Term, contact::Contact, template::Mass};
 use slipgap_system::system::structure::Direction;
 
 /// A law of a list, or a list in it.

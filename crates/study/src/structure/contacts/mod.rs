@@ -19,13 +19,13 @@ use crate::value::{name, text};
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
 use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_problem::problem::structure::given::time_functions::{Kind, Source};
+use slipgap_problem::problem::structure::given::source::{Kind, Source};
 use slipgap_problem::problem::structure::parts::contact_law::{NAMES, NUMBERS, law_named};
 use slipgap_problem::problem::structure::{
     given::chosen::Chosen,
     parts::{
         along::Term,
-        described_contact::{Contact, Normal},
+        contact::{Contact, Normal},
         template::Spring,
     },
 };

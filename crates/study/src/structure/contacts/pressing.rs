@@ -6,7 +6,7 @@ use crate::structure::keys::PRESSING;
 use crate::structure::reading::reader::open;
 use crate::value::text;
 use slipgap_problem::problem::structure::parts::{
-    described_contact::{Contact, Normal, Pressing, PressingPart},
+    contact::{Contact, Normal, Pressing, PressingPart},
     template::Spring,
 };
 

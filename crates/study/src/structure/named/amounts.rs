@@ -5,7 +5,7 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::shape::Scaled;
-use slipgap_problem::problem::structure::given::time_functions::Kind;
+use slipgap_problem::problem::structure::given::source::Kind;
 use slipgap_problem::problem::structure::metrics::metric::StructureMetric;
 use slipgap_problem::problem::structure::parts::template::Template;
 

@@ -4,7 +4,7 @@ use crate::problem::Case;
 use crate::problem::numbers::short::short;
 use crate::problem::structure::given::motion_set::SetSpectra;
 use crate::problem::structure::given::shape::Scaled;
-use crate::problem::structure::given::time_functions::Kind;
+use crate::problem::structure::given::source::Kind;
 use crate::problem::structure::metrics::computed_ground::{Steps, measured};
 use crate::problem::structure::metrics::unit_names::UnitNames;
 use crate::problem::structure::parts::template::Template;

@@ -9,10 +9,10 @@ pub mod rows;
 pub mod scale_to;
 pub mod shape;
 pub(crate) mod signal_cache;
+pub mod source;
 pub mod strength;
 pub mod supports;
 pub mod target_spectrum;
-pub mod time_functions;
 
 #[cfg(test)]
 mod tests_strength;

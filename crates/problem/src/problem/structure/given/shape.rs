@@ -3,8 +3,8 @@
 use super::amount::Amount;
 use super::scale_to::ScaleTo;
 use super::signal_cache::SignalCache;
+use super::source::Source;
 use super::strength::Strengths;
-use super::time_functions::Source;
 use crate::problem::{Case, Violation};
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::loads::cut::{cut, delayed, without_baseline};

@@ -64,7 +64,7 @@ impl StructureProblem {
                 let mut channels = named_channels.chain(of_loop.iter().flatten());
                 return channels.any(|channel| of_channel(channel).unwrap_or(false));
             }
-            let sample = self.sample_of(row).zip(values[row]);
+            let sample = self.in_tests(row).zip(values[row]);
             sample.is_some_and(|(mut tests, value)| {
                 tests.sort_by(f64::total_cmp);
                 let median = tests.get(tests.len() / 2).copied().unwrap_or_default();

@@ -1,8 +1,8 @@
 //! The structure of a study: nodes, bars, springs, contacts, loads and start, with numbers that may depend on the parameters.
 
 use super::along::Term;
+use super::contact::{Contact, Normal};
 use super::damping::{ModalDamping, Rayleigh};
-use super::described_contact::{Contact, Normal};
 use super::reduce::Reduce;
 use crate::problem::Case;
 use crate::problem::structure::channels::measured_channels::Measured;
@@ -12,8 +12,8 @@ use crate::problem::structure::given::motion_set::Set;
 use crate::problem::structure::given::node::{NodeName, NodeRef};
 use crate::problem::structure::given::rows::Rows;
 use crate::problem::structure::given::shape::Scaled;
+use crate::problem::structure::given::source::Source;
 use crate::problem::structure::given::supports::Support;
-use crate::problem::structure::given::time_functions::Source;
 use crate::system::import::Imported;
 use crate::system::structure::Direction;
 use std::sync::Arc;

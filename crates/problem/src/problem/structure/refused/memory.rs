@@ -70,8 +70,9 @@ impl StructureProblem {
         })
     }
 
-    /// Reports a case whose whole history, of every node and contact, does not fit in memory.
-    pub(crate) fn check_history(&self, case: &Case) -> Option<Violation> {
+    /// Why the whole history of a completed case, of every node and contact, does not fit in memory; `None` if it does. Its metrics and
+    /// figures may need less.
+    pub fn history_fault(&self, case: &Case) -> Option<Violation> {
         let numbering = assemble::check(&self.template, case).ok()?;
         let steps = case.steps() as f64;
         too_many(steps, self.of_history(&numbering), "in the whole history")

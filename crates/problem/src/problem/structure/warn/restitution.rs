@@ -4,8 +4,8 @@ use super::doubt::Doubt;
 use crate::problem::Case;
 use crate::problem::numbers::short::short;
 use crate::problem::structure::model::contact_duration;
+use crate::problem::structure::parts::contact;
 use crate::problem::structure::parts::contact_law::law_named;
-use crate::problem::structure::parts::described_contact;
 use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::structure::{Contact, Structure};
@@ -43,7 +43,7 @@ pub fn restitutions(
 
 /// Of a contact: of bodies of its `colliding_mass` or, without it, of the masses of its nodes.
 fn of_contact(
-    given: &described_contact::Contact,
+    given: &contact::Contact,
     contact: &Contact,
     case: &Case,
     structure: &Structure,

@@ -1,7 +1,7 @@
 //! The limit of friction.
 
 use super::violation;
-use crate::problem::structure::parts::described_contact::{Contact, Normal};
+use crate::problem::structure::parts::contact::{Contact, Normal};
 use crate::problem::{Case, Violation};
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::structure::{Limit, PressedBy, Pressure};

@@ -2,7 +2,7 @@
 
 mod limit;
 
-use super::described_contact::{Contact, Normal};
+use super::contact::{Contact, Normal};
 use crate::contact::number::Number;
 use crate::contact::numbers::structure::TABLE;
 use crate::contact::offer::{Offered, Place};

@@ -4,7 +4,7 @@ use super::along::Term;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::chosen::Chosen;
 use crate::problem::structure::given::shape::Scaled;
-use crate::problem::structure::given::time_functions::Source;
+use crate::problem::structure::given::source::Source;
 use crate::problem::{Case, Violation};
 use crate::system::structure::PlaneRow;
 
