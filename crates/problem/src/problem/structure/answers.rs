@@ -16,22 +16,20 @@ use super::tables::{history_columns, named_rows};
 use super::warn;
 use crate::history::History;
 use crate::problem::numbers::unit::Dimension;
-use crate::problem::{Case, HistoryColumn, MeasuredChannel, Samples, Violation};
+use crate::problem::{Case, HistoryColumn, MeasuredChannel, Samples};
 use crate::system::structure::Structure;
 
 impl StructureProblem {
     /// The columns of the history of a completed case, after the time.
     pub(in crate::problem) fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
         let exact = self.template.reference.is_some();
-        match assemble(&self.template, case, Model::Study) {
-            Ok((structure, _)) => {
-                history_columns::of(&structure, &self.template, self.drawn.len(), exact)
-                    .into_iter()
-                    .chain(history_columns::of_drawn(&self.drawn, exact))
-                    .collect()
-            }
-            Err(_) => Vec::new(),
-        }
+        let whole = assemble(&self.template, case, Model::Study);
+        whole.map_or(Vec::new(), |(structure, _)| {
+            history_columns::of(&structure, &self.template, self.drawn.len(), exact)
+                .into_iter()
+                .chain(history_columns::of_drawn(&self.drawn, exact))
+                .collect()
+        })
     }
 
     /// The structure of a completed case; `None` if it cannot be solved.

@@ -4,7 +4,7 @@ use super::metric::StructureMetric;
 use super::reduction::{REDUCTIONS, Reduction, Takes};
 use crate::problem::structure::channels::channel::{Channel, QUANTITIES};
 use crate::problem::structure::channels::names::Names;
-use crate::problem::structure::metrics::ground_intensity::{GroundMetric, without_direction};
+use crate::problem::structure::metrics::ground_metric::{GroundMetric, without_direction};
 use crate::problem::structure::metrics::window::{Window, no_window};
 
 impl StructureMetric {

@@ -3,7 +3,7 @@
 pub mod against_measured;
 pub(crate) mod computed_ground;
 pub mod function;
-pub mod ground_intensity;
+pub mod ground_metric;
 pub mod metric;
 pub(crate) mod metric_text;
 pub mod pieces;

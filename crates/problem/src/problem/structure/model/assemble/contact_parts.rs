@@ -3,7 +3,7 @@
 use super::{Detail, Draft};
 use crate::contact::{ClippedLine, plane};
 use crate::problem::Violation;
-use crate::problem::structure::parts::contact_law;
+use crate::problem::structure::parts::contact_law::{relation, violation};
 use crate::system::structure::{Contact, Limit, PlaneRow, StructureLaw};
 
 impl Draft<'_> {
@@ -15,24 +15,22 @@ impl Draft<'_> {
             let is_held = along.is_empty() && contact.row.is_some();
             if along.is_empty() && !is_held && self.violations.is_empty() {
                 let message = "a contact needs two different nodes";
-                self.violations
-                    .push(contact_law::violation(contact, message));
+                self.violations.push(violation(contact, message));
             }
             let is_driven = along.iter().all(|(node, _)| *node >= nodes);
             let gap = self.optional(&contact.gap);
             let pressed_by = self.pressed_by(contact);
-            let relation = contact_law::relation(
+            let law = relation(
                 contact,
                 self.case,
                 self.template.metre,
                 (pressed_by, self.detail == Detail::Whole),
             );
-            let law = relation.and_then(|law| self.in_plane(law, i, is_held));
-            if let Some(law) = self.checked(law) {
+            let law_in_plane = law.and_then(|law| self.in_plane(law, i, is_held));
+            if let Some(law) = self.checked(law_in_plane) {
                 if is_driven && !is_held && self.violations.is_empty() && law.is_rigid() {
                     let message = "a contact between supports, or of a support and the ground, needs a law with a stiffness or a damper";
-                    self.violations
-                        .push(contact_law::violation(contact, message));
+                    self.violations.push(violation(contact, message));
                 }
                 self.structure.contacts.push(Contact {
                     name: contact.name.clone(),
@@ -60,12 +58,12 @@ impl Draft<'_> {
         let name = contact.law.name(self.case);
         if law.static_ratio() > 1.0 {
             let message = "static_ratio above 1 is not known in a plane; allowed: 1, or a contact with one direction";
-            return Err(contact_law::violation(contact, message));
+            return Err(violation(contact, message));
         }
         let Some([first, second]) = law.clone().in_plane() else {
             let names = plane::names().collect::<Vec<_>>().join(", ");
             let message = format!("{name} does not act in a plane; allowed: {names}");
-            return Err(contact_law::violation(contact, message));
+            return Err(violation(contact, message));
         };
         if is_held {
             let line = ClippedLine::Elastic { stiffness: 1.0 };
@@ -94,8 +92,7 @@ impl Draft<'_> {
             let r = self.structure.relative(c, &self.structure.displacement) + placed.gap;
             if placed.law.is_stop() && r < 0.0 {
                 let message = format!("a rigid contact must start with r >= 0, got {r}");
-                self.violations
-                    .push(contact_law::violation(contact, message));
+                self.violations.push(violation(contact, message));
             }
         }
     }
