@@ -70,14 +70,10 @@ pub fn encode(
     let rows = study.parameter_columns().into_iter();
     let parameters = rows.map(|row| Source::Parameter(table[row].kind, &cases.columns()[row]));
     let numbers = |metric: &usize| metrics.numbers(*metric).unwrap_or_default();
-    let values = study
-        .metrics
-        .iter()
-        .map(|metric| Source::Metric(numbers(metric)));
-    let mut sources: Vec<Source> = once(Source::Cases)
-        .chain(parameters)
-        .chain(values)
-        .collect();
+    let metric = |metric| Source::Metric(numbers(metric));
+    let values = study.metrics.iter().map(metric);
+    let both = parameters.chain(values);
+    let mut sources: Vec<Source> = once(Source::Cases).chain(both).collect();
     sources.extend([Source::Failures, Source::Warnings]);
     let numbered = sources.par_iter().enumerate();
     let columns = numbered.map_init(Vec::new, |memory, (index, source)| {
