@@ -1,7 +1,7 @@
 //! The curves of two quantities: computed, measured and exact.
 
 use super::super::history::curves::sizes;
-use super::super::history::measured::Measured;
+use super::super::history::measured_curves::Measured;
 use crate::DrawnCase;
 use slipgap_drawing::layout::sheet::Series;
 use slipgap_motion::history::History;

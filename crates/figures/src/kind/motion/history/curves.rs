@@ -1,6 +1,6 @@
 //! The curves of a history figure, as series.
 
-use super::measured::Measured;
+use super::measured_curves::Measured;
 use crate::DrawnCase;
 use crate::label;
 use slipgap_drawing::layout::sheet::{MEASURED, Series};

@@ -1,4 +1,4 @@
-//! Draws the parts of a scheme.
+//! Draws the bars and masses of a scheme with their names.
 
 use super::super::arrange::sizes;
 use super::super::nodes::marks;
