@@ -50,6 +50,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
             "measured": measured(),
             "problem": { "description": MEANING },
             "parameters": parameters,
+            "shared": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
             "structure": structure,
             "metrics": listed_metrics(&metric),
