@@ -95,8 +95,8 @@ impl Input {
         spread::share(&mut root);
         let mut texts = Texts::new(&self.file, &self.text);
         let settings = self.settings.iter();
-        let starts = settings.map(|setting| texts.push(setting.source(), setting.text()));
-        let starts: Vec<usize> = starts.collect();
+        let pushed = settings.map(|setting| texts.push(setting.source(), setting.text()));
+        let starts: Vec<usize> = pushed.collect();
         let mut faults = Faults::default();
         let seed = self
             .sets_record()

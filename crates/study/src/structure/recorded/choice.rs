@@ -102,8 +102,8 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
         faults.add(node.at, &object.path("n"), message);
     }
     let lists = ["T", "median", "sigma"].map(|key| list(&object, key, faults));
-    let unit = object.need("unit", meaning("unit"), faults);
-    let unit = unit.and_then(|node| {
+    let unit_node = object.need("unit", meaning("unit"), faults);
+    let unit = unit_node.and_then(|node| {
         let names = Unit::ALL.map(Unit::name);
         let index = name(node, &object.path("unit"), "unit", &names, faults)?;
         Some(Unit::ALL[index].in_m_s2())
@@ -181,11 +181,11 @@ fn list(object: &Object, key: &str, faults: &mut Faults) -> Option<Vec<f64>> {
         return None;
     };
     let items = items.iter().enumerate();
-    let values =
+    let numbers =
         items.map(|(i, item)| number(item, &format!("{path}[{i}]"), range(CHOOSE, key), faults));
     // Collected first, so that every fault is reported.
-    let values: Vec<Option<f64>> = values.collect();
-    let values: Option<Vec<f64>> = values.into_iter().collect();
+    let read: Vec<Option<f64>> = numbers.collect();
+    let values: Option<Vec<f64>> = read.into_iter().collect();
     values.filter(|values| !values.is_empty())
 }
 
@@ -205,8 +205,8 @@ impl Choice {
             .par_iter()
             .map(|motion| self.ordinates.logarithms(folder, motion, cache))
             .collect();
-        let wrong = spectra.iter().filter_map(|result| result.as_ref().err());
-        let wrong: Vec<&str> = wrong.take(MOST_FAULTS).map(String::as_str).collect();
+        let errors = spectra.iter().filter_map(|result| result.as_ref().err());
+        let wrong: Vec<&str> = errors.take(MOST_FAULTS).map(String::as_str).collect();
         if !wrong.is_empty() {
             return Err(wrong.join("; "));
         }

@@ -50,8 +50,8 @@ impl Ordinates {
         if let Some(known) = cache.read(&key, self.periods.len()) {
             return Ok(known);
         }
-        let tables = files.iter().zip(&contents);
-        let tables = tables.map(|(file, content)| table(file, content));
+        let both = files.iter().zip(&contents);
+        let tables = both.map(|(file, content)| table(file, content));
         let values = self.values(&tables.collect::<Result<Vec<_>, _>>()?);
         let logarithms: Vec<f64> = values.unwrap_or_default().into_iter().map(log).collect();
         if logarithms.is_empty() || logarithms.iter().any(|x| !x.is_finite()) {
@@ -87,8 +87,8 @@ impl Ordinates {
 /// The acceleration of a file.
 fn table(file: &str, content: &[u8]) -> Result<Table, String> {
     let at_fault = |why: String| format!("{}: {why}", quoted(file));
-    let read = record::parse(file, content, Reading::default());
-    let read = read.map_err(|fault| at_fault(format!("line {}: {}", fault.line, fault.cause)))?;
+    let read = record::parse(file, content, Reading::default())
+        .map_err(|fault| at_fault(format!("line {}: {}", fault.line, fault.cause)))?;
     let signal = signal(&read, None, 1.0).map_err(|why| at_fault(why.to_string()))?;
     match &*signal {
         Signal::Table(table) => Ok(table.clone()),
