@@ -97,13 +97,13 @@ fn listed(block: &Node) -> Option<(Vec<String>, usize)> {
     let first = given
         .iter()
         .find(|given| has_expressions(&given.node, &table))?;
-    let groups = match member(block, "zip").map(|node| &node.tree) {
+    let zips = match member(block, "zip").map(|node| &node.tree) {
         Some(Tree::List(groups)) => &groups[..],
         Some(_) | None => &[],
     };
-    let mut groups = groups.iter().map(zipped);
-    let together = groups.find(|group| group.contains(&first.key));
-    let together = together.unwrap_or_else(|| vec![first.key.clone()]);
+    let mut groups = zips.iter().map(zipped);
+    let of_zip = groups.find(|group| group.contains(&first.key));
+    let together = of_zip.unwrap_or_else(|| vec![first.key.clone()]);
     let length = |name: &String| match &given.iter().find(|given| given.key == *name)?.node.tree {
         Tree::List(items) => Some(items.len()),
         Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
