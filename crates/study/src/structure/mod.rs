@@ -10,7 +10,7 @@ pub(super) mod measured;
 mod motions;
 pub(super) mod named;
 mod parts;
-mod reading;
+pub(super) mod reading;
 pub(super) mod recorded;
 #[cfg(test)]
 mod tests;
