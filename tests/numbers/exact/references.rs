@@ -7,6 +7,8 @@ use slipgap::study;
 fn laws() -> Vec<Json> {
     vec![
         json!({"law": "bouc-wen", "limit": 2, "k": 2000, "exponent": 2}),
+        json!({"law": "bouc-wen", "limit": 2, "k": 2000, "exponent": 1, "beta": 0.9}),
+        json!({"law": "bouc-wen", "limit": 2, "k": 2000, "exponent": 3, "beta": 0.3}),
         json!({"law": "dahl", "limit": 2, "k": 2000}),
         json!({"law": "lugre", "limit": 2, "sigma0": 2000, "sigma1": 20}),
         json!({"law": "tanh", "limit": 2, "rdotE": 0.02}),

@@ -53,6 +53,7 @@ fn laws() -> Vec<Json> {
         json!({"law": "displacement-control", "limit": 1, "rE": 0.01}),
         json!({"law": "bouc-wen", "limit": 1, "rE": 0.01, "exponent": 2}),
         json!({"law": "bouc-wen", "limit": 1, "rE": 0.01, "exponent": 1}),
+        json!({"law": "bouc-wen", "limit": 1, "rE": 0.01, "exponent": 2, "beta": 0.9}),
         json!({"law": "lugre", "limit": 1, "sigma0": 100, "sigma1": 0.1, "sigma2": 0.1, "static_ratio": 1.1, "stribeck_velocity": 1}),
         json!({"law": "bilinear", "Fy": 1, "k1": 100, "k2": 10}),
         json!({"law": "pendulum", "nu": 0.1, "N": 10, "R": 3, "rE": 0.01}),

@@ -60,7 +60,10 @@ fn law(random: &mut Random) -> Json {
         11 => json!({"law": "velocity-control", "c": random.number(5.0, 50.0), "limit": limit}),
         12 => json!({"law": "coulomb", "limit": limit}),
         13 => json!({"law": "tanh", "c": random.number(5.0, 50.0), "limit": limit}),
-        14 => json!({"law": "bouc-wen", "k": k, "limit": limit, "exponent": 1 + random.below(2)}),
+        14 => {
+            let beta = random.number(0.1, 2.0);
+            json!({"law": "bouc-wen", "k": k, "limit": limit, "exponent": 1 + random.below(2), "beta": beta})
+        }
         15 => json!({"law": "dahl", "k": k, "limit": limit, "exponent": 1.5}),
         16 => {
             json!({"law": "lugre", "sigma0": k, "sigma1": random.number(0.0, 10.0), "limit": limit})

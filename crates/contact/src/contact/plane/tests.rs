@@ -42,11 +42,12 @@ fn made(law: &Offered) -> Option<ContactLaw> {
 
 fn chosen() -> Vec<ContactLaw> {
     let compliance = 0.1;
-    let bouc_wen = |exponent| {
+    let bouc_wen = |exponent, beta| {
         ContactLaw::BoucWen(BoucWen {
             compliance,
             limit: 1.0,
             exponent,
+            beta,
         })
     };
     let lugre = |static_limit, sigma1| {
@@ -109,9 +110,11 @@ fn chosen() -> Vec<ContactLaw> {
             yield_force: 1.0,
             hardening: 1.0,
         }),
-        bouc_wen(1.0),
-        bouc_wen(2.0),
-        bouc_wen(5.0),
+        bouc_wen(1.0, 0.5),
+        bouc_wen(2.0, 0.5),
+        bouc_wen(5.0, 0.5),
+        bouc_wen(2.0, 0.2),
+        bouc_wen(3.0, 0.9),
         lugre(1.0, 0.0),
         lugre(1.3, 0.3),
     ]

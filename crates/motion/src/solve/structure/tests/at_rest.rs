@@ -110,6 +110,7 @@ fn friction(number: usize, random: &mut Random) -> StructureLaw {
             compliance,
             limit,
             exponent,
+            beta: 0.5,
         }),
         15 => ContactLaw::Dahl(Dahl {
             compliance,

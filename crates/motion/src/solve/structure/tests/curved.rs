@@ -46,6 +46,7 @@ fn frictions() -> Vec<ContactLaw> {
             compliance,
             limit,
             exponent: 2.0,
+            beta: 0.5,
         }),
         ContactLaw::Dahl(Dahl {
             compliance,
@@ -215,6 +216,7 @@ fn various(which: usize, ground: &Arc<Signal>) -> Structure {
             compliance,
             limit,
             exponent: 1.5,
+            beta: 0.5,
         }),
         ContactLaw::Dahl(Dahl {
             compliance,
