@@ -13,6 +13,7 @@ fn laws() -> Vec<Json> {
         json!({"law": "lugre", "limit": 2, "sigma0": 2000, "sigma1": 20}),
         json!({"law": "tanh", "limit": 2, "rdotE": 0.02}),
         json!({"law": "stribeck", "limit": 2, "rdotE": 0.05, "static_ratio": 1.2, "stribeck_velocity": 0.3}),
+        json!({"law": "stribeck-hyperbolic", "limit": 2, "rdotE": 0.05, "static_ratio": 1.2, "stribeck_velocity": 0.3}),
         json!({"law": "viscous", "c": 5, "a": 0.5}),
         json!({"law": "viscous", "c": 5, "a": 2}),
         json!({"law": "pendulum", "k": 2000, "nu": 0.1, "N": 20, "R": 1}),

@@ -50,6 +50,7 @@ fn laws() -> Vec<Json> {
         json!({"law": "velocity-control", "limit": 1, "rdotE": 0.1}),
         json!({"law": "tanh", "limit": 1, "rdotE": 0.1}),
         json!({"law": "stribeck", "limit": 1, "rdotE": 0.1, "static_ratio": 1.1, "stribeck_velocity": 1}),
+        json!({"law": "stribeck-hyperbolic", "limit": 1, "rdotE": 0.1, "static_ratio": 1.1, "stribeck_velocity": 1}),
         json!({"law": "displacement-control", "limit": 1, "rE": 0.01}),
         json!({"law": "bouc-wen", "limit": 1, "rE": 0.01, "exponent": 2}),
         json!({"law": "bouc-wen", "limit": 1, "rE": 0.01, "exponent": 1}),

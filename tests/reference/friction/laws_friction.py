@@ -58,6 +58,17 @@ def stribeck(beta, static, width):
     return Law(force, events=[lambda y: y[1] - edge, lambda y: -y[1] - edge])
 
 
+def hyperbolic(beta, static, width):
+    edge = beta * static
+    def force(y, s):
+        if s[0] > 0:
+            return 1 + (static - 1) / (1 + (y[1] - edge) / width)
+        if s[1] > 0:
+            return -1 - (static - 1) / (1 - (y[1] + edge) / width)
+        return y[1] / beta
+    return Law(force, events=[lambda y: y[1] - edge, lambda y: -y[1] - edge])
+
+
 def bouc_wen(alpha, n, beta=0.5):
     def rates(y, s):
         return [y[1] / alpha * (1 - max(s[1] * y[2], 0.0) ** n * (s[0] * s[1] * beta + 1 - beta))]
@@ -82,6 +93,7 @@ CASES = {
     "tanh(0.1, 0.4, 2)": tanh_bearing(0.1, 0.4, 2.0),
     "bearing(0.1, 0.4, 2)": bearing(0.1, 0.4, 2.0),
     "stribeck(0.1, 1.5, 0.5)": stribeck(0.1, 1.5, 0.5),
+    "stribeck-hyperbolic(0.1, 1.5, 0.5)": hyperbolic(0.1, 1.5, 0.5),
     "bouc-wen(0.1, 1)": bouc_wen(0.1, 1.0),
     "bouc-wen(0.1, 2)": bouc_wen(0.1, 2.0),
     "bouc-wen(0.1, 5)": bouc_wen(0.1, 5.0),

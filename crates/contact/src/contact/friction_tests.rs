@@ -34,6 +34,14 @@ fn stribeck(compliance: f64, static_limit: f64, stribeck_velocity: f64) -> Strib
         limit: 1.0,
         static_limit,
         stribeck_velocity,
+        decay: Decay::Exponential,
+    }
+}
+
+fn hyperbolic(compliance: f64, static_limit: f64, stribeck_velocity: f64) -> Stribeck {
+    Stribeck {
+        decay: Decay::Hyperbolic,
+        ..stribeck(compliance, static_limit, stribeck_velocity)
     }
 }
 
@@ -149,6 +157,13 @@ fn every_law_converges_with_the_second_order() {
             errors(
                 stribeck(0.1, 1.5, 0.5),
                 [1.153698766181, 2.436975519270, 1.005158557880],
+            ),
+        ),
+        (
+            "stribeck, hyperbolic",
+            errors(
+                hyperbolic(0.1, 1.5, 0.5),
+                [0.883370858975, 2.209214073909, 1.097686239908],
             ),
         ),
         (
@@ -403,6 +418,14 @@ proptest! {
             if over < 0.0 { v / compliance } else { 1.0 + (static_limit - 1.0) * libm::exp(-over / velocity) }
         };
         prop_assert!(near(s, &curve, slope + (static_limit - 1.0) / velocity), "stribeck {s}");
+        let falls = hyperbolic(compliance, static_limit, velocity);
+        let s = step.force(falls);
+        let curve = |v: f64| {
+            let over = v - compliance * static_limit;
+            if over < 0.0 { v / compliance } else { 1.0 + (static_limit - 1.0) * velocity / (velocity + over) }
+        };
+        prop_assert!(near(s, &curve, slope + (static_limit - 1.0) / velocity), "hyperbolic {s}");
+        prop_assert!(mirrored(falls, &step));
         prop_assert!(mirrored(tanh(compliance, 1.0, 0.0), &step));
         prop_assert!(mirrored(tanh(compliance, ratio, rate), &step));
         prop_assert!(mirrored(bearing(compliance, ratio, rate), &step));
@@ -530,7 +553,11 @@ proptest! {
 
 #[test]
 fn stribeck_keeps_its_branch_where_a_step_has_several_roots() {
-    let law = stribeck(0.1, 1.5, 0.1);
+    keeps_its_branch(stribeck(0.1, 1.5, 0.1), |x| libm::exp(-x));
+    keeps_its_branch(hyperbolic(0.1, 1.5, 0.1), |x| 1.0 / (1.0 + x));
+}
+
+fn keeps_its_branch(law: Stribeck, left: impl Fn(f64) -> f64) {
     let end = Flexibility {
         h: Lane([0.1]),
         h_rate: Lane([0.6]),
@@ -554,7 +581,7 @@ fn stribeck_keeps_its_branch_where_a_step_has_several_roots() {
                 if v < 0.15 {
                     v / 0.1
                 } else {
-                    1.0 + 0.5 * libm::exp(-(v - 0.15) / 0.1)
+                    1.0 + 0.5 * left((v - 0.15) / 0.1)
                 }
             };
             let residual = |v: f64| v + h_rate * curve(v) - rate;

@@ -5,8 +5,8 @@ use super::*;
 use crate::contact::coupled::tests::Random;
 use crate::contact::offer::Offered;
 use crate::contact::{
-    Bearing, Bilinear, BoucWen, ContactResponse, DisplacementControl, GivenLaw, GivenNumbers,
-    Lugre, Pendulum, Stribeck, Tanh, Trial, VelocityControl, pair,
+    Bearing, Bilinear, BoucWen, ContactResponse, Decay, DisplacementControl, GivenLaw,
+    GivenNumbers, Lugre, Pendulum, Stribeck, Tanh, Trial, VelocityControl, pair,
 };
 use crate::lane::Lane;
 
@@ -86,6 +86,7 @@ fn chosen() -> Vec<ContactLaw> {
             limit: 1.0,
             static_limit: 1.2,
             stribeck_velocity: 40.0,
+            decay: Decay::Exponential,
         }),
         ContactLaw::DisplacementControl(DisplacementControl {
             compliance,
