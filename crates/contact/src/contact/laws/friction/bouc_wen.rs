@@ -185,8 +185,8 @@ impl<const L: usize> StepLaw<L> for Step<L> {
             }
         }
         let z = z.larger(zero);
-        let w = w - to_zero - c * below;
-        let w = w.larger(zero);
+        let beyond = w - to_zero - c * below;
+        let w = beyond.larger(zero);
         let mut grown = zero;
         if step.closed[0] {
             let one = step.exponent.map(|n| if n == 1.0 { 1.0 } else { 2.0 });
