@@ -3,6 +3,7 @@
 use super::motion::Motion;
 use super::{Event, EventKind, EventsFault};
 use crate::contact::ContactKind;
+use crate::exact::events::coordinates::pressed::Pressed;
 use crate::exact::events::numerics::least::Singular;
 use crate::exact::events::phases::contact_phase::Phase;
 use crate::exact::events::phases::contact_state::ContactState;
@@ -31,8 +32,9 @@ impl Motion<'_> {
         if let Some(found) = found {
             self.cross(&found);
         }
+        self.turn_springs(found);
         let (mut review, states) = self.review();
-        review.friction(states);
+        review.friction(true, states);
         let time = self.t;
         let singular = |Singular| EventsFault::Singular { time };
         self.series
@@ -72,6 +74,11 @@ impl Motion<'_> {
             ..
         } = self;
         determine_rigid_phases(model, series, &self.scales, &mut self.states, [u, v])?;
+        if !self.model.pressed.is_empty() {
+            // Stops have their forces.
+            let (mut review, states) = self.review();
+            review.friction(false, states);
+        }
         self.constraints = Constraints::new(&self.model, &self.states)?;
         Ok(())
     }
@@ -90,6 +97,7 @@ impl Motion<'_> {
             | Crossing::Limit(_)
             | Crossing::Stop
             | Crossing::Normal
+            | Crossing::Press(_)
             | Crossing::Line(_) => false,
         };
         if closes {
@@ -97,6 +105,38 @@ impl Motion<'_> {
         }
         let (review, states) = self.review();
         review.cross(found, states);
+    }
+
+    /// Springs that begin or end to press, and the limits of the contacts that they press.
+    fn turn_springs(&mut self, found: Option<Found>) {
+        let Motion {
+            model,
+            series,
+            scales,
+            states,
+            ..
+        } = self;
+        if model.pressed.is_empty() {
+            return;
+        }
+        let turned = found.and_then(|found| match found.crossing {
+            Crossing::Press(spring) => {
+                let of = |pressed: &Pressed| pressed.contact == found.contact;
+                Some([model.pressed.iter().position(of)?, spring])
+            }
+            Crossing::Touch
+            | Crossing::Release
+            | Crossing::Limit(_)
+            | Crossing::Stop
+            | Crossing::Normal
+            | Crossing::Line(_) => None,
+        });
+        let length = series.length;
+        series.turn_springs(turned, |i, j| {
+            let spring = &model.pressed[i].springs[j];
+            scales.spring([spring.k, spring.c], length)
+        });
+        series.press(model, states);
     }
 
     /// A contact closes with rdot = `rate`.
