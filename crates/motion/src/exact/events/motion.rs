@@ -82,6 +82,8 @@ impl<'a> Motion<'a> {
             model,
         };
         motion.begin();
+        motion.series.rest(&motion.model);
+        motion.begin();
         motion.refuse_overlaps()?;
         let (review, states) = motion.review();
         review.start(states);

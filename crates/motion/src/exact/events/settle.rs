@@ -86,6 +86,12 @@ impl Motion<'_> {
     /// The new phase of the contact of an event, if it is softened.
     fn cross(&mut self, found: &Found) {
         let contact = found.contact;
+        let ratio = self.model.contacts[contact].law.static_ratio();
+        if let (Crossing::Limit(direction), true) = (found.crossing, ratio > 1.0)
+            && self.fall(contact, direction)
+        {
+            return;
+        }
         let law = &self.model.contacts[contact].law;
         let closes = match found.crossing {
             Crossing::Touch => !law.is_rigid(),
@@ -105,6 +111,30 @@ impl Motion<'_> {
         }
         let (review, states) = self.review();
         review.cross(found, states);
+    }
+
+    /// A contact at a node without mass breaks loose in this direction: S falls by twice the difference of its limits at once, as with
+    /// a small mass, and it sticks; false for another contact.
+    fn fall(&mut self, contact: usize, direction: f64) -> bool {
+        let Some(flexible) = &self.model.flexible else {
+            return false;
+        };
+        if !flexible.contacts.contains(&contact) {
+            return false;
+        }
+        let (ratio, state) = (
+            self.model.contacts[contact].law.static_ratio(),
+            &mut self.states[contact],
+        );
+        let after = direction * (2.0 - ratio) * self.series.contacts[contact].limit[0];
+        let compliance = flexible.compliance[(contact, contact)];
+        let moved = compliance * (state.force - after);
+        self.book.dissipate(0.5 * moved * (state.force + after));
+        state.origin = self.series.contacts[contact].r[0] + moved;
+        state.force = after;
+        self.series.known(contact, state.origin);
+        self.begin();
+        true
     }
 
     /// Springs that begin or end to press, and the limits of the contacts that they press.

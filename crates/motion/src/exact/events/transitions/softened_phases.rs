@@ -140,7 +140,9 @@ impl SoftenedPhases<'_> {
     fn displacement_control(&mut self, i: usize, k: f64, state: &mut ContactState) {
         let series = &self.series.contacts[i];
         let [r, change] = [series.r[0], k * series.r[1]];
-        let limit = series.limit[0].max(0.0);
+        // Above 1 only at nodes without mass, where the contact always sticks.
+        let ratio = self.model.contacts[i].law.static_ratio();
+        let limit = ratio * series.limit[0].max(0.0);
         let tolerance = self.scales.contact_force(self.model, i, self.series.length);
         match state.phase {
             Phase::Open => {

@@ -75,6 +75,15 @@ pub fn model(structure: &Structure) -> Result<Model<'_>, EventsFault> {
             .ok_or(not_positive.clone())?
             .unpack(),
     };
+    let shared = |i: usize| {
+        let flexible = condensed.flexible.as_ref();
+        let has_two = structure.contacts[i].law.static_ratio() > 1.0;
+        flexible.is_some_and(|flexible| has_two && flexible.is_shared(i))
+    };
+    if let Some(contact) = (0..structure.contacts.len()).find(|i| shared(*i)) {
+        let contact = structure.contacts[contact].name.clone();
+        return Err(EventsFault::SharedJump { contact });
+    }
     let standard = scaled(&lower, &condensed.stiffness).ok_or(not_positive.clone())?;
     // Numbers that are not finite would not end.
     let eigen = SymmetricEigen::try_new(standard, f64::EPSILON, ITERATIONS * condensed.kept.len())
