@@ -10,7 +10,7 @@ pub mod groups;
 mod hover;
 mod kind;
 mod label;
-mod measured;
+mod measured_motion;
 mod misfit;
 mod shown;
 #[cfg(test)]
@@ -20,7 +20,7 @@ pub use front::Front;
 pub use groups::GroupResults;
 pub use hover::with_hover;
 pub use kind::scheme;
-pub use measured::{MeasuredMotion, MeasuredPanel};
+pub use measured_motion::{MeasuredMotion, MeasuredPanel};
 pub use misfit::{AlternativeMisfit, MisfitPanel, Misfits};
 pub use shown::{DrawnCase, Needed, ShownCases};
 pub use slipgap_drawing::draw::base64;
@@ -112,8 +112,8 @@ pub fn sheet(data: &FigureData) -> Sheet {
     let bands = envelope::meaning(&sheet);
     let over = taken_over(study, figure);
     let meanings = coincide::meaning(&sheet).into_iter().chain(bands);
-    let notes = meanings.chain(over.as_deref());
-    let notes = notes.chain(figure.note.as_deref());
+    let sentences = meanings.chain(over.as_deref());
+    let notes = sentences.chain(figure.note.as_deref());
     parts.extend(notes.map(markup::plain));
     sheet.description = parts.join("; ");
     if let Some(over) = &over {
@@ -149,8 +149,7 @@ fn taken_over(study: &Study, figure: &Figure) -> Option<String> {
     let rows = figure.kind.measures(&*study.problem).into_iter();
     let reduction = { rows }.find_map(|row| study.reduction(row))?;
     let table = study.problem.parameters();
-    let over = reduction.over.iter().map(|row| &*table[*row].symbol);
-    let over: Vec<&str> = over.collect();
+    let over = Vec::from_iter(reduction.over.iter().map(|row| &*table[*row].symbol));
     Some(format!(
         "Each value is over all values of {}.",
         over.join(", ")

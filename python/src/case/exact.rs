@@ -10,7 +10,7 @@ use slipgap::contact::VelocityControl;
 use slipgap::error::Error;
 use slipgap::history::History;
 use slipgap::problem::numbers::parameter::{Default, Kind};
-use slipgap::problem::{self, Case, PROBLEMS, Problem};
+use slipgap::problem::{self, Case, Jumps, PROBLEMS, Problem};
 
 /// The law of an exact motion without `law`: friction without compliance.
 const RIGID: &str = VelocityControl::RIGID_NAME;
@@ -24,8 +24,8 @@ pub fn exact<'py>(
     parameters: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let Some(known) = problem::find(problem) else {
-        let names: Vec<&str> = PROBLEMS.iter().map(|known| known.name()).collect();
-        let names = names.join(", ");
+        let known: Vec<&str> = PROBLEMS.iter().map(|known| known.name()).collect();
+        let names = known.join(", ");
         return Err(usage(
             py,
             format!("problem: unknown {problem:?}; allowed: {names}"),
@@ -63,8 +63,8 @@ pub fn exact<'py>(
     };
     let dict = PyDict::new(py);
     for channel in known.history_columns(&case) {
-        let values = history.channel(channel.index);
-        let values = arrays::numbers(py, values.iter().copied())?;
+        let samples = history.channel(channel.index);
+        let values = arrays::numbers(py, samples.iter().copied())?;
         dict.set_item(&*channel.column.name, values)?;
     }
     Ok(dict)
@@ -116,6 +116,6 @@ fn motion(problem: &dyn Problem, case: &Case, times: &[f64], of_law: bool) -> Op
         true => problem
             .as_textbook()
             .and_then(|textbook| textbook.exact_of_law(case, times)),
-        false => problem.exact_at(case, times),
+        false => problem.exact(case, times, Jumps::RightLimit),
     }
 }

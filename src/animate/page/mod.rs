@@ -1,6 +1,6 @@
 //! The page: its texts, its data and its program.
 
-use super::film::numbers::digits;
+use super::film::short_numbers::digits;
 use super::film::{Film, scene, thin, trace};
 use super::unit;
 use crate::report::text::{POLICY, escape};
@@ -187,7 +187,7 @@ fn support_data(film: &Film) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::animate::film::contact::Contact;
+    use crate::animate::film::contact_history::Contact;
     use crate::study;
     use std::borrow::Cow;
 
@@ -253,14 +253,14 @@ mod tests {
             page.len()
         );
         let begin = r#"<script id="data" type="application/json">"#;
-        let data = page
+        let text = page
             .split_once(begin)
             .unwrap()
             .1
             .split_once("</script>")
             .unwrap()
             .0;
-        let data: Value = serde_json::from_str(data).unwrap();
+        let data: Value = serde_json::from_str(text).unwrap();
         let largest = films.iter().map(Film::largest).fold(0.0, f64::max);
         for (film, shown) in films.iter().zip(data["films"].as_array().unwrap()) {
             let unit = shown["unit"].as_f64().unwrap();

@@ -1,6 +1,7 @@
 //! The folder of a study's results. It has only complete files, and no outdated files of former runs.
 
 pub mod ensemble;
+pub mod failures_and_histories;
 pub mod fragility;
 mod manifest;
 mod names;
@@ -8,7 +9,6 @@ mod origin;
 pub mod reductions;
 pub mod results;
 pub mod sobol;
-pub mod tables;
 
 pub use manifest::{is_manifest, manifest, problem_of};
 pub use names::{
@@ -73,8 +73,8 @@ impl Folder {
             TESTS,
             FRAGILITY,
             MEMBERS,
-        ];
-        let tables = tables.map(String::from);
+        ]
+        .map(String::from);
         let names = tables.into_iter().chain(figures).collect();
         self.origin = origin(study, file);
         Manifest::read(&self.path)?.begin(&self.path, &self.origin, names, cases)

@@ -4,7 +4,7 @@ use super::options::RunOptions;
 use super::part_result::{PartResult, Solutions};
 use super::work_progress::WorkProgress;
 use super::{compute, computed};
-use crate::batch::parts::chunk::Part;
+use crate::batch::chunks::chunk::Part;
 use crate::batch::store::key::{CaseHash, Key};
 use crate::batch::store::{EarlierCases, Miss, Store};
 use indicatif::ProgressBar;
@@ -23,8 +23,9 @@ pub(in crate::batch) fn run_part(
     options.go_on()?;
     let (start, first, work) = (part.start, part.first, part.work as f64);
     let cases = part.cases();
-    let store = options.store;
-    let store = store.map(|store| (store, Key::new(study, first, &cases)));
+    let store = options
+        .store
+        .map(|store| (store, Key::new(study, first, &cases)));
     let readable = store.as_ref().filter(|_| !options.recompute);
     let loaded = match readable {
         Some((store, key)) => store.load(study, start, key, cases.len()),

@@ -5,11 +5,11 @@ mod progress;
 
 pub use progress::{Progress, State};
 
+use super::chunks::chunk::{self, Part};
+use super::chunks::queue::PartQueue;
+use super::chunks::shard::{Shard, shard_of};
 use super::files::heartbeat;
 use super::files::place::is_object;
-use super::parts::chunk::{self, Part};
-use super::parts::queue::PartQueue;
-use super::parts::shard::{Shard, shard_of};
 use super::store::key::{Difference, Key};
 use super::store::{Miss, STORE, all_in, failures};
 use rayon::prelude::*;
@@ -50,8 +50,8 @@ pub fn study_status(
     let store = results.join(STORE);
     let signs = heartbeat::signs(&store);
     let last = signs.iter().max_by_key(|sign| sign.written);
-    let of = last.and_then(|sign| sign.shard).map(Shard::of);
-    let of = shards.or(of.filter(|of| *of <= MOST_SHARDS));
+    let of_last = last.and_then(|sign| sign.shard).map(Shard::of);
+    let of = shards.or(of_last.filter(|of| *of <= MOST_SHARDS));
     let mut status = StudyStatus {
         all: Progress::default(),
         shards: Vec::new(),
@@ -91,8 +91,10 @@ pub fn study_status(
     }
     // The clock of the file server, which gives the times, may be ahead of this one.
     let latest = shards.iter().chain([&status.all]).filter_map(|p| p.latest);
-    let now = latest.max().max(Some(SystemTime::now()));
-    let now = now.unwrap_or(SystemTime::UNIX_EPOCH);
+    let now = latest
+        .max()
+        .max(Some(SystemTime::now()))
+        .unwrap_or(SystemTime::UNIX_EPOCH);
     let progresses = shards.iter_mut().chain([&mut status.all]);
     progresses.for_each(|progress| progress.finish(now));
     status.shards = Shard::all(of.unwrap_or(0)).zip(shards).collect();

@@ -177,6 +177,15 @@ fn a_set_gets_the_factor_of_its_rule() {
             "ASCE 7-16",
             pair("rotd50", "logarithmic", &rule("ASCE 7-16")),
         ),
+        // With the upper and the lower bound properties.
+        (
+            "ASCE 7-16 isolation",
+            pair(
+                "rotd50",
+                "logarithmic",
+                r#""rule": "ASCE 7-16 isolation", "period": [1.2, 0.8]"#,
+            ),
+        ),
         (
             "envelope",
             together(&format!(
@@ -341,13 +350,8 @@ fn pairs_and_sets_refuse_what_has_no_meaning() {
             .unwrap_err()
             .contains("must be in one \"zip\"")
     );
-    let follows = set.replace(r#""record": "rx""#, r#""record": "rx", "start": "later""#);
-    let follows = text(
-        r#""n": [0, 1], "later": "n + 1","#,
-        r#", "n""#,
-        &follows,
-        SET,
-    );
+    let later = set.replace(r#""record": "rx""#, r#""record": "rx", "start": "later""#);
+    let follows = text(r#""n": [0, 1], "later": "n + 1","#, r#", "n""#, &later, SET);
     assert!(
         parse(&follows)
             .unwrap_err()

@@ -4,7 +4,7 @@ use super::errors::{From, errors};
 use super::sweep::sweep;
 use crate::Stop;
 use crate::calibrate::Stopped;
-use crate::energy::{EnergyChange, FRICTION_LIMITS, LIMITS, energy_change, energy_gain};
+use crate::energy_change::{EnergyChange, FRICTION_LIMITS, LIMITS, energy_change, energy_gain};
 use rayon::prelude::*;
 use slipgap_motion::solve::{Warning, Warnings};
 use slipgap_problem::problem::friction::FrictionOscillator;
@@ -69,7 +69,7 @@ impl<'a> Judge<'a> {
     pub fn new(study: &'a Study, recommend: &'a Recommend, stop: &'a Stop) -> Judge<'a> {
         let free = recommend.free.iter().map(|free| free.parameter);
         let chosen: Vec<usize> = recommend.over.iter().copied().chain(free).collect();
-        let friction = study.problem.name() == FrictionOscillator.name();
+        let friction = study.problem.name() == FrictionOscillator.schema().name;
         Judge {
             kept: study.outside_choice(&chosen),
             study,
@@ -122,8 +122,7 @@ impl<'a> Judge<'a> {
     /// solution, and for one of which a contact may make energy.
     pub fn quotients(&self, cases: &Cases) -> Vec<f64> {
         let mut quotients = vec![f64::INFINITY; cases.len()];
-        let rows = 0..cases.len() as u32;
-        let rows: Vec<u32> = rows
+        let rows: Vec<u32> = (0..cases.len() as u32)
             .filter(|row| cases.may_be_solved(*row as usize))
             .collect();
         let table = self.study.problem.sweep(cases, &rows);
@@ -231,9 +230,8 @@ impl<'a> Judge<'a> {
 
 fn solve_one(study: &Study, case: &Case) -> Solved {
     let problem = &*study.problem;
-    let solution = study.solve(case);
-    let solution = solution.map_err(|why| why.to_string())?;
-    let energy = match problem.name() == FrictionOscillator.name() {
+    let solution = study.solve(case).map_err(|why| why.to_string())?;
+    let energy = match problem.name() == FrictionOscillator.schema().name {
         true => EnergyChange {
             gain: energy_gain(&solution.computed, &solution.exact),
             loss: 0.0,

@@ -4,13 +4,13 @@
 pub(super) mod decode;
 mod formula;
 mod partners;
-pub mod reference;
+pub mod reference_case;
 pub(super) mod sources;
 #[cfg(test)]
 mod tests;
 
 pub use partners::{Found, Partners};
-pub use reference::Reference;
+pub use reference_case::Reference;
 
 use super::{Measure, Study};
 use slipgap_problem::problem::Case;
@@ -73,8 +73,8 @@ impl Computed {
 pub(super) fn metrics_of(measures: &[Measure], row: usize, parameters: usize) -> Vec<usize> {
     let measure = &measures[row];
     let of_measure = measure.metric.into_iter();
-    let used = measure.computed.iter();
-    let used = used.flat_map(|computed| computed.uses(parameters));
+    let formulas = measure.computed.iter();
+    let used = formulas.flat_map(|computed| computed.uses(parameters));
     let reduced = measure.reduction.iter().map(|reduction| reduction.of);
     // A measure is computed from earlier ones.
     let parts = used.chain(reduced).filter(|part| *part < row);

@@ -5,10 +5,10 @@ use crate::structure::keys;
 use slipgap_problem::problem::structure::channels::channel::{
     OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
 };
-use slipgap_problem::problem::structure::channels::words::WORDS;
+use slipgap_problem::problem::structure::channels::channel_words::WORDS;
 use slipgap_problem::problem::structure::metrics::against_measured::of_measured;
 use slipgap_problem::problem::structure::metrics::reduction::REDUCTIONS;
-use slipgap_problem::problem::structure::parts::contacts::NAMES;
+use slipgap_problem::problem::structure::parts::contact_law::NAMES;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
 use slipgap_system::system::loads::pulse::PULSES;
 
@@ -26,8 +26,8 @@ fn in_words() -> String {
         };
         words.replace("{}", part)
     });
-    let channels = WORDS.iter().zip(&words);
-    let channels: Vec<(&str, &str)> = channels.map(|(row, words)| (row.0, &**words)).collect();
+    let rows = WORDS.iter().zip(&words);
+    let channels: Vec<(&str, &str)> = rows.map(|(row, words)| (row.0, &**words)).collect();
     format!(
         "Figures write channels in words with the unit, as in \"Displacement of g1.right relative to p2, m\". A metric has words before \
          them: \"Peak contact force of gap12, kN\". `\"names\"` of the study gives other words, to a channel, or to a contact for all of \

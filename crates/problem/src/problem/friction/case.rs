@@ -1,7 +1,7 @@
 //! A case of the oscillator as numbers, its system, and its default metrics in a sweep.
 
-use super::law::{PlainLaw, PlainLawName, law, plain_law};
-use super::metrics::{DEFAULT, Shared, values};
+use super::law_of_case::{PlainLaw, PlainLawName, law, plain_law};
+use super::metric_table::{DEFAULT, Shared, values};
 use super::tables::rows;
 use crate::contact::{AnyRunningLaw, ContactLaw, DisplacementControl, OneLaw, VelocityControl};
 use crate::lane::Lane;
@@ -208,8 +208,8 @@ impl<W: Copy + Into<ContactLaw>, M: EachMethod> LaneCase<LANES> for OscillatorCa
         lane: usize,
         exact: &Sampled,
     ) -> Self::OneMetrics {
-        let steps = motion.track.0[..exact.count()].iter();
-        let steps: Vec<_> = steps.map(|x| Lane([x.0[lane]])).collect();
+        let recorded = motion.track.0[..exact.count()].iter();
+        let steps: Vec<_> = recorded.map(|x| Lane([x.0[lane]])).collect();
         values(&Shared {
             compared: Compared::new(&steps, exact),
             work: Lane([self.work(motion, lane)]),

@@ -5,7 +5,6 @@ mod between_steps;
 mod directions;
 mod doubt;
 mod doubts;
-mod given;
 mod long_step;
 mod masses;
 mod matrices;
@@ -13,12 +12,13 @@ mod never_slides;
 mod restitution;
 mod twice;
 mod unheld;
+mod unlikely;
 mod unused;
 mod weight;
 
 use super::channels::channel::{Number, Quantity};
-use super::given::loads::Kind;
 use super::given::shape::Scaled;
+use super::given::source::Kind;
 use super::metrics::metric::StructureMetric;
 use super::metrics::reduction::Reduction;
 use super::model::contact_duration::has_short_contact;
@@ -59,8 +59,8 @@ impl StructureProblem {
         watched: Option<&Watched>,
     ) -> Result<Warnings, Unsolvable> {
         let structure = &ready.structure;
-        let contacts = watched.map_or(&[][..], |watched| &watched.contacts);
-        let contacts = || structure.contacts.iter().zip(contacts);
+        let watched_contacts = watched.map_or(&[][..], |watched| &watched.contacts);
+        let contacts = || structure.contacts.iter().zip(watched_contacts);
         let mut impacts =
             contacts().filter(|(contact, _)| contact.law.kind() == ContactKind::Impact);
         let touches = |(_, seen): (&Contact, &WatchedContact)| seen.force < 0.0;
@@ -73,13 +73,13 @@ impl StructureProblem {
                 && -seen.displacement > DEEP * (seen.opening - contact.gap)
                 && !yields(&contact.law)
         };
-        let given = self.doubts_of(&ready.case, structure, &ready.numbering);
-        let given = given
+        let doubts = self
+            .doubts_of(&ready.case, structure, &ready.numbering)
             .iter()
             .fold(Warnings::NONE, |set, doubt| set.with(doubt.0, true));
         let given = match watched {
-            Some(watched) => unused::with(given, &self.template, ready, watched),
-            None => given,
+            Some(watched) => unused::with(doubts, &self.template, ready, watched),
+            None => doubts,
         };
         Ok(given
             .with(Warning::DeepOverlap, contacts().any(overlaps))

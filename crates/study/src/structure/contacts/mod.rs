@@ -18,9 +18,9 @@ use crate::structure::reading::reader::{Reader, open};
 use crate::value::{name, text};
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
-use slipgap_problem::problem::structure::given::loads::{Kind, Source};
 use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_problem::problem::structure::parts::contacts::{NAMES, NUMBERS, law_named};
+use slipgap_problem::problem::structure::given::source::{Kind, Source};
+use slipgap_problem::problem::structure::parts::contact_law::{NAMES, NUMBERS, law_named};
 use slipgap_problem::problem::structure::{
     given::chosen::Chosen,
     parts::{
@@ -269,8 +269,8 @@ fn normal(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Opti
     if members.iter().any(|member| member.key == "weight") {
         let object = open(node, path, WEIGHT, faults)?;
         let weight = reader.needed(&object, WEIGHT, "weight", faults);
-        let vertical = object.need("vertical", WEIGHT[1].1, faults)?;
-        let vertical = scaled(vertical, &object.path("vertical"), reader, faults);
+        let given = object.need("vertical", WEIGHT[1].1, faults)?;
+        let vertical = scaled(given, &object.path("vertical"), reader, faults);
         return Some(Normal::Weight {
             weight: weight?,
             vertical: vertical?,

@@ -3,7 +3,7 @@
 use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::structure::keys::KEY;
-use slipgap_problem::problem::structure::channels::measured::{Measured, measured_loop};
+use slipgap_problem::problem::structure::channels::measured_channels::{Measured, measured_loop};
 use slipgap_problem::problem::structure::channels::sample::Sample;
 use slipgap_problem::problem::structure::metrics::metric::StructureMetric;
 use slipgap_problem::problem::structure::metrics::reduction::Reduction;
@@ -70,8 +70,8 @@ pub(in crate::structure) fn report_not_measured(
         let channels = metric.channel.iter().chain(&metric.second).cloned();
         for channel in channels.chain(of_contact) {
             if measured.channel(&channel).is_none() {
-                let known = measured.channels.iter();
-                let known: Vec<&str> = known.map(|column| column.0.name.as_str()).collect();
+                let columns = measured.channels.iter();
+                let known: Vec<&str> = columns.map(|column| column.0.name.as_str()).collect();
                 let channel = match metric.contact {
                     Some(_) => format!("{}.{}", contact_of(&metric.name), channel.name),
                     None => channel.name,

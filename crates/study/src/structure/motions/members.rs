@@ -9,8 +9,8 @@ use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::interned;
 use slipgap_problem::problem::numbers::parameter::{Kind, Range, Value};
 use slipgap_problem::problem::structure::given::amount;
-use slipgap_problem::problem::structure::given::loads;
 use slipgap_problem::problem::structure::given::shape::Scaled;
+use slipgap_problem::problem::structure::given::source;
 use std::collections::BTreeSet;
 
 /// The values of one motion of a set, by the rows of their parameters.
@@ -45,8 +45,8 @@ pub(super) fn of_set(
             Some(Tree::List(groups)) => groups.iter().map(texts).collect(),
             _ => Vec::new(),
         };
-        let zip = zips.into_iter().find(|zip| zip.contains(&name(*first)));
-        let zip = zip.unwrap_or_else(|| vec![name(*first)]);
+        let found = zips.into_iter().find(|zip| zip.contains(&name(*first)));
+        let zip = found.unwrap_or_else(|| vec![name(*first)]);
         let is_axis = |row: &&usize| {
             let axis = member(parameters, name(**row));
             axis.is_some_and(|node| matches!(&node.tree, Tree::List(items) if items.len() > 1))
@@ -128,12 +128,14 @@ pub(super) fn combinations(chosen: &[usize], reader: &Reader) -> Result<Vec<Memb
 /// The rows of the parameters that choose a function.
 fn choosers(function: &Scaled) -> Vec<usize> {
     match function.source.kind() {
-        loads::Kind::Record { rows, .. } => rows.clone(),
-        loads::Kind::Synthetic { seed, .. } => match &seed.source {
+        source::Kind::Record { rows, .. } => rows.clone(),
+        source::Kind::Synthetic { seed, .. } => match &seed.source {
             amount::Source::Expression(expression) => expression.formula.uses().to_vec(),
             amount::Source::Number(_) => Vec::new(),
         },
-        loads::Kind::Sine { .. } | loads::Kind::Table { .. } | loads::Kind::Pulse(..) => Vec::new(),
+        source::Kind::Sine { .. } | source::Kind::Table { .. } | source::Kind::Pulse(..) => {
+            Vec::new()
+        }
     }
 }
 
@@ -158,9 +160,8 @@ fn rows(parameters: &Node, zip: &[&str], reader: &Reader) -> Result<Vec<Member>,
             Tree::List(items) => items,
             Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => one,
         };
-        let values = items.iter().map(|item| value(item, row, reader));
-        let values = values.collect::<Option<Vec<Value>>>();
-        let values = values.ok_or_else(|| {
+        let read = items.iter().map(|item| value(item, row, reader));
+        let values = read.collect::<Option<Vec<Value>>>().ok_or_else(|| {
             format!(
                 "{} must be a list of values, so that the motions are known",
                 quoted(name)

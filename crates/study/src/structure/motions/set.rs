@@ -9,8 +9,8 @@ use crate::structure::reading::reader::{Reader, open};
 use crate::value::name;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
+use slipgap_problem::problem::structure::given::motion_set::{Set, Statistic};
 use slipgap_problem::problem::structure::given::scale_to::Goal;
-use slipgap_problem::problem::structure::given::set::{Set, Statistic};
 use slipgap_system::system::loads::pair::Component;
 
 /// The set under a key, without its motions.
@@ -36,8 +36,7 @@ pub(super) fn set(
     };
     let number =
         |key: &str, faults: &mut Faults| reader.optional(&object, key, range(SET, key), faults);
-    let at_zero = number("least_at_zero", faults);
-    let at_zero = at_zero.or_else(|| Some(fixed(rule?.at_zero?)));
+    let at_zero = number("least_at_zero", faults).or_else(|| Some(fixed(rule?.at_zero?)));
     let least = match (object.get("least"), rule) {
         (None, Some(rule)) => Some(fixed(rule.least)),
         _ => reader.needed(&object, SET, "least", faults),
@@ -48,8 +47,8 @@ pub(super) fn set(
         Some(STATISTICS[index].1)
     });
     let by_rule = rule.map_or(Statistic::Mean, |rule| rule.statistic);
-    let given = object.get("component");
-    let given = given.and_then(|node| component(node, &object.path("component"), faults));
+    let component_node = object.get("component");
+    let given = component_node.and_then(|node| component(node, &object.path("component"), faults));
     let target = match (object.get("spectrum"), goal) {
         (Some(node), _) => target(node, &object.path("spectrum"), reader, faults),
         (None, Goal::Spectrum { target, .. }) => Some(target.clone()),
@@ -78,7 +77,11 @@ pub(super) fn set(
 }
 
 /// Of what of a pair.
-pub(super) fn component(node: &Node, path: &str, faults: &mut Faults) -> Option<Component> {
+pub(in crate::structure) fn component(
+    node: &Node,
+    path: &str,
+    faults: &mut Faults,
+) -> Option<Component> {
     let names = Component::ALL.map(Component::name);
     let index = name(node, path, "component", &names, faults)?;
     Some(Component::ALL[index])
@@ -97,9 +100,9 @@ fn between(
     };
     let periods: Option<Vec<Amount>> = object.get("period").map(|node| match &node.tree {
         Tree::List(items) if !items.is_empty() => {
-            let items = items.iter().enumerate();
-            let items = items.map(|(i, item)| amount(item, &format!("{path}[{i}]"), faults));
-            items.flatten().collect()
+            let numbered = items.iter().enumerate();
+            let amounts = numbered.map(|(i, item)| amount(item, &format!("{path}[{i}]"), faults));
+            amounts.flatten().collect()
         }
         Tree::Object(_)
         | Tree::List(_)
@@ -110,6 +113,12 @@ fn between(
     });
     if let (Some(node), None) = (object.get("period"), rule) {
         faults.add(node.at, &path, "needs a rule");
+    }
+    if let (Some(node), Some(rule), Some([_])) = (object.get("period"), rule, periods.as_deref())
+        && rule.of_bounds
+    {
+        let message = "must have two periods: with the upper and with the lower bound properties";
+        faults.add(node.at, &path, message);
     }
     let ends = ["from", "to"].map(|key| object.get(key).is_some());
     let mut end = |index: usize| {

@@ -9,23 +9,23 @@
 
 mod basis;
 mod dense;
+mod fixed_interface_modes;
 mod held;
 mod lanczos;
 mod mode;
-mod modes;
 mod rayleigh;
 mod reduced;
 #[cfg(test)]
 mod tests;
 mod vectors;
 
-pub use modes::MOST_MODES;
+pub use fixed_interface_modes::MOST_MODES;
 pub use reduced::Reduced;
 
 use crate::system::import::Imported;
 use basis::Basis;
+use fixed_interface_modes::stage;
 use held::Held;
-use modes::stage;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::fmt;
@@ -112,8 +112,9 @@ impl Reduction {
     pub fn reduced(&self, wanted: Wanted) -> Result<Reduced, ReductionFault> {
         let held = self
             .held
-            .get_or_init(|| Held::new(&self.imported, &self.kept));
-        let held = held.as_ref().map_err(Clone::clone)?;
+            .get_or_init(|| Held::new(&self.imported, &self.kept))
+            .as_ref()
+            .map_err(Clone::clone)?;
         let most_modes = held.massive.len();
         let (basis, modes) = match wanted {
             Wanted::Modes(modes) => {

@@ -5,9 +5,9 @@ mod pairs;
 
 use super::history::arrangement::Arrangement;
 use super::history::curves::{members, unmark_alone};
+use crate::FigureData;
 use crate::kind::Draw;
 use crate::label;
-use crate::{DrawnCase, FigureData};
 use pairs::Pairs;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
@@ -58,8 +58,7 @@ impl DrawWith for Curve {
         } = *data;
         let look = data.look();
         let units = study.units.as_ref().filter(|_| self.in_units);
-        let solved = cases.iter().copied().filter(|c| c.solution().is_some());
-        let solved: Vec<DrawnCase> = solved.collect();
+        let solved = Vec::from_iter(cases.iter().copied().filter(|c| c.solution().is_some()));
         let drawn = &solved[..solved.len().min(style::MOST_STYLES)];
         let table = study.problem.parameters();
         let bound = |row| label::bound(table, drawn, row);

@@ -168,8 +168,9 @@ fn decide_order(
     if !model.pressed.is_empty() {
         series.press_by_constraints(order, model, states, |contact| Some(force[place(contact)?]));
     }
-    let largest = (0..m).map(|i| force[i].abs().max(d[i].abs() / flexibility[i * m + i]));
-    let largest = largest.fold(0.0, f64::max);
+    let largest = (0..m)
+        .map(|i| force[i].abs().max(d[i].abs() / flexibility[i * m + i]))
+        .fold(0.0, f64::max);
     // A force changes by this part over the round-off of t.
     let instant = 4.0 * f64::EPSILON * series.start / series.length;
     let round_off = (ROUND_OFF + instant) * scales.force();

@@ -5,7 +5,7 @@ use std::f64::consts::{E, PI};
 use super::{Kind, Outcome, Parser, fault, unknown};
 use crate::problem::Text;
 use crate::problem::expression::formula::{ExpressionFault, Step};
-use crate::problem::expression::number::length_of_number;
+use crate::problem::expression::number_length::length_of_number;
 use crate::problem::expression::tokens::{self, CONSTANTS, FUNCTIONS, Function};
 use crate::problem::numbers::parameter;
 
@@ -109,8 +109,8 @@ impl Parser<'_> {
             "e" if row.is_none() => E,
             _ => {
                 let Some(row) = row else {
-                    let known = CONSTANTS.into_iter().chain(FUNCTIONS.iter().map(|f| f.0));
-                    let known = known.map(Text::Borrowed);
+                    let names = CONSTANTS.into_iter().chain(FUNCTIONS.iter().map(|f| f.0));
+                    let known = names.map(Text::Borrowed);
                     let parameters = self.table.iter().map(|p| p.name.clone());
                     let allowed = known.chain(parameters).collect();
                     return Err(unknown(at, "name", name, allowed));

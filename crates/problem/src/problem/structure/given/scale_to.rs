@@ -1,7 +1,7 @@
 //! The strength that a study gives a motion, or the motions of a station together.
 
 use super::amount::Amount;
-use super::set::{Motions, Set, SetSpectra, State};
+use super::motion_set::{Motions, Set, SetSpectra, State};
 use super::strength::{Asked, Strengths};
 use super::target_spectrum::{TargetSpectrum, values};
 use crate::problem::{Case, Violation};
@@ -182,8 +182,8 @@ impl ScaleTo {
                         ratio,
                     })
                 };
-                let ordinates = periods.iter().map(spectral);
-                let ordinates = ordinates.collect::<Result<Vec<f64>, Violation>>()?;
+                let by_period = periods.iter().map(spectral);
+                let ordinates = by_period.collect::<Result<Vec<f64>, Violation>>()?;
                 let wanted: Vec<f64> = periods.iter().map(|t| unit * target.at(*t)).collect();
                 Ok(self.fit.nearest(&ordinates, &wanted))
             }

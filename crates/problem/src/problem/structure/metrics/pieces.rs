@@ -3,7 +3,7 @@
 use super::metric::OF_ALL;
 use super::reduction::REDUCTIONS;
 use crate::problem::expression::FUNCTIONS;
-use crate::problem::structure::metrics::ground::{PREFIX, without_direction};
+use crate::problem::structure::metrics::ground_metric::{PREFIX, without_direction};
 use crate::problem::structure::metrics::window::begins_with_limit;
 use std::ops::Range;
 
@@ -105,8 +105,8 @@ mod tests {
         ] {
             assert_eq!(metrics(text), expected, "{text}");
         }
-        let names = pieces("peak(a)/(h*F_1) + 2e3*sqrt(x.y)");
-        let names = names.into_iter().filter_map(|piece| match piece {
+        let of_text = pieces("peak(a)/(h*F_1) + 2e3*sqrt(x.y)");
+        let names = of_text.into_iter().filter_map(|piece| match piece {
             Piece::Name(range) => Some(range),
             Piece::Metric(_) => None,
         });

@@ -1,15 +1,15 @@
 //! Titles of metrics in words, for figures.
 
 use super::metric::StructureMetric;
-use crate::problem::structure::channels::words::Words;
+use crate::problem::structure::channels::channel_words::Words;
 
 /// The title of a metric without its unit, such as `peak displacement of a3 relative to a2`: that of its reduction, with what it is of.
 /// The window has the unit of time.
 pub fn title(metric: &StructureMetric, words: Words, time: Option<&str>) -> String {
     let against = metric.reduction.of_measured().filter(|_| metric.measured);
     let title = against.map_or(metric.reduction.row().title, |row| row.title);
-    let channels = metric.channel.iter().chain(&metric.second);
-    let channels: Vec<String> = channels.map(|channel| words.channel(channel)).collect();
+    let of_metric = metric.channel.iter().chain(&metric.second);
+    let channels: Vec<String> = of_metric.map(|channel| words.channel(channel)).collect();
     let of_contact = channels.is_empty() && title.contains("{}");
     let mut of = channels
         .into_iter()
@@ -53,8 +53,8 @@ fn contact(metric: &StructureMetric, words: Words) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::structure::channels::channel_words::Shown;
     use crate::problem::structure::channels::names::Names;
-    use crate::problem::structure::channels::words::Shown;
 
     #[test]
     fn titles_say_what_is_reduced() {

@@ -5,14 +5,14 @@ use super::contact::{Contact, Normal};
 use super::damping::{ModalDamping, Rayleigh};
 use super::reduce::Reduce;
 use crate::problem::Case;
-use crate::problem::structure::channels::measured::Measured;
+use crate::problem::structure::channels::measured_channels::Measured;
 use crate::problem::structure::channels::sample::Sample;
 use crate::problem::structure::given::amount::Amount;
-use crate::problem::structure::given::loads::Source;
+use crate::problem::structure::given::motion_set::Set;
 use crate::problem::structure::given::node::{NodeName, NodeRef};
 use crate::problem::structure::given::rows::Rows;
-use crate::problem::structure::given::set::Set;
 use crate::problem::structure::given::shape::Scaled;
+use crate::problem::structure::given::source::Source;
 use crate::problem::structure::given::supports::Support;
 use crate::system::import::Imported;
 use crate::system::structure::Direction;
@@ -126,8 +126,8 @@ impl Template {
                 Some(Normal::Weight { vertical, .. }) => Some(&vertical.source),
                 Some(Normal::Constant(_) | Normal::Parts(_)) | None => None,
             });
-        let supports = self.supports.iter().filter_map(Support::acceleration);
-        let supports = supports.map(|acceleration| &acceleration.source);
+        let accelerations = self.supports.iter().filter_map(Support::acceleration);
+        let supports = accelerations.map(|acceleration| &acceleration.source);
         let sources = loads.chain(ground).chain(supports).chain(normals);
         sources.filter(|source| source.is_sampled())
     }

@@ -4,11 +4,11 @@ use crate::problem::method::PARAMETERS;
 use crate::problem::numbers::parameter::{ColumnRule, Default, Kind, Parameter, Range};
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::channels::channel::Channel;
-use crate::problem::structure::channels::words::Words;
+use crate::problem::structure::channels::channel_words::Words;
 use crate::problem::structure::metrics::metric::StructureMetric;
 use crate::problem::structure::metrics::reduction::Reduction;
 use crate::problem::structure::metrics::title::title as metric_title;
-use crate::problem::structure::metrics::units::UnitNames;
+use crate::problem::structure::metrics::unit_names::UnitNames;
 use crate::problem::table::schema::{Channel as Column, Metric, NO_VALUE, Quantity, TimeAxis};
 use crate::problem::{Budget, Schema, Text, escape};
 use slipgap_notation::{capital, unit};
@@ -152,15 +152,14 @@ fn budgets(
     };
     let of = |channel: &Channel| {
         let total = row(Reduction::RmsError, channel)?;
-        let parts = [
+        let parts: Vec<(Text, usize)> = [
             ("regularisation", Reduction::RegularisationError),
             ("mesh", Reduction::MeshError),
             ("step", Reduction::StepError),
-        ];
-        let parts = parts
-            .into_iter()
-            .filter_map(|(name, part)| Some((Borrowed(name), row(part, channel)?)));
-        let parts: Vec<(Text, usize)> = parts.collect();
+        ]
+        .into_iter()
+        .filter_map(|(name, part)| Some((Borrowed(name), row(part, channel)?)))
+        .collect();
         (!parts.is_empty()).then(|| Budget {
             name: channel.name.clone().into(),
             title: in_unit(

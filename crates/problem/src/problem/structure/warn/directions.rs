@@ -6,7 +6,7 @@ use crate::problem::Case;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::node::NodeRef;
 use crate::problem::structure::parts::contact::Contact;
-use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::contact_law::law_named;
 use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::structure::Direction;
@@ -193,9 +193,9 @@ fn are_parallel(a: [f64; 3], b: [f64; 3]) -> bool {
 /// A direction as x, or by its components.
 fn words(direction: [f64; 3]) -> String {
     let names = Direction::TRANSLATIONS.map(Direction::name);
-    let parts: Vec<(f64, &str)> = direction.into_iter().zip(names).collect();
-    let parts = parts.into_iter().filter(|(factor, _)| *factor != 0.0);
-    let parts: Vec<(f64, &str)> = parts.collect();
+    let components = direction.into_iter().zip(names);
+    let not_zero = components.filter(|(factor, _)| *factor != 0.0);
+    let parts: Vec<(f64, &str)> = not_zero.collect();
     match parts[..] {
         [(_, name)] => name.to_owned(),
         _ => {

@@ -8,7 +8,7 @@ use serde_json::{Map, Value as Json, json};
 use slipgap_contact::contact::LAWS;
 use slipgap_contact::contact::number::{Number, Usual};
 use slipgap_contact::contact::offer::{Offered, Place};
-use slipgap_problem::problem::structure::parts::contacts::{NAMES, NUMBERS};
+use slipgap_problem::problem::structure::parts::contact_law::{NAMES, NUMBERS};
 
 /// A contact. `part` is the name of the definition of a law in a list.
 pub(super) fn contact(function: &Json, part: &str) -> Json {

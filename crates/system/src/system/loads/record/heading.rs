@@ -1,6 +1,6 @@
 //! The event, station and component that the header of a record names.
 
-use super::text::decode;
+use super::file_text::decode;
 use super::{FORMATS, Reading};
 
 /// What a header names; empty where it names nothing.
@@ -25,8 +25,8 @@ impl Heading {
 
     /// `event, station, component`, without what is empty.
     pub fn words(&self) -> String {
-        let parts = [&self.event, &self.station, &self.component].map(String::as_str);
-        let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        let texts = [&self.event, &self.station, &self.component].map(String::as_str);
+        let parts: Vec<&str> = texts.into_iter().filter(|part| !part.is_empty()).collect();
         parts.join(", ")
     }
 }

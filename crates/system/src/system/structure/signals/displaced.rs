@@ -1,7 +1,7 @@
 //! Motions of supports that are given by displacements.
 
-use super::motion::{Course, Motion, Quantity};
 use super::motion_pieces::{MotionFault, Piece, accelerations, steps_and_secants};
+use super::support_motion::{Course, Motion, Quantity};
 use crate::system::structure::Signal;
 use std::sync::Arc;
 
@@ -96,8 +96,9 @@ impl Motion {
         let finite = pieces
             .iter()
             .all(|piece| piece.values.iter().all(|x| x.is_finite()));
-        let shown = accelerations(times, secants, delay).filter(|_| finite);
-        let shown = shown.ok_or(MotionFault::NotFinite)?;
+        let shown = accelerations(times, secants, delay)
+            .filter(|_| finite)
+            .ok_or(MotionFault::NotFinite)?;
         Ok(Motion {
             course: Course::Pieces(pieces),
             accelerations: Some(Arc::new(shown)),

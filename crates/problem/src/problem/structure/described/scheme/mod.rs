@@ -10,7 +10,7 @@ use crate::problem::structure::given::node::NodeRef;
 use crate::problem::structure::given::supports::Support;
 use crate::problem::structure::model::assemble::MOST_NODES;
 use crate::problem::structure::parts::along::Term;
-use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::contact_law::law_named;
 use crate::problem::structure::parts::template::{Moved, Spring, SpringNumbers, Template};
 use crate::system::import::Dofs;
 use crate::system::structure::Direction;
@@ -54,8 +54,8 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
             loads.push(loaded);
         }
     }
-    let moved = template.ground.iter().map(|(direction, _)| *direction);
-    let moved = moved.chain(template.supports.iter().map(|support| support.direction));
+    let of_ground = template.ground.iter().map(|(direction, _)| *direction);
+    let moved = of_ground.chain(template.supports.iter().map(|support| support.direction));
     let mut ground: Vec<Direction> = Vec::new();
     for direction in moved {
         if !ground.contains(&direction) {

@@ -2,8 +2,8 @@
 //! other, each with seven lines of text, the last two with labels, then rows of numbers.
 
 use super::super::fault::{RecordCause, fault};
+use super::super::fortran_number::{Stated, block};
 use super::super::heading::{self, Heading, spaced};
-use super::super::number::{Stated, block};
 use super::super::{Format, Parts, Reading, Record, Series, component};
 use super::stated::{behind, count, positive, unit};
 
@@ -86,8 +86,8 @@ fn read(lines: &[&str], reading: &Reading) -> Series {
     };
     let rate = positive(labelled(at, "SAMPLES/SEC=")?, "SAMPLES/SEC", at)?;
     let points = count(labelled(at + 1, "NO OF POINTS=")?, "NO OF POINTS", at + 1)?;
-    let units = labelled(at + 1, "UNITS=")?.split(',').next();
-    let units = units.and_then(unit).map(|pair| pair.0);
+    let word = labelled(at + 1, "UNITS=")?.split(',').next();
+    let units = word.and_then(unit).map(|pair| pair.0);
     let source = format!("NO OF POINTS of line {}", at + 2);
     let values = block(lines, at + 2, points, &source)?;
     let stated = Stated::new(1.0 / rate, "SAMPLES/SEC", at);

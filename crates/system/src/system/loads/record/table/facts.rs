@@ -2,7 +2,7 @@
 
 use super::super::at2;
 use super::super::fault::{LineFault, RecordCause, fault};
-use super::super::number::{Stated, number};
+use super::super::fortran_number::{Stated, number};
 use super::super::quantity::of_unit;
 use crate::system::loads::Unit;
 
@@ -124,8 +124,8 @@ impl Facts {
 fn units(rest: &str) -> Option<Vec<&str>> {
     let mut signs = [":", "=", " :", " =", " of ", " are ", " in "].into_iter();
     let rest = signs.find_map(|sign| rest.strip_prefix(sign))?;
-    let words = rest.split([' ', ',', ';', '(', ')']);
-    let words: Vec<&str> = words
+    let words: Vec<&str> = rest
+        .split([' ', ',', ';', '(', ')'])
         .filter(|word| !word.is_empty() && *word != "of")
         .collect();
     (!words.is_empty()).then_some(words)

@@ -6,7 +6,7 @@ pub(in crate::system) mod fields;
 mod layout;
 
 use super::fault::{LineFault, RecordCause, fault};
-use super::number::{before_end, decimal, number};
+use super::fortran_number::{before_end, decimal, number};
 use super::{Reading, Record, end, quantity};
 use crate::system::loads::Unit;
 use facts::Facts;
@@ -141,8 +141,8 @@ fn check_columns(header: &[&str], rows: &Rows, reading: &Reading) -> Result<(), 
     };
     let line = header
         .iter()
-        .rposition(|line| line.contains(char::is_alphabetic));
-    let line = line.unwrap_or_default();
+        .rposition(|line| line.contains(char::is_alphabetic))
+        .unwrap_or_default();
     let wanted = reading
         .column
         .unwrap_or(2 - usize::from(reading.dt.is_some()));

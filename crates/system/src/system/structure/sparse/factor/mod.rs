@@ -1,10 +1,10 @@
 //! Sparse factors L D L^T of symmetric positive definite matrices.
 
 mod blocks;
-mod columns;
+mod elimination;
+mod entries;
 mod minimum_degree;
 mod numeric;
-mod order;
 mod panels;
 pub(crate) mod pivot;
 mod products;
@@ -12,13 +12,13 @@ mod reach;
 mod solve;
 
 pub use blocks::Blocks;
-pub use columns::{Columns, Entry};
+pub use entries::{Columns, Entry};
 pub use pivot::negative_pivot;
 
 use super::lists::Lists;
 use crate::system::structure::Symmetric;
+use elimination::{Order, order};
 use numeric::Numeric;
-use order::{Order, order};
 use panels::{Panel, panels};
 use std::borrow::Borrow;
 use std::fmt;
@@ -157,8 +157,8 @@ impl Factor {
 fn by_columns(panels: &[Panel], values: &[f64]) -> Columns {
     let mut end = values.len();
     let size = panels.last().map_or(0, |panel| panel.end);
-    let backwards = panels.iter().rev();
-    let backwards = backwards.flat_map(|p| (p.first..p.end).rev().map(move |k| (p, k)));
+    let panels_backwards = panels.iter().rev();
+    let backwards = panels_backwards.flat_map(|p| (p.first..p.end).rev().map(move |k| (p, k)));
     let columns = backwards.map(|(panel, column)| {
         let start = end - panel.entries(column);
         let values = &values[start..end];
