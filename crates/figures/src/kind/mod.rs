@@ -52,6 +52,7 @@ pub fn of(kind: &FigureKind) -> &dyn Draw {
         FigureKind::Law(kind) => kind,
         FigureKind::Curve(kind) => kind,
         FigureKind::Orbit(kind) => kind,
+        FigureKind::Response(kind) => kind,
         FigureKind::Spectrum(kind) => kind,
         FigureKind::Set(kind) => kind,
         FigureKind::Scheme(kind) => kind,

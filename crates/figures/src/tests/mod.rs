@@ -8,6 +8,7 @@ mod guides;
 mod limits;
 mod looks;
 mod measured;
+mod response;
 mod samples;
 mod structures;
 

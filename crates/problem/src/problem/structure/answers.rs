@@ -2,7 +2,7 @@
 
 use super::described::ground::GroundMotion;
 use super::described::scheme::picture::Scheme;
-use super::described::{describe, ground, participation, scheme};
+use super::described::{describe, excitation, ground, participation, scheme};
 use super::given::set::SetSpectra;
 use super::given::signal_cache;
 use super::metrics::units::UnitNames;
@@ -17,6 +17,7 @@ use super::warn;
 use crate::history::History;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::{Case, MeasuredChannel, Problem, Samples, Violation};
+use crate::system::loads::cycles::Cycles;
 use crate::system::structure::Direction;
 
 impl StructureProblem {
@@ -76,6 +77,16 @@ impl StructureProblem {
     pub fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
         let duration = case.at(self.schema.duration)?;
         ground::ground_motion(&self.template, case, duration)
+    }
+
+    /// The whole cycles of the loads and motions of a completed case.
+    ///
+    /// # Errors
+    /// Why they are not known: there are none, or several.
+    pub fn cycles(&self, case: &Case) -> Result<Vec<Cycles>, String> {
+        let times = [self.schema.step, self.schema.duration];
+        let times = times.map(|row| case.at(row).unwrap_or(f64::NAN));
+        excitation::cycles(&self.template, case, times)
     }
 
     /// The spectra of this set in a completed case at these periods, and the units of length and time; `None` without a set.

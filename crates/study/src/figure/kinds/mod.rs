@@ -6,7 +6,7 @@ mod metrics;
 mod model;
 mod motion;
 use super::checker::Checker;
-pub use super::choice::{Fit, Marks, Ridge};
+pub use super::choice::{Each, Fit, Marks, Ridge};
 use super::keys::{COMMON, Key};
 use super::values::Values;
 use crate::scope::Scope;
@@ -107,6 +107,7 @@ kinds! {
     motion::history::History,
     motion::curve::Curve,
     motion::orbit::Orbit,
+    motion::response::Response,
     motion::profile::Profile,
     motion::wave::Wave,
     metrics::metric::Metric,
@@ -249,10 +250,11 @@ mod tests {
                 "s",
                 r#"{"problem": "structure", "parameters": {"dt": 0.01, "duration": 1}, "metrics": ["peak(m)"],
                   "structure": {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1, "name": "s"}],
+                    "loads": [{"at": "m", "sine": {"amplitude": 1, "omega": 10}}],
                     "ground": {"synthetic": {"seed": 1}, "scale_to": {"factor": 1, "set":
                       {"rule": "EN 1998-1", "period": 1, "spectrum": {"T": [1], "Sa": [1]}}}}},
                   "figures": [{"name": "a", "kind": "scheme"}, {"name": "d", "kind": "set"}, {"name": "b", "kind": "spectrum", "y": "displacement"},
-                    {"name": "c", "kind": "orbit", "x": "m", "y": "m.v"}]}"#,
+                    {"name": "c", "kind": "orbit", "x": "m", "y": "m.v"}, {"name": "e", "kind": "response", "y": "m"}]}"#,
             )
             .unwrap_or_else(|e| panic!("{e}")),
         ]
