@@ -11,15 +11,14 @@ const AGREES: f64 = 1e-9;
 impl Block {
     /// Fills in the values that follow from other parameters, and gives every rule that the case breaks.
     pub fn complete(&self, problem: &dyn Problem, case: &mut Case) -> Vec<Violation> {
-        let without_value = self.derived.iter().filter_map(|d| d.violation(case));
-        let without_value: Vec<Violation> = without_value.collect();
+        let without_value = Vec::from_iter(self.derived.iter().filter_map(|d| d.violation(case)));
         if !without_value.is_empty() {
             // The problem would fill in values that the study does not give.
             return without_value;
         }
         let restated = self.derived.iter().filter(|derived| derived.restates);
-        let given = restated.map(|derived| (derived, case.values[derived.parameter].take()));
-        let given: Vec<(&Derived, Option<Value>)> = given.collect();
+        let taken = restated.map(|derived| (derived, case.values[derived.parameter].take()));
+        let given: Vec<(&Derived, Option<Value>)> = taken.collect();
         let mut violations = problem.complete(case);
         for (derived, given) in given {
             let follows = case.at(derived.parameter);

@@ -156,8 +156,8 @@ impl Block {
         match self.counts(problem) {
             CaseCounts::Tabled(before) => Some(self.combination_of(before, index)),
             CaseCounts::Counted { counts, .. } => {
-                let start = counts.partition_point(|count| *count <= index);
-                let start = start.checked_sub(1)? as u64;
+                let after = counts.partition_point(|count| *count <= index);
+                let start = after.checked_sub(1)? as u64;
                 let skip = (index - counts[start as usize]) as usize;
                 let mut cases =
                     (start * STRIDE..self.raw_len()).filter(|raw| self.is_case(problem, *raw));

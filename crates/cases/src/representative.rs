@@ -77,8 +77,8 @@ pub fn restricted(block: &Block, positions: &[Vec<usize>]) -> Block {
             false => positions.iter().map(|i| axis.values.at(*i)).collect(),
         },
     };
-    let groups = block.groups.iter().zip(positions);
-    let groups = groups.map(|(group, positions)| AxisGroup {
+    let pairs = block.groups.iter().zip(positions);
+    let groups = pairs.map(|(group, positions)| AxisGroup {
         axes: group.axes.iter().map(|a| axis(a, positions)).collect(),
     });
     let mut part = Block {

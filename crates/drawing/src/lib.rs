@@ -21,8 +21,8 @@ use std::rc::Rc;
 
 /// The sheet as a PNG file of `dpi` pixels an inch; an error if the sheet has too many of them.
 pub fn png(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, DrawingError> {
-    let raster = raster::Raster::new(sheet.width, sheet.height, dpi)?;
-    let raster = Rc::new(RefCell::new(raster));
+    let blank = raster::Raster::new(sheet.width, sheet.height, dpi)?;
+    let raster = Rc::new(RefCell::new(blank));
     draw::draw(sheet, &raster, dpi)?;
     raster.borrow().png()
 }
@@ -30,8 +30,8 @@ pub fn png(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, DrawingError> {
 /// The sheet as the text of an SVG file, whose images have `dpi` pixels an inch.
 pub fn svg(sheet: &Sheet, dpi: u32) -> Result<String, DrawingError> {
     let (title, description) = (&sheet.title, &sheet.description);
-    let vector = vector::Vector::new(sheet.width, sheet.height, title, description, dpi);
-    let vector = Rc::new(RefCell::new(vector));
+    let blank = vector::Vector::new(sheet.width, sheet.height, title, description, dpi);
+    let vector = Rc::new(RefCell::new(blank));
     draw::draw(sheet, &vector, dpi)?;
     Ok(vector.borrow_mut().svg())
 }
@@ -39,8 +39,8 @@ pub fn svg(sheet: &Sheet, dpi: u32) -> Result<String, DrawingError> {
 /// The sheet as a PDF file, whose images have `dpi` pixels an inch.
 pub fn pdf(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, DrawingError> {
     let dots = style::pixels(dpi);
-    let page = Page::new(sheet.width, sheet.height, &sheet.title, dots);
-    let page = Rc::new(RefCell::new(page));
+    let blank = Page::new(sheet.width, sheet.height, &sheet.title, dots);
+    let page = Rc::new(RefCell::new(blank));
     draw::draw(sheet, &page, dpi)?;
     page.borrow_mut().pdf()
 }

@@ -110,8 +110,7 @@ fn repeats_another(cases: &[DrawnCase], row: usize) -> bool {
 
 /// Whether a label of cases has one value of a parameter, together with the parameters `except`: its name is enough.
 fn behind_a_label(table: &[Parameter], cases: &[DrawnCase], row: usize, except: &[usize]) -> bool {
-    let labels = (0..table.len()).filter(|row| table[*row].is_label());
-    let labels: Vec<usize> = labels.collect();
+    let labels = Vec::from_iter((0..table.len()).filter(|row| table[*row].is_label()));
     if labels.is_empty() || table[row].is_label() {
         return false;
     }
@@ -159,8 +158,7 @@ pub fn labels(
     by: Option<usize>,
     except: &[usize],
 ) -> Vec<String> {
-    let rows = named(table, cases, by, except);
-    let rows: Vec<(usize, usize)> = rows
+    let rows: Vec<(usize, usize)> = named(table, cases, by, except)
         .into_iter()
         .map(|row| (row, digits(cases, row)))
         .collect();
@@ -178,8 +176,8 @@ pub fn digits(cases: &[DrawnCase], row: usize) -> usize {
 
 /// The label of a case by these parameters, each with its number of digits.
 fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, usize)]) -> String {
-    let parts = rows.iter();
-    let parts = parts.filter_map(|(row, digits)| Some((&table[*row], shown.value(*row)?, *digits)));
+    let pairs = rows.iter();
+    let parts = pairs.filter_map(|(row, digits)| Some((&table[*row], shown.value(*row)?, *digits)));
     match joined(parts) {
         text if text.is_empty() => "computed".into(),
         text => text,
@@ -191,11 +189,11 @@ fn joined<'a>(values: impl Iterator<Item = (&'a Parameter, Value, usize)>) -> St
     let mut before = None;
     let part = |(parameter, value, digits): (&Parameter, Value, usize)| {
         let whole = value_label(parameter, value, digits);
-        let parts = match value {
+        let split = match value {
             Value::Name(name) if parameter.shown(name) != name => whole.rsplit_once(", "),
             Value::Number(_) | Value::Whole(_) | Value::Name(_) => None,
         };
-        let parts = parts.map(|(stem, component)| (stem.to_owned(), component.to_owned()));
+        let parts = split.map(|(stem, component)| (stem.to_owned(), component.to_owned()));
         match parts {
             Some((stem, component)) if before.as_ref() == Some(&stem) => component,
             parts => {
@@ -221,8 +219,8 @@ pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String
     match value {
         Value::Name(_) => self::value(parameter, value, digits),
         Value::Number(_) | Value::Whole(_) => {
-            let unit = parameter.shown_unit.as_ref();
-            let unit = unit.map_or(String::new(), |unit| format!(" {}", markup::unit(unit)));
+            let shown_unit = parameter.shown_unit.as_ref();
+            let unit = shown_unit.map_or(String::new(), |unit| format!(" {}", markup::unit(unit)));
             let value = self::value(parameter, value, digits);
             format!("{} = {value}{unit}", parameter.symbol)
         }

@@ -112,8 +112,8 @@ pub fn sheet(data: &FigureData) -> Sheet {
     let bands = envelope::meaning(&sheet);
     let over = taken_over(study, figure);
     let meanings = coincide::meaning(&sheet).into_iter().chain(bands);
-    let notes = meanings.chain(over.as_deref());
-    let notes = notes.chain(figure.note.as_deref());
+    let sentences = meanings.chain(over.as_deref());
+    let notes = sentences.chain(figure.note.as_deref());
     parts.extend(notes.map(markup::plain));
     sheet.description = parts.join("; ");
     if let Some(over) = &over {
@@ -149,8 +149,7 @@ fn taken_over(study: &Study, figure: &Figure) -> Option<String> {
     let rows = figure.kind.measures(&*study.problem).into_iter();
     let reduction = { rows }.find_map(|row| study.reduction(row))?;
     let table = study.problem.parameters();
-    let over = reduction.over.iter().map(|row| &*table[*row].symbol);
-    let over: Vec<&str> = over.collect();
+    let over = Vec::from_iter(reduction.over.iter().map(|row| &*table[*row].symbol));
     Some(format!(
         "Each value is over all values of {}.",
         over.join(", ")

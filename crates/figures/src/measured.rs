@@ -57,12 +57,12 @@ impl MeasuredMotion {
         };
         let axes: Vec<_> = self.panels.iter().map(axis).collect();
         let grid = layout::grid(width, 1, &vec![HEIGHT; axes.len()], &axes, 4.0);
-        let count = self
+        let numbers = self
             .panels
             .iter()
             .flat_map(|panel| &panel.curves)
             .map(|curve| curve.0 + 1);
-        let count = count.max().unwrap_or(1);
+        let count = numbers.max().unwrap_or(1);
         let mut sheet = Sheet {
             title: self.title.clone(),
             width,
@@ -96,8 +96,8 @@ impl MeasuredMotion {
 impl MeasuredPanel {
     /// The measured line, then the computed ones.
     fn series(&self, count: usize) -> Vec<Series> {
-        let measured = Some(&self.measured).filter(|points| !points.is_empty());
-        let measured = measured.map(|points| Series::measured(points.clone()));
+        let drawn = Some(&self.measured).filter(|points| !points.is_empty());
+        let measured = drawn.map(|points| Series::measured(points.clone()));
         let computed = self.curves.iter().map(|(index, label, points)| Series {
             label: label.clone(),
             points: points.clone(),

@@ -258,8 +258,7 @@ mod tests {
         for (i, panel) in sheet.panels.iter().enumerate() {
             let (at, width, least) = if i < 2 { other } else { best };
             let curve = &panel.series[0];
-            let places = curve.points[..7].iter().map(|point| panel.place(*point));
-            let places: Vec<[f64; 2]> = places.collect();
+            let places = Vec::from_iter(curve.points[..7].iter().map(|point| panel.place(*point)));
             let extent = |k: usize| {
                 let coordinates = places.iter().map(|point| point[k]);
                 coordinates.clone().fold(f64::MIN, f64::max) - coordinates.fold(f64::MAX, f64::min)
@@ -301,8 +300,8 @@ mod tests {
             assert!(pair[1] > pair[0] + HEIGHT + layout::below(&sheet.panels[0].x) - 1.0);
         }
         assert_eq!(sheet.panels[2].frame.top, sheet.panels[4].frame.top);
-        let labels = legend::keys(&sheet.panels).into_iter().map(|key| key.label);
-        let labels: Vec<String> = labels.collect();
+        let of_keys = legend::keys(&sheet.panels).into_iter().map(|key| key.label);
+        let labels: Vec<String> = of_keys.collect();
         let wanted = [
             "smallest misfit",
             "95 % interval",

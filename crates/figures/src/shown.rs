@@ -74,8 +74,8 @@ impl ShownCases {
         }
         let has_more = !solutions.is_empty() || metrics.failures().next().is_some();
         let warned = metrics.warned();
-        let warned = warned.filter(|(_, warnings)| warnings.has(Warning::Runaway));
-        for (row, _) in warned {
+        let runaway = warned.filter(|(_, warnings)| warnings.has(Warning::Runaway));
+        for (row, _) in runaway {
             let found = rows.binary_search(&(row as u32)).ok();
             self.runaway.extend(found.map(|index| before + index));
         }

@@ -25,8 +25,7 @@ pub fn cost(problem: &dyn Problem, case: &Case) -> u64 {
 
 /// Number of sub-steps of the method of a case.
 fn sub_steps(case: &Case) -> u64 {
-    let method = Description::named(case.choice("method"));
-    let method = method.and_then(Description::with_defaults);
+    let method = Description::named(case.choice("method")).and_then(Description::with_defaults);
     method.map_or(1, |method| method.count_of_sub_steps())
 }
 

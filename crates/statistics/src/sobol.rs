@@ -79,8 +79,8 @@ pub fn indices(values: &[Option<f64>], count: usize, seed: u64) -> Result<Vec<In
     if !estimates.iter().flatten().all(|x| x.is_finite()) {
         return Err(Lack::Unbounded);
     }
-    let samples = bootstrap::samples(rows.len(), seed);
-    let samples: Vec<Vec<[f64; 2]>> = samples
+    let picks = bootstrap::samples(rows.len(), seed);
+    let samples: Vec<Vec<[f64; 2]>> = picks
         .map(|picked| estimate(&rows, &picked, count))
         .collect();
     let index = |parameter: usize, which: usize| {

@@ -106,8 +106,8 @@ fn finite(node: &Node, path: &str, of: Option<&Parameter>, faults: &mut Faults) 
                 let named = || of.and_then(|_| own_name(&fault));
                 let what = parameters_in(formula)
                     .or_else(|| with_unit(formula, of))
-                    .or_else(named);
-                let what = what.unwrap_or_else(|| in_words(&fault));
+                    .or_else(named)
+                    .unwrap_or_else(|| in_words(&fault));
                 faults.add(node.at, path, format!("{}: {what}", quoted(formula)));
             }
         },

@@ -181,8 +181,8 @@ impl<B: DrawingBackend> Canvas<B> {
                 Ok(())
             }
             Marker::Triangle | Marker::Square | Marker::Diamond | Marker::InvertedTriangle => {
-                let corners = marker.corners().iter().map(|[dx, dy]| at([x + dx, y + dy]));
-                let mut corners: Vec<_> = corners.collect();
+                let placed = marker.corners().iter().map(|[dx, dy]| at([x + dx, y + dy]));
+                let mut corners: Vec<_> = placed.collect();
                 self.area
                     .draw(&Polygon::new(corners.clone(), WHITE.filled()))?;
                 corners.extend(corners.first().copied());

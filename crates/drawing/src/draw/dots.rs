@@ -31,8 +31,7 @@ pub fn image(panel: &Panel, dpi: u32) -> Result<Option<Image>, DrawingError> {
     let frame = &panel.frame;
     let [left, top] = [frame.left, frame.top].map(|x| (x * dots).floor() / dots);
     let [right, bottom] = [frame.right(), frame.bottom()].map(|x| (x * dots).ceil() / dots);
-    let raster = Raster::new(right - left, bottom - top, dpi)?;
-    let raster = Rc::new(RefCell::new(raster));
+    let raster = Rc::new(RefCell::new(Raster::new(right - left, bottom - top, dpi)?));
     let canvas = Canvas::on(&raster);
     for dot in &cloud.dots {
         let [x, y] = panel.place(dot.at);

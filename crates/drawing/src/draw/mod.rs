@@ -28,8 +28,8 @@ pub fn draw<B: DrawingBackend>(
     backend: &Rc<RefCell<B>>,
     dpi: u32,
 ) -> Result<(), DrawingError> {
-    let images = sheet.panels.iter().map(|panel| dots::image(panel, dpi));
-    let images: Vec<Option<Image>> = images.collect::<Result<_, _>>()?;
+    let drawn = sheet.panels.iter().map(|panel| dots::image(panel, dpi));
+    let images: Vec<Option<Image>> = drawn.collect::<Result<_, _>>()?;
     let mut canvas = Canvas::on(backend);
     canvas
         .sheet(sheet, &images)

@@ -33,8 +33,7 @@ pub fn add(panel: &mut Panel, x: Axis) {
         })
         .collect();
     let heights = limits::heights(limits::points(series.iter()), window);
-    let y = limits::axis("", heights.into_iter(), Scale::Linear, None, 3.0);
-    let y = y.with_power_at_each();
+    let y = limits::axis("", heights.into_iter(), Scale::Linear, None, 3.0).with_power_at_each();
     let numbers = y
         .ticks
         .iter()

@@ -97,8 +97,8 @@ pub fn rows(keys: &[Key], [left, top]: [f64; 2], columns: usize, width: f64) -> 
 /// The legends in free corners of their panels; `None` if a panel has none.
 pub fn within(panels: &[Panel], keys: &[Vec<Key>]) -> Option<Vec<Entry>> {
     let pairs = keys.iter().zip(panels);
-    let corners = pairs.map(|(keys, panel)| free_corner(panel, keys));
-    let corners: Vec<Rect> = corners.collect::<Option<_>>()?;
+    let found = pairs.map(|(keys, panel)| free_corner(panel, keys));
+    let corners: Vec<Rect> = found.collect::<Option<_>>()?;
     let placed = keys.iter().zip(corners).flat_map(|(keys, corner)| {
         let line = move |(i, key): (usize, &Key)| {
             let top = corner.top + (i as f64 + 0.5) * style::LEADING;
@@ -151,8 +151,8 @@ pub fn is_free(panel: &Panel, area: &Rect) -> bool {
         .iter()
         .all(|[a, b]| clear(panel.place(*a), panel.place(*b)));
     let bands = panel.bands.iter().all(|band| {
-        let round = band.upper.iter().chain(band.lower.iter().rev());
-        let round: Vec<_> = round.map(|point| panel.place(*point)).collect();
+        let outline = band.upper.iter().chain(band.lower.iter().rev());
+        let round: Vec<_> = outline.map(|point| panel.place(*point)).collect();
         clip::polygon(&round, area).len() < 3
     });
     let inset = panel.inset.as_ref().is_none_or(|inset| {

@@ -76,11 +76,11 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
         .chain(powers)
         .fold(0.0, f64::max);
     // Titles longer than their panel take several lines.
-    let lines = |(i, height): (usize, &f64)| match y.get(i).or(y.last()) {
+    let lines_of = |(i, height): (usize, &f64)| match y.get(i).or(y.last()) {
         Some(axis) => vertical_title(&axis.title, *height).len(),
         None => 1,
     };
-    let lines = heights.iter().enumerate().map(lines).max().unwrap_or(1);
+    let lines = heights.iter().enumerate().map(lines_of).max().unwrap_or(1);
     let titles = style::TITLE + lines.saturating_sub(1) as f64 * TITLE_LINE;
     let margin = titles + style::TITLE_GAP + numbers + style::LABEL_GAP;
     // Wide enough for the last number of one axis and the first of the next.

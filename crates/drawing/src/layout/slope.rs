@@ -137,8 +137,7 @@ mod tests {
         let saturated = straight(&curve(|x| (x * x).min(0.02 * 0.02))).unwrap();
         assert!(saturated.slope.abs() < 0.15 && saturated.from >= 1);
         let mut i = 0;
-        let zigzag = curve(|x| x);
-        let zigzag: Vec<_> = zigzag
+        let zigzag: Vec<_> = curve(|x| x)
             .into_iter()
             .map(|[x, y]| {
                 i += 1;

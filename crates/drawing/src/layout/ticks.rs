@@ -211,11 +211,11 @@ fn finite(x: f64) -> f64 {
 fn steps(range: [f64; 2], most: f64) -> (f64, f64) {
     let length = range[1] - range[0];
     // The difference of the ends is larger than the largest number.
-    let raw = match length.is_finite() {
+    let spacing = match length.is_finite() {
         true => length / most,
         false => range[1] / most - range[0] / most,
     };
-    let raw = raw.clamp(FINEST, 1e308);
+    let raw = spacing.clamp(FINEST, 1e308);
     let power = pow(10.0, floor(log10(raw)));
     let (major, parts) = match raw / power {
         m if m <= 1.0 + 1e-9 => (1.0, 5.0),

@@ -42,8 +42,8 @@ impl Face {
     fn read(file: &'static [u8]) -> Option<Face> {
         let font = FontRef::new(file).ok()?;
         let per_em = font.head().ok()?.units_per_em();
-        let outlines = font.cff().ok()?.offset_data().as_bytes();
-        let outlines = CffFontRef::new_cff(outlines, 0, Some(per_em.into())).ok()?;
+        let table = font.cff().ok()?.offset_data().as_bytes();
+        let outlines = CffFontRef::new_cff(table, 0, Some(per_em.into())).ok()?;
         Some(Face {
             characters: font.cmap().ok()?,
             advances: font.hmtx().ok()?,

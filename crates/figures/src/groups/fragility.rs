@@ -56,8 +56,8 @@ pub fn curves(study: &Study, figure: &Fragility, cases: &[DrawnCase]) -> Vec<Fra
         (None, Some(x)) => study.outside_ensemble(&[x]),
         (None, None) => Vec::new(),
     };
-    let groups = alike::grouped(cases, |shown| shown.identity(&rows));
-    let groups = groups.iter();
+    let grouped = alike::grouped(cases, |shown| shown.identity(&rows));
+    let groups = grouped.iter();
     groups.map(|cases| curve(study, figure, cases)).collect()
 }
 
@@ -108,8 +108,8 @@ fn curve(study: &Study, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCu
 /// cloud, is above the function. Cases of one member are not independent, members are.
 fn residuals(fit: &Fit, of: ColumnRef, members: &[Member]) -> Vec<[f64; 2]> {
     let residual = |member: &Member| {
-        let columns = member.cases.iter();
-        let columns: Option<Vec<f64>> = columns.map(|(shown, _)| column(of, shown)).collect();
+        let drawn = member.cases.iter();
+        let columns: Option<Vec<f64>> = drawn.map(|(shown, _)| column(of, shown)).collect();
         let above = match (fit.line, member.capacity) {
             (Some(line), _) => member.residual(&line)?,
             (None, Capacity::At(x, _)) => log(x / fit.function.median),
@@ -179,8 +179,8 @@ fn by_cases(figure: &Fragility, cases: &[&DrawnCase]) -> Vec<FragilityPoint> {
             }),
         }
     };
-    let points = cases.iter().filter_map(|shown| point(figure, shown));
-    let mut points: Vec<FragilityPoint> = points.map(of).collect();
+    let drawn = cases.iter().filter_map(|shown| point(figure, shown));
+    let mut points: Vec<FragilityPoint> = drawn.map(of).collect();
     points.sort_by(|a, b| a.at.total_cmp(&b.at));
     points
 }

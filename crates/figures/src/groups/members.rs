@@ -82,8 +82,8 @@ impl<'a> Members<'a> {
         let groups = alike::grouped(cases, |shown| shown.identity(ensemble));
         let member = |group: Vec<&&DrawnCase<'a>>| Member::of(figure, &group);
         let mut found: Vec<Member> = groups.into_iter().filter_map(member).collect();
-        let places = found.iter().flat_map(|member| &member.cases);
-        let mut places: Vec<f64> = places.map(|(_, point)| point[0]).collect();
+        let trials = found.iter().flat_map(|member| &member.cases);
+        let mut places: Vec<f64> = trials.map(|(_, point)| point[0]).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
         for member in &mut found {

@@ -94,8 +94,8 @@ impl DesignMetrics {
             let number = |row| first + added.offset(row);
             let of_design = (0..added.len()).map(|row| cases.contains(&number(row)));
             for column in &mut design.columns {
-                let rows = metrics.column(column.metric).zip(of_design.clone());
-                let rows = rows.filter(|(_, of_design)| *of_design);
+                let pairs = metrics.column(column.metric).zip(of_design.clone());
+                let rows = pairs.filter(|(_, of_design)| *of_design);
                 let values = rows.map(|(value, _)| value.unwrap_or(f64::NAN));
                 column.values.extend(values);
             }

@@ -131,8 +131,8 @@ fn not_converged(
     let of_metric = |(metric, found): (&usize, &&Estimates)| {
         let pairs = found.iter().flatten().zip(parameters);
         let wrong = pairs.filter(|(of, _)| wrong(of));
-        let names = wrong.map(|(_, row)| &*study.problem.parameters()[*row].symbol);
-        let names: Vec<&str> = names.collect();
+        let symbols = wrong.map(|(_, row)| &*study.problem.parameters()[*row].symbol);
+        let names: Vec<&str> = symbols.collect();
         let metric = study.measures[*metric].bare_symbol();
         (!names.is_empty()).then(|| format!("{} ({metric})", names.join(", ")))
     };

@@ -234,8 +234,8 @@ fn many_curves_over_a_number_are_told_apart_by_lightness() {
     assert!(lightness[14] < 200.0 && lightness[0] < 30.0);
     for entry in entries {
         assert_eq!(entry.marker, None);
-        let curve = sheet.panels[0].series.iter();
-        let curve = curve.clone().find(|s| s.label == entry.label).unwrap();
+        let mut series = sheet.panels[0].series.iter();
+        let curve = series.find(|s| s.label == entry.label).unwrap();
         assert_eq!((curve.stroke, curve.marker), (entry.stroke, None));
         // The point at dT = 0.1 is a tenth of x0.
         let x0 = curve.points[0][1] * 10.0;

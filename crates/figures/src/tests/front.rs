@@ -56,8 +56,8 @@ fn drawn(study: &Study) -> (Sheet, Vec<Case>, String) {
         table.iter().map(|metric| value(&metric.name)).collect()
     };
     let metrics: Vec<_> = cases.iter().map(row).collect();
-    let shown = super::shown(study, &cases, &metrics);
-    let shown = shown.all();
+    let drawn = super::shown(study, &cases, &metrics);
+    let shown = drawn.all();
     let figure = &study.figures[0];
     let (sheet, hover) = super::with_data(study, figure, &shown, |data| {
         let sheet = crate::sheet(data);
@@ -110,12 +110,12 @@ fn each_line_has_the_best_cases_of_its_value_and_the_band_those_of_all() {
     }
     let captions: Vec<&str> = sheet.panels.iter().map(|p| p.caption.as_str()).collect();
     assert_eq!(captions, ["(a)  law", "(b)  Δ*T*"]);
-    let small: Vec<&str> = sheet
+    let lines: Vec<&str> = sheet
         .small_print
         .iter()
         .map(|words| words.text.as_str())
         .collect();
-    let small = small.join(" ");
+    let small = lines.join(" ");
     // The band begins at the largest step, where alpha is better.
     assert!(
         small.contains("law: displacement-control, velocity-control; Δ*T* = π/5, π/10, π/20"),

@@ -50,8 +50,8 @@ fn every_thin_line_but_zero_has_a_name() {
         assert!(entries.all(|entry| !entry.label.contains("zero")));
         let Some(name) = name else { continue };
         let text = svg(&sheet, style::DPI).unwrap();
-        let description = text.split(['<', '>']).skip_while(|part| *part != "desc");
-        let description = description.collect::<Vec<_>>()[1];
+        let parts = text.split(['<', '>']).skip_while(|part| *part != "desc");
+        let description = parts.collect::<Vec<_>>()[1];
         assert!(
             description.split("; ").any(|part| part == name),
             "{description}"

@@ -44,10 +44,9 @@ fn curves_are_unbroken_in_colour_and_have_markers_only_where_asked() {
         // The exact curve stays black.
         assert_eq!(sheet.panels[0].series[0].stroke, Stroke::Solid);
         let series = computed(&sheet).into_iter();
-        let looks = series.map(|series| (series.stroke, series.marker));
-        let looks: Vec<_> = looks.collect();
-        let keys = sheet.legend.iter().filter(|key| key.label.contains('='));
-        let keys: Vec<_> = keys.map(|key| (key.stroke, key.marker)).collect();
+        let looks = Vec::from_iter(series.map(|series| (series.stroke, series.marker)));
+        let named = sheet.legend.iter().filter(|key| key.label.contains('='));
+        let keys: Vec<_> = named.map(|key| (key.stroke, key.marker)).collect();
         assert_eq!(keys, looks);
         looks
     };

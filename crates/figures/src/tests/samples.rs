@@ -44,8 +44,8 @@ fn drawn(study: &Study) -> (Sheet, Vec<Case>) {
         table.iter().map(|metric| value(&metric.name)).collect()
     };
     let metrics: Vec<_> = cases.iter().map(row).collect();
-    let shown = super::shown(study, &cases, &metrics);
-    let shown = shown.all();
+    let drawn = super::shown(study, &cases, &metrics);
+    let shown = drawn.all();
     (super::sheet_of(study, &study.figures[0], &shown), cases)
 }
 

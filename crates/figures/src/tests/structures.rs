@@ -369,8 +369,8 @@ fn a_node_between_laws_in_series_is_a_dot() {
 /// The middle of a name, which is that of its part.
 fn middle(sheet: &Sheet, name: &str) -> [f64; 2] {
     let words = contents(sheet).1.into_iter();
-    let found = words.filter(|(text, _)| text == name).map(|(_, area)| area);
-    let found: Vec<Rect> = found.collect();
+    let areas = words.filter(|(text, _)| text == name).map(|(_, area)| area);
+    let found: Vec<Rect> = areas.collect();
     assert_eq!(found.len(), 1, "{name}");
     [
         found[0].left + found[0].width / 2.0,

@@ -55,8 +55,9 @@ impl Rates {
         let effective = |part: &[f64]| sum(part) * sum(part) / dot(part, part);
         let mu_eff = effective(positive);
         let c_1 = 2.0 / ((n + 1.3) * (n + 1.3) + mu_eff);
-        let c_mu = 2.0 * (0.25 + mu_eff + 1.0 / mu_eff - 2.0) / ((n + 2.0) * (n + 2.0) + mu_eff);
-        let c_mu = c_mu.min(1.0 - c_1);
+        let unbounded =
+            2.0 * (0.25 + mu_eff + 1.0 / mu_eff - 2.0) / ((n + 2.0) * (n + 2.0) + mu_eff);
+        let c_mu = unbounded.min(1.0 - c_1);
         let c_sigma = (mu_eff + 2.0) / (n + mu_eff + 5.0);
         // [H, (50) to (53)]
         let mu_eff_negative = effective(negative);

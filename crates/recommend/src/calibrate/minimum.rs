@@ -119,8 +119,8 @@ impl Levels {
         let Some((_, near)) = self.fits.first() else {
             return 0.0;
         };
-        let following = self.fits.iter().skip(1).map(|(fit, _)| fit.residual);
-        let following = following.chain([f64::INFINITY]);
+        let residuals = self.fits.iter().skip(1).map(|(fit, _)| fit.residual);
+        let following = residuals.chain([f64::INFINITY]);
         let jumps = self.fits.iter().zip(following).map(|((fit, rise), next)| {
             let stays = fit.residual > BENT * next || fit.residual > *rise;
             let counts = stays && fit.residual.is_finite() && fit.residual > ROUGH * near;
@@ -131,8 +131,8 @@ impl Levels {
 
     /// The fit over the smallest rise that is larger than the jumps, with this rise and the best point of all.
     fn smooth(mut self, jumps: f64) -> (Fitted, f64) {
-        let best = self.fits.iter().map(|(fit, _)| fit.best.clone());
-        let best = best.min_by(|a, b| a.1.total_cmp(&b.1));
+        let bests = self.fits.iter().map(|(fit, _)| fit.best.clone());
+        let best = bests.min_by(|a, b| a.1.total_cmp(&b.1));
         let smooth = self.fits.iter().position(|(_, rise)| jumps <= ROUGH * rise);
         let (mut fitted, rise) = self.fits.swap_remove(smooth.unwrap_or(self.fits.len() - 1));
         fitted.best = best.unwrap_or(fitted.best);

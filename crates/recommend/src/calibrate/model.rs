@@ -63,11 +63,11 @@ impl Model {
         };
         let rows: Vec<Vec<f64>> = points.iter().map(row).collect();
         let found = least_squares(&rows, values)?;
-        let left = rows
+        let residuals = rows
             .iter()
             .zip(values)
             .map(|(row, value)| value - dot(row, &found));
-        let left: f64 = left.map(|x| x * x).sum();
+        let left: f64 = residuals.map(|x| x * x).sum();
         let freedom = values.len() - found.len();
         // Back to coordinates: u = L^-1 B^T d.
         let (mut gradient, mut curvature) = (vec![0.0; n], vec![vec![0.0; n]; n]);
@@ -117,8 +117,8 @@ impl Model {
         let metric = shape.with(&inverse);
         let along = shape.vectors.iter().zip(&shape.values);
         let curvatures = along.map(|(b, l)| (dot(b, &times(&self.curvature, b)) * l * l).abs());
-        let slopes = shape.vectors.iter().zip(&shape.values);
-        let slopes = slopes.map(|(b, l)| (dot(b, &self.gradient) * l).abs());
+        let axes = shape.vectors.iter().zip(&shape.values);
+        let slopes = axes.map(|(b, l)| (dot(b, &self.gradient) * l).abs());
         let scale = curvatures.chain(slopes).fold(f64::MIN_POSITIVE, f64::max);
         let mut damping = 0.0;
         for _ in 0..DAMPINGS {

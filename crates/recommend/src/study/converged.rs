@@ -45,8 +45,8 @@ pub(super) fn not_converged(
         let others = values(&cases, judge)?;
         let change = |metric: usize| {
             let changes = cases.iter().zip(&others).map(|(case, others)| {
-                let reference = judge.references.get(&judge.condition(case));
-                let reference = reference.and_then(|reference| reference[metric]);
+                let of_case = judge.references.get(&judge.condition(case));
+                let reference = of_case.and_then(|reference| reference[metric]);
                 difference(others[metric], reference)
             });
             changes.fold(0.0, f64::max)

@@ -38,8 +38,8 @@ pub(super) fn next_mesh(
     let (free, values) = choice.free();
     let meshes = choices
         .iter()
-        .filter(|other| other.size != choice.size && other.is_whole(judge));
-    let meshes = meshes.filter_map(|other| Some((choice.differing(other)?, other)));
+        .filter(|other| other.size != choice.size && other.is_whole(judge))
+        .filter_map(|other| Some((choice.differing(other)?, other)));
     let mut mesh = Mesh::NotChosen;
     // By the number that chooses the mesh: the next finer one.
     let mut next: BTreeMap<usize, &Choice> = BTreeMap::new();

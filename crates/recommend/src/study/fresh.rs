@@ -29,10 +29,10 @@ impl Fresh {
         let structure = judge.study.problem.as_structure();
         let mut rows = structure.map_or(Vec::new(), StructureProblem::seeds);
         rows.retain(|row| judge.kept.contains(row));
-        let seeds = rows
+        let seeds: Vec<(usize, Vec<Value>)> = rows
             .into_iter()
-            .map(|row| (row, values(&judge.finest, row)));
-        let seeds: Vec<(usize, Vec<Value>)> = seeds.collect();
+            .map(|row| (row, values(&judge.finest, row)))
+            .collect();
         (!seeds.is_empty()).then_some(Fresh {
             seeds,
             is_referred: false,
@@ -59,8 +59,7 @@ impl Fresh {
     /// The cases that differ in more than their seeds, each with all fresh seeds.
     fn cases(&self, cases: &[Case], judge: &Judge) -> Vec<Case> {
         let is_seed = |row: &usize| self.seeds.iter().any(|seed| seed.0 == *row);
-        let others = judge.kept.iter().copied().filter(|row| !is_seed(row));
-        let others: Vec<usize> = others.collect();
+        let others = Vec::from_iter(judge.kept.iter().copied().filter(|row| !is_seed(row)));
         let mut known = HashSet::new();
         let first = cases
             .iter()
@@ -82,11 +81,11 @@ impl Fresh {
 
 /// Whole numbers that no case has as this seed: the next larger ones, or the smallest of all.
 fn values(cases: &[Case], row: usize) -> Vec<Value> {
-    let used = cases.iter().filter_map(|case| case.at(row));
-    let used: BTreeSet<u64> = used.map(|seed| seed as u64).collect();
+    let seeds = cases.iter().filter_map(|case| case.at(row));
+    let used: BTreeSet<u64> = seeds.map(|seed| seed as u64).collect();
     let count = used.len().max(FEWEST);
     let next = used.last().map_or(0, |last| last + 1);
-    let free = (next..=u64::from(LARGEST_SEED)).chain(0..next);
-    let free = free.filter(|seed| !used.contains(seed)).take(count);
+    let numbers = (next..=u64::from(LARGEST_SEED)).chain(0..next);
+    let free = numbers.filter(|seed| !used.contains(seed)).take(count);
     free.map(|seed| Value::Number(seed as f64)).collect()
 }

@@ -122,8 +122,7 @@ impl<'a> Judge<'a> {
     /// solution, and for one of which a contact may make energy.
     pub fn quotients(&self, cases: &Cases) -> Vec<f64> {
         let mut quotients = vec![f64::INFINITY; cases.len()];
-        let rows = 0..cases.len() as u32;
-        let rows: Vec<u32> = rows
+        let rows: Vec<u32> = (0..cases.len() as u32)
             .filter(|row| cases.may_be_solved(*row as usize))
             .collect();
         let table = self.study.problem.sweep(cases, &rows);
@@ -231,8 +230,7 @@ impl<'a> Judge<'a> {
 
 fn solve_one(study: &Study, case: &Case) -> Solved {
     let problem = &*study.problem;
-    let solution = study.solve(case);
-    let solution = solution.map_err(|why| why.to_string())?;
+    let solution = study.solve(case).map_err(|why| why.to_string())?;
     let energy = match problem.name() == FrictionOscillator.name() {
         true => EnergyChange {
             gain: energy_gain(&solution.computed, &solution.exact),

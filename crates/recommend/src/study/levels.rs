@@ -60,8 +60,7 @@ impl<'a> Levels<'a> {
     /// Finds the levels.
     pub fn sort(&mut self) {
         let blocks = 0..self.blocks.len();
-        let levels = blocks.flat_map(|block| self.levels_of(block));
-        let mut levels: Vec<Level> = levels.collect();
+        let mut levels = Vec::from_iter(blocks.flat_map(|block| self.levels_of(block)));
         levels.sort_by_key(|level| level.cost);
         self.levels = levels;
     }
@@ -203,10 +202,12 @@ impl<'a> Levels<'a> {
             if !self.decisive[candidate.block][group] {
                 return None;
             }
-            let others = (0..len).map(|position| candidate.at(group, position));
-            let others = others.filter(|other| self.has_cases(other));
-            let others = others.map(|other| (size(&other), other));
-            let others: Vec<(u64, Place)> = others.filter(|other| other.0 != given).collect();
+            let others: Vec<(u64, Place)> = (0..len)
+                .map(|position| candidate.at(group, position))
+                .filter(|other| self.has_cases(other))
+                .map(|other| (size(&other), other))
+                .filter(|other| other.0 != given)
+                .collect();
             let finer = others.iter().filter(|other| other.0 > given);
             let next = finer.min_by_key(|other| other.0);
             next.or(others.first()).map(|other| other.1.clone())

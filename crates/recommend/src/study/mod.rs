@@ -148,10 +148,10 @@ fn searched<'a>(levels: &mut Levels<'a>, judge: &mut Judge<'a>) -> Result<Compar
     let finest = levels.finest();
     let before = finest.iter().flat_map(|candidate| levels.before(candidate));
     let places: Vec<Place> = before.chain(finest.clone()).collect();
-    let choices = places
+    let choices: Vec<Choice> = places
         .iter()
-        .filter_map(|candidate| levels.choice(candidate, judge));
-    let choices: Vec<Choice> = choices.collect();
+        .filter_map(|candidate| levels.choice(candidate, judge))
+        .collect();
     let reference = reference::refer(&choices, judge)?;
     let not_converged = converged::not_converged(&choices, judge)?;
     let found = Search::new(levels, judge).run()?;

@@ -70,7 +70,7 @@ fn exact(cases: &[Case], judge: &Judge) -> Vec<Vec<Option<f64>>> {
     let errors = judge
         .rows()
         .all(|row| is_error(&judge.study.measures[row].name));
-    let exact = |case: &Case| match errors {
+    let exact_of = |case: &Case| match errors {
         true => vec![None; metrics.len()],
         false => problem
             .as_structure()
@@ -78,7 +78,7 @@ fn exact(cases: &[Case], judge: &Judge) -> Vec<Vec<Option<f64>>> {
                 structure.exact_metrics(case, &metrics)
             }),
     };
-    let exact: Vec<Vec<Option<f64>>> = cases.par_iter().map(exact).collect();
+    let exact: Vec<Vec<Option<f64>>> = cases.par_iter().map(exact_of).collect();
     let pairs = cases.iter().zip(&exact);
     pairs
         .map(|(case, metrics)| judge.measured(case, metrics))

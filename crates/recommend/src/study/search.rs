@@ -165,14 +165,14 @@ impl<'a, 'b> Search<'a, 'b> {
         let mut keeping = Vec::new();
         let mut rest = open.into_iter().peekable();
         while rest.peek().is_some() {
-            let some = rest.by_ref().filter(|candidate| self.is_open(candidate));
-            let mut some: Vec<Open> = some.take(TOGETHER).collect();
+            let open = rest.by_ref().filter(|candidate| self.is_open(candidate));
+            let mut some: Vec<Open> = open.take(TOGETHER).collect();
             for physical in others.chunks(SURVEY) {
                 let candidates = 0..some.len();
                 let pairs = physical
                     .iter()
-                    .flat_map(|case| candidates.clone().map(|at| (at, *case)));
-                let pairs = pairs.collect();
+                    .flat_map(|case| candidates.clone().map(|at| (at, *case)))
+                    .collect();
                 self.solve(&mut some, pairs)?;
                 some.retain(|candidate| self.is_open(candidate));
             }
@@ -255,8 +255,8 @@ impl<'a, 'b> Search<'a, 'b> {
                 near.extend(self.decided(&candidate)?);
             }
             let places = self.levels.meshes(&open.place).into_iter();
-            let meshes = places.filter_map(|candidate| self.levels.choice(&candidate, self.judge));
-            let meshes: Vec<Choice> = meshes.collect();
+            let choices = places.filter_map(|candidate| self.levels.choice(&candidate, self.judge));
+            let meshes: Vec<Choice> = choices.collect();
             let others = [near.as_slice(), &meshes];
             let is_first = self.first.is_none();
             let trial = trial(&choice, others, is_first, &mut self.fresh, self.judge)?;

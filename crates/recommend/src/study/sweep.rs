@@ -31,7 +31,7 @@ pub fn sweep(
         tick(rows.len() as u64);
         Ok(table)
     };
-    let tables = rows.par_chunks(TOGETHER).map(some);
-    let tables: Vec<MetricTable> = tables.collect::<Result<_, Stopped>>()?;
+    let solved = rows.par_chunks(TOGETHER).map(some);
+    let tables: Vec<MetricTable> = solved.collect::<Result<_, Stopped>>()?;
     Ok((rows, MetricTable::joined(tables)))
 }

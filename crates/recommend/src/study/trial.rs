@@ -55,11 +55,11 @@ fn neighbours(choice: &Choice, choices: &[Choice], judge: &Judge) -> f64 {
     let rows = judge.recommend.neighbours.iter();
     let next = rows.flat_map(|row| {
         let value = choice.number(*row).unwrap_or(f64::NAN);
-        let others = choices
+        let others: Vec<(f64, &Choice)> = choices
             .iter()
-            .filter(|other| choice.differing(other) == Some(*row));
-        let others = others.filter_map(|other| Some((other.number(*row)?, other)));
-        let others: Vec<(f64, &Choice)> = others.collect();
+            .filter(|other| choice.differing(other) == Some(*row))
+            .filter_map(|other| Some((other.number(*row)?, other)))
+            .collect();
         let smaller = others.iter().filter(|other| other.0 < value);
         let larger = others.iter().filter(|other| other.0 > value);
         let smaller = smaller.max_by(|a, b| a.0.total_cmp(&b.0));

@@ -44,8 +44,8 @@ impl Advice {
             },
             State::Misses => {
                 let metrics = self.within().into_iter().zip(&choice.errors);
-                let missed = metrics.filter(|((_, tolerance), error)| *error > tolerance);
-                let missed: Vec<&str> = missed.map(|((name, _), _)| name).collect();
+                let beyond = metrics.filter(|((_, tolerance), error)| *error > tolerance);
+                let missed: Vec<&str> = beyond.map(|((name, _), _)| name).collect();
                 format!("misses {}", missed.join(", "))
             }
             State::Energy => "gains or loses energy".into(),

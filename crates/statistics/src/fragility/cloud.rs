@@ -61,8 +61,8 @@ impl Cloud {
         if self.points.len() < 3 {
             return Err(NoFit::Few(3));
         }
-        let line = Line::through(&self.points).filter(|line| line.deviation > 0.0);
-        let line = line.ok_or(NoFit::Equal)?;
+        let fitted = Line::through(&self.points).filter(|line| line.deviation > 0.0);
+        let line = fitted.ok_or(NoFit::Equal)?;
         if !self.beyond.is_empty() {
             return self.of_bounded([limit, collapse].map(log), &line);
         }

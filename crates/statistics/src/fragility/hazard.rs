@@ -173,8 +173,8 @@ mod tests {
         close(hazard.annual(&function), expected);
         close(hazard.closed_form(&function), expected);
         // Parts add up, also far in a tail.
-        let parts = [0.0, 1e-9, 0.7, 1e9, f64::INFINITY];
-        let parts = parts
+        let limits = [0.0, 1e-9, 0.7, 1e9, f64::INFINITY];
+        let parts = limits
             .windows(2)
             .map(|p| hazard.between(&function, p[0], p[1]));
         close(parts.sum(), expected);

@@ -95,8 +95,8 @@ mod tests {
         // Two unknowns: the function goes through both parts, Phi(-1) and Phi(1) of many.
         let many = 1_000_000_000_000_u64;
         let below = (cumulative(-1.0) * many as f64) as u64;
-        let found = of_trials(&trials(&[(0.5, below, many), (2.0, many - below, many)]));
-        let found = found.unwrap().function;
+        let fit = of_trials(&trials(&[(0.5, below, many), (2.0, many - below, many)]));
+        let found = fit.unwrap().function;
         // Median 1 and dispersion ln 2, as far as whole trials allow.
         assert!((found.median - 1.0).abs() < 1e-10, "{found:?}");
         assert!(

@@ -38,13 +38,13 @@ pub(super) fn check_applicability(
     };
     match given {
         Some(given) if !applies => {
-            let allowed = table.iter().filter(|p| match &p.applies {
+            let applicable = table.iter().filter(|p| match &p.applies {
                 Some(other) => {
                     other.governor == governor && chosen.iter().any(|value| other.allows(value))
                 }
                 None => true,
             });
-            let allowed: Vec<&str> = allowed.map(|p| &*p.name).collect();
+            let allowed: Vec<&str> = applicable.map(|p| &*p.name).collect();
             let message = format!(
                 "does not apply to {governor} {}, only to {wanted}; allowed: {}",
                 chosen.join(", "),

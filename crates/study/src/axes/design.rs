@@ -46,8 +46,8 @@ impl BlockDraft {
     /// Decodes the design of the block, and finds the parameters that it samples.
     pub fn design(&mut self, object: &Object, faults: &mut Faults) {
         let sampled = |given: &&ParameterDraft| given.interval.is_some();
-        let rows = self.parameters.iter().filter(sampled);
-        let rows: Vec<usize> = rows.map(|given| given.parameter).collect();
+        let ranges = self.parameters.iter().filter(sampled);
+        let rows: Vec<usize> = ranges.map(|given| given.parameter).collect();
         let path = object.path("design");
         let Some(node) = object.get("design") else {
             for given in self.parameters.iter().filter(sampled) {

@@ -106,9 +106,9 @@ fn axis(
             faults.must_be(node, path, "a value or a non-empty list");
         }
         Tree::List(items) => {
-            let values = items.iter().enumerate();
+            let numbered = items.iter().enumerate();
             let values =
-                values.filter_map(|(i, item)| value(item, &format!("{path}[{i}]"), row, faults));
+                numbered.filter_map(|(i, item)| value(item, &format!("{path}[{i}]"), row, faults));
             given.values = values.collect();
             given.places = items.iter().map(|item| item.at).collect();
         }

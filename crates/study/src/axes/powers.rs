@@ -69,13 +69,13 @@ fn log2(x: f64) -> [f64; 2] {
     let s = u * v;
     let s_upper = upper(s);
     let half = (m.to_bits() >> 33) as u32 | 0x2000_0000;
-    let sum = half + 0x8_0000 + (u32::from(by_1_5) << 18);
-    let sum = f64::from_bits(u64::from(sum) << 32);
+    let bits = half + 0x8_0000 + (u32::from(by_1_5) << 18);
+    let sum = f64::from_bits(u64::from(bits) << 32);
     let s_lower = v * ((u - s_upper * sum) - s_upper * (m - (sum - c)));
     let s2 = s * s;
     let [a, b, c, d, e, f] = SERIES;
-    let rest = s2 * s2 * (a + s2 * (b + s2 * (c + s2 * (d + s2 * (e + s2 * f)))));
-    let rest = rest + s_lower * (s_upper + s);
+    let series = s2 * s2 * (a + s2 * (b + s2 * (c + s2 * (d + s2 * (e + s2 * f)))));
+    let rest = series + s_lower * (s_upper + s);
     let s2 = s_upper * s_upper;
     let t = upper(3.0 + s2 + rest);
     let t_lower = rest - ((t - 3.0) - s2);

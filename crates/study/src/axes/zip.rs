@@ -36,13 +36,12 @@ pub(crate) fn zip(
             faults.add(group.at, &path, "needs at least two parameters");
             continue;
         }
-        let lens = rows
+        let lens: Vec<(&str, usize)> = rows
             .iter()
-            .map(|row| (&*table[*row].name, draft.count(*row)));
-        let lens: Vec<(&str, usize)> = lens.collect();
+            .map(|row| (&*table[*row].name, draft.count(*row)))
+            .collect();
         if lens.iter().any(|(_, len)| *len != lens[0].1) {
-            let counts = lens.iter().map(|(name, len)| format!("{name} has {len}"));
-            let counts: Vec<String> = counts.collect();
+            let counts = Vec::from_iter(lens.iter().map(|(name, len)| format!("{name} has {len}")));
             let message = format!(
                 "needs the same number of values of each; {}",
                 counts.join(", ")

@@ -94,8 +94,8 @@ impl Study {
             let mut cases = firsts.iter();
             cases.any(|case| !Value::identical(case.values[*row], firsts[0].values[*row]))
         };
-        let rows = (0..table.len()).filter(differs);
-        let rows: Vec<usize> = rows
+        let differing = (0..table.len()).filter(differs);
+        let rows: Vec<usize> = differing
             .filter(|row| Some(*row) != tests && !derived(*row))
             .collect();
         let names_only = |row: &&usize| matches!(table[**row].kind, Kind::Choice(_));

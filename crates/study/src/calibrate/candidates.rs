@@ -110,9 +110,9 @@ impl<'a> Candidates<'a> {
     pub fn candidate(&self, positions: &[u64]) -> Option<Alternative> {
         let problem = &*self.study.problem;
         let first = self.first(positions);
-        let raws = self.physical.iter().map(|raw| first + raw);
-        let raws = raws.filter(|raw| self.block().is_case(problem, *raw));
-        let raws: Vec<u64> = raws.collect();
+        let shifted = self.physical.iter().map(|raw| first + raw);
+        let of_cases = shifted.filter(|raw| self.block().is_case(problem, *raw));
+        let raws: Vec<u64> = of_cases.collect();
         (!raws.is_empty()).then_some(Alternative {
             name: String::new(),
             values: Vec::new(),

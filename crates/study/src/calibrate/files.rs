@@ -73,8 +73,8 @@ fn moved(text: &str, from: &Path, to: &Path) -> Option<String> {
         false => path.to_owned(),
     };
     let (file, to) = (file.canonicalize().ok()?, here(to).canonicalize().ok()?);
-    let shared = file.components().zip(to.components());
-    let shared = shared.take_while(|(a, b)| a == b).count();
+    let pairs = file.components().zip(to.components());
+    let shared = pairs.take_while(|(a, b)| a == b).count();
     if shared == 0 {
         // Another drive of Windows.
         return file.to_str().map(str::to_owned);

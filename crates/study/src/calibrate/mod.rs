@@ -57,8 +57,8 @@ impl Study {
     /// free parameters are not searched here, in words.
     pub fn notes(&self) -> Vec<String> {
         let table = self.problem.parameters();
-        let names = self.calibrate.iter().flat_map(|calibrate| &calibrate.free);
-        let names: Vec<&str> = names
+        let parameters = self.calibrate.iter().flat_map(|calibrate| &calibrate.free);
+        let names: Vec<&str> = parameters
             .map(|parameter| &*table[parameter.parameter].name)
             .collect();
         let free = (!names.is_empty()).then(|| {

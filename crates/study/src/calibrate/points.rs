@@ -104,8 +104,8 @@ impl PointCases<'_> {
                     let condition = block.when.as_ref().map_or("", |when| &when.text);
                     Some(format!("when: {condition} is not met"))
                 };
-                let refused = Violation::all(&violations);
-                let refused = refused.or_else(|| (met != Some(true)).then(unmet)?);
+                let violated = Violation::all(&violations);
+                let refused = violated.or_else(|| (met != Some(true)).then(unmet)?);
                 let next = cases.len() as u64;
                 cases.push_at(next, &case, refused);
             }
@@ -131,7 +131,7 @@ impl PointCases<'_> {
             },
         };
         let groups = template.groups.iter().zip(&positions).map(one);
-        let points = |(i, free): (usize, &Free)| Axis {
+        let axis = |(i, free): (usize, &Free)| Axis {
             parameter: free.parameter,
             values: values
                 .iter()
@@ -139,7 +139,7 @@ impl PointCases<'_> {
                 .collect(),
         };
         let points = AxisGroup {
-            axes: self.free.iter().enumerate().map(points).collect(),
+            axes: self.free.iter().enumerate().map(axis).collect(),
         };
         let groups = groups.chain([points]);
         let mut block = Block::of(groups.filter(|group| !group.axes.is_empty()).collect());

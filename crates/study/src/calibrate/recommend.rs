@@ -69,8 +69,8 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
         let places = names(node, &path, "number in over", &allowed, faults);
         places.map(|places| places.into_iter().map(|index| chosen[index]).collect())
     });
-    let within = object.need(WITHIN, KEYS[1].1, faults);
-    let within = within.map(|node| {
+    let within_node = object.need(WITHIN, KEYS[1].1, faults);
+    let within = within_node.map(|node| {
         let path = object.path(WITHIN);
         let mut rows = Vec::new();
         let Some(metrics) = Object::of_any_keys(node, &path, faults) else {

@@ -78,8 +78,8 @@ impl Study {
             .problem
             .as_textbook()
             .and_then(|textbook| textbook.cost_rows(&self.metrics));
-        let same = deciding.and_then(|rows| cases.common(rows.into_iter()));
-        let same = same.map(|case| self.work(&case));
+        let common = deciding.and_then(|rows| cases.common(rows.into_iter()));
+        let same = common.map(|case| self.work(&case));
         let mut shown = cases.shown();
         (0..cases.len()).map(move |row| match (cases.may_be_solved(row), same) {
             (true, Some(same)) => same,

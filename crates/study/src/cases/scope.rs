@@ -236,8 +236,8 @@ impl Scope {
         let unsuitable = |block: &Block| {
             described.applies.as_ref().is_some_and(|on| {
                 let row = table.iter().position(|p| p.name == on.governor);
-                let names = row.map(|row| block.levels(&*self.problem, filter, row));
-                let mut names = names.iter().flatten();
+                let levels = row.map(|row| block.levels(&*self.problem, filter, row));
+                let mut names = levels.iter().flatten();
                 names.all(|name| !on.allows(name.name()))
             })
         };

@@ -27,7 +27,7 @@ pub fn parse(
     let uses = formula
         .uses()
         .iter()
-        .filter_map(|row| row.checked_sub(from));
-    let uses = uses.collect();
+        .filter_map(|row| row.checked_sub(from))
+        .collect();
     Ok((formula, uses))
 }

@@ -73,8 +73,8 @@ impl Computed {
 pub(super) fn metrics_of(measures: &[Measure], row: usize, parameters: usize) -> Vec<usize> {
     let measure = &measures[row];
     let of_measure = measure.metric.into_iter();
-    let used = measure.computed.iter();
-    let used = used.flat_map(|computed| computed.uses(parameters));
+    let formulas = measure.computed.iter();
+    let used = formulas.flat_map(|computed| computed.uses(parameters));
     let reduced = measure.reduction.iter().map(|reduction| reduction.of);
     // A measure is computed from earlier ones.
     let parts = used.chain(reduced).filter(|part| *part < row);

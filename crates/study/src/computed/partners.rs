@@ -153,8 +153,8 @@ impl Levels {
             return index.unwrap_or(NOWHERE);
         };
         let next = self.numbers.partition_point(|level| *level < x);
-        let near = next.saturating_sub(1)..self.numbers.len().min(next + 1);
-        let mut near = near.filter(|index| Value::Number(self.numbers[*index]).matches(value));
+        let range = next.saturating_sub(1)..self.numbers.len().min(next + 1);
+        let mut near = range.filter(|index| Value::Number(self.numbers[*index]).matches(value));
         near.next().unwrap_or(NOWHERE)
     }
 }

@@ -25,13 +25,13 @@ fn of_columns(study: &Study) -> Vec<&str> {
 
 #[test]
 fn columns_are_what_the_study_names_and_not_its_parts() {
-    let study = study(
+    let decoded = study(
         r#"["peak(m)", "peak(m)/h", {"drift": {"value": "max(m)/h", "unit": "rad", "title": "drift_x"}, "same": "peak(m)"},
             {"twice": "2*late", "late": "drift relative to k = 100"}]"#,
         r#", "checks": [{"metric": "sqrt(peak(f.S)/F1)", "min": 0}, {"metric": "drift", "max": 1}],
            "reductions": ["median rms(m)/h over seed", "greatest peak(m)/h relative to k = 100, h = 2 over seed"]"#,
     );
-    let study = study.unwrap_or_else(|why| panic!("{why}"));
+    let study = decoded.unwrap_or_else(|why| panic!("{why}"));
     assert_eq!(
         of_columns(&study),
         [
@@ -47,8 +47,8 @@ fn columns_are_what_the_study_names_and_not_its_parts() {
         ]
     );
     // What they are made of is computed.
-    let metrics = study.metrics.iter();
-    let metrics: Vec<&str> = metrics
+    let rows = study.metrics.iter();
+    let metrics: Vec<&str> = rows
         .map(|row| &*study.problem.metrics()[*row].name)
         .collect();
     assert_eq!(metrics, ["peak(m)", "max(m)", "rms(m)", "peak(f.S)"]);
@@ -64,8 +64,10 @@ fn columns_are_what_the_study_names_and_not_its_parts() {
         ratio.symbol,
         "peak displacement of m / *h* relative to *k* = 100, *h* = 2"
     );
-    let late = study.computed().filter(|(.., computed)| computed.late);
-    let late: Vec<&str> = late.map(|(_, measure, _)| measure.name.as_str()).collect();
+    let marked = study.computed().filter(|(.., computed)| computed.late);
+    let late: Vec<&str> = marked
+        .map(|(_, measure, _)| measure.name.as_str())
+        .collect();
     assert_eq!(late.len(), 3, "{late:?}");
     // Each stands behind those that it is computed from.
     for (row, _, computed) in study.computed() {
@@ -185,11 +187,11 @@ fn arithmetic_is_of_all_problems() {
     );
     let why = study(r#"["peak_forc"]"#).unwrap_err();
     assert!(why.contains("did you mean \"peak_force\"?"), "{why}");
-    let why = parse(
+    let parsed = parse(
         "s",
         r#"{"problem": "bar-impact", "parameters": {"gamma": 1, "n": 4, "dt": 0.01, "duration": 1.5}, "names": {"n": ["a"]}}"#,
     );
-    let why = why.unwrap_err().to_string();
+    let why = parsed.unwrap_err().to_string();
     assert!(
         why.contains("only a study with \"problem\": \"structure\" names"),
         "{why}"
@@ -248,8 +250,8 @@ fn partners_are_those_of_a_comparison_with_all() {
         let Rule::Ratio(_, reference) = &computed.rule else {
             panic!("{}", measure.name);
         };
-        let others = cases.iter().filter(|case| reference.filter.matches(case));
-        let others: Vec<Case> = others.cloned().collect();
+        let matching = cases.iter().filter(|case| reference.filter.matches(case));
+        let others: Vec<Case> = matching.cloned().collect();
         let mut partners = Partners::new(reference, others.iter());
         for case in &cases {
             let partner = partners.find(case);

@@ -18,10 +18,10 @@ pub(super) fn columns(
     let shown = |figure: &Figure| figure.kind.decoded().measures(problem);
     let drawn = figures.iter().flat_map(shown);
     let checked = checks.iter().map(|check| check.metric);
-    let reduced = measures.iter().enumerate();
-    let reduced = reduced.filter_map(|(row, measure)| Some([row, measure.reduction.as_ref()?.of]));
-    let named = listed.named.iter().copied().chain(checked);
-    let named: Vec<usize> = named.chain(reduced.flatten()).chain(drawn).collect();
+    let rows = measures.iter().enumerate();
+    let reduced = rows.filter_map(|(row, measure)| Some([row, measure.reduction.as_ref()?.of]));
+    let given = listed.named.iter().copied().chain(checked);
+    let named: Vec<usize> = given.chain(reduced.flatten()).chain(drawn).collect();
     let count = problem.parameters().len();
     let all_of = |row: &usize| computed::metrics_of(measures, *row, count);
     let needed: Vec<usize> = named
@@ -33,8 +33,8 @@ pub(super) fn columns(
     let named_metrics: Vec<usize> = of_named.collect();
     let parts: Vec<usize> = listed.columns.iter().flat_map(all_of).collect();
     let described = problem.schema().described;
-    let metrics = problem.metrics().iter().enumerate();
-    let metrics: Vec<usize> = metrics
+    let metric_rows = problem.metrics().iter().enumerate();
+    let metrics: Vec<usize> = metric_rows
         .filter(|(row, metric)| metric.default || needed.contains(row))
         .map(|(row, _)| row)
         .collect();
@@ -42,12 +42,12 @@ pub(super) fn columns(
         let usual = problem.metrics()[*row].default && !described;
         parts.contains(row) && !named_metrics.contains(row) && !usual
     };
-    let columns: Vec<usize> = metrics
+    let shown: Vec<usize> = metrics
         .iter()
         .copied()
         .filter(|row| !is_part(row))
         .collect();
-    let mut columns = measure::columns(measures, &columns);
+    let mut columns = measure::columns(measures, &shown);
     columns.extend(&listed.columns);
     (metrics, columns)
 }

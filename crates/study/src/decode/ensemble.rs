@@ -12,8 +12,8 @@ const MOST: u64 = 10_000_000;
 pub(super) fn ensemble(object: &Object, scope: &Scope, faults: &mut Faults) -> Option<Vec<usize>> {
     let node = object.get("ensemble")?;
     let (path, before) = (object.path("ensemble"), faults.count());
-    let rows = names(node, &path, "parameter", &scope.parameters(), faults);
-    let rows = rows.unwrap_or_default();
+    let listed = names(node, &path, "parameter", &scope.parameters(), faults);
+    let rows = listed.unwrap_or_default();
     let blocks = scope.blocks.iter();
     let count = blocks.fold(0, |sum: u64, block| sum.saturating_add(block.raw_len()));
     if count > MOST {

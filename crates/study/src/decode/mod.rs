@@ -92,8 +92,8 @@ impl Input {
         let mut root = tree_of(&self.file, &self.text)?;
         let mut texts = Texts::new(&self.file, &self.text);
         let settings = self.settings.iter();
-        let starts = settings.map(|setting| texts.push(setting.source(), setting.text()));
-        let starts: Vec<usize> = starts.collect();
+        let pushed = settings.map(|setting| texts.push(setting.source(), setting.text()));
+        let starts: Vec<usize> = pushed.collect();
         let mut faults = Faults::default();
         let seed = self
             .sets_record()

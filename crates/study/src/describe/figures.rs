@@ -14,8 +14,8 @@ pub(super) fn reference() -> String {
     });
     let several: Vec<String> = several.collect();
     let kinds: Vec<String> = KINDS.iter().map(|kind| section(kind, &shared)).collect();
-    let scales = KINDS.iter().filter(|kind| kind.keys.iter().any(is_scale));
-    let scales = of_kinds(&scales.map(|kind| kind.name).collect::<Vec<_>>());
+    let with_scales = KINDS.iter().filter(|kind| kind.keys.iter().any(is_scale));
+    let scales = of_kinds(&with_scales.map(|kind| kind.name).collect::<Vec<_>>());
     format!(
         "{}\n\nKeys of several kinds:\n\n{}\n- `x_scale`, `y_scale`, `z_scale`, `colour_scale` of {scales}: linear or log; \
          if left out linear, in `front` log\n\nThe kinds, with their own keys; bold ones are required:\n\n{}",
@@ -79,11 +79,11 @@ fn section(kind: &Kind, shared: &[(&Key, Vec<&str>)]) -> String {
         .keys
         .iter()
         .filter(|key| key.required || !is_above(key));
-    let keys = shown.map(|key| match is_above(key) {
+    let described = shown.map(|key| match is_above(key) {
         true => name(key),
         false => format!("{} ({})", name(key), without_axis(key.meaning)),
     });
-    let keys: Vec<String> = keys.collect();
+    let keys: Vec<String> = described.collect();
     match keys.is_empty() {
         true => format!("- `{}`: {}", kind.name, kind.meaning),
         false => format!(

@@ -26,8 +26,8 @@ fn in_words() -> String {
         };
         words.replace("{}", part)
     });
-    let channels = WORDS.iter().zip(&words);
-    let channels: Vec<(&str, &str)> = channels.map(|(row, words)| (row.0, &**words)).collect();
+    let rows = WORDS.iter().zip(&words);
+    let channels: Vec<(&str, &str)> = rows.map(|(row, words)| (row.0, &**words)).collect();
     format!(
         "Figures write channels in words with the unit, as in \"Displacement of g1.right relative to p2, m\". A metric has words before \
          them: \"Peak contact force of gap12, kN\". `\"names\"` of the study gives other words, to a channel, or to a contact for all of \

@@ -239,9 +239,8 @@ fn hazard(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<[f64; 2]>>
         )
     };
     // Collected first, so that every faulty number is reported.
-    let points: Vec<Option<[f64; 2]>> = items.iter().enumerate().map(point).collect();
-    let points: Option<Vec<[f64; 2]>> = points.into_iter().collect();
-    let points = points?;
+    let read: Vec<Option<[f64; 2]>> = items.iter().enumerate().map(point).collect();
+    let points = read.into_iter().collect::<Option<Vec<[f64; 2]>>>()?;
     let wrong = |pair: &[[f64; 2]]| pair[1][0] <= pair[0][0] || pair[1][1] >= pair[0][1];
     if let Some(i) = points.windows(2).position(wrong) {
         let message = "must have a larger x and a smaller frequency than the point before";

@@ -28,8 +28,8 @@ pub(super) fn check(checker: &mut Checker, x: Option<usize>, by: Option<usize>, 
                 format!("{name} follows from other parameters; choose one that the study gives")
             }
             (false, _) => {
-                let names: Vec<&str> = ensemble.iter().map(|row| &*table[*row].name).collect();
-                let names = names.join(", ");
+                let varied: Vec<&str> = ensemble.iter().map(|row| &*table[*row].name).collect();
+                let names = varied.join(", ");
                 format!("{name} changes with the ensemble over {names}; choose another one")
             }
         };

@@ -160,8 +160,8 @@ fn unsuitable(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) 
                 Needs::OneContact => "no single contact",
                 Needs::Profiles | Needs::Nothing | Needs::Ensemble => "no profiles",
             };
-            let others = KINDS.iter().filter(|other| other.suits(&*scope.problem));
-            let others: Vec<&str> = others.map(|other| other.name).collect();
+            let suitable = KINDS.iter().filter(|other| other.suits(&*scope.problem));
+            let others: Vec<&str> = suitable.map(|other| other.name).collect();
             let message = format!("{problem} has {lacks}; allowed: {}", others.join(", "));
             faults.add(member.node.at, &object.path("kind"), message);
         }

@@ -18,8 +18,8 @@ pub fn hidden(
 ) -> Option<String> {
     let table = scope.problem.parameters();
     let name = &table[row].name;
-    let over = reduction.over.iter().map(|row| &*table[*row].name);
-    let over = over.collect::<Vec<_>>().join(", ");
+    let names = reduction.over.iter().map(|row| &*table[*row].name);
+    let over = names.collect::<Vec<_>>().join(", ");
     if reduction.over.contains(&row) {
         return Some(format!("the metrics are reduced over {name}"));
     }

@@ -25,10 +25,10 @@ pub fn reduced_cases(
     shown: &[usize],
     each: impl FnOnce(&mut TakeCase),
 ) -> Option<Vec<CaseMetrics>> {
-    let reductions = shown
+    let reductions: Vec<(usize, &Reduction)> = shown
         .iter()
-        .filter_map(|row| Some((*row, study.reduction(*row)?)));
-    let reductions: Vec<(usize, &Reduction)> = reductions.collect();
+        .filter_map(|row| Some((*row, study.reduction(*row)?)))
+        .collect();
     let (_, first) = reductions.first()?;
     let mut groups = Groups::new(reductions.iter().map(|(_, reduction)| *reduction).collect());
     let mut found: Vec<CaseMetrics> = Vec::new();

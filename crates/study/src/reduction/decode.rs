@@ -142,8 +142,8 @@ impl Scope<'_> {
             }
             return operator;
         };
-        let p = Formula::number(number, &[]).and_then(|formula| formula.value(&|_| None));
-        let p = p.ok().filter(|p| Range::UpToOne.contains(*p));
+        let read = Formula::number(number, &[]).and_then(|formula| formula.value(&|_| None));
+        let p = read.ok().filter(|p| Range::UpToOne.contains(*p));
         if p.is_none() {
             let number = quoted(number);
             fault(format!(

@@ -63,8 +63,8 @@ impl<'a> Folder<'a> {
 
     /// The files that were read, by name.
     pub fn into_files(self) -> Vec<ReadFile> {
-        let read = self.read.into_inner();
-        let read = read.unwrap_or_else(PoisonError::into_inner);
+        let unlocked = self.read.into_inner();
+        let read = unlocked.unwrap_or_else(PoisonError::into_inner);
         read.into_values().collect()
     }
 }

@@ -97,8 +97,8 @@ impl Ranges<'_> {
         if depth > DEEPEST || rows.len() > MOST {
             return None;
         }
-        let ends = rows.iter().map(|row| self.of_parameter(*row, depth));
-        let ends: Vec<[f64; 2]> = ends.collect::<Option<_>>()?;
+        let intervals = rows.iter().map(|row| self.of_parameter(*row, depth));
+        let ends: Vec<[f64; 2]> = intervals.collect::<Option<_>>()?;
         let value = |corner: usize| {
             let of = |row: usize| {
                 let index = rows.iter().position(|known| *known == row)?;
@@ -112,13 +112,13 @@ impl Ranges<'_> {
 
     fn of_parameter(&self, row: usize, depth: usize) -> Option<[f64; 2]> {
         let given = self.draft.get(row)?;
-        let values = given.values.iter().filter_map(Value::as_f64);
-        let values = values.map(|x| [x, x]);
+        let numbers = given.values.iter().filter_map(Value::as_f64);
+        let values = numbers.map(|x| [x, x]);
         let interval = given.interval.map(|interval| interval.ends());
         let formula = given.formula.as_ref();
-        let formula = formula.and_then(|(formula, _)| self.of(formula, depth + 1));
+        let of_formula = formula.and_then(|(formula, _)| self.of(formula, depth + 1));
         let free = self.free.0.iter().filter(|pair| pair.0 == row);
-        let known = values.chain(interval).chain(formula);
+        let known = values.chain(interval).chain(of_formula);
         known.chain(free.map(|pair| pair.1)).reduce(joined)
     }
 }

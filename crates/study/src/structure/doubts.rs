@@ -42,11 +42,10 @@ pub(super) fn notes(template: &Template, names: &Names, structure: &Node) -> Vec
 
 /// A ground or a support whose motions in x and y get each a factor of its own, though it is not said.
 fn scaled_apart(structure: &Node) -> Option<String> {
-    let supports = given::member(structure, "supports").map(given::members);
-    let supports = supports.unwrap_or_default().iter();
-    let supports = supports.map(|support| (format!("support {}", support.key), &support.node));
-    let ground = given::member(structure, "ground");
-    let ground = ground.map(|motion| ("ground".to_owned(), motion));
+    let members = given::member(structure, "supports").map(given::members);
+    let listed = members.unwrap_or_default().iter();
+    let supports = listed.map(|support| (format!("support {}", support.key), &support.node));
+    let ground = given::member(structure, "ground").map(|motion| ("ground".to_owned(), motion));
     let is_apart = |part: &(String, &Node)| {
         ["x", "y"].iter().all(|key| {
             let motion = given::member(part.1, key);
@@ -81,8 +80,8 @@ fn small_set(template: &Template) -> Option<String> {
 fn idle_ground(template: &Template) -> Option<String> {
     let masses = template.masses.iter().map(|mass| mass.direction);
     let bars = template.bars.iter().map(|bar| bar.direction);
-    let rows = template.matrices.iter();
-    let rows = rows.flat_map(|matrices| matrices.imported.dofs.rows());
+    let matrices = template.matrices.iter();
+    let rows = matrices.flat_map(|matrices| matrices.imported.dofs.rows());
     let moving: Vec<Direction> = masses
         .chain(bars)
         .chain(rows.map(|dof| dof.direction))

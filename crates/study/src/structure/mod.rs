@@ -65,14 +65,15 @@ pub(super) fn problem(
     let of_supports = all_of("supports", "support", faults);
     parts::check_spring_names(&object, &mut taken, faults);
     crate::structure::motions::supports::refuse_ground(&object, faults);
-    let directions = of_supports.iter();
-    let directions = directions.map(|(name, node, _)| {
-        (
-            name.clone(),
-            crate::structure::motions::supports::directions(node),
-        )
-    });
-    let directions: Vec<_> = directions.collect();
+    let directions: Vec<_> = of_supports
+        .iter()
+        .map(|(name, node, _)| {
+            (
+                name.clone(),
+                crate::structure::motions::supports::directions(node),
+            )
+        })
+        .collect();
     if masses.is_empty() && bars.is_empty() && of_matrices.is_empty() && faults.count() == before {
         object.fault("has no node; give masses, bars or matrices", faults);
     }
@@ -113,10 +114,10 @@ pub(super) fn problem(
     reader.names = Names::new(masses_named, bars_named, named.collect()).with_supports(directions);
     let reader = reader;
     let modes = matrices::modes(&of_matrices, &reader, faults);
-    let springs = object.items("springs", faults, |node, path, faults| {
+    let groups = object.items("springs", faults, |node, path, faults| {
         springs::springs(node, path, &reader, faults)
     });
-    let springs: Vec<_> = springs.into_iter().flatten().collect();
+    let springs: Vec<_> = groups.into_iter().flatten().collect();
     // Before the contacts, whose vertical motions may get its factor.
     let ground = crate::structure::motions::ground::ground(&object, &reader, faults);
     let mut template = Template {
@@ -154,11 +155,11 @@ pub(super) fn problem(
             .iter()
             .any(|contact| contact.split('.').next() == Some(name))
     };
-    let faulty = of_contacts.iter().filter(|(name, ..)| !part(name));
-    let faulty: Vec<String> = faulty.map(|(name, ..)| name.clone()).collect();
+    let unread = of_contacts.iter().filter(|(name, ..)| !part(name));
+    let faulty: Vec<String> = unread.map(|(name, ..)| name.clone()).collect();
     contacts.extend(faulty);
-    let known = reader.names.clone().with_contacts(contacts);
-    let known = known.with_structure(template.names());
+    let names = reader.names.clone().with_contacts(contacts);
+    let known = names.with_structure(template.names());
     let named = (&mut parameters[..], &known);
     let shown = crate::structure::named::shown::shown(root, named, &reader, faults);
     let mut metrics = crate::structure::named::named_metrics::metrics(root, &known, faults);
@@ -206,8 +207,8 @@ pub(super) fn problem(
     let mut notes = crate::structure::motions::records::notes(&reader);
     notes.extend(crate::structure::reading::files::early_note(&reader));
     notes.extend(doubts::notes(&template, &reader.names, node));
-    let of_measured = root.get(keys::KEY.0).zip(template.measured.as_ref());
-    let of_measured = of_measured.map(|(node, measured)| (node, measured.delays));
+    let given = root.get(keys::KEY.0).zip(template.measured.as_ref());
+    let of_measured = given.map(|(node, measured)| (node, measured.delays));
     let set = template.set().map(|set| set.1);
     let identity = identity::identity(node, (of_measured, set), &reader.records.borrow());
     let schema = schema::schema(

@@ -84,8 +84,8 @@ impl Subset {
         font.widths().consecutive(1, widths);
         font.finish();
 
-        let outlines = FontRef::new(font::bytes(face)).and_then(|font| Metrics::of(&font));
-        let outlines = outlines.map_err(|error| fault(error.to_string()))?;
+        let read = FontRef::new(font::bytes(face)).and_then(|font| Metrics::of(&font));
+        let outlines = read.map_err(|error| fault(error.to_string()))?;
         let slant = if italic {
             FontFlags::ITALIC
         } else {
@@ -111,10 +111,10 @@ impl Subset {
 
         let subset = subsetter::subset(font::bytes(face), 0, &self.codes)
             .map_err(|error| fault(error.to_string()))?;
-        let outlines = FontRef::new(&subset)
+        let table = FontRef::new(&subset)
             .and_then(|tables| tables.expect_data_for_tag(Tag::new(b"CFF ")))
             .map_err(|error| fault(error.to_string()))?;
-        let outlines = compressed(outlines.as_bytes());
+        let outlines = compressed(table.as_bytes());
         let mut stream = pdf.stream(program, &outlines);
         stream.filter(Filter::FlateDecode);
         stream.pair(Name(b"Subtype"), Name(b"CIDFontType0C"));

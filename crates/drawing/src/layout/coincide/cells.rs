@@ -176,10 +176,10 @@ impl Cells {
                 joined(&mut parts, [from, to], 0.0);
             }
         }
-        let long = stretches
+        let long: Vec<[f64; 2]> = stretches
             .into_iter()
-            .filter(|[from, to]| to - from >= LEAST);
-        let long: Vec<[f64; 2]> = long.collect();
+            .filter(|[from, to]| to - from >= LEAST)
+            .collect();
         parts.retain(|part| {
             long.iter()
                 .any(|[from, to]| part[0] >= *from && part[1] <= *to)

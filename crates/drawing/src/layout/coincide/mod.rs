@@ -137,8 +137,7 @@ impl Covering {
 
 /// The curves of a panel in the order of drawing, if they are more than one.
 fn covering(panel: &Panel, curves: &[bool]) -> Vec<Covering> {
-    let order = order(panel).into_iter().filter(|k| curves[*k]);
-    let order: Vec<usize> = order.collect();
+    let order = Vec::from_iter(order(panel).into_iter().filter(|k| curves[*k]));
     let cells = Cells::of(panel);
     let of = |series: &usize| {
         let path = cells.path(panel, &panel.series[*series]);
@@ -169,14 +168,14 @@ fn gaps(panel: &Panel, curves: &[bool]) -> Vec<Gap> {
     };
     let mut gaps = Vec::new();
     for (j, covering) in coverings.iter().enumerate() {
-        let under = coverings[..j]
+        let lower = coverings[..j]
             .iter()
             .filter(|under| alternate(under, covering));
-        let under: Vec<&[bool]> = under.map(|under| under.cells(covering)).collect();
-        let over = coverings[j + 1..]
+        let under: Vec<&[bool]> = lower.map(|under| under.cells(covering)).collect();
+        let upper = coverings[j + 1..]
             .iter()
             .filter(|over| alternate(covering, over));
-        let over: Vec<&[bool]> = over.map(|over| over.cells(covering)).collect();
+        let over: Vec<&[bool]> = upper.map(|over| over.cells(covering)).collect();
         if under.is_empty() {
             continue;
         }
@@ -189,10 +188,10 @@ fn gaps(panel: &Panel, curves: &[bool]) -> Vec<Gap> {
 
 /// Gives black curves without markers that coincide nearly everywhere markers in turn; the label and marker of each.
 fn mark(panel: &mut Panel) -> Vec<(String, Marker)> {
-    let bare = |series: &Series| {
+    let is_bare = |series: &Series| {
         is_curve(series) && series.marker.is_none() && series.stroke.colour() == [0; 3]
     };
-    let bare: Vec<bool> = panel.series.iter().map(bare).collect();
+    let bare: Vec<bool> = panel.series.iter().map(is_bare).collect();
     let coverings = covering(panel, &bare);
     let coincide = |a: &Covering, b: &Covering| {
         let widths = [a, b].map(|covering| panel.series[covering.series].width);

@@ -69,8 +69,8 @@ fn pair(off: impl Fn(f64) -> f64) -> Sheet {
 
 /// How many pixels of a sheet have each of the first colours of curves.
 fn pixels(sheet: &Sheet, colours: u8) -> Vec<usize> {
-    let raster = Raster::new(sheet.width, sheet.height, 600).unwrap();
-    let raster = Rc::new(RefCell::new(raster));
+    let blank = Raster::new(sheet.width, sheet.height, 600).unwrap();
+    let raster = Rc::new(RefCell::new(blank));
     draw(sheet, &raster, 600).unwrap();
     let (_, rgb) = raster.borrow().rgb();
     let count = |colour: [u8; 3]| {

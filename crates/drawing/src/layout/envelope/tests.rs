@@ -83,8 +83,8 @@ fn the_band_of_a_chirp_begins_where_its_period_gets_too_short() {
     assert_eq!([first, last], [band.lower[0], *band.lower.last().unwrap()]);
     // A period from x takes period(x) (1 - exp(-FALL)) / FALL. The band begins where that is 1.1 of the shortest: further
     // along it is less.
-    let begin = 1.1 * SHORTEST * FALL / (1.0 - libm::exp(-FALL));
-    let begin = (12.0 - begin) / FALL;
+    let least_period = 1.1 * SHORTEST * FALL / (1.0 - libm::exp(-FALL));
+    let begin = (12.0 - least_period) / FALL;
     // The band begins at the first turn after that place, and ends at the last turn. A period between samples is 0.02
     // points off at most, which moves the place by 0.02 / FALL.
     let (half, off) = (period(begin) / 2.0, 0.02 / FALL);
@@ -295,8 +295,7 @@ fn a_band_ends_at_the_frame() {
         height: 10.0,
     };
     // A triangle that a corner of the frame cuts: by hand.
-    let cut = clip::polygon(&[[5.0, 5.0], [15.0, 5.0], [5.0, 15.0]], &frame);
-    let mut cut: Vec<[f64; 2]> = cut;
+    let mut cut = clip::polygon(&[[5.0, 5.0], [15.0, 5.0], [5.0, 15.0]], &frame);
     cut.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     cut.dedup();
     assert_eq!(cut, [[5.0, 5.0], [5.0, 10.0], [10.0, 5.0], [10.0, 10.0]]);

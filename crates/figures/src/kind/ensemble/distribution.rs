@@ -45,12 +45,11 @@ impl Draw for Distribution {
             y_range,
             height / 24.0,
         );
-        let tests = self.y.iter().map(|metric| study.in_tests(*metric));
-        let tests: Vec<Option<Vec<f64>>> = tests.collect();
+        let tests = Vec::from_iter(self.y.iter().map(|metric| study.in_tests(*metric)));
         let across = |(metric, tests): (&usize, &Option<Vec<f64>>)| {
-            let values = found.iter().flat_map(|of| of.cases.iter());
-            let values = values.filter_map(|shown| shown.metric(*metric));
-            let values = values.chain(tests.iter().flatten().copied());
+            let cases = found.iter().flat_map(|of| of.cases.iter());
+            let computed = cases.filter_map(|shown| shown.metric(*metric));
+            let values = computed.chain(tests.iter().flatten().copied());
             let title = &study.title(*metric);
             limits::axis(title, values, self.x_scale, x_range, width / 50.0)
         };

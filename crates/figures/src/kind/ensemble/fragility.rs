@@ -49,8 +49,8 @@ impl Draw for Fragility {
             height / 24.0,
         );
         let grid = layout::grid(width, 1, &[height], std::slice::from_ref(&y_axis), 4.0);
-        let places = found.iter().zip(curves);
-        let places = places.flat_map(|(_, curve)| drawn(curve)).map(|(at, _)| at);
+        let pairs = found.iter().zip(curves);
+        let places = pairs.flat_map(|(_, curve)| drawn(curve)).map(|(at, _)| at);
         let title = axis_title(self, study);
         let x_axis = limits::axis(&title, places, self.x_scale, x_range, grid.width / 40.0);
         let mut panel = Panel::new(grid.frames[0][0], grid.margin, x_axis, y_axis);

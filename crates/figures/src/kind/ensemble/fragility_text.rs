@@ -37,8 +37,8 @@ pub(super) fn small_print(
 ) {
     let fitted = curves.iter().take(shown).any(|of| of.fit.is_ok());
     let [points_are, curves_are] = words(figure.fit);
-    let parts = [Some(points_are), fitted.then_some(curves_are)];
-    let parts: Vec<&str> = parts.into_iter().flatten().collect();
+    let sentences = [Some(points_are), fitted.then_some(curves_are)];
+    let parts: Vec<&str> = sentences.into_iter().flatten().collect();
     layout::small_print(sheet, &parts.join(" "));
     match figure.collapse {
         Some(_) => {

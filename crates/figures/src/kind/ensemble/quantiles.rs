@@ -39,8 +39,7 @@ impl Draw for Quantiles {
         let [x_scale, y_scale] = self.scales;
         let up = |(metric, curves): (&usize, &Vec<Vec<Point>>)| {
             let points = curves.iter().flatten();
-            let ends = points.flat_map(|(x, of)| of.map(|y| [*x, y]));
-            let ends: Vec<[f64; 2]> = ends.collect();
+            let ends = Vec::from_iter(points.flat_map(|(x, of)| of.map(|y| [*x, y])));
             let values = limits::heights(ends.iter(), x_range).into_iter();
             let title = &study.title(*metric);
             limits::axis(title, values, y_scale, y_range, height / 24.0)
@@ -119,8 +118,7 @@ fn meaning(figure: &Quantiles, banded: bool) -> String {
 fn points_of(figure: &Quantiles, ensemble: &Ensemble, metric: usize) -> Vec<Point> {
     let [low, high] = figure.band;
     let point = |(x, cases): (f64, Vec<&DrawnCase>)| {
-        let values = cases.iter().filter_map(|shown| shown.metric(metric));
-        let mut values: Vec<f64> = values.collect();
+        let mut values = Vec::from_iter(cases.iter().filter_map(|shown| shown.metric(metric)));
         values.sort_unstable_by(f64::total_cmp);
         let of = |p| {
             quantile(&values, p)
@@ -138,8 +136,8 @@ fn bands(panel: &mut Panel, points: &[Point], stroke: Stroke) {
         let mut ends = of.iter().map(|y| panel.place([*x, *y]));
         ends.all(|end| end.iter().all(|v| v.is_finite()))
     };
-    let parts = points.chunk_by(|a, b| has_place(a) == has_place(b));
-    let parts: Vec<&[Point]> = parts.filter(|part| has_place(&part[0])).collect();
+    let chunks = points.chunk_by(|a, b| has_place(a) == has_place(b));
+    let parts: Vec<&[Point]> = chunks.filter(|part| has_place(&part[0])).collect();
     for part in parts {
         let edge = |which: usize| part.iter().map(|(x, of)| [*x, of[which]]).collect();
         panel.bands.push(Band {

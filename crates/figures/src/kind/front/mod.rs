@@ -43,16 +43,15 @@ impl Draw for Front {
         let width = figure.width.unwrap_or(style::MIDDLE);
         let legend = legend::Arrangement::of(&keys, width);
         let least = if panels.len() == 1 { 190.0 } else { 150.0 };
-        let rows = keys.iter().map(|keys| legend.height_over(keys));
-        let rows: Vec<f64> = rows.collect();
+        let rows = Vec::from_iter(keys.iter().map(|keys| legend.height_over(keys)));
         let heights: Vec<f64> = keys
             .iter()
             .map(|k| legend.height_beside(k).max(least))
             .collect();
         let [x_range, y_range] = figure.ranges;
         // Axes round the lines: the cases that are not among the best may be far away.
-        let drawn = panels.iter().flatten().flat_map(|line| &line.best);
-        let drawn: Vec<[f64; 2]> = drawn.map(|i| points[*i].at).collect();
+        let best = panels.iter().flatten().flat_map(|line| &line.best);
+        let drawn: Vec<[f64; 2]> = best.map(|i| points[*i].at).collect();
         let [x_title, y_title] = [self.x, self.y].map(|row| study.title(row));
         let values = limits::heights(drawn.iter(), x_range).into_iter();
         let y = limits::axis(&y_title, values, self.scales[1], y_range, least / 24.0);
@@ -85,8 +84,7 @@ impl Draw for Front {
                 marker: None,
                 marked: Vec::new(),
             });
-            let curves = lines.iter().map(|line| line.series(&points, &panel));
-            let curves: Vec<Series> = curves.collect();
+            let curves = Vec::from_iter(lines.iter().map(|line| line.series(&points, &panel)));
             panel.series.extend(curves);
             if last > 0 {
                 panel.caption = study.problem.parameters()[self.by[i]].symbol.to_string();
@@ -166,8 +164,8 @@ fn small_print(
     }
     let among = |row: &usize| {
         let digits = label::digits(best, *row);
-        let values = label::values(best, *row).into_iter().flatten();
-        let values: Vec<String> = values
+        let levels = label::values(best, *row).into_iter().flatten();
+        let values: Vec<String> = levels
             .map(|value| label::value(&table[*row], value, digits))
             .collect();
         let is = match table[*row].kind {

@@ -207,8 +207,8 @@ impl Draw for Map {
         let point = |shown: &DrawnCase| {
             let [x, y] = [self.x, self.y].map(|row| shown.number(row));
             let at = panel.place([x?, y?]);
-            let value = shown.metric(self.z);
-            let value = value.map_or("undefined".into(), number::plain_text);
+            let z = shown.metric(self.z);
+            let value = z.map_or("undefined".into(), number::plain_text);
             let [across, up] = [self.x, self.y].map(|row| plain(&parameters[row].symbol));
             let (x, y) = (number::plain_text(x?), number::plain_text(y?));
             let text = format!("{across} = {x}, {up} = {y}: {symbol} = {value}");
@@ -253,8 +253,8 @@ fn outside(values: &[f64], range: Option<[f64; 2]>) -> Option<String> {
     let count = |some: usize, word: &str, end: f64| {
         (some > 0).then(|| format!("{some} {word} {}", number::short(end)))
     };
-    let parts = [count(below, "below", low), count(above, "above", high)];
-    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    let counts = [count(below, "below", low), count(above, "above", high)];
+    let parts: Vec<String> = counts.into_iter().flatten().collect();
     (!parts.is_empty()).then(|| {
         format!(
             "Of {finite} values, {} lie outside of the range of colours.",

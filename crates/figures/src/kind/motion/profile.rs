@@ -29,8 +29,8 @@ impl Draw for Profile {
         let problem = &*study.problem;
         let width = figure.width.unwrap_or(style::DOUBLE);
         let [x_range, y_range] = figure.ranges;
-        let solved = cases.iter().copied();
-        let solved: Vec<DrawnCase> = solved
+        let given = cases.iter().copied();
+        let solved: Vec<DrawnCase> = given
             .filter(|c| c.snapshots().len() == times.len())
             .collect();
         let drawn = &solved[..solved.len().min(style::MOST_STYLES)];

@@ -32,8 +32,7 @@ impl Draw for Set {
         let count = shown.len();
         shown.truncate(MOST);
         let named = label::labels(study.problem.parameters(), &shown, None, &[]);
-        let drawn = shown.iter().filter_map(|shown| drawn(self, study, shown));
-        let drawn: Vec<(Vec<f64>, SetSpectra)> = drawn.collect();
+        let drawn = Vec::from_iter(shown.iter().filter_map(|shown| drawn(self, study, shown)));
         let height = if drawn.len() == 1 { 190.0 } else { 150.0 };
         let vertical = title(Ordinate::PseudoAcceleration, &units);
         let axes: Vec<_> = drawn
@@ -79,8 +78,8 @@ impl Draw for Set {
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, drawn.len(), count);
         let first = sheet.panels.first().map(|panel| &panel.series);
-        let keys = first.into_iter().flatten();
-        let mut keys: Vec<Key> = keys
+        let series = first.into_iter().flatten();
+        let mut keys: Vec<Key> = series
             .filter(|series| !series.label.is_empty())
             .map(Key::of)
             .collect();

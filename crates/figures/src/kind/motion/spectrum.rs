@@ -52,12 +52,12 @@ impl Draw for Spectrum {
                     continue;
                 };
                 let ratio = format!("*ζ* = {}", number::rounded(*ratio, ratios));
-                let parts = [
+                let words = [
                     of.map(str::to_owned),
                     (motions.len() > 1).then(|| name.clone()),
                     (self.damping.len() > 1 || motions.len() == 1).then_some(ratio),
                 ];
-                let parts: Vec<String> = parts.into_iter().flatten().collect();
+                let parts: Vec<String> = words.into_iter().flatten().collect();
                 curves.push((parts.join(", "), ordinates));
             }
         }

@@ -74,8 +74,8 @@ impl Limits {
             (None, Some(max)) => [moved(max, -STEM), max],
             (None, None) => return,
         };
-        let caps = self.min.into_iter().chain(self.max);
-        let caps = caps.map(|y| [[left, y], [right, y]]);
+        let limits = self.min.into_iter().chain(self.max);
+        let caps = limits.map(|y| [[left, y], [right, y]]);
         let lines: Vec<_> = std::iter::once(stem.map(|y| [self.at, y]))
             .chain(caps)
             .collect();

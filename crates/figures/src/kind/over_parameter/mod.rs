@@ -120,11 +120,11 @@ impl Curves<'_> {
                 reference::lines(&line_cases, &indices, &strokes, at, row)
             })
         };
-        let groups = match self.panels {
+        let levels = match self.panels {
             Some(row) if !cases.is_empty() => label::values(&cases, row),
             Some(_) | None => vec![None],
         };
-        let groups: Vec<Vec<usize>> = groups
+        let groups: Vec<Vec<usize>> = levels
             .into_iter()
             .map(|value| members(&cases, self.panels.map(|row| (row, value))))
             .collect();

@@ -74,12 +74,12 @@ fn describe(scheme: &Structure) -> String {
         .iter()
         .filter(|part| part.elements.is_some())
         .count();
-    let contacts = scheme.links.iter().filter(|link| !link.name.is_empty());
-    let contacts: Vec<&str> = contacts.map(|link| link.name.as_str()).collect();
+    let named = scheme.links.iter().filter(|link| !link.name.is_empty());
+    let contacts: Vec<&str> = named.map(|link| link.name.as_str()).collect();
     let bodies = scheme.parts.iter().filter(|part| !part::is_node(part));
     let parts: Vec<&str> = bodies.map(|part| part.name.as_str()).collect();
-    let models = scheme.parts.iter().filter(|part| part.model.is_some());
-    let models = models.count();
+    let with_model = scheme.parts.iter().filter(|part| part.model.is_some());
+    let models = with_model.count();
     let matrices = match models {
         0 => String::new(),
         _ => format!(", {models} matrices"),

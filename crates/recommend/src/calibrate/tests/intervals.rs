@@ -229,8 +229,8 @@ fn coordinates_without_influence_are_no_combination() {
 fn a_straight_valley_that_ends_at_a_bound_has_no_jumps() {
     // Only the sum of the first two coordinates is determined, and not quadratically; the best point is near the end of the first one.
     let value = |x: &[f64]| {
-        let sum = x[0] + x[1] - 0.8;
-        let sum = 300.0 * (sum + 3.0 * sum * sum);
+        let line = x[0] + x[1] - 0.8;
+        let sum = 300.0 * (line + 3.0 * line * line);
         let other = 30.0 * (x[2] - 0.6);
         (sum * sum + other * other + 1.0).sqrt()
     };

@@ -75,8 +75,8 @@ impl Decoder<'_, '_> {
             let (range, symbol) = match piece {
                 Piece::Metric(range) => {
                     let name = text[range.clone()].trim();
-                    let mut known = self.scope.measures.iter();
-                    let known = known.find(|measure| measure.name == name);
+                    let mut measures = self.scope.measures.iter();
+                    let known = measures.find(|measure| measure.name == name);
                     (range, known.map(|known| known.bare_symbol()))
                 }
                 Piece::Name(range) => {

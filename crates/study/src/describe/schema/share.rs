@@ -98,9 +98,9 @@ impl Parts {
 /// A part without its annotations, if it is long enough to be a definition, and its text.
 fn long(part: &Json) -> Option<(String, Json)> {
     let keys = part.as_object()?.iter();
-    let body = keys.filter(|(key, _)| !ANNOTATIONS.contains(&key.as_str()));
+    let kept = keys.filter(|(key, _)| !ANNOTATIONS.contains(&key.as_str()));
     let body = Json::Object(
-        body.map(|(key, value)| (key.clone(), value.clone()))
+        kept.map(|(key, value)| (key.clone(), value.clone()))
             .collect(),
     );
     let is_reference = body.as_object()?.len() == 1 && body["allOf"][0]["$ref"].is_string();

@@ -66,8 +66,8 @@ pub(crate) fn nearest<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
 fn synonym<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
     let synonym = SYNONYMS.iter().find(|(words, _)| words.contains(&name));
     let law = LAWS.iter().find(|law| law.offer.also.contains(&name));
-    let names = synonym.map_or(&[][..], |synonym| synonym.1).iter().copied();
-    let mut names = names.chain(law.map(|law| law.offer.name));
+    let of_synonym = synonym.map_or(&[][..], |synonym| synonym.1).iter().copied();
+    let mut names = of_synonym.chain(law.map(|law| law.offer.name));
     names.find_map(|right| allowed.iter().find(|known| **known == right).copied())
 }
 
@@ -98,10 +98,11 @@ fn begun<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
     if name.chars().count() < LEAST_BEGUN {
         return None;
     }
-    let longer = allowed
+    let longer: Vec<&str> = allowed
         .iter()
-        .filter(|right| plain(right).starts_with(name));
-    let longer: Vec<&str> = longer.copied().collect();
+        .filter(|right| plain(right).starts_with(name))
+        .copied()
+        .collect();
     if let Some(shortest) = longer.iter().min_by_key(|right| right.len()) {
         let is_start = longer.iter().all(|right| right.starts_with(shortest));
         return is_start.then_some(shortest);

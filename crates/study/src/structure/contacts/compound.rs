@@ -134,7 +134,7 @@ fn laws(
     };
     let is_series = is_series(list);
     let within = [within, &[is_series]].concat();
-    let items = items.iter().enumerate().map(|(i, item)| {
+    let decoded = items.iter().enumerate().map(|(i, item)| {
         let part = open(item, &format!("{path}[{i}]"), &PART, faults)?;
         match self::list(&part) {
             None => Some(Item::Law(Box::new(relation(&part, reader, faults)?))),
@@ -150,8 +150,8 @@ fn laws(
             }
         }
     });
-    let items: Vec<Option<Item>> = items.collect();
-    let items = items.into_iter().collect::<Option<_>>()?;
+    let read: Vec<Option<Item>> = decoded.collect();
+    let items = read.into_iter().collect::<Option<_>>()?;
     Some(Laws { is_series, items })
 }
 
@@ -210,10 +210,9 @@ fn in_series(
         factor: number(factor, at, path),
         tied: None,
     };
-    let inner: Option<Vec<NodeRef>> = (1..count)
+    let inner = (1..count)
         .map(|i| reader.names.node(&inner_node(name, i)))
-        .collect();
-    let inner = inner?;
+        .collect::<Option<Vec<NodeRef>>>()?;
     let is =
         |term: &Term, factor: f64| matches!(term.factor.source, Source::Number(x) if x == factor);
     let (first, last) = match along {

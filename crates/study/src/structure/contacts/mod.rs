@@ -269,8 +269,8 @@ fn normal(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Opti
     if members.iter().any(|member| member.key == "weight") {
         let object = open(node, path, WEIGHT, faults)?;
         let weight = reader.needed(&object, WEIGHT, "weight", faults);
-        let vertical = object.need("vertical", WEIGHT[1].1, faults)?;
-        let vertical = scaled(vertical, &object.path("vertical"), reader, faults);
+        let given = object.need("vertical", WEIGHT[1].1, faults)?;
+        let vertical = scaled(given, &object.path("vertical"), reader, faults);
         return Some(Normal::Weight {
             weight: weight?,
             vertical: vertical?,

@@ -67,8 +67,8 @@ pub(super) fn find(contacts: &mut [Contact], springs: &[Spring], faults: &mut Fa
                 }
                 (None, None) => {
                     let springs = springs.iter().map(|spring| spring.name.as_str());
-                    let known = names.iter().map(String::as_str).chain(springs);
-                    let known: Vec<&str> = known.filter(|name| !name.is_empty()).collect();
+                    let listed = names.iter().map(String::as_str).chain(springs);
+                    let known: Vec<&str> = listed.filter(|name| !name.is_empty()).collect();
                     unknown("contact or spring", &part.name, &known)
                 }
             };

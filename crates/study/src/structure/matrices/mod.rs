@@ -152,8 +152,8 @@ fn variants(
         let row = MATRICES.iter().find(|row| row.0 == key);
         row.map_or("", |row| row.1)
     };
-    let dofs = object.need("dofs", meaning("dofs"), faults);
-    let dofs = dofs.and_then(|node| {
+    let dofs_node = object.need("dofs", meaning("dofs"), faults);
+    let untied = dofs_node.and_then(|node| {
         let path = object.path("dofs");
         let parse = |bytes: &[u8]| supported(Dofs::parse(bytes)?, reader);
         if let Tree::List(rows) = &node.tree {
@@ -170,8 +170,8 @@ fn variants(
         let path = object.path(key);
         with_more((node, &path), reader, faults, |bytes| parse(dofs, bytes))
     };
-    let dofs = with(dofs, "ties", Dofs::with_ties);
-    let dofs = with(dofs, "forces", Dofs::with_forces);
+    let tied = with(untied, "ties", Dofs::with_ties);
+    let dofs = with(tied, "forces", Dofs::with_forces);
     let of_key = |key: &str, faults: &mut Faults| -> Option<Vec<File>> {
         let node = object.need(key, meaning(key), faults)?;
         let path = object.path(key);
@@ -211,8 +211,8 @@ fn variants(
         for stiffness in &stiffnesses {
             for damping in &dampings {
                 let files = [Some(mass), Some(stiffness), damping.as_ref()];
-                let chosen = files.into_iter().flatten();
-                let chosen: Vec<(usize, &str)> = chosen
+                let given = files.into_iter().flatten();
+                let chosen: Vec<(usize, &str)> = given
                     .filter_map(|(row, file, _)| Some(((*row)?, *file)))
                     .collect();
                 let imported = Imported {

@@ -70,8 +70,8 @@ pub(in crate::structure) fn report_not_measured(
         let channels = metric.channel.iter().chain(&metric.second).cloned();
         for channel in channels.chain(of_contact) {
             if measured.channel(&channel).is_none() {
-                let known = measured.channels.iter();
-                let known: Vec<&str> = known.map(|column| column.0.name.as_str()).collect();
+                let columns = measured.channels.iter();
+                let known: Vec<&str> = columns.map(|column| column.0.name.as_str()).collect();
                 let channel = match metric.contact {
                     Some(_) => format!("{}.{}", contact_of(&metric.name), channel.name),
                     None => channel.name,

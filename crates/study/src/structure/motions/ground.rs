@@ -74,8 +74,7 @@ fn decoded<'a>(
         let path = object.path(direction.name());
         Some((direction, known(node, &path, reader, faults)))
     };
-    let ground = Direction::TRANSLATIONS.into_iter().filter_map(one);
-    let ground: Vec<Directed> = ground.collect();
+    let ground = Vec::from_iter(Direction::TRANSLATIONS.into_iter().filter_map(one));
     let pair = object.get(OF_GROUND.0).and_then(|node| {
         let scale_to = of_pair(node, &object.path(OF_GROUND.0), reader, faults)?;
         Some((scale_to, node))

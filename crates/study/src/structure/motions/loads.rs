@@ -27,8 +27,8 @@ pub(in crate::structure) fn load(
     let mut keys = vec![LOAD_AT.0];
     keys.extend(names(FUNCTION));
     let object = Object::open(node, path, &keys, faults)?;
-    let at = object.need(LOAD_AT.0, LOAD_AT.1, faults);
-    let at = at.and_then(|node| {
+    let at_node = object.need(LOAD_AT.0, LOAD_AT.1, faults);
+    let at = at_node.and_then(|node| {
         let path = object.path("at");
         reader.moved(&text(node, &path, faults)?, node.at, &path, faults)
     });
@@ -91,8 +91,8 @@ pub(in crate::structure) fn function(
     faults: &mut Faults,
 ) -> Option<Scaled> {
     let kinds = &FUNCTION[..FUNCTIONS];
-    let given = object.members.iter();
-    let given: Vec<_> = given
+    let members = object.members.iter();
+    let given: Vec<_> = members
         .filter(|member| kinds.iter().any(|kind| kind.0 == member.key))
         .collect();
     let [member] = given[..] else {
@@ -152,13 +152,13 @@ fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Optio
     let pulse = PULSES.iter().find(|pulse| pulse.name == member.key)?;
     let keys = pulse.numbers;
     let object = open(&member.node, &object.path(&member.key), keys, faults)?;
-    let numbers = keys.iter().map(|(key, meaning)| {
+    let given = keys.iter().map(|(key, meaning)| {
         let node = object.need(key, meaning, faults)?;
         reader.amount(node, &object.path(key), of_pulse(key), faults)
     });
     // Each number with a fault is reported.
-    let numbers: Vec<Option<Amount>> = numbers.collect();
-    let numbers: Option<Vec<Amount>> = numbers.into_iter().collect();
+    let read: Vec<Option<Amount>> = given.collect();
+    let numbers: Option<Vec<Amount>> = read.into_iter().collect();
     Some(Kind::Pulse(pulse, numbers?))
 }
 
@@ -173,8 +173,8 @@ fn synthetic(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> O
     };
     let object = open(node, path, SYNTHETIC, faults)?;
     let before = faults.count();
-    let seed = reader.needed(&object, SYNTHETIC, "seed", faults);
-    let seed = seed.and_then(|seed| whole(seed, faults));
+    let amount = reader.needed(&object, SYNTHETIC, "seed", faults);
+    let seed = amount.and_then(|seed| whole(seed, faults));
     let omega = reader.optional(&object, "omega", range(SYNTHETIC, "omega"), faults);
     let complete = faults.count() == before;
     Some(Kind::Synthetic { seed: seed?, omega }).filter(|_| complete)

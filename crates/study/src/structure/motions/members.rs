@@ -45,8 +45,8 @@ pub(super) fn of_set(
             Some(Tree::List(groups)) => groups.iter().map(texts).collect(),
             _ => Vec::new(),
         };
-        let zip = zips.into_iter().find(|zip| zip.contains(&name(*first)));
-        let zip = zip.unwrap_or_else(|| vec![name(*first)]);
+        let found = zips.into_iter().find(|zip| zip.contains(&name(*first)));
+        let zip = found.unwrap_or_else(|| vec![name(*first)]);
         let is_axis = |row: &&usize| {
             let axis = member(parameters, name(**row));
             axis.is_some_and(|node| matches!(&node.tree, Tree::List(items) if items.len() > 1))
@@ -158,9 +158,8 @@ fn rows(parameters: &Node, zip: &[&str], reader: &Reader) -> Result<Vec<Member>,
             Tree::List(items) => items,
             Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => one,
         };
-        let values = items.iter().map(|item| value(item, row, reader));
-        let values = values.collect::<Option<Vec<Value>>>();
-        let values = values.ok_or_else(|| {
+        let read = items.iter().map(|item| value(item, row, reader));
+        let values = read.collect::<Option<Vec<Value>>>().ok_or_else(|| {
             format!(
                 "{} must be a list of values, so that the motions are known",
                 quoted(name)

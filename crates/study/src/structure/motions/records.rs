@@ -32,8 +32,8 @@ pub(in crate::structure) fn record(
         Chosen::Parameter(row) => Some(row),
         Chosen::Name(_) => None,
     };
-    let rows: BTreeSet<usize> = of_file.into_iter().chain(keys.rows()).collect();
-    let rows: Vec<usize> = rows.into_iter().collect();
+    let sorted: BTreeSet<usize> = of_file.into_iter().chain(keys.rows()).collect();
+    let rows: Vec<usize> = sorted.into_iter().collect();
     let choices = match (keys.rows().is_empty(), of_file) {
         (true, None) => vec![Vec::new()],
         (true, Some(row)) => files
@@ -68,8 +68,8 @@ pub(in crate::structure) fn record(
                 let wrong = key.and_then(|key| Some((function.get(key)?.at, function.path(key))));
                 let (at, path) = wrong.unwrap_or_else(|| (node.at, path.to_owned()));
                 let others = values.iter().filter(|value| Some(value.0) != of_file);
-                let others = others.map(|(row, x)| format!(", {} = {x}", reader.table[*row].name));
-                let with: String = others.collect();
+                let texts = others.map(|(row, x)| format!(", {} = {x}", reader.table[*row].name));
+                let with: String = texts.collect();
                 faults.add(at, &path, format!("{}{with}: {why}", quoted(file)));
             }
         }
@@ -93,8 +93,7 @@ fn read(
         .folder
         .bytes(file, LARGEST)
         .map_err(|why| (None, why))?;
-    let record = loads::record::parse(file, &bytes, reading);
-    let record = record.map_err(|fault| {
+    let record = loads::record::parse(file, &bytes, reading).map_err(|fault| {
         let why = format!("line {}: {}", fault.line, fault.cause);
         (fault.cause.key(), why)
     })?;
@@ -142,9 +141,9 @@ fn four_digits(x: f64) -> f64 {
 
 /// What was done to the records, and what their headers say otherwise, for `explain`, `run` and the page.
 pub(in crate::structure) fn notes(reader: &Reader) -> Vec<String> {
-    let removed = reader.removed_means.borrow();
-    let removed = removed.first().map(|(file, mean)| {
-        let more = match removed.len() {
+    let means = reader.removed_means.borrow();
+    let removed = means.first().map(|(file, mean)| {
+        let more = match means.len() {
             1 => String::new(),
             2 => " and that of 1 more record".to_owned(),
             count => format!(" and those of {} more records", count - 1),

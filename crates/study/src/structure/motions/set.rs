@@ -36,8 +36,7 @@ pub(super) fn set(
     };
     let number =
         |key: &str, faults: &mut Faults| reader.optional(&object, key, range(SET, key), faults);
-    let at_zero = number("least_at_zero", faults);
-    let at_zero = at_zero.or_else(|| Some(fixed(rule?.at_zero?)));
+    let at_zero = number("least_at_zero", faults).or_else(|| Some(fixed(rule?.at_zero?)));
     let least = match (object.get("least"), rule) {
         (None, Some(rule)) => Some(fixed(rule.least)),
         _ => reader.needed(&object, SET, "least", faults),
@@ -48,8 +47,8 @@ pub(super) fn set(
         Some(STATISTICS[index].1)
     });
     let by_rule = rule.map_or(Statistic::Mean, |rule| rule.statistic);
-    let given = object.get("component");
-    let given = given.and_then(|node| component(node, &object.path("component"), faults));
+    let component_node = object.get("component");
+    let given = component_node.and_then(|node| component(node, &object.path("component"), faults));
     let target = match (object.get("spectrum"), goal) {
         (Some(node), _) => target(node, &object.path("spectrum"), reader, faults),
         (None, Goal::Spectrum { target, .. }) => Some(target.clone()),
@@ -97,9 +96,9 @@ fn between(
     };
     let periods: Option<Vec<Amount>> = object.get("period").map(|node| match &node.tree {
         Tree::List(items) if !items.is_empty() => {
-            let items = items.iter().enumerate();
-            let items = items.map(|(i, item)| amount(item, &format!("{path}[{i}]"), faults));
-            items.flatten().collect()
+            let numbered = items.iter().enumerate();
+            let amounts = numbered.map(|(i, item)| amount(item, &format!("{path}[{i}]"), faults));
+            amounts.flatten().collect()
         }
         Tree::Object(_)
         | Tree::List(_)

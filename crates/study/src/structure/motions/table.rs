@@ -24,10 +24,10 @@ pub(in crate::structure) fn table(
             return None;
         };
         let before = faults.count();
-        let amounts = items.iter().enumerate().filter_map(|(i, item)| {
+        let read = items.iter().enumerate().filter_map(|(i, item)| {
             reader.amount(item, &format!("{path}[{i}]"), Range::Any, faults)
         });
-        let amounts: Vec<Amount> = amounts.collect();
+        let amounts: Vec<Amount> = read.collect();
         (faults.count() == before).then_some(amounts)
     };
     let (t, f) = (list(times), list(values));

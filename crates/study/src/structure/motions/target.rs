@@ -34,11 +34,11 @@ pub(super) fn target(
     let (node, path) = (object.get(code)?, object.path(code));
     let numbers = |keys: Keys, faults: &mut Faults| {
         let object = open(node, &path, keys, faults)?;
-        let values = keys
+        let read = keys
             .iter()
             .map(|key| reader.needed(&object, keys, key.0, faults));
         // All are read, so that every fault is reported.
-        let values: Vec<Option<Amount>> = values.collect();
+        let values: Vec<Option<Amount>> = read.collect();
         values.into_iter().collect::<Option<Vec<Amount>>>()
     };
     if code == SPECTRUM[0].0 {

@@ -47,11 +47,11 @@ pub(in crate::structure) fn amounts(
 fn window(metric: &mut StructureMetric, reader: &Reader, faults: &mut Faults) {
     let (at, path) = &metric.place;
     for (text, amount) in metric.window.texts.iter().zip(&mut metric.window.amounts) {
-        let node = |text: &String| Node {
+        let as_node = |text: &String| Node {
             at: *at,
             tree: Tree::Text(text.clone()),
         };
-        let node = text.as_ref().map(node);
+        let node = text.as_ref().map(as_node);
         *amount = node.and_then(|node| reader.amount(&node, path, Range::NotNegative, faults));
     }
 }

@@ -43,8 +43,8 @@ pub(crate) fn with_free_names(
     let mut conditions = Vec::new();
     under(root, "when", &mut conditions);
     let values = values.filter_map(|text| Formula::number(text, &table).ok());
-    let conditions = conditions.into_iter();
-    let conditions = conditions.filter_map(|text| Formula::condition(text, &table).ok());
+    let texts = conditions.into_iter();
+    let conditions = texts.filter_map(|text| Formula::condition(text, &table).ok());
     let formulas: Vec<Formula> = values.chain(conditions).collect();
     let is_used = |row: usize| formulas.iter().any(|formula| formula.uses().contains(&row));
     let free: Vec<Parameter> = (own..table.len())
@@ -55,8 +55,8 @@ pub(crate) fn with_free_names(
         return problem;
     }
     let metrics = problem.metrics().iter().map(|metric| &*metric.name);
-    let columns = table[..own].iter().map(Parameter::column_name);
-    let columns: Vec<&str> = metrics.chain(columns).chain(["case"]).collect();
+    let of_parameters = table[..own].iter().map(Parameter::column_name);
+    let columns: Vec<&str> = metrics.chain(of_parameters).chain(["case"]).collect();
     for (member, path) in &given {
         let name = &*member.key;
         if !free.iter().any(|parameter| parameter.name == name) {

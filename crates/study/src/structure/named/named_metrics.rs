@@ -80,8 +80,8 @@ pub(in crate::structure) fn metrics(
             });
         }
     }
-    let searched = sources::minimised(root).into_iter();
-    let searched = searched.chain(sources::kept(root));
+    let minimised = sources::minimised(root).into_iter();
+    let searched = minimised.chain(sources::kept(root));
     for own in searched.filter(|own| is_plain(own.text)) {
         let is_name = !own.text.contains('(') || named.contains(&own.text);
         if !is_name || looks_like_metric(own.text) {
@@ -125,10 +125,10 @@ fn parts<'a>(own: &Source<'a>, visit: &mut dyn FnMut(&'a str, usize)) {
 
 /// Whether arithmetic of metrics contains the name of a parameter.
 pub(in crate::structure) fn names_parameter(root: &Object, name: &str) -> bool {
-    let all = sources::listed(root).into_iter();
-    let all = all.chain(sources::reduced(root));
-    let mut all = all.chain(sources::shown(root));
-    all.any(|own| {
+    let listed = sources::listed(root).into_iter();
+    let listed_or_reduced = listed.chain(sources::reduced(root));
+    let mut metrics = listed_or_reduced.chain(sources::shown(root));
+    metrics.any(|own| {
         let (metric, _) = own.parts();
         let is_it =
             |piece: Piece| matches!(piece, Piece::Name(range) if metric[range.clone()] == *name);
@@ -159,8 +159,8 @@ pub(in crate::structure) fn hinted(why: &str, names: &Names) -> String {
         .strip_prefix(UNKNOWN)
         .and_then(|rest| rest.split_once('\''));
     let hint = unknown.and_then(|(word, rest)| {
-        let known: Vec<String> = names.channels().collect();
-        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        let channels: Vec<String> = names.channels().collect();
+        let known: Vec<&str> = channels.iter().map(String::as_str).collect();
         let nearest = nearest(word, &known)?;
         Some(format!("{UNKNOWN}{word}', did you mean '{nearest}'?{rest}"))
     });
@@ -187,14 +187,14 @@ pub(in crate::structure) fn drawn(root: &Object, names: &Names, faults: &mut Fau
             continue;
         };
         let mut kinds = members.iter().filter(|member| member.key == "kind");
-        let keys = kinds.find_map(|member| match &member.node.tree {
+        let of_kind = kinds.find_map(|member| match &member.node.tree {
             Tree::Text(kind) => KINDS
                 .iter()
                 .find(|known| known.0 == kind)
                 .map(|known| known.1),
             Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
         });
-        let keys = keys.unwrap_or_default();
+        let keys = of_kind.unwrap_or_default();
         for member in members
             .iter()
             .filter(|member| keys.contains(&member.key.as_str()))

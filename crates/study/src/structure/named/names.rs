@@ -169,10 +169,10 @@ pub(in crate::structure) fn report_unused(
     let mut used = vec![false; parameters.len()];
     let mut conditions = Vec::new();
     under(root, "when", &mut conditions);
-    let formulas = given.iter().flat_map(|(member, _)| texts(&member.node));
-    let formulas = formulas.filter_map(|text| Formula::number(text, table).ok());
-    let conditions = conditions.into_iter();
-    let conditions = conditions.filter_map(|text| Formula::condition(text, table).ok());
+    let of_parameters = given.iter().flat_map(|(member, _)| texts(&member.node));
+    let formulas = of_parameters.filter_map(|text| Formula::number(text, table).ok());
+    let listed = conditions.into_iter();
+    let conditions = listed.filter_map(|text| Formula::condition(text, table).ok());
     for formula in formulas.chain(conditions) {
         formula.uses().iter().for_each(|row| used[*row] = true);
     }

@@ -34,13 +34,13 @@ pub(in crate::structure) fn shown(
     faults: &mut Faults,
 ) -> Shown {
     let mut shown = Shown::default();
-    let records = reader
+    let headings = reader
         .headings
         .borrow()
         .iter()
         .map(|(file, heading)| (file.clone(), heading.words()))
         .collect::<Vec<_>>();
-    let mut records = record_names(&records);
+    let mut records = record_names(&headings);
     if let Some(node) = root.get(SHOWN.0) {
         let mut known: Vec<String> = parameters
             .iter()
@@ -64,7 +64,7 @@ pub(in crate::structure) fn shown(
             let Some(of) = of(&own.key, (parameters, names), &records) else {
                 continue;
             };
-            let texts = match &own.node.tree {
+            let items = match &own.node.tree {
                 Tree::List(items) if (1..=of.most_texts()).contains(&items.len()) => items,
                 Tree::Object(_)
                 | Tree::List(_)
@@ -76,9 +76,9 @@ pub(in crate::structure) fn shown(
                     continue;
                 }
             };
-            let texts = texts.iter().enumerate();
-            let texts = texts.map(|(i, item)| text(item, &format!("{path}[{i}]"), faults));
-            let Some(mut texts) = texts.collect::<Option<Vec<String>>>() else {
+            let numbered = items.iter().enumerate();
+            let read = numbered.map(|(i, item)| text(item, &format!("{path}[{i}]"), faults));
+            let Some(mut texts) = read.collect::<Option<Vec<String>>>() else {
                 continue;
             };
             let unit = texts.get_mut(1).map(std::mem::take).unwrap_or_default();
@@ -192,8 +192,8 @@ mod tests {
             ("b/three.AT2", "Event, Hill, 0°"),
             ("b/table.1.csv", ""),
         ];
-        let names = record_names(&headings.map(owned));
-        let names: Vec<&str> = names.iter().map(|pair| pair.1.as_str()).collect();
+        let pairs = record_names(&headings.map(owned));
+        let names: Vec<&str> = pairs.iter().map(|pair| pair.1.as_str()).collect();
         assert_eq!(
             names,
             [

@@ -21,9 +21,9 @@ pub(in crate::structure) fn springs(
     faults: &mut Faults,
 ) -> Option<Vec<Spring>> {
     let object = open(node, path, SPRING, faults)?;
-    let name = object.get("name");
-    let name = name.and_then(|node| text(node, &object.path("name"), faults));
-    let name = name.unwrap_or_default();
+    let name_node = object.get("name");
+    let given = name_node.and_then(|node| text(node, &object.path("name"), faults));
+    let name = given.unwrap_or_default();
     let Some(node) = object.get("directions") else {
         let along = reader.along(&object, "a spring", faults);
         let numbers = numbers(&object, None, reader, faults);

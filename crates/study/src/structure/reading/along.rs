@@ -168,8 +168,8 @@ impl Reader<'_> {
         // Both are decoded, so that every fault is reported.
         let mut side = |node: &Node, index: usize, factor: f64| {
             let path = format!("{path}[{index}]");
-            let name = text(node, &path, faults)?;
-            let name = self.in_direction(&name, direction, (node.at, &path), faults)?;
+            let given = text(node, &path, faults)?;
+            let name = self.in_direction(&given, direction, (node.at, &path), faults)?;
             self.side(&name, (node.at, path), factor, faults)
         };
         let (first, second) = (side(i, 0, -1.0), side(j, 1, 1.0));

@@ -152,12 +152,12 @@ impl Reader<'_> {
             return format!("unknown node {}, did you mean {full}?", quoted(name));
         }
         let bars = self.names.bars.iter();
-        let ends = bars.flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
-        let ends: Vec<String> = ends.collect();
+        let of_bars = bars.flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
+        let ends: Vec<String> = of_bars.collect();
         let masses = self.names.masses.iter().map(String::as_str);
         let supports = self.names.supports.iter().map(|support| support.0.as_str());
-        let known = ["ground"].into_iter().chain(supports).chain(masses);
-        let known: Vec<&str> = known.chain(ends.iter().map(String::as_str)).collect();
+        let nodes = ["ground"].into_iter().chain(supports).chain(masses);
+        let known: Vec<&str> = nodes.chain(ends.iter().map(String::as_str)).collect();
         unknown("node", name, &known)
     }
 

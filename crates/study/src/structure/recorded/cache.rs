@@ -18,8 +18,8 @@ impl Cache {
             let found = std::env::var_os(name).map(PathBuf::from);
             found.filter(|path| path.is_absolute())
         };
-        let base = folder("XDG_CACHE_HOME").or_else(|| folder("LOCALAPPDATA"));
-        let base = base.or_else(|| folder("HOME").map(|home| home.join(".cache")));
+        let given = folder("XDG_CACHE_HOME").or_else(|| folder("LOCALAPPDATA"));
+        let base = given.or_else(|| folder("HOME").map(|home| home.join(".cache")));
         Cache(base.map(|base| base.join("slipgap").join("spectra")))
     }
 

@@ -73,8 +73,8 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
         faults.add(node.at, &object.path("n"), message);
     }
     let lists = ["T", "median", "sigma"].map(|key| list(&object, key, faults));
-    let unit = object.need("unit", meaning("unit"), faults);
-    let unit = unit.and_then(|node| {
+    let unit_node = object.need("unit", meaning("unit"), faults);
+    let unit = unit_node.and_then(|node| {
         let names = Unit::ALL.map(Unit::name);
         let index = name(node, &object.path("unit"), "unit", &names, faults)?;
         Some(Unit::ALL[index].in_m_s2())
@@ -139,11 +139,11 @@ fn list(object: &Object, key: &str, faults: &mut Faults) -> Option<Vec<f64>> {
         return None;
     };
     let items = items.iter().enumerate();
-    let values =
+    let numbers =
         items.map(|(i, item)| number(item, &format!("{path}[{i}]"), range(CHOOSE, key), faults));
     // Collected first, so that every fault is reported.
-    let values: Vec<Option<f64>> = values.collect();
-    let values: Option<Vec<f64>> = values.into_iter().collect();
+    let read: Vec<Option<f64>> = numbers.collect();
+    let values: Option<Vec<f64>> = read.into_iter().collect();
     values.filter(|values| !values.is_empty())
 }
 
@@ -158,8 +158,8 @@ impl Choice {
             .par_iter()
             .map(|file| self.logarithms(folder, file, cache))
             .collect();
-        let wrong = spectra.iter().filter_map(|result| result.as_ref().err());
-        let wrong: Vec<&str> = wrong.take(MOST_FAULTS).map(String::as_str).collect();
+        let errors = spectra.iter().filter_map(|result| result.as_ref().err());
+        let wrong: Vec<&str> = errors.take(MOST_FAULTS).map(String::as_str).collect();
         if !wrong.is_empty() {
             return Err(wrong.join("; "));
         }
@@ -198,9 +198,8 @@ impl Choice {
         if let Some(known) = cache.read(&key, self.periods.len()) {
             return Ok(known);
         }
-        let read = record::parse(file, &content, Reading::default());
-        let read =
-            read.map_err(|fault| at_fault(format!("line {}: {}", fault.line, fault.cause)))?;
+        let read = record::parse(file, &content, Reading::default())
+            .map_err(|fault| at_fault(format!("line {}: {}", fault.line, fault.cause)))?;
         let signal = loads::signal(&read, None, 1.0).map_err(|why| at_fault(why.to_string()))?;
         let ordinates = match &*signal {
             Signal::Table(table) => spectrum(table, &self.periods, self.ratio),
@@ -208,10 +207,10 @@ impl Choice {
         };
         let none = || at_fault("has no spectrum at these periods".to_owned());
         let ordinates = ordinates.ok_or_else(none)?;
-        let logarithms = ordinates
+        let logarithms: Vec<f64> = ordinates
             .iter()
-            .map(|ordinate| log(ordinate.pseudo_acceleration()));
-        let logarithms: Vec<f64> = logarithms.collect();
+            .map(|ordinate| log(ordinate.pseudo_acceleration()))
+            .collect();
         if logarithms.iter().any(|x| !x.is_finite()) {
             return Err(none());
         }

@@ -32,9 +32,8 @@ pub(super) fn matching(pattern: &str, folder: &Path) -> Result<Found, String> {
         false if folder.as_os_str().is_empty() => Path::new(".").join(parent),
         false => folder.join(parent),
     };
-    let entries = std::fs::read_dir(&folder);
-    let entries =
-        entries.map_err(|why| format!("cannot read the folder {}: {why}", folder.display()))?;
+    let entries = std::fs::read_dir(&folder)
+        .map_err(|why| format!("cannot read the folder {}: {why}", folder.display()))?;
     let mut found = Vec::new();
     for entry in entries {
         let entry =

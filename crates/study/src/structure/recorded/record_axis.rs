@@ -208,8 +208,8 @@ fn go_together(block: &mut Node, mut found: Vec<Listed>, faults: &mut Faults) {
                 ),
             );
         }
-        let names = free.iter().map(|i| &found[*i]);
-        let names = names.map(|(name, at, ..)| Node {
+        let files = free.iter().map(|i| &found[*i]);
+        let names = files.map(|(name, at, ..)| Node {
             at: *at,
             tree: Tree::Text(name.clone()),
         });

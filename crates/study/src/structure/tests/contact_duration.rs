@@ -18,8 +18,8 @@ fn ratio(law: StructureLaw, keys: &str) -> f64 {
           "start": {{"a": {{"v": 0.7}}}}}}, "metrics": ["contact_time(c)", "min(c.r)"]}}"#
     );
     let study = parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
-    let metrics = study.problem.solve(&study.case(0).unwrap(), &[]);
-    let metrics = metrics.unwrap().metrics;
+    let solution = study.problem.solve(&study.case(0).unwrap(), &[]);
+    let metrics = solution.unwrap().metrics;
     let node = |mass| Node {
         name: String::new(),
         mass,

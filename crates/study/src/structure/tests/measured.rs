@@ -292,12 +292,12 @@ fn the_points_are_the_same_for_every_delay_of_a_study() {
     let compared = |parameters: &str| {
         let text = pounding(parameters, KEY, "\"rms_error(deck, measured)\"");
         let study = study(&folder, &text);
-        let ranges = study.cases().map(|case| {
+        let compared = study.cases().map(|case| {
             study.problem.as_structure().unwrap().measured(&case)[0]
                 .compared
                 .clone()
         });
-        let mut ranges: Vec<_> = ranges.collect();
+        let mut ranges: Vec<_> = compared.collect();
         ranges.dedup();
         assert_eq!(ranges.len(), 1, "{parameters}");
         ranges.remove(0)
@@ -338,13 +338,13 @@ fn several_files_are_an_axis() {
         assert_eq!(solved(&by_files, &case).metrics, alone.metrics);
     }
     // A parameter of any name.
-    let named = format!(r#""measured": {{"file": "test", {columns}}},"#);
-    let named = pounding(
+    let block = format!(r#""measured": {{"file": "test", {columns}}},"#);
+    let text = pounding(
         r#""k": 100, "test": ["run-b.csv", "other.csv"]"#,
-        &named,
+        &block,
         metrics,
     );
-    let named = study(&folder, &named);
+    let named = study(&folder, &text);
     let values =
         |study: &Study, case| study.problem.as_structure().unwrap().measured(&case)[0].values[40];
     assert_eq!(values(&named, named.case(0).unwrap()), 4.0);

@@ -85,8 +85,8 @@ fn names_reach_channels_and_contacts() {
         ]
     );
     // A parameter is before a part of the structure.
-    let table = study(&named(names));
-    let table = table.problem.parameters();
+    let titled = study(&named(names));
+    let table = titled.problem.parameters();
     let width = table.iter().find(|parameter| parameter.name == "width");
     assert_eq!(
         width.map(|parameter| parameter.title()),

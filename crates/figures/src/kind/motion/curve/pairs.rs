@@ -118,8 +118,8 @@ impl Pairs<'_> {
             };
             let Some(exact) = exact else { continue };
             let both = [self.x, y].map(|quantity| exact.channel(quantity.channel).to_vec());
-            let points = self.points(y, shown, both);
-            let points = self.within(shown, &exact.time, points);
+            let whole = self.points(y, shown, both);
+            let points = self.within(shown, &exact.time, whole);
             if !points.is_empty() && found.iter().all(|other| other.points != points) {
                 found.push(Series::exact(points));
             }

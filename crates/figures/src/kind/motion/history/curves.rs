@@ -56,8 +56,8 @@ impl Curves<'_> {
                 continue;
             };
             let sizes = sizes(self.study, self.in_units, &self.cases[i].case(), quantity);
-            let points = points(quantity, solution).into_iter();
-            let points: Vec<[f64; 2]> = points.map(|p| times(p, sizes)).collect();
+            let unscaled = points(quantity, solution).into_iter();
+            let points: Vec<[f64; 2]> = unscaled.map(|p| times(p, sizes)).collect();
             let index = self.indices[i];
             series.push(Series {
                 label: self.labels[index].clone(),

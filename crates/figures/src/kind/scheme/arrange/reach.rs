@@ -16,13 +16,13 @@ pub fn reach(scheme: &Scheme, relations: &Relations, part: usize, side: usize) -
         Join::Above(..) | Join::Over(..) => false,
     };
     let links = scheme.links.iter().zip(&relations.joins);
-    let wall = interval(
+    let lanes = interval(
         links
             .filter(|(_, join)| at_face(join))
             .map(|(link, _)| link),
     );
-    let wall = if wall > 0.0 {
-        wall + symbols::DEPTH
+    let wall = if lanes > 0.0 {
+        lanes + symbols::DEPTH
     } else {
         0.0
     };

@@ -141,10 +141,10 @@ impl Sizes {
                     Join::Above(..) | Join::Over(..) => false,
                 };
                 let links = scheme.links.iter().zip(&relations.joins);
-                let lanes = links
+                let needed = links
                     .filter(|(_, join)| at_face(join))
                     .map(|(link, _)| lane(link));
-                let lanes: f64 = lanes.sum::<f64>() + 4.0;
+                let lanes: f64 = needed.sum::<f64>() + 4.0;
                 sizes.height[part] = sizes.height[part].max(lanes);
             }
         }

@@ -87,8 +87,8 @@ impl Labels {
             };
             let heights = of_table.iter().map(|l| middles[*l]);
             let highest = heights.reduce(|a, b| if b[1] < a[1] { b } else { a });
-            let lowest = of_table.iter().map(|l| middles[*l]);
-            let lowest = lowest.reduce(|a, b| if b[1] > a[1] { b } else { a });
+            let places = of_table.iter().map(|l| middles[*l]);
+            let lowest = places.reduce(|a, b| if b[1] > a[1] { b } else { a });
             let (Some(high), Some(low)) = (highest, lowest) else {
                 continue;
             };

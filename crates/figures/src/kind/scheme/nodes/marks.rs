@@ -80,8 +80,8 @@ fn middle(points: &[Point]) -> Point {
 
 /// Half the length of the faces of a contact, so that those of its neighbours stay apart.
 fn half(at: Point, points: &[Point]) -> f64 {
-    let distances = points.iter().filter(|other| **other != at);
-    let distances = distances.map(|other| libm::hypot(other[0] - at[0], other[1] - at[1]));
+    let others = points.iter().filter(|other| **other != at);
+    let distances = others.map(|other| libm::hypot(other[0] - at[0], other[1] - at[1]));
     (0.38 * distances.fold(f64::INFINITY, f64::min)).clamp(FACES[1], FACES[0])
 }
 

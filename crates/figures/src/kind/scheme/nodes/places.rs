@@ -139,8 +139,8 @@ fn scale(model: &mut Model, axes: [usize; 2]) {
         true => largest / length,
         false => f64::INFINITY,
     };
-    let scale = fits(right - left, LARGEST[0]).min(fits(high - low, LARGEST[1]));
-    let scale = if scale.is_finite() { scale } else { 1.0 };
+    let fitting = fits(right - left, LARGEST[0]).min(fits(high - low, LARGEST[1]));
+    let scale = if fitting.is_finite() { fitting } else { 1.0 };
     for node in &mut model.nodes {
         let [x, y] = axes.map(|axis| node[axis]);
         *node = [scale * (x - left), scale * (high - y), 0.0];

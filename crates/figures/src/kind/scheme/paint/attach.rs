@@ -44,8 +44,8 @@ impl Painter<'_> {
             self.joined.push((part, at));
         }
         let link = &self.scheme.links[l];
-        let ends = [end(link, 0), end(link, 1)].into_iter().flatten();
-        let ends = ends.filter(|end| end.0 == part);
+        let both = [end(link, 0), end(link, 1)].into_iter().flatten();
+        let ends = both.filter(|end| end.0 == part);
         if let Some((_, Place::Dof(dof))) = ends.take(which + 1).last() {
             self.attach_dof(part, dof, at);
         }

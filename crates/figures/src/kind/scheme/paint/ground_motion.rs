@@ -29,8 +29,7 @@ pub fn draw(
             .iter()
             .any(|direction| axis_shown(direction) == Some(which))
     };
-    let names = directions.iter().map(|direction| direction.name());
-    let names: Vec<&str> = names.collect();
+    let names = Vec::from_iter(directions.iter().map(|direction| direction.name()));
     let in_plane = |direction: &Direction| axis_shown(direction).is_some();
     let text = match directions.iter().all(in_plane) {
         true => "ground motion".to_owned(),
@@ -74,11 +73,11 @@ mod tests {
     fn drawn(directions: &[Direction]) -> (Vec<[[f64; 2]; 2]>, String) {
         let mut picture = Picture::default();
         let height = draw(&mut picture, [200.0, 100.0], directions, [0, 2]);
-        let arrows = picture.shapes.iter().map(|shape| match shape {
+        let drawn = picture.shapes.iter().map(|shape| match shape {
             Shape::DoubleArrow(ends) => *ends,
             other @ (Shape::Line(..) | Shape::Box(..) | Shape::Arrow(_)) => panic!("{other:?}"),
         });
-        let arrows: Vec<_> = arrows.collect();
+        let arrows: Vec<_> = drawn.collect();
         for [_, y] in arrows.iter().flatten() {
             assert!((100.0..=height).contains(y));
         }

@@ -183,8 +183,8 @@ impl Painter<'_> {
                 let y = next - symbols::height(link.kind) / 2.0;
                 let ends = [[from, y], [to, y]];
                 let first = end(link, 0).map(|end| end.0) == parts[0];
-                let attached = parts.into_iter().zip(ends);
-                let attached = attached.filter_map(|(part, at)| Some((part?, 0, at)));
+                let pairs = parts.into_iter().zip(ends);
+                let attached = pairs.filter_map(|(part, at)| Some((part?, 0, at)));
                 return Some(LinkPlace {
                     link: l,
                     ends,

@@ -59,8 +59,8 @@ impl Decoded for Samples {
     }
 
     fn columns(&self) -> Option<Vec<ColumnRef>> {
-        let parameters = self.parameters.iter();
-        let parameters = parameters.map(|(row, _)| ColumnRef::Parameter(*row));
+        let rows = self.parameters.iter();
+        let parameters = rows.map(|(row, _)| ColumnRef::Parameter(*row));
         Some(parameters.chain([ColumnRef::Metric(self.y)]).collect())
     }
 

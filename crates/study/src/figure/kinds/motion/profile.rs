@@ -76,8 +76,8 @@ impl Profile {
     fn check_times(&self, checker: &mut Checker) {
         let schema = checker.scope.problem.schema();
         let ends = checker.levels(schema.duration);
-        let end = ends.iter().filter_map(|level| level.as_f64());
-        let end = end.fold(f64::INFINITY, f64::min);
+        let durations = ends.iter().filter_map(|level| level.as_f64());
+        let end = durations.fold(f64::INFINITY, f64::min);
         for (i, time) in self.times.iter().enumerate().filter(|(_, t)| **t > end) {
             let name = &schema.parameters[schema.duration].name;
             let message = format!("must be at most {name} = {end}, got {time}");

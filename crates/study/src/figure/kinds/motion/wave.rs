@@ -57,8 +57,8 @@ impl Decoded for Wave {
         }
         let schema = checker.scope.problem.schema();
         let ends = checker.levels(schema.duration);
-        let end = ends.iter().filter_map(|level| level.as_f64());
-        let end = end.fold(f64::NEG_INFINITY, f64::max);
+        let durations = ends.iter().filter_map(|level| level.as_f64());
+        let end = durations.fold(f64::NEG_INFINITY, f64::max);
         checker.overlaps("y_range", self.times, "the time", [0.0, end]);
     }
 

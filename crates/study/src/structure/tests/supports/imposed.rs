@@ -17,8 +17,8 @@ fn folder(name: &str) -> PathBuf {
 
 /// The points with a factor and an offset of u.
 fn write(folder: &Path, name: &str, factor: f64, offset: f64) {
-    let rows = T.iter().zip(U);
-    let rows = rows.map(|(t, u)| format!("{t:?};{:?}\n", factor * (u + offset)));
+    let points = T.iter().zip(U);
+    let rows = points.map(|(t, u)| format!("{t:?};{:?}\n", factor * (u + offset)));
     let text = format!("t;stroke\n{}", rows.collect::<String>());
     std::fs::write(folder.join(name), text).unwrap();
 }

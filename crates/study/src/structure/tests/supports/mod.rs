@@ -73,8 +73,8 @@ fn agree(a: &Solution, b: &Solution, count: usize, part: f64) {
     for k in 0..count {
         let (a, b) = (&a.computed.channels[k], &b.computed.channels[k]);
         let peak = a.iter().fold(0.0, |peak: f64, x| peak.max(x.abs()));
-        let difference = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-        let difference = difference.fold(0.0, f64::max);
+        let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+        let difference = differences.fold(0.0, f64::max);
         assert!(
             peak > 0.0 && difference < part * peak,
             "{k}: {difference:e} of {peak}"
@@ -172,12 +172,12 @@ fn a_table_with_a_delay_and_a_dashpot_is_the_closed_form() {
     let solution = oscillator(0.002, springs, supports);
     is(&solution, closed);
     // The support itself.
-    let last = solution
+    let ends = solution
         .computed
         .channels
         .iter()
         .map(|x| *x.last().unwrap());
-    let last: Vec<f64> = last.skip(2).take(3).collect();
+    let last: Vec<f64> = ends.skip(2).take(3).collect();
     for (value, expected) in last.iter().zip([2.7 * 2.7, 5.4, 2.0]) {
         assert!((value - expected).abs() < 1e-14 * 10.0, "{last:?}");
     }
@@ -218,12 +218,13 @@ fn different(method: &str, laws: [&str; 2], reference: &str, dt: f64) -> Vec<f64
         r#""contacts_reference": "{reference}", "supports": {{"left": {SHAKE},
            "right": {{"sine": {{"amplitude": 4, "omega": 3, "phase": 0.4}}, "delay": 0.4}}}}"#
     );
-    let text = chain(method, laws, &supports, ["left", "right"], r#"["gap.r"]"#);
+    let chained = chain(method, laws, &supports, ["left", "right"], r#"["gap.r"]"#);
     let errors =
         r#"["rms_error(b)", "rms_error(deck)", "rms_error(gap.r)", "energy_error", "impacts(gap)""#;
-    let text = text.replace("[\"energy_error\"", errors);
-    let text = text.replace(r#""dt": 0.01"#, &format!(r#""dt": {dt}"#));
-    let text = text.replace(r#""duration": 6"#, r#""duration": 2"#);
+    let text = chained
+        .replace("[\"energy_error\"", errors)
+        .replace(r#""dt": 0.01"#, &format!(r#""dt": {dt}"#))
+        .replace(r#""duration": 6"#, r#""duration": 2"#);
     let solution = solved(&study(&text));
     solution.metrics.iter().flatten().copied().collect()
 }
@@ -291,12 +292,11 @@ fn imported(name: &str, support: &str, rows: [&str; 2]) -> std::path::PathBuf {
     }
     let k = k
         .replace("6 6 240\n", "6 6 255\n")
-        .replace("7 7 240\n", "7 7 255\n");
-    let k = k.replace("7 6 -120\n", "7 6 -135\n");
-    let k = k
+        .replace("7 7 240\n", "7 7 255\n")
+        .replace("7 6 -120\n", "7 6 -135\n")
         .replace("2 2 160\n", "2 2 175\n")
-        .replace("3 3 160\n", "3 3 175\n");
-    let k = k.replace("3 2 -80\n", "3 2 -95\n");
+        .replace("3 3 160\n", "3 3 175\n")
+        .replace("3 2 -80\n", "3 2 -95\n");
     let header = "%%MatrixMarket matrix coordinate real symmetric\n";
     std::fs::write(folder.join("m.mtx"), format!("{header}8 8 {count_m}\n{m}")).unwrap();
     std::fs::write(folder.join("k.mtx"), format!("{header}8 8 {count_k}\n{k}")).unwrap();
@@ -348,8 +348,8 @@ fn rows_of_supports_move_as_the_ground_does() {
         let channels = r#"["t.1.x - left.x", "t.2.y - left.y", "stop.r", "pair.S", "t.1.y.v - left.y.v", "t.0.y - left.y"]"#;
         let moving = solved(&of_matrices(&folder, method, &supports, channels));
         // One support for both sides is the same.
-        let one = format!(r#""supports": {{"left": {both}}}"#);
-        let one = solved(&of_matrices(&fixed, method, &one, channels));
+        let block = format!(r#""supports": {{"left": {both}}}"#);
+        let one = solved(&of_matrices(&fixed, method, &block, channels));
         agree(&moving, &one, 5, 1e-10);
         assert!(moving.metrics[0] > Some(0.0));
         assert!(moving.metrics[1].unwrap() < 1e-11, "{:?}", moving.metrics);
