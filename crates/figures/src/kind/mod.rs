@@ -44,6 +44,7 @@ pub fn of(kind: &FigureKind) -> &dyn Draw {
         FigureKind::Map(kind) => kind,
         FigureKind::Scatter(kind) => kind,
         FigureKind::Front(kind) => kind,
+        FigureKind::Envelope(kind) => kind,
         FigureKind::Samples(kind) => kind,
         FigureKind::Sobol(kind) => kind,
         FigureKind::Distribution(kind) => kind,

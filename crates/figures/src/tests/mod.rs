@@ -2,6 +2,7 @@
 
 mod contents;
 mod ensembles;
+mod envelope;
 mod extent;
 mod front;
 mod guides;

@@ -177,6 +177,15 @@ pub(super) const BY_OUTSIDE: Key = key(
     false,
     "parameter with one line style for each value; if left out, all outside of the ensemble that vary",
 );
+/// The probabilities of the edges of a band if the study gives none: those of one standard deviation of a normal
+/// distribution.
+pub(super) const USUAL: [f64; 2] = [0.16, 0.84];
+pub(super) const BAND: Key = key(
+    "band",
+    Takes::Probabilities,
+    false,
+    "probabilities at the edges of the band; if left out, [0.16, 0.84]",
+);
 pub(super) const PANELS: Key = key(
     "panels",
     Takes::Parameter,

@@ -116,6 +116,7 @@ kinds! {
     metrics::map::Map,
     metrics::scatter::Scatter,
     metrics::front::Front,
+    metrics::envelope::Envelope,
     ensembles::samples::Samples,
     ensembles::sobol::Sobol,
     ensembles::distribution::Distribution,
@@ -232,7 +233,8 @@ mod tests {
                    {"name": "g", "kind": "map", "x": "gamma", "y": "dt", "z": "peak_force"},
                    {"name": "h", "kind": "scatter", "x": "gamma", "y": "peak_force"}, {"name": "i", "kind": "law"},
                    {"name": "j", "kind": "curve", "x": "r", "y": "force"},
-                   {"name": "k", "kind": "front", "x": "peak_force", "y": "rms_error_r", "by": "gamma"}"#,
+                   {"name": "k", "kind": "front", "x": "peak_force", "y": "rms_error_r", "by": "gamma"},
+                   {"name": "l", "kind": "envelope", "x": ["peak_force", "rms_error_r"]}"#,
             ),
             study(
                 r#""gamma": {"uniform": [1, 2]}, "dt": {"uniform": [0.01, 0.02]}},
