@@ -131,6 +131,20 @@ impl StructureProblem {
         }
     }
 
+    /// The same, with the points that this metric compares.
+    pub fn measured_by(&self, case: &Case, metric: usize) -> Vec<MeasuredChannel> {
+        let window = &self.metrics[metric].window;
+        let mut channels = self.measured(case);
+        for channel in &mut channels {
+            let compared = channel.compared.clone();
+            let points = window.points(case, &channel.time[compared.clone()]);
+            let inside =
+                points.map(|points| compared.start + points.start..compared.start + points.end);
+            channel.compared = inside.unwrap_or(compared.start..compared.start);
+        }
+        channels
+    }
+
     /// What identifies the sampled signals of a completed case.
     pub fn samples(&self, case: &Case) -> Samples {
         let mut samples = Samples::default();
