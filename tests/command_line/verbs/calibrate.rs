@@ -427,7 +427,7 @@ fn a_window_leaves_out_what_was_measured_before_it() {
     // Steps of 0.002 from 0.1 to 0.6.
     let alternatives = bench.text("out/s/alternatives.csv");
     assert_eq!(
-        number(&alternatives, &["study"], "points"),
+        number(&alternatives, &["study"], "residuals"),
         251.0,
         "{alternatives}"
     );
