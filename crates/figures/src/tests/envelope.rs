@@ -2,7 +2,6 @@
 
 use super::{sheet_of, shown};
 use slipgap_drawing::layout::sheet::Sheet;
-use slipgap_study;
 
 /// The sheet of an envelope of two masses in the cases of the parameters, with metrics by case and column.
 fn sheet(parameters: &str, figure: &str, value: impl Fn(usize, usize) -> Option<f64>) -> Sheet {
