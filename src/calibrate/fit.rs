@@ -236,7 +236,7 @@ impl Search<'_> {
         let middle_cases = cases.cases(&[middle]);
         let mut shown = middle_cases.shown();
         let count = |row: usize| {
-            let measured = self.study.measured(shown.at(row));
+            let measured = channel::measured_of(self.study, shown.at(row));
             measured
                 .first()
                 .map_or(0.0, |measured| measured.compared.len() as f64)
