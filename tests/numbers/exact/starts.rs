@@ -339,7 +339,10 @@ fn tends_to_the_exact_motion(structure: &Json, dt: f64, order: i32) {
     });
     for pair in errors.windows(2) {
         // Events between the steps scatter the errors.
-        assert!(pair[1] < 1.5 * 0.5_f64.powi(order) * pair[0], "{structure}: {errors:?}");
+        assert!(
+            pair[1] < 1.5 * 0.5_f64.powi(order) * pair[0],
+            "{structure}: {errors:?}"
+        );
     }
 }
 
