@@ -39,7 +39,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "contact, system, motion",
         &["crates/contact", "crates/system", "crates/motion"],
-        36_500,
+        37_200,
     ),
     (
         "problem, cases, study",
