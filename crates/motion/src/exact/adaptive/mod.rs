@@ -30,7 +30,7 @@ mod widened;
 
 use super::events::{EventsFault, Model, State, StateBuffers};
 use crate::contact::ContactLaw;
-use crate::exact::adaptive::moving::braced::{MASSLESS, compliances, may_be_braced};
+use crate::exact::adaptive::moving::braced::{MASSLESS, compliances, in_series, may_be_braced};
 use crate::exact::adaptive::moving::structure::Moving;
 use crate::exact::adaptive::watched::Watched;
 use crate::system::structure::Structure;
@@ -222,7 +222,8 @@ fn refuse(structure: &Structure) -> Result<(), AdaptiveFault> {
             }
             law if law.row().is_none() && is_vertical(&law.law(1.0)) => "is rigid at rest",
             law if nodes.any(|(node, _)| structure.nodes[*node].mass <= 0.0)
-                && !may_be_braced(law) =>
+                && !may_be_braced(law)
+                && in_series(law, 0.0).is_none() =>
             {
                 MASSLESS
             }

@@ -121,7 +121,15 @@ impl Moving<'_> {
         for (i, given_contact) in self.model.structure.contacts.iter().enumerate() {
             [room.r[i], room.rate[i]] = self.relative(i, t, y);
             room.force[i] = forces[i];
-            if let (Some(compliance), Some(force)) = (self.braces[i], self.state_of(i, y)) {
+            if let Some(compliance) = self.braces[i].filter(|_| given_contact.law.row().is_some()) {
+                if let Some(plane) = &self.planes[i] {
+                    let state = self.in_plane(i, t, y, [0.0; 2]);
+                    let both = plane.rate(&state, self.moving_limit(i, t, y));
+                    force_rates[i..i + 2].copy_from_slice(&both);
+                }
+                room.r[i] -= compliance * forces[i];
+                room.rate[i] -= compliance * force_rates[i];
+            } else if let (Some(compliance), Some(force)) = (self.braces[i], self.state_of(i, y)) {
                 let limit = self.moving_limit(i, t, y);
                 force_rates[i] = self.contacts[i].rate(force, room.rate[i], limit);
                 room.r[i] -= compliance * force;

@@ -1,5 +1,6 @@
 //! The equations of a structure: M u'' + C u' + K u + B S = p(t), in the coordinates of a model.
 
+use super::braced::in_series;
 use super::damper::Creep;
 use crate::contact::plane::Pair;
 use crate::exact::adaptive::contact::Contact;
@@ -74,7 +75,9 @@ impl<'a> Moving<'a> {
                 let at_rest = at_rest
                     .zip(structure.preload.force(i + 1))
                     .map(|(first, second)| [first, second]);
-                let plane = PlaneContact::new(law, given.law.is_rigid(), at_rest, rdot);
+                let behind = braces[i].and_then(|brace| in_series(&given.law, brace));
+                let is_rigid = behind.is_none() && given.law.is_rigid();
+                let plane = PlaneContact::new(behind.unwrap_or(law), is_rigid, at_rest, rdot);
                 let state = plane.state(r).filter(|_| plane.phase.is_none());
                 places.push(state.map(|z| {
                     y.extend(z);

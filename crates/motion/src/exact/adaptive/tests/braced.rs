@@ -3,6 +3,7 @@
 use super::*;
 use crate::contact::ClippedLine;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// A mass of 2 with a damper to a node without mass behind a spring of 8: m u'' = -3 u - S, S' = 8 (u' - (S/c)^(1/a)), by the rule of Runge
 /// and Kutta in the test. The node is at S/8.
@@ -140,4 +141,73 @@ fn friction_of_velocity_behind_a_spring_stays_within_its_limit() {
             .count()
             > 20
     );
+}
+
+/// Friction in a plane behind equal springs is that of the springs in series: the same motion without the node, whose place is r - S/k.
+#[test]
+fn friction_in_a_plane_behind_springs_is_elastic() {
+    let (spring, own) = (1000.0, 2000.0);
+    let rigid = StructureLaw::new(ClippedLine::Coulomb, Limit::constant(5.0));
+    let elastic = |stiffness| {
+        let line = ClippedLine::Elastic { stiffness };
+        StructureLaw::new(line, Limit::constant(5.0))
+    };
+    let in_series = 1.0 / (1.0 / spring + 1.0 / own);
+    for (law, stiffness) in [(rigid, spring), (elastic(own), in_series)] {
+        let plane = |law: StructureLaw, node: usize, size: usize| {
+            let oscillator = one(0.0, law.clone(), 0.0);
+            let mut structure = Structure::new(vec![oscillator.nodes[0].clone(); size]);
+            let given = oscillator.contacts[0].clone();
+            let rows = law.in_plane().unwrap().into_iter().enumerate();
+            let rows = rows.map(|(i, law)| Contact {
+                law,
+                along: vec![(node + i, 1.0)],
+                gap: 0.0,
+                ..given.clone()
+            });
+            structure.contacts = rows.collect();
+            for i in 0..2 {
+                structure.nodes[i].mass = 2.0;
+                structure.stiffness.add(i, i, 50.0);
+                let omega = 7.0 + 4.0 * i as f64;
+                structure.loads.push(Load {
+                    pattern: vec![(i, 10.0 - 4.0 * i as f64)],
+                    signal: Arc::new(Signal::Sine {
+                        amplitude: 1.0,
+                        omega,
+                        phase: 0.0,
+                    }),
+                });
+            }
+            for i in 2..size {
+                structure.nodes[i].mass = 0.0;
+                structure
+                    .stiffness
+                    .add_spring([Some(i - 2), Some(i)], spring);
+            }
+            structure
+        };
+        let end = |structure: &Structure, nodes: &[usize]| {
+            let mut found = Vec::new();
+            run_of(structure, nodes, &[2.0], TOLERANCE, |_, state| {
+                found = [state.u, state.force].concat();
+            })
+            .unwrap();
+            found
+        };
+        let behind = end(&plane(law, 2, 4), &[0, 1, 2, 3]);
+        let direct = end(&plane(elastic(stiffness), 0, 2), &[0, 1]);
+        for i in 0..2 {
+            assert!(
+                (behind[i] - direct[i]).abs() < 1e-11,
+                "{behind:?} {direct:?}"
+            );
+            let force = direct[2 + i];
+            assert!(
+                (behind[4 + i] - force).abs() < 1e-8,
+                "{behind:?} {direct:?}"
+            );
+            assert!((behind[2 + i] - (direct[i] - force / spring)).abs() < 1e-11);
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! The series of a contact.
 
+use crate::exact::events::coordinates::pressed::Pressed;
 use crate::exact::events::numerics::bernstein::{ORDERS, Polynomial, TERMS};
 
 /// The polynomials of a contact.
@@ -11,6 +12,24 @@ pub struct ContactSeries {
     pub force: Polynomial,
     /// The friction limit where it is positive.
     pub limit: Polynomial,
+}
+
+/// S of a spring on a piece, and whether it is in compression.
+#[derive(Debug, Clone)]
+pub struct PressingSpring {
+    pub force: Polynomial,
+    pub presses: bool,
+}
+
+impl PressingSpring {
+    /// The springs of a contact.
+    pub fn of(pressed: &Pressed) -> Vec<PressingSpring> {
+        let spring = PressingSpring {
+            force: [0.0; TERMS],
+            presses: false,
+        };
+        vec![spring; pressed.springs.len()]
+    }
 }
 
 /// Number of terms of u for a bound of the frequencies times the length: forces have two terms less.

@@ -5,27 +5,7 @@
 
 use super::series::Series;
 use crate::exact::events::coordinates::model::Model;
-use crate::exact::events::coordinates::pressed::Pressed;
-use crate::exact::events::numerics::bernstein::{Polynomial, TERMS};
 use crate::exact::events::phases::contact_state::{ContactState, Force};
-
-/// S of a spring on a piece, and whether it is in compression.
-#[derive(Debug, Clone)]
-pub struct PressingSpring {
-    pub force: Polynomial,
-    pub presses: bool,
-}
-
-impl PressingSpring {
-    /// The springs of a contact.
-    pub fn of(pressed: &Pressed) -> Vec<PressingSpring> {
-        let spring = PressingSpring {
-            force: [0.0; TERMS],
-            presses: false,
-        };
-        vec![spring; pressed.springs.len()]
-    }
-}
 
 impl Series {
     /// Whether the springs press, at the start of a motion.

@@ -2,9 +2,8 @@
 //!
 //! Coefficients belong to powers of s, the time from the start over the length h, so that they neither overflow nor underflow.
 
-use super::contact_series::{ContactSeries, terms};
+use super::contact_series::{ContactSeries, PressingSpring, terms};
 use super::gaps::Gaps;
-use super::pressing::PressingSpring;
 use crate::exact::events::coordinates::flexible::FlexibleSeries;
 use crate::exact::events::coordinates::model::Model;
 use crate::exact::events::numerics::bernstein::{ORDERS, Polynomial, TERMS};

@@ -4,8 +4,11 @@ use super::*;
 use crate::contact::ClippedLine;
 use crate::system::structure::{PressedBy, PressingSpring, Spring};
 
+/// A spring: its factors of u, k and c.
+type Given<'a> = (&'a [(usize, f64)], f64, f64);
+
 /// A limit of nu times the forces of contacts and of springs (along, k, c).
-fn by(nu: f64, contacts: &[usize], springs: &[(&[(usize, f64)], f64, f64)]) -> Limit {
+fn by(nu: f64, contacts: &[usize], springs: &[Given]) -> Limit {
     let springs = springs.iter().map(|(along, k, c)| PressingSpring {
         spring: Spring {
             along: along.to_vec(),
