@@ -2,11 +2,11 @@
 
 use super::super::cycles::{self, values};
 use super::super::history::curves::sizes;
-use super::super::history::measured::Measured;
+use super::super::history::measured_curves::Measured;
 use crate::DrawnCase;
 use slipgap_drawing::layout::sheet::Series;
 use slipgap_motion::history::History;
-use slipgap_problem::problem::Quantity;
+use slipgap_problem::problem::{Jumps, Quantity};
 use slipgap_study::Study;
 
 /// Fewest and most points of an exact curve, and points for each step between them.
@@ -135,6 +135,8 @@ impl Pairs<'_> {
         let count = (FOR_EACH_STEP * time.len()).clamp(fewest, most);
         let time = |i| end * i as f64 / count as f64;
         let times: Vec<f64> = (0..=count).map(time).collect();
-        self.study.problem.exact(&shown.case(), &times)
+        self.study
+            .problem
+            .exact(&shown.case(), &times, Jumps::BothSides)
     }
 }

@@ -2,7 +2,7 @@
 
 pub(crate) mod describe;
 pub(crate) mod excitation;
-pub(crate) mod ground;
+pub(crate) mod ground_motion;
 mod lists;
 pub(crate) mod participation;
 pub mod scheme;

@@ -90,8 +90,7 @@ impl Decoded for Response {
             return;
         };
         metric::check(checker, x, self.scales[0], [self.by, None], KIND.name);
-        let problem = &*checker.scope.problem;
-        let steps = checker.cases().map(|case| problem.steps(&case));
+        let steps = checker.cases().map(|case| case.steps());
         if steps.fold(0, u64::saturating_add) > MOST_DRAWN {
             let message = format!("more than {MOST_DRAWN} steps to draw; {NARROW}");
             checker.fault("where", message);
