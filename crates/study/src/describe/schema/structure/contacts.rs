@@ -13,6 +13,10 @@ use slipgap_problem::problem::structure::parts::contact_law::{NAMES, NUMBERS};
 /// A contact. `part` is the name of the definition of a law in a list.
 pub(super) fn contact(function: &Json, part: &str) -> Json {
     let mut one = with_law(&CONTACT, function, part);
+    // Its normal force may be a contact.
+    if let Some(forms) = one["properties"]["N"]["anyOf"].as_array_mut() {
+        forms.push(refer("structure.contact"));
+    }
     let nodes = one_of(&["between", "along", "pairs", "plane"]);
     one["dependencies"]["plane"] = none_of(&["gap"]);
     one["dependencies"]["directions"] = none_of(&["gap", "along", "pairs"]);
