@@ -1,6 +1,7 @@
 //! The range of a free parameter.
 
-use crate::source::faults::{Faults, join, quoted};
+use crate::source::faults::{Faults, quoted};
+use crate::source::field::{Keys, Kind, needed};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::within;
@@ -8,10 +9,11 @@ use slipgap_problem::problem::numbers::allowed::value_of;
 use slipgap_problem::problem::numbers::parameter::{Parameter, Range, shortest};
 
 /// The key of a range whose logarithm is searched.
-pub(crate) const LOG: (&str, &str) = (
+pub(crate) const LOG: Keys = Keys::new(&[needed(
     "log",
+    Kind::List(&Kind::Number(Range::Any), [2, 2]),
     "[a, b]: range from a to b of which the logarithm is searched, for numbers over several powers of ten",
-);
+)]);
 
 /// What a range looks like.
 const FORM: &str = "a range [a, b] or {\"log\": [a, b]}";
@@ -56,13 +58,12 @@ impl FreeRange {
             Tree::List(items) => (items, path.to_owned(), false),
             Tree::Object(_) => {
                 let before = faults.count();
-                let object = Object::open(node, path, &[LOG.0], faults)?;
+                let object = Object::open(node, path, &LOG, faults)?;
                 if faults.count() > before {
                     // An unknown key is most often this one.
                     return None;
                 }
-                let log = object.need(LOG.0, LOG.1, faults)?;
-                let path = join(path, LOG.0);
+                let (log, path) = object.given("log", faults)?;
                 match &log.tree {
                     Tree::List(items) => (items, path, true),
                     Tree::Object(_)

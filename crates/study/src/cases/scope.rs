@@ -79,7 +79,7 @@ impl Scope {
     pub fn filter(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<Filter> {
         let table = self.problem.parameters();
         let before = faults.count();
-        let object = Object::open(node, path, &self.parameters(), faults)?;
+        let object = Object::of_keys(node, path, &self.parameters(), faults)?;
         let mut terms = Vec::new();
         for member in &object.members {
             let Some(row) = table.iter().position(|p| p.name == member.key) else {

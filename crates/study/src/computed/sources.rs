@@ -4,6 +4,7 @@ use crate::figure::keys::Takes;
 use crate::figure::kinds::KINDS;
 use crate::reduction::decode;
 use crate::source::faults::join;
+use crate::source::field::{Keys, Kind, field, needed};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use slipgap_problem::problem::expression::FUNCTIONS;
@@ -19,11 +20,23 @@ pub const MINIMISE: &str = "minimise";
 pub const WITHIN: &str = "within";
 
 /// The keys of a metric with a name, each with its meaning.
-pub(crate) const NAMED: [(&str, &str); 3] = [
-    ("value", "the metric, arithmetic of metrics, or a ratio"),
-    ("unit", "its unit, for figures; none if left out"),
-    ("title", "its title in figures; the name if left out"),
-];
+pub(crate) const NAMED: Keys = Keys::new(&[
+    needed(
+        "value",
+        Kind::Text,
+        "the metric, arithmetic of metrics, or a ratio",
+    ),
+    field(
+        "unit",
+        Kind::Text,
+        "its unit, for figures; none if left out",
+    ),
+    field(
+        "title",
+        Kind::Text,
+        "its title in figures; the name if left out",
+    ),
+]);
 
 /// A text that names a metric.
 #[derive(Debug, Clone)]
@@ -103,7 +116,7 @@ pub fn listed<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
         found.extend(source(item, path.clone(), None));
         for member in members(item) {
             let path = join(&path, &member.key);
-            let value = members(&member.node).find(|inner| inner.key == NAMED[0].0);
+            let value = members(&member.node).find(|inner| inner.key == "value");
             found.extend(match value {
                 Some(inner) => source(&inner.node, join(&path, &inner.key), Some(member)),
                 None => source(&member.node, path, Some(member)),
@@ -115,7 +128,7 @@ pub fn listed<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
 
 /// The metrics of `reductions`.
 pub fn reduced<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
-    let Some(node) = root.get(decode::KEY.0) else {
+    let Some(node) = root.get(decode::KEY.key) else {
         return Vec::new();
     };
     let of = |(item, path): (&'a Node, String)| {
@@ -128,7 +141,7 @@ pub fn reduced<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
             ..source_of_text
         })
     };
-    items(node, decode::KEY.0)
+    items(node, decode::KEY.key)
         .into_iter()
         .filter_map(of)
         .collect()

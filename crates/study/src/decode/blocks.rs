@@ -3,10 +3,12 @@
 use super::resolve::resolve;
 use super::validate::{has_good_case, validate, within_limit};
 use crate::Block;
+use crate::axes::design;
 use crate::axes::draft::BlockDraft;
 use crate::axes::parameters::parameters;
 use crate::axes::zip::zip;
 use crate::source::faults::{Faults, in_words, quoted};
+use crate::source::field::{ANY, Field, Keys, Kind, field, needed};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
@@ -39,7 +41,7 @@ pub(crate) fn blocks(
         drafts.extend(draft(object, node, problem, faults));
     }
     if one.is_none() {
-        for key in BLOCK_KEYS.map(|key| key.0) {
+        for key in BLOCK_KEYS.iter().map(|field| field.key) {
             if let Some(node) = object.get(key) {
                 let message = "must be inside a block, next to its \"parameters\"";
                 faults.add(node.at, key, message);
@@ -47,11 +49,8 @@ pub(crate) fn blocks(
         }
     }
     drafts.extend(object.items("blocks", faults, |node, path, faults| {
-        let keys: Vec<&str> = std::iter::once("parameters")
-            .chain(BLOCK_KEYS.map(|k| k.0))
-            .collect();
-        let object = Object::open(node, path, &keys, faults)?;
-        let node = object.need("parameters", "the parameters of the block", faults)?;
+        let object = Object::open(node, path, &BLOCK, faults)?;
+        let (node, _) = object.given("parameters", faults)?;
         draft(&object, node, problem?, faults)
     }));
     if let (None, Some(node)) = (one, several)
@@ -93,20 +92,31 @@ pub(crate) fn blocks(
 }
 
 /// The keys of a block in addition to `parameters`, each with its meaning.
-pub(crate) const BLOCK_KEYS: [(&str, &str); 3] = [
-    (
+pub(crate) const BLOCK_KEYS: &[Field] = &[
+    field(
         "zip",
+        Kind::List(&Kind::List(&Kind::Text, [2, ANY]), [0, ANY]),
         "groups of axes that advance together: one case for each position, not for each combination",
     ),
-    (
+    field(
         "when",
+        Kind::Text,
         "a condition, as in \"dt <= 0.5/n\"; only combinations that meet it become cases; names are written in single quotes",
     ),
-    (
+    field(
         "design",
+        Kind::Object(&design::KEYS),
         "points that fill the ranges of all parameters given as uniform or loguniform",
     ),
 ];
+
+/// A block.
+const BLOCK: Keys = Keys::new(&[needed(
+    "parameters",
+    Kind::Any,
+    "the parameters of the block",
+)])
+.and(BLOCK_KEYS);
 
 /// The draft of a block: the parameters at `node` and the other keys of `object`.
 fn draft(

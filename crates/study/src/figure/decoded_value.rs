@@ -5,6 +5,7 @@ use super::extent;
 use super::keys::{FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
 use super::values::DecodedValue;
 use crate::faults::Faults;
+use crate::field::{ANY, Keys, Kind, needed};
 use crate::object::Object;
 use crate::scope::{Scope, names};
 use crate::tree::{Node, Tree};
@@ -195,21 +196,23 @@ fn numbers(node: &Node, path: &str, what: &str, faults: &mut Faults) -> Option<V
 }
 
 /// The keys of `marks`.
-pub(crate) const MARKS: [(&str, &str); 2] = [
-    ("label", "text in the legend"),
-    ("at", "points, each [x, y]; expressions are allowed"),
-];
+pub(crate) const MARKS: Keys = Keys::new(&[
+    needed("label", Kind::Text, "text in the legend"),
+    needed(
+        "at",
+        Kind::List(&Kind::List(&Kind::Number(Range::Any), [2, 2]), [0, ANY]),
+        "points, each [x, y]; expressions are allowed",
+    ),
+]);
 
 fn marks(node: &Node, path: &str, faults: &mut Faults) -> Option<Marks> {
     let before = faults.count();
-    let object = Object::open(node, path, &MARKS.map(|key| key.0), faults)?;
-    let label = object
-        .need("label", MARKS[0].1, faults)
-        .and_then(|node| text(node, &object.path("label"), faults));
+    let object = Object::open(node, path, &MARKS, faults)?;
+    let label = object.text("label", faults);
     let at = object.items("at", faults, |node, path, faults| {
         pair(node, path, "a place [x, y]", Range::Any, faults)
     });
-    object.need("at", MARKS[1].1, faults)?;
+    object.given("at", faults)?;
     (faults.count() == before).then_some(Marks { label: label?, at })
 }
 

@@ -50,7 +50,7 @@ pub(crate) fn figures(object: &Object, scope: &Scope, faults: &mut Faults) -> Ve
 /// Decodes one figure, with the place of its name; `None` if it has a fault.
 fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option<(Figure, usize)> {
     let before = faults.count();
-    let object = Object::open(node, path, &kinds::all_keys(), faults)?;
+    let object = Object::of_keys(node, path, &kinds::all_keys(), faults)?;
     let kind_names = kinds::names();
     let kind = object
         .need("kind", &format!("one of {}", kind_names.join(", ")), faults)

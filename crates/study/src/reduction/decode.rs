@@ -2,6 +2,7 @@
 
 use super::{OPERATORS, Operator, Reduction};
 use crate::faults::{Faults, quoted, unknown};
+use crate::field::{ANY, Field, Kind, field};
 use crate::object::Object;
 use crate::tree::Node;
 use crate::value::text;
@@ -16,8 +17,9 @@ const FORM: &str =
     "\"WORD METRIC over PARAMETER, PARAMETER ...\", as in \"least rms_error over alpha\"";
 
 /// The key with its meaning.
-pub(crate) const KEY: (&str, &str) = (
+pub(crate) const KEY: Field = field(
     "reductions",
+    Kind::List(&Kind::Shared("reduction"), [0, ANY]),
     "metrics reduced over parameters, each a text such as \"least rms_error over alpha\"; figures and checks use it like a metric",
 );
 
@@ -58,7 +60,7 @@ pub(crate) fn measures(
     blocks: &[Block],
     faults: &mut Faults,
 ) -> Vec<Measure> {
-    let texts = object.items(KEY.0, faults, |node, path, faults| {
+    let texts = object.items(KEY.key, faults, |node, path, faults| {
         Some((node.clone(), path.to_owned(), text(node, path, faults)?))
     });
     let mut found: Vec<Measure> = Vec::new();

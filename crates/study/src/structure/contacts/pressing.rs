@@ -1,9 +1,9 @@
 //! Normal forces by other contacts and by springs.
 
 use crate::source::faults::{Faults, unknown};
-use crate::source::tree::{Node, Tree};
+use crate::source::object::Object;
+use crate::source::tree::Node;
 use crate::structure::keys::PRESSING;
-use crate::structure::reading::reader::open;
 use crate::value::text;
 use slipgap_problem::problem::structure::parts::{
     contact::{Contact, Normal, Pressing, PressingPart},
@@ -12,10 +12,8 @@ use slipgap_problem::problem::structure::parts::{
 
 /// The parts that a normal force names: one, or a list.
 pub(super) fn parts(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<PressingPart>> {
-    let object = open(node, path, PRESSING, faults)?;
-    let (key, meaning) = PRESSING[0];
-    let node = object.need(key, meaning, faults)?;
-    let path = object.path(key);
+    let object = Object::open(node, path, &PRESSING, faults)?;
+    let (node, path) = object.given("contact", faults)?;
     let part = |node: &Node, path: String, faults: &mut Faults| {
         Some(PressingPart {
             name: text(node, &path, faults)?,
@@ -23,7 +21,7 @@ pub(super) fn parts(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<
             place: (node.at, path),
         })
     };
-    let Tree::List(items) = &node.tree else {
+    let Some(items) = node.list() else {
         return Some(vec![part(node, path, faults)?]);
     };
     if items.is_empty() {

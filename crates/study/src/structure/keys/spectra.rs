@@ -1,113 +1,133 @@
 //! The keys of motions that are scaled to a spectrum, and the rules of codes for sets of them.
 
-use super::Keys;
+use super::kinds::{ANY_NUMBERS, UNIT};
+use crate::source::field::Kind::{self, List, Number, Object, Several, Whole, Words};
+use crate::source::field::{ANY, Field, Keys, Rule as KeyRule, field, needed};
+use slipgap_problem::problem::numbers::parameter::Range::{NotNegative, Positive, UpToOne};
 use slipgap_problem::problem::structure::given::set::Statistic;
 use slipgap_system::system::loads::pair::Component;
+use slipgap_system::system::loads::target::Fit;
 
-/// Keys of `scale_to`; one of the first four is given.
-pub(crate) const SCALE_TO: Keys = &[
-    ("pga", "largest acceleration"),
-    ("Sa", "pseudo-acceleration of an oscillator"),
-    (
-        "spectrum",
-        "target spectrum, by least squares at 101 periods from \"from\" to \"to\"",
-    ),
-    (
-        "factor",
-        "factor of each motion of a set, such as a parameter zipped with the record",
-    ),
-    ("T", "period of the oscillator of \"Sa\""),
-    ("from", "the shorter period of \"spectrum\""),
-    ("to", "the longer period of \"spectrum\""),
-    (
-        "fit",
-        "least squares of \"spectrum\": \"linear\" (if left out), of the ordinates at evenly spaced periods; \"logarithmic\", of their logarithms at periods with evenly spaced logarithms, as PEER does",
-    ),
-    (
-        "component",
-        "of \"scale_to\" of a ground in x and y, which gives x, y and z one factor: \"geometric-mean\", \"srss\", \"rotd50\" or \"rotd100\" (Boore 2010, 180 angles) of x and y; of one in each direction: \"each\", a factor for each, and no note about it",
-    ),
-    (
-        "ratio",
-        "damping ratio of \"Sa\", \"spectrum\" and \"set\"; 0.05 if left out",
-    ),
-    (
-        "unit",
-        "unit of the accelerations, as of a record; that of the study if left out",
-    ),
-    (
-        "set",
-        "one factor on top for all motions of the axis of records, or of seeds",
-    ),
-];
-
-/// Number of the keys of [`SCALE_TO`] of which one is needed.
-pub(crate) const GOALS: usize = 4;
+/// The strength of one motion.
+pub(crate) const SCALE_TO: Keys =
+    Keys::new(&scale_to(Words("component", || vec!["each"], None))).rules(&OF_SCALE_TO);
 
 /// The strength that both horizontal motions get together.
-pub(crate) const OF_GROUND: (&str, &str) = (
+pub(crate) const OF_GROUND: Field = field(
     "scale_to",
+    Object(&TOGETHER),
     "strength that x and y get together, by one factor, which z gets, too",
 );
 
-/// `scale_to` of a motion that gets the factor of the ground.
-pub(crate) const AS_GROUND: &str = "ground";
+/// The same.
+pub(crate) const TOGETHER: Keys = Keys::new(&scale_to(COMPONENT)).rules(&OF_SCALE_TO);
 
-/// Keys of `set`.
-pub(crate) const SET: Keys = &[
-    (
-        "rule",
-        "rule of a code, whose numbers the other keys replace",
-    ),
-    (
-        "period",
-        "period of the structure, or a list of them: the rule begins at its share of the least one and ends at that of the largest one",
-    ),
-    ("from", "first period, if not by \"rule\" and \"period\""),
-    ("to", "last period"),
-    (
-        "statistic",
-        "\"mean\" (if left out) or \"envelope\" of the spectra at each of 101 periods with evenly spaced logarithms",
-    ),
-    (
-        "component",
-        "of a ground in x and y; if left out, that of the rule, or of \"scale_to\"",
-    ),
-    ("least", "least ratio to the target, such as 0.9"),
-    (
-        "least_at_zero",
-        "least ratio of the largest accelerations to the target at T = 0",
-    ),
-    (
-        "spectrum",
-        "target spectrum; if left out, that of \"scale_to\"",
-    ),
-    (
-        "factor",
-        "factor of the set; if left out, the one with which the least ratio is the one asked for",
+/// Of what of a pair.
+const COMPONENT: Kind = Words(
+    "component",
+    || Component::ALL.map(Component::name).to_vec(),
+    None,
+);
+
+const fn scale_to(component: Kind) -> [Field; 12] {
+    [
+        field("pga", Number(Positive), "largest acceleration"),
+        field(
+            "Sa",
+            Number(Positive),
+            "pseudo-acceleration of an oscillator",
+        ),
+        field(
+            "spectrum",
+            Object(&TARGET),
+            "target spectrum, by least squares at 101 periods from \"from\" to \"to\"",
+        ),
+        field(
+            "factor",
+            Number(Positive),
+            "factor of each motion of a set, such as a parameter zipped with the record",
+        ),
+        field("T", Number(Positive), "period of the oscillator of \"Sa\""),
+        field(
+            "from",
+            Number(Positive),
+            "the shorter period of \"spectrum\"",
+        ),
+        field("to", Number(Positive), "the longer period of \"spectrum\""),
+        field(
+            "fit",
+            Words("fit", || Fit::ALL.map(Fit::name).to_vec(), None),
+            "least squares of \"spectrum\": \"linear\" (if left out), of the ordinates at evenly spaced periods; \"logarithmic\", of their logarithms at periods with evenly spaced logarithms, as PEER does",
+        ),
+        field(
+            "component",
+            component,
+            "of \"scale_to\" of a ground in x and y, which gives x, y and z one factor: \"geometric-mean\", \"srss\", \"rotd50\" or \"rotd100\" (Boore 2010, 180 angles) of x and y; of one in each direction: \"each\", a factor for each, and no note about it",
+        ),
+        field(
+            "ratio",
+            Number(UpToOne),
+            "damping ratio of \"Sa\", \"spectrum\" and \"set\"; 0.05 if left out",
+        ),
+        field(
+            "unit",
+            UNIT,
+            "unit of the accelerations, as of a record; that of the study if left out",
+        ),
+        field(
+            "set",
+            Object(&SET),
+            "one factor on top for all motions of the axis of records, or of seeds",
+        ),
+    ]
+}
+
+/// The keys of a strength of which one is given.
+pub(crate) const GOALS: [&str; 4] = ["pga", "Sa", "spectrum", "factor"];
+
+const OF_SCALE_TO: [KeyRule; 7] = [
+    KeyRule::One(&GOALS, &[]),
+    KeyRule::With(&["T"], &[KeyRule::Has(&["Sa"])]),
+    KeyRule::With(&["Sa"], &[KeyRule::Has(&["T"])]),
+    KeyRule::With(&["from", "to", "fit"], &[KeyRule::Has(&["spectrum"])]),
+    KeyRule::With(&["spectrum"], &[KeyRule::Has(&["from", "to"])]),
+    KeyRule::With(&["factor"], &[KeyRule::Has(&["set"])]),
+    KeyRule::With(
+        &["ratio"],
+        &[KeyRule::Any(
+            &[],
+            &[&[KeyRule::NotAll(&["pga"])], &[KeyRule::Has(&["set"])]],
+        )],
     ),
 ];
 
-/// Keys of `choose`.
-pub(crate) const CHOOSE: Keys = &[
-    ("n", "number of records"),
-    ("T", "periods, rising"),
-    ("median", "median of the target at these periods"),
-    (
-        "sigma",
-        "standard deviations of the logarithms there, such as those of a conditional spectrum",
-    ),
-    ("unit", "unit of \"median\": g, m/s2, cm/s2 or mm/s2"),
-    (
-        "at",
-        "period in \"T\" at which all records are scaled to the median first, as \"scale_to\" then does; if left out, none is scaled",
-    ),
-    (
-        "factor",
-        "with \"at\": largest factor, and one over the smallest; if left out, any",
-    ),
-    ("ratio", "damping ratio; 0.05 if left out"),
-];
+/// A set of motions.
+pub(crate) const SET: Keys = Keys::new(&[
+    field("rule", Words("rule", || RULES.map(|rule| rule.name).to_vec(), None), "rule of a code, whose numbers the other keys replace"),
+    field("period", Several(&Number(Positive), [1, ANY]), "period of the structure, or a list of them: the rule begins at its share of the least one and ends at that of the largest one"),
+    field("from", Number(Positive), "first period, if not by \"rule\" and \"period\""),
+    field("to", Number(Positive), "last period"),
+    field("statistic", Words("statistic", || STATISTICS.map(|row| row.0).to_vec(), None), "\"mean\" (if left out) or \"envelope\" of the spectra at each of 101 periods with evenly spaced logarithms"),
+    field("component", COMPONENT, "of a ground in x and y; if left out, that of the rule, or of \"scale_to\""),
+    field("least", Number(Positive), "least ratio to the target, such as 0.9"),
+    field("least_at_zero", Number(Positive), "least ratio of the largest accelerations to the target at T = 0"),
+    field("spectrum", Object(&TARGET), "target spectrum; if left out, that of \"scale_to\""),
+    field("factor", Number(Positive), "factor of the set; if left out, the one with which the least ratio is the one asked for"),
+])
+.rules(&[KeyRule::With(&["period"], &[KeyRule::Has(&["rule"])])]);
+
+/// A choice among files.
+pub(crate) const CHOOSE: Keys = Keys::new(&[
+    needed("n", Whole([2, 10_000]), "number of records"),
+    needed("T", List(&Number(Positive), [1, ANY]), "periods, rising"),
+    needed("median", List(&Number(Positive), [1, ANY]), "median of the target at these periods"),
+    needed("sigma", List(&Number(NotNegative), [1, ANY]), "standard deviations of the logarithms there, such as those of a conditional spectrum"),
+    needed("unit", UNIT, "unit of \"median\": g, m/s2, cm/s2 or mm/s2"),
+    field("at", Number(Positive), "period in \"T\" at which all records are scaled to the median first, as \"scale_to\" then does; if left out, none is scaled"),
+    field("factor", Number(Positive), "with \"at\": largest factor, and one over the smallest; if left out, any"),
+    field("ratio", Number(UpToOne), "damping ratio; 0.05 if left out"),
+])
+.rules(&[KeyRule::With(&["factor"], &[KeyRule::Has(&["at"])])]);
 
 /// A rule of a code for a set of motions.
 pub(crate) struct Rule {
@@ -162,33 +182,55 @@ pub(crate) const RULES: [Rule; 3] = [
 pub(crate) const STATISTICS: [(&str, Statistic); 2] =
     [("mean", Statistic::Mean), ("envelope", Statistic::Envelope)];
 
-/// Keys of a target spectrum: one of these, or those of a table.
-pub(crate) const SPECTRUM: Keys = &[
-    (
+/// The spectra of codes.
+pub(crate) const SPECTRUM: Keys = Keys::new(&[
+    field(
         "EN 1998-1",
+        Object(&EN_1998),
         "elastic response spectrum of EN 1998-1:2004, (3.2) to (3.6)",
     ),
-    ("ASCE 7", "design response spectrum of ASCE 7-16, 11.4.6"),
+    field(
+        "ASCE 7",
+        Object(&ASCE_7),
+        "design response spectrum of ASCE 7-16, 11.4.6",
+    ),
+]);
+
+/// A target spectrum as a table.
+pub(crate) const TARGET_TABLE: Keys = Keys::new(POINTS);
+
+const POINTS: &[Field] = &[
+    field("T", ANY_NUMBERS, "periods, rising"),
+    field(
+        "Sa",
+        ANY_NUMBERS,
+        "ordinates, straight between, constant beyond",
+    ),
 ];
 
-/// Keys of a target spectrum as a table.
-pub(crate) const TARGET_TABLE: Keys = &[
-    ("T", "periods, rising"),
-    ("Sa", "ordinates, straight between, constant beyond"),
-];
+/// A target spectrum: one of a code, or a table.
+pub(crate) const TARGET: Keys = SPECTRUM.and(POINTS);
 
-/// Keys of the spectrum of EN 1998-1.
-pub(crate) const EN_1998: Keys = &[
-    ("ag", "design ground acceleration on type A ground"),
-    ("S", "soil factor"),
-    ("TB", "start of the plateau"),
-    ("TC", "end of the plateau"),
-    ("TD", "start of constant displacement"),
-];
+/// The spectrum of EN 1998-1.
+pub(crate) const EN_1998: Keys = Keys::new(&[
+    needed(
+        "ag",
+        Number(Positive),
+        "design ground acceleration on type A ground",
+    ),
+    needed("S", Number(Positive), "soil factor"),
+    needed("TB", Number(Positive), "start of the plateau"),
+    needed("TC", Number(Positive), "end of the plateau"),
+    needed("TD", Number(Positive), "start of constant displacement"),
+]);
 
-/// Keys of the spectrum of ASCE 7.
-pub(crate) const ASCE_7: Keys = &[
-    ("SDS", "design acceleration at short periods"),
-    ("SD1", "design acceleration at 1 s"),
-    ("TL", "long-period transition"),
-];
+/// The spectrum of ASCE 7.
+pub(crate) const ASCE_7: Keys = Keys::new(&[
+    needed(
+        "SDS",
+        Number(Positive),
+        "design acceleration at short periods",
+    ),
+    needed("SD1", Number(Positive), "design acceleration at 1 s"),
+    needed("TL", Number(Positive), "long-period transition"),
+]);

@@ -20,7 +20,7 @@ use slipgap_problem::problem::structure::tables::schema::{FIXED, Named, of_metho
 use slipgap_system::system::loads::Unit;
 
 /// The key of measurements.
-const MEASURED: &str = KEY.0;
+const MEASURED: &str = KEY.key;
 
 /// The key of the unit of a record.
 const UNIT: &str = "unit";

@@ -1,6 +1,7 @@
 //! The key `names`: what figures write instead of parameters, contacts, channels and records.
 
 use crate::source::faults::Faults;
+use crate::source::field::{Field, Kind, field};
 use crate::source::object::Object;
 use crate::source::tree::Tree;
 use crate::structure::reading::reader::Reader;
@@ -12,8 +13,9 @@ use slipgap_problem::problem::structure::tables::schema::Named;
 use std::path::Path;
 
 /// The key of names for figures, with its meaning.
-pub(crate) const SHOWN: (&str, &str) = (
+pub(crate) const SHOWN: Field = field(
     "names",
+    Kind::Shared("names"),
     "names in figures, of a structure: of a parameter or channel with its unit, if wanted, as in {\"gap\": [\"width of the gap\", \"m\"], \"g1.right - p2\": [\"seat displacement\"]}; of a contact, for all its channels and metrics; of a record by its file, which without one has event, station and component of its header",
 );
 
@@ -41,7 +43,7 @@ pub(in crate::structure) fn shown(
         .map(|(file, heading)| (file.clone(), heading.words()))
         .collect::<Vec<_>>();
     let mut records = record_names(&headings);
-    if let Some(node) = root.get(SHOWN.0) {
+    if let Some(node) = root.get(SHOWN.key) {
         let mut known: Vec<String> = parameters
             .iter()
             .map(|parameter| parameter.name.clone())
@@ -58,9 +60,9 @@ pub(in crate::structure) fn shown(
             );
         }
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
-        let object = Object::open(node, SHOWN.0, &known, faults);
+        let object = Object::of_keys(node, SHOWN.key, &known, faults);
         for own in object.iter().flat_map(|object| &object.members) {
-            let path = format!("{}.{}", SHOWN.0, own.key);
+            let path = format!("{}.{}", SHOWN.key, own.key);
             let Some(of) = of(&own.key, (parameters, names), &records) else {
                 continue;
             };

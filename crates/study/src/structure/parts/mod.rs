@@ -7,9 +7,9 @@ use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::contacts::plane;
-use crate::structure::keys::{BAR, GRAVITY, GROUND, MASS, START, range};
+use crate::structure::keys::{ACCELERATIONS, BAR, GRAVITY, MASS, START};
 use crate::structure::reading::given::member;
-use crate::structure::reading::reader::{Part, Reader, open, take_name};
+use crate::structure::reading::reader::{Part, Reader, take_name};
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::Amount;
 use slipgap_problem::problem::structure::parts::template::{Bar, Mass, Moved, Start, StaticLoad};
@@ -48,8 +48,8 @@ pub(in crate::structure) fn masses(
     let mass = |(name, node, path): &Part| {
         let (mass, direction) = match &node.tree {
             Tree::Object(_) => {
-                let object = open(node, path, MASS, faults)?;
-                let mass = reader.needed(&object, MASS, "mass", faults);
+                let object = Object::open(node, path, &MASS, faults)?;
+                let mass = reader.number(&object, "mass", faults);
                 let direction = match name.split_once('.') {
                     Some((_, direction)) => Direction::named(direction),
                     None => reader.direction(&object, faults),
@@ -57,7 +57,7 @@ pub(in crate::structure) fn masses(
                 (mass, direction)
             }
             Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-                let mass = reader.amount(node, path, range(MASS, "mass"), faults);
+                let mass = reader.amount(node, path, MASS.range("mass"), faults);
                 (mass, Some(Direction::X))
             }
         };
@@ -73,12 +73,11 @@ pub(in crate::structure) fn masses(
 /// The bars.
 pub(in crate::structure) fn bars(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Bar> {
     let mut bar = |(name, node, path): &Part| {
-        let object = open(node, path, BAR, faults)?;
-        let mut need = |key| reader.needed(&object, BAR, key, faults);
-        let (length, stiffness) = (need("L"), need("EA"));
-        let (mass, elements) = (need("mass"), need("n"));
-        let damping = "stiffness_damping";
-        let stiffness_damping = reader.optional(&object, damping, range(BAR, damping), faults);
+        let object = Object::open(node, path, &BAR, faults)?;
+        let mut number = |key| reader.number(&object, key, faults);
+        let (length, stiffness) = (number("L"), number("EA"));
+        let (mass, elements) = (number("mass"), number("n"));
+        let stiffness_damping = number("stiffness_damping");
         let direction = reader.direction(&object, faults);
         Some(Bar {
             name: name.clone(),
@@ -133,7 +132,7 @@ pub(in crate::structure) fn static_loads(
     let mut loads = Vec::new();
     for member in members.iter().filter(|member| member.key != "//") {
         let path = join(&path, &member.key);
-        if member.key == GRAVITY.0 {
+        if member.key == GRAVITY.key {
             loads.extend(gravity(&member.node, &path, reader, faults));
             continue;
         }
@@ -153,19 +152,19 @@ pub(in crate::structure) fn falling(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Vec<(Direction, Amount)> {
-    let Some(node) = object.get(GRAVITY.0) else {
+    let Some(node) = object.get(GRAVITY.key) else {
         return Vec::new();
     };
-    let path = object.path(GRAVITY.0);
+    let path = object.path(GRAVITY.key);
     if let Some(at_rest) = object
         .get("static")
-        .and_then(|loads| member(loads, GRAVITY.0))
+        .and_then(|loads| member(loads, GRAVITY.key))
     {
         let message =
             "give it here or under \"static\", which makes the equilibrium at the start, not both";
         faults.add(
             at_rest.at,
-            &join(&object.path("static"), GRAVITY.0),
+            &join(&object.path("static"), GRAVITY.key),
             message,
         );
     }
@@ -193,11 +192,11 @@ fn accelerations(
             .into_iter()
             .collect();
     };
-    let Some(object) = open(node, path, GROUND, faults) else {
+    let Some(object) = Object::open(node, path, &ACCELERATIONS, faults) else {
         return Vec::new();
     };
     let one = |direction: Direction| {
-        let amount = reader.optional(&object, direction.name(), Range::Any, faults)?;
+        let amount = reader.number(&object, direction.name(), faults)?;
         Some((direction, amount))
     };
     Direction::TRANSLATIONS
@@ -230,15 +229,15 @@ pub(in crate::structure) fn start(
             faults.add(member.at, &path, message);
             return None;
         }
-        let object = open(&member.node, &path, START, faults)?;
+        let object = Object::open(&member.node, &path, &START, faults)?;
         if let (true, Some(node)) = (has_static, object.get("u")) {
             let message = "the static loads give the displacements at t = 0; a start may give v";
             faults.add(node.at, &object.path("u"), message);
         }
         Some(Start {
             of,
-            u: reader.optional(&object, "u", Range::Any, faults),
-            v: reader.optional(&object, "v", Range::Any, faults),
+            u: reader.number(&object, "u", faults),
+            v: reader.number(&object, "v", faults),
         })
     };
     members.filter_map(one).collect()

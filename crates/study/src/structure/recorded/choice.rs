@@ -6,12 +6,11 @@ use super::selection::{Moments, select};
 use crate::source::faults::{Faults, quoted};
 use crate::source::folder::Folder;
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
-use crate::structure::keys::{CHOOSE, Keys, names, range};
-use crate::value::{name, number};
+use crate::source::tree::Node;
+use crate::structure::keys::CHOOSE;
+use crate::value::number;
 use libm::log;
 use rayon::prelude::*;
-use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_problem::problem::structure::given::scale_to::RATIO;
 use slipgap_system::system::loads::record::{self, Reading};
 use slipgap_system::system::loads::spectrum::spectrum;
@@ -60,29 +59,12 @@ pub(super) fn chosen(
 
 /// The choice under a key.
 fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
-    let object = Object::open(node, path, &names(CHOOSE), faults)?;
+    let object = Object::open(node, path, &CHOOSE, faults)?;
     let before = faults.count();
-    let n = one(&object, "n", faults);
-    if let (Some(n), Some(node)) = (n, object.get("n"))
-        && (n.fract() != 0.0 || !(2.0..=10_000.0).contains(&n))
-    {
-        let message = format!(
-            "must be a whole number from 2 to 10000, got {}",
-            shortest(n)
-        );
-        faults.add(node.at, &object.path("n"), message);
-    }
+    let n = object.whole("n", faults);
     let lists = ["T", "median", "sigma"].map(|key| list(&object, key, faults));
-    let unit_node = object.need("unit", meaning("unit"), faults);
-    let unit = unit_node.and_then(|node| {
-        let names = Unit::ALL.map(Unit::name);
-        let index = name(node, &object.path("unit"), "unit", &names, faults)?;
-        Some(Unit::ALL[index].in_m_s2())
-    });
-    let [at, factor, ratio] = ["at", "factor", "ratio"].map(|key| {
-        let node = object.get(key)?;
-        number(node, &object.path(key), range(CHOOSE, key), faults)
-    });
+    let unit = object.choice("unit", &Unit::ALL, faults).map(Unit::in_m_s2);
+    let [at, factor, ratio] = ["at", "factor", "ratio"].map(|key| object.number(key, faults));
     let [Some(periods), Some(median), Some(deviation)] = lists else {
         return None;
     };
@@ -118,29 +100,16 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
     })
 }
 
-/// The meaning of a key.
-fn meaning(key: &str) -> &'static str {
-    let keys: Keys = CHOOSE;
-    keys.iter().find(|row| row.0 == key).map_or("", |row| row.1)
-}
-
-/// A number that is needed.
-fn one(object: &Object, key: &str, faults: &mut Faults) -> Option<f64> {
-    let node = object.need(key, meaning(key), faults)?;
-    number(node, &object.path(key), range(CHOOSE, key), faults)
-}
-
 /// A list of numbers that is needed.
 fn list(object: &Object, key: &str, faults: &mut Faults) -> Option<Vec<f64>> {
-    let node = object.need(key, meaning(key), faults)?;
-    let path = object.path(key);
-    let Tree::List(items) = &node.tree else {
+    let (node, path) = object.given(key, faults)?;
+    let Some(items) = node.list() else {
         faults.must_be(node, &path, "a list of numbers");
         return None;
     };
     let items = items.iter().enumerate();
     let numbers =
-        items.map(|(i, item)| number(item, &format!("{path}[{i}]"), range(CHOOSE, key), faults));
+        items.map(|(i, item)| number(item, &format!("{path}[{i}]"), object.range(key), faults));
     // Collected first, so that every fault is reported.
     let read: Vec<Option<f64>> = numbers.collect();
     let values: Option<Vec<f64>> = read.into_iter().collect();
