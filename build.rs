@@ -54,8 +54,8 @@ fn log_of_head(root: &Path) -> Option<PathBuf> {
 
 /// A line as in the log of HEAD, with the commit that cargo has noted in a package.
 fn packaged(noted: &str) -> String {
-    let commit = noted.split("\"sha1\"").nth(1).unwrap_or_default();
-    let commit = commit.split('"').nth(1).unwrap_or_default();
+    let rest = noted.split("\"sha1\"").nth(1).unwrap_or_default();
+    let commit = rest.split('"').nth(1).unwrap_or_default();
     format!("- {commit}")
 }
 

@@ -32,8 +32,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
 
     // A stiffer spring lets the bars overlap less.
-    let overlaps: Option<Vec<f64>> = table.column(overlap).collect();
-    let overlaps = overlaps.ok_or("a case has no contact")?;
+    let column: Option<Vec<f64>> = table.column(overlap).collect();
+    let overlaps = column.ok_or("a case has no contact")?;
     assert!(overlaps.is_sorted_by(|softer, stiffer| softer > stiffer));
     Ok(())
 }

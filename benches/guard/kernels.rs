@@ -113,8 +113,10 @@ pub fn are_near() -> bool {
         (three - one) as f64 / 2.0 / study(text).len() as f64
     };
     let counts: Vec<f64> = kernels.par_iter().map(count).collect();
-    let near = kernels.iter().zip(counts);
-    let near = near.map(|((name, _, recorded), each)| is_near(name, each, *recorded));
+    let near = kernels
+        .iter()
+        .zip(counts)
+        .map(|((name, _, recorded), each)| is_near(name, each, *recorded));
     !near.collect::<Vec<_>>().contains(&false)
 }
 

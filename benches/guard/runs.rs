@@ -79,8 +79,10 @@ pub fn are_near() -> bool {
         (many - few) as f64 / (second - first) as f64
     };
     let counts: Vec<f64> = RUNS.par_iter().map(count).collect();
-    let near = RUNS.iter().zip(counts);
-    let near = near.map(|(run, each)| is_near(run.name, each, run.recorded));
+    let near = RUNS
+        .iter()
+        .zip(counts)
+        .map(|(run, each)| is_near(run.name, each, run.recorded));
     !near.collect::<Vec<_>>().contains(&false)
 }
 
@@ -91,8 +93,10 @@ impl Run {
         let file = folder.path().join("sweep.json");
         let study = self.study.replace("CASES", &(cases / AXIS).to_string());
         fs::write(&file, format!("{{{study}}}")).expect("a file for the study");
-        let args = ["run", "--jobs", "1", "--format", self.format, "--out"].map(Path::new);
-        let args = args.into_iter().chain([folder.path(), &file]);
+        let args = ["run", "--jobs", "1", "--format", self.format, "--out"]
+            .map(Path::new)
+            .into_iter()
+            .chain([folder.path(), &file]);
         // The release build of the program stands beside this one.
         let guard = std::env::current_exe().expect("this program has a path");
         let program = guard.with_file_name("slipgap");

@@ -61,9 +61,11 @@ pub fn calibrate<'py>(
         |_| report(bar.position().min(most), most),
     )?;
     report(most, most)?;
-    let fits = found.order.iter();
-    let fits = fits.map(|at| alternative(py, &found, *at, texts.get(at)));
-    let fits = fits.collect::<PyResult<Vec<_>>>()?;
+    let fits = found
+        .order
+        .iter()
+        .map(|at| alternative(py, &found, *at, texts.get(at)))
+        .collect::<PyResult<Vec<_>>>()?;
     let class = CALIBRATION.import(py, "slipgap._records", "Calibration")?;
     class.call1((fits, sentences(&found), found.solved(), folder))
 }
@@ -82,8 +84,9 @@ fn alternative<'py>(
     for (index, free) in fit.free.iter().enumerate().filter(|_| solved) {
         parameters.set_item(&*table[free.parameter].name, parameter(py, fit, index)?)?;
     }
-    let unused = fit.unused.iter();
-    let unused: Vec<&str> = unused
+    let unused: Vec<&str> = fit
+        .unused
+        .iter()
         .map(|parameter| &*table[parameter.parameter].name)
         .collect();
     let json = py.import("json")?.getattr("loads")?;
@@ -112,9 +115,10 @@ fn parameter<'py>(py: Python<'py>, fit: &Fit, index: usize) -> PyResult<Bound<'p
         let [from, to] = ends.map(|end| fit.value(index, end));
         (from.unwrap_or(range.ends[0]), to.unwrap_or(range.ends[1]))
     };
-    let points = profile.iter().flat_map(|profile| &profile.points);
-    let points = points.filter(|point| point.misfit.is_finite());
-    let points: Vec<(f64, f64)> = points
+    let points: Vec<(f64, f64)> = profile
+        .iter()
+        .flat_map(|profile| &profile.points)
+        .filter(|point| point.misfit.is_finite())
         .map(|point| (range.at(point.at), point.misfit))
         .collect();
     let class = FREE.import(py, "slipgap._records", "FreeParameter")?;

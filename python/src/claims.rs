@@ -65,11 +65,11 @@ pub fn claims(
 
 /// Computes the studies of the ledgers; cases in the stores of `out` are not computed again.
 fn judge(path: &Path, out: Option<&Path>) -> Result<Vec<Judged>, Error> {
-    let ledgers = match path.is_dir() {
+    let ledger_files = match path.is_dir() {
         true => files::find(path, "ledgers (*.json)", files::is_json)?,
         false => vec![path.to_owned()],
     };
-    let ledgers: Vec<Ledger> = files::read_all(ledgers, |file| ledger::read(&file))?;
+    let ledgers: Vec<Ledger> = files::read_all(ledger_files, |file| ledger::read(&file))?;
     // A folder without results has no stores.
     let out = out.unwrap_or(Path::new(""));
     let judged = ledgers.into_iter().map(|ledger| {

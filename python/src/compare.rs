@@ -23,8 +23,9 @@ pub fn compare<'py>(
         let message = format!("tolerance: must be a number >= 0, got {tolerance}");
         return Err(usage(py, message));
     }
-    let findings = py.detach(|| compare_folders(&a, &b, tolerance));
-    let findings = findings.map_err(|error| raise(py, error))?;
+    let findings = py
+        .detach(|| compare_folders(&a, &b, tolerance))
+        .map_err(|error| raise(py, error))?;
     let sides = [a, b];
     let class = CHANGE.import(py, "slipgap._records", "Change")?;
     let (mut equal, mut changes, mut notes) = (Vec::new(), Vec::new(), Vec::new());

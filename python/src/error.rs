@@ -36,8 +36,10 @@ fn exception(py: Python<'_>, error: &Error) -> PyResult<PyErr> {
     let fields = PyDict::new(py);
     let message = match error {
         Error::Faults(faults) => {
-            let records = faults.iter().map(|fault| record(py, fault));
-            let records = records.collect::<PyResult<Vec<_>>>()?;
+            let records = faults
+                .iter()
+                .map(|fault| record(py, fault))
+                .collect::<PyResult<Vec<_>>>()?;
             fields.set_item("faults", records)?;
             let lines: Vec<String> = faults.iter().map(text).collect();
             lines.join("\n")

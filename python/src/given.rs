@@ -24,10 +24,11 @@ pub fn json(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<String> {
         let dumps = py.import("slipgap._json")?.getattr("dumps")?;
         PyResult::Ok(dumps.unbind())
     })?;
-    let text = dumps.bind(py).call1((object,));
-    let text = text.map_err(|error| match error.is_instance_of::<PyValueError>(py) {
-        true => usage(py, error.value(py).to_string()),
-        false => error,
+    let text = dumps.bind(py).call1((object,)).map_err(|error| {
+        match error.is_instance_of::<PyValueError>(py) {
+            true => usage(py, error.value(py).to_string()),
+            false => error,
+        }
     })?;
     text.extract()
 }
@@ -100,9 +101,12 @@ pub type Origin = (String, String, Vec<(String, String)>);
 
 /// What a study was made of.
 pub fn origin(source: &Source) -> Origin {
-    let settings = source.study.settings.iter();
-    let settings = settings.filter_map(|setting| setting.text().split_once('='));
-    let settings = settings.map(|(name, value)| (name.trim().to_owned(), value.to_owned()));
+    let settings = source
+        .study
+        .settings
+        .iter()
+        .filter_map(|setting| setting.text().split_once('='))
+        .map(|(name, value)| (name.trim().to_owned(), value.to_owned()));
     let file = source.file.display().to_string();
     (file, source.text.clone(), settings.collect())
 }

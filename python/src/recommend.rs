@@ -52,8 +52,8 @@ pub fn recommend<'py>(
             errors.set_item(advice.study.measures[*row].name.as_str(), error)?;
         }
         let converged = choice.trial.is_some_and(|trial| trial.holds());
-        let warnings: Vec<&str> = choice.warnings.iter().map(Warning::name).collect();
-        let warnings = PyTuple::new(py, warnings)?;
+        let warning_names: Vec<&str> = choice.warnings.iter().map(Warning::name).collect();
+        let warnings = PyTuple::new(py, warning_names)?;
         class.call1((
             parameters,
             choice.cost,
@@ -64,19 +64,22 @@ pub fn recommend<'py>(
             advice.verdict(at),
         ))
     };
-    let front = advice.choices.iter().enumerate().map(candidate);
-    let front = front.collect::<PyResult<Vec<_>>>()?;
+    let candidates = advice.choices.iter().enumerate().map(candidate);
+    let front = candidates.collect::<PyResult<Vec<_>>>()?;
     let order = |a: &usize, b: &usize| {
         advice.choices[*a]
             .worst
             .total_cmp(&advice.choices[*b].worst)
     };
-    let nearest = (0..front.len()).min_by(order);
-    let nearest = nearest.filter(|at| advice.choices[*at].worst.is_finite());
+    let nearest = (0..front.len())
+        .min_by(order)
+        .filter(|at| advice.choices[*at].worst.is_finite());
     let best = advice.chosen.or(nearest).map(|at| front[at].clone());
     let cheaper = &advice.choices[..advice.chosen.unwrap_or(0)];
-    let own_step = cheaper.iter().position(|choice| choice.worst <= 1.0);
-    let own_step = own_step.map(|at| front[at].clone());
+    let own_step = cheaper
+        .iter()
+        .position(|choice| choice.worst <= 1.0)
+        .map(|at| front[at].clone());
     let class = RECOMMENDATION.import(py, "slipgap._records", "Recommendation")?;
     class.call1((
         advice.chosen.is_some(),

@@ -38,8 +38,10 @@ fn threads(jobs: usize) -> Result<Idle, Error> {
         Some(idle) if idle.process != process => std::mem::forget(idle),
         Some(_) | None => {}
     }
-    let pool = ThreadPoolBuilder::new().num_threads(jobs).build();
-    let pool = pool.map_err(|e| Error::Internal(format!("cannot start threads: {e}")))?;
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(jobs)
+        .build()
+        .map_err(|e| Error::Internal(format!("cannot start threads: {e}")))?;
     Ok(Idle {
         process,
         jobs,

@@ -61,14 +61,14 @@ pub fn film<'a>(problem: &dyn Problem, case: &Case, history: &'a History, exact:
         let start = if bar == 0 { -length } else { 0.0 };
         let node = |i: usize| start + length * i as f64 / NODES as f64;
         let more = if bar == 0 { 0.0 } else { gap };
-        let nodes = (0..=NODES).map(|i| {
+        let numbered = (0..=NODES).map(|i| {
             let values = displacements
                 .iter()
                 .map(|lines| more + at(&lines[bar], node(i)));
             film.moves.push(Cow::Owned(values.collect()));
             Some(film.moves.len() - 1)
         });
-        let nodes: Vec<Option<usize>> = nodes.collect();
+        let nodes: Vec<Option<usize>> = numbered.collect();
         let piece = |i: usize| start + length * (i as f64 + 0.5) / NODES as f64;
         let mut stresses_of_nodes: Vec<Vec<f64>> = (0..NODES)
             .map(|i| {

@@ -16,8 +16,8 @@ pub fn labels(study: &Study, cases: &[&Case]) -> Vec<String> {
         cases.iter().any(|case| Some(case.values[row]) != first)
     };
     let is_axis = |row: usize| {
-        let groups = study.blocks.iter().flat_map(|block| &block.groups);
-        let mut groups = groups.filter(|group| group.len() > 1);
+        let of_blocks = study.blocks.iter().flat_map(|block| &block.groups);
+        let mut groups = of_blocks.filter(|group| group.len() > 1);
         // Of parameters that change together a name says all, but not that of a file.
         groups.any(|group| {
             let is_name = |axis: &&Axis| matches!(axis.values.at(0), Value::Name(name) if !name.contains('/'));
@@ -36,7 +36,7 @@ pub fn labels(study: &Study, cases: &[&Case]) -> Vec<String> {
         false => different,
     };
     let label = |case: &&Case| {
-        let values = named.iter().filter_map(|row| {
+        let shown = named.iter().filter_map(|row| {
             let value = case.values[*row]?;
             Some(format!(
                 "{} = {}",
@@ -44,7 +44,7 @@ pub fn labels(study: &Study, cases: &[&Case]) -> Vec<String> {
                 words(&table[*row], value)
             ))
         });
-        let values: Vec<String> = values.collect();
+        let values: Vec<String> = shown.collect();
         let more = match values.len() > MOST {
             true => ", …",
             false => "",

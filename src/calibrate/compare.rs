@@ -40,12 +40,12 @@ pub fn compare(fits: &[Fit]) -> (Vec<usize>, Vec<Comparison>) {
         let numerical_error = fits[at].numerical.map(|numerical| numerical.total());
         (fits[at].misfit(), numerical_error)
     };
-    let solved = order
+    let solved: Vec<usize> = order
         .iter()
         .copied()
-        .filter(|at| fits[*at].misfit().is_finite());
-    let solved: Vec<usize> = solved.collect();
-    let comparisons = solved.iter().skip(1).map(|at| {
+        .filter(|at| fits[*at].misfit().is_finite())
+        .collect();
+    let with_best = solved.iter().skip(1).map(|at| {
         let [best, other] = [&fits[solved[0]], &fits[*at]];
         let information = information(&judged(best), &judged(other));
         Comparison {
@@ -54,7 +54,7 @@ pub fn compare(fits: &[Fit]) -> (Vec<usize>, Vec<Comparison>) {
             information,
         }
     });
-    let comparisons = comparisons.collect();
+    let comparisons = with_best.collect();
     (order, comparisons)
 }
 

@@ -39,13 +39,13 @@ pub fn explained(study: &Study) -> String {
         study.measures[calibrate.minimise].name,
         ranges.join(", ")
     );
-    let each = match tests {
+    let points = match tests {
         1 => String::new(),
         tests => format!(", {tests} for each point, one of each test"),
     };
     let each = match calibrate.varies.is_empty() {
-        true => each,
-        false => format!("{each}; and as much for each test alone"),
+        true => points,
+        false => format!("{points}; and as much for each test alone"),
     };
     text += &match alternatives.len() {
         1 => format!(

@@ -135,8 +135,10 @@ impl Search<'_> {
             true => Vec::new(),
             false => alternative.each_test().collect(),
         };
-        let each = tests.into_iter().map(|test| self.fit(test));
-        let each = each.collect::<Result<Vec<Fit>, Stopped>>()?;
+        let each = tests
+            .into_iter()
+            .map(|test| self.fit(test))
+            .collect::<Result<Vec<Fit>, Stopped>>()?;
         Ok(Fit {
             each,
             ..self.fit(alternative)?

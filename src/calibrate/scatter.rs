@@ -64,13 +64,14 @@ pub(super) fn sentences(found: &Calibration, fit: &Fit, prefix: &str) -> Vec<Str
     let tests = fit.each.len();
     let one = |free: &Free| {
         let name = &table[free.parameter].name;
-        let varies = found.study.calibrate.as_ref();
-        let varies = varies.is_some_and(|calibrate| calibrate.varies.contains(&free.parameter));
+        let calibrate = found.study.calibrate.as_ref();
+        let varies = calibrate.is_some_and(|calibrate| calibrate.varies.contains(&free.parameter));
         let Some(scatter) = fit.scatter(found, free) else {
             let mut each = fit.each.iter();
-            let test = each.find(|test| test.estimate(free).is_none());
-            let test = test.and_then(|test| test.alternative.tests.first());
-            let test = test.map_or("", String::as_str);
+            let test = each
+                .find(|test| test.estimate(free).is_none())
+                .and_then(|test| test.alternative.tests.first())
+                .map_or("", String::as_str);
             return varies.then(|| {
                 format!("{prefix}{name} has no scatter, because it has no 95 % interval with two ends in the test {test}")
             });

@@ -8,8 +8,8 @@ use slipgap_recommend::format::digits;
 
 /// Why an alternative has no misfit, by the first of its tests at the last point that was tried.
 fn without_solution(fit: &Fit) -> String {
-    let why = fit.tests.iter().find_map(|test| test.why.as_deref());
-    let why = why.unwrap_or("the misfit has no value");
+    let refusal = fit.tests.iter().find_map(|test| test.why.as_deref());
+    let why = refusal.unwrap_or("the misfit has no value");
     format!(
         "{}: no case has a solution with a misfit; one of them: {why}",
         fit.label()
@@ -118,8 +118,8 @@ fn of_fit(found: &Calibration, fit: &Fit) -> Vec<String> {
         }
     }
     if fit.found.combined.len() > 1 {
-        let names = fit.found.combined.iter().map(|index| name(*index));
-        let names: Vec<&str> = names.collect();
+        let combined = fit.found.combined.iter().map(|index| name(*index));
+        let names: Vec<&str> = combined.collect();
         sentences.push(format!(
             "{prefix}only a combination of {} is determined, not each by itself",
             names.join(", ")

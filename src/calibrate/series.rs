@@ -42,8 +42,8 @@ pub fn tests(study: &Study, cases: &PointCases, values: &[f64]) -> Vec<Test> {
 pub fn channel(study: &Study) -> Option<&str> {
     let metric = study.minimised_metric()?;
     let name = study.problem.metrics()[metric].name.trim();
-    let inside = name.strip_prefix("rms_error")?.trim_start();
-    let inside = inside.strip_prefix('(')?.strip_suffix(')')?;
+    let rest = name.strip_prefix("rms_error")?.trim_start();
+    let inside = rest.strip_prefix('(')?.strip_suffix(')')?;
     let (channel, against) = inside.rsplit_once(',')?;
     (against.trim() == "measured").then(|| channel.trim())
 }
@@ -61,10 +61,12 @@ pub fn step_error(study: &Study, test: &Test, channel: &str) -> Option<f64> {
     let measured = measured(test, channel)?;
     let computed = computed(test, measured)?;
     let end = *test.solution.as_ref()?.computed.time.last()?;
-    let times = measured.time[measured.compared.clone()].iter();
-    let times: Vec<f64> = times.map(|t| t.clamp(0.0, end)).collect();
-    let exact = study.problem.exact_at(&test.case, &times)?;
-    let exact = exact.channel(measured.column).iter();
+    let times: Vec<f64> = measured.time[measured.compared.clone()]
+        .iter()
+        .map(|t| t.clamp(0.0, end))
+        .collect();
+    let solution = study.problem.exact_at(&test.case, &times)?;
+    let exact = solution.channel(measured.column).iter();
     let squares = computed.iter().zip(exact).map(|(c, e)| (c - e) * (c - e));
     let mean = squares.sum::<f64>() / computed.len() as f64;
     Some(mean.sqrt()).filter(|x| x.is_finite())

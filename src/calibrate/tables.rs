@@ -122,7 +122,7 @@ pub fn profiles(found: &Calibration) -> Result<Vec<u8>, Error> {
             let name = column(found, &fit.free[index]);
             for point in &profile.points {
                 let mut others = point.others.iter();
-                let values = fit.free.iter().enumerate().map(|(k, other_free)| {
+                let at_point = fit.free.iter().enumerate().map(|(k, other_free)| {
                     let u = if k == index {
                         Some(&point.at)
                     } else {
@@ -130,7 +130,7 @@ pub fn profiles(found: &Calibration) -> Result<Vec<u8>, Error> {
                     };
                     (other_free.parameter, u.map(|u| other_free.range.at(*u)))
                 });
-                let values: Vec<(usize, Option<f64>)> = values.collect();
+                let values: Vec<(usize, Option<f64>)> = at_point.collect();
                 let value = |free: &Free| {
                     let value = values.iter().find(|pair| pair.0 == free.parameter);
                     cell(value.and_then(|pair| pair.1))

@@ -48,8 +48,8 @@ fn problem(name: &str) -> Result<&'static str, Expected> {
 
 /// The name of a study without extension: a file name, also in sub-folders.
 fn name(text: &str) -> Result<String, Expected> {
-    let text = text.strip_suffix(".json").unwrap_or(text);
-    let text = text.strip_prefix("studies/").unwrap_or(text);
+    let stem = text.strip_suffix(".json").unwrap_or(text);
+    let text = stem.strip_prefix("studies/").unwrap_or(stem);
     let good = |part: &str| {
         let plain = |c: char| c.is_ascii_alphanumeric() || "_-.".contains(c);
         !part.is_empty() && part.chars().all(plain) && !part.starts_with(['.', '-'])

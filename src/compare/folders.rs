@@ -112,7 +112,7 @@ fn read(folder: &Path) -> Result<Rows, Error> {
     let columns = cells(reader.headers().map_err(unread)?);
     let rows = reader
         .records()
-        .map(|record| record.map(|r| cells(&r)).map_err(unread));
-    let rows = rows.collect::<Result<Vec<Vec<String>>, Error>>()?;
+        .map(|record| record.map(|r| cells(&r)).map_err(unread))
+        .collect::<Result<Vec<Vec<String>>, Error>>()?;
     Ok(Rows { columns, rows })
 }

@@ -92,9 +92,11 @@ impl Checks {
 
     fn write_list(&self, out: &mut impl Write, detail: Detail) -> io::Result<()> {
         let is_listed = |verdict: &Verdict| detail == Detail::Whole || !verdict.holds();
-        let listed = self.listed.iter();
-        let mut listed: Vec<&(usize, Verdict)> =
-            listed.filter(|(_, verdict)| is_listed(verdict)).collect();
+        let mut listed: Vec<&(usize, Verdict)> = self
+            .listed
+            .iter()
+            .filter(|(_, verdict)| is_listed(verdict))
+            .collect();
         let limit = match self.limit() {
             None if listed.len() < self.listed.len() => Some(NOT_MET.to_owned()),
             limit => limit,

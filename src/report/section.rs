@@ -119,8 +119,7 @@ fn write_claims(out: &mut impl Write, claims: &[TestedReading], detail: Detail) 
     );
     for claim in claims {
         let (class, word) = verdict(claim.holds, "holds", "fails");
-        let cells = [&claim.id, &claim.statement, &claim.reading, &claim.computed];
-        let cells: String = cells
+        let cells: String = [&claim.id, &claim.statement, &claim.reading, &claim.computed]
             .iter()
             .map(|cell| {
                 format!(

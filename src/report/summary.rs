@@ -97,8 +97,8 @@ fn write_list(
     sections: &[Section],
     say: impl Fn(&Section) -> Option<String>,
 ) -> io::Result<()> {
-    let said = sections.iter().map(say).enumerate();
-    let said: Vec<(usize, String)> = said.filter_map(|(i, text)| Some((i, text?))).collect();
+    let sentences = sections.iter().map(say).enumerate();
+    let said: Vec<(usize, String)> = sentences.filter_map(|(i, text)| Some((i, text?))).collect();
     if said.is_empty() {
         return Ok(());
     }

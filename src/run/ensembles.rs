@@ -54,10 +54,10 @@ pub(super) fn write(
     if ensembles.has_tests() {
         paths.push(folder.write_with(TESTS, |out| ensembles.write_tests(out))?);
     }
-    let empty = ensembles
+    let empty: Vec<String> = ensembles
         .empty()
-        .map(|(metric, count)| format!("{metric} in {count}"));
-    let empty: Vec<String> = empty.collect();
+        .map(|(metric, count)| format!("{metric} in {count}"))
+        .collect();
     if !empty.is_empty() {
         let (empty, cases) = (empty.join(", "), ensembles.cases());
         observer.note(&source.line(&format!(

@@ -23,8 +23,8 @@ fn outcomes(study: &Study) -> Vec<Outcome> {
 }
 
 fn column(study: &Study, outcomes: &[Outcome], name: &str) -> Vec<Option<f64>> {
-    let row = study.measures.iter().position(|m| m.name == name);
-    let row = row.unwrap_or_else(|| panic!("{name}"));
+    let found = study.measures.iter().position(|m| m.name == name);
+    let row = found.unwrap_or_else(|| panic!("{name}"));
     outcomes
         .iter()
         .map(|outcome| outcome.metrics[row])

@@ -39,11 +39,11 @@ impl<'a> UnsolvedCases<'a> {
     /// A line about each of the first cases, and one about the number of the others.
     pub fn lines(&self) -> impl Iterator<Item = String> {
         let more = self.count - self.lines.len() as u64;
-        let others = || {
+        let line = || {
             let what = format!("{more} more cases could not be solved");
             self.source.line(&what)
         };
-        let others = (more > 0).then(others);
+        let others = (more > 0).then(line);
         self.lines.iter().cloned().chain(others)
     }
 }

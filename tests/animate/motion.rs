@@ -84,8 +84,8 @@ fn contacts_are_lit_where_they_have_a_force_or_slide() {
     let solution = study.problem.solve(&case, &[]).unwrap();
     let steps = solution.computed.len() - 1;
     // A pointer that is not pressed cannot be captured.
-    let script = format!("Element.prototype.setPointerCapture = () => {{}};{PROBE}");
-    let script = script.replace("STEPS", &steps.to_string());
+    let script = format!("Element.prototype.setPointerCapture = () => {{}};{PROBE}")
+        .replace("STEPS", &steps.to_string());
     let found = probe(&program, folder.path(), &page(&study, &[0], false), &script);
     let of = |name: &str| channel(&study, 0, &solution, name);
     let every = |values: Vec<f64>| -> Vec<f64> { values.into_iter().step_by(7).collect() };
@@ -309,7 +309,7 @@ fn the_page_plays() {
     let address = format!("file://{}", file.display());
     let words = ["--virtual-time-budget=3000", "--dump-dom", &address];
     let dom = browse(&program, folder.path(), &words);
-    let time = dom.split_once("data-time=\"").unwrap().1;
-    let time: f64 = time.split_once('"').unwrap().0.parse().unwrap();
+    let rest = dom.split_once("data-time=\"").unwrap().1;
+    let time: f64 = rest.split_once('"').unwrap().0.parse().unwrap();
     assert!(time > 0.5, "{time}");
 }

@@ -205,8 +205,8 @@ fn a_study_of_a_folder_of_studies_has_the_same_folder_of_results_by_every_path()
     let bench = Bench::new();
     bench.file("studies/bridges/short/s.json", friction(ONE, ""));
     bench.file("other/studies/s.json", friction(ONE, ""));
-    let full = bench.path("studies/bridges/short/s.json");
-    let full = full.to_str().unwrap();
+    let short = bench.path("studies/bridges/short/s.json");
+    let full = short.to_str().unwrap();
     for path in [
         "studies/bridges/short/s.json",
         "./studies/../studies/bridges/short/s",
@@ -251,11 +251,11 @@ fn the_studies_of_a_folder_run_in_the_order_of_their_cost() {
     bench.file("x/z.json", of("0.002"));
     let order = |args: &[&str]| {
         let done = bench.expect(0, &[&["run"], args].concat());
-        let names = done
+        let noted = done
             .err
             .lines()
             .filter_map(|line| line.split_once("studies, "));
-        let names = names.filter_map(|(_, rest)| rest.split_once(':'));
+        let names = noted.filter_map(|(_, rest)| rest.split_once(':'));
         names.map(|(name, _)| name.to_owned()).collect::<Vec<_>>()
     };
     assert_eq!(order(&[]), ["b", "c/d", "a"]);

@@ -160,8 +160,8 @@ fn a_setting_has_the_same_effect_as_a_value_in_the_file() {
     ] {
         bench.file("set.json", &before);
         bench.file("file.json", &after);
-        let words = settings.iter().flat_map(|setting| ["--set", setting]);
-        let words: Vec<&str> = ["run", "set.json"].into_iter().chain(words).collect();
+        let options = settings.iter().flat_map(|setting| ["--set", setting]);
+        let words: Vec<&str> = ["run", "set.json"].into_iter().chain(options).collect();
         bench.expect(0, &words);
         bench.expect(0, &["run", "file.json"]);
         let results = bench.text("figures/file/results.csv");

@@ -14,8 +14,8 @@ pub fn case(problem: &dyn Problem, given: &Json) -> Case {
         }
     }
     let value = |(name, json): (&String, &Json)| {
-        let parameter = problem.parameters().iter().find(|p| p.name == *name);
-        let parameter = parameter.unwrap_or_else(|| panic!("unknown parameter {name}"));
+        let found = problem.parameters().iter().find(|p| p.name == *name);
+        let parameter = found.unwrap_or_else(|| panic!("unknown parameter {name}"));
         match parameter.kind {
             Kind::Number(_) => Value::Number(json.as_f64().unwrap()),
             Kind::Whole { .. } => Value::Whole(json.as_u64().unwrap()),

@@ -131,8 +131,8 @@ fn every_metric_of_the_textbook_problems_is_computed() {
                 );
                 study::parse("s.json", &text).unwrap_or_else(|why| panic!("{why}"))
             };
-            let default = format!(r#"{{"problem": "{problem}", "parameters": {parameters}}}"#);
-            let default = study::parse("s.json", &default).unwrap();
+            let text = format!(r#"{{"problem": "{problem}", "parameters": {parameters}}}"#);
+            let default = study::parse("s.json", &text).unwrap();
             let rows = default.problem.metrics().iter();
             names = rows.map(|metric| metric.name.to_string()).collect();
             computed.extend(with_value(&parse(&names)).unwrap_or_default());

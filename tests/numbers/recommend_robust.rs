@@ -20,9 +20,12 @@ fn number(advice: &Advice, choice: &Choice, name: &str) -> f64 {
 fn towers(seeds: &str, tolerance: f64) -> String {
     let page = include_str!("../../docs/recommend.md");
     let (_, rest) = page.split_once("```json\n").unwrap();
-    let text = rest.split_once("```").unwrap().0;
-    let text = text.replace("[1, 2, 3]", seeds);
-    let text = text.replace("0.0005, 0.0002]", "0.0005]");
+    let text = rest
+        .split_once("```")
+        .unwrap()
+        .0
+        .replace("[1, 2, 3]", seeds)
+        .replace("0.0005, 0.0002]", "0.0005]");
     text.replace(
         "\"max(b - a)\": 0.1",
         &format!("\"max(b - a)\": {tolerance:?}"),
@@ -178,8 +181,9 @@ fn neighbours_must_keep_the_metrics_too() {
     let fault = advise(
         &Input::new("s.json", &text(r#""neighbours": "dt","#)),
         &Stop::default(),
-    );
-    let fault = fault.unwrap_err().to_string();
+    )
+    .unwrap_err()
+    .to_string();
     assert!(
         fault.contains("recommend.neighbours: unknown number in over \"dt\""),
         "{fault}"

@@ -27,8 +27,8 @@ fn number(advice: &Advice, choice: &Choice, name: &str) -> f64 {
 
 /// A mass on a spring of frequency 1 that is released at u = 1, with these numbers of steps up to this time.
 fn free_vibration(steps: &[u32], end: f64, within: &str) -> String {
-    let steps: Vec<String> = steps.iter().map(|n| format!("\"{end:?}/{n}\"")).collect();
-    let steps = steps.join(", ");
+    let fractions: Vec<String> = steps.iter().map(|n| format!("\"{end:?}/{n}\"")).collect();
+    let steps = fractions.join(", ");
     format!(
         r#"{{"problem": "structure", "parameters": {{"dt": [{steps}], "duration": {end:?}}},
            "structure": {{"masses": {{"a": 1}}, "springs": [{{"between": ["ground", "a"], "k": 1}}], "start": {{"a": {{"u": 1}}}},
@@ -159,10 +159,10 @@ fn no_other_candidate_is_cheaper_of_all_solved_one_by_one() {
             .unwrap()
     });
     let reference = |of: f64| {
-        let finest = cases
+        let found = cases
             .iter()
             .find(|case| key(case) == ("kelvin-voigt", 0.002, 3.0) && seed(case) == of);
-        let finest = finest.unwrap();
+        let finest = found.unwrap();
         let impacts = solve(&with_finer_step(problem, finest, 2))[2];
         let exact = problem.as_structure().unwrap().exact_metrics(finest, &rows);
         [exact[0].unwrap(), exact[1].unwrap(), impacts]
@@ -266,9 +266,9 @@ fn no_other_candidate_is_cheaper_of_all_solved_one_by_one() {
 #[test]
 fn a_method_that_takes_energy_is_refused_before_its_errors_count() {
     let text = |within: &str| {
-        let text = free_vibration(&[100, 200], 60.0, r#""peak(a)": 10"#);
-        let text = text.replace(r#""over": "dt""#, r#""over": ["dt", "method"]"#);
-        let text = text.replace(r#""peak(a)": 10"#, within);
+        let over_steps = free_vibration(&[100, 200], 60.0, r#""peak(a)": 10"#);
+        let over_methods = over_steps.replace(r#""over": "dt""#, r#""over": ["dt", "method"]"#);
+        let text = over_methods.replace(r#""peak(a)": 10"#, within);
         text.replace(
             r#""duration""#,
             r#""method": ["newmark", "average-acceleration"], "duration""#,
@@ -313,8 +313,8 @@ fn free_parameters_have_their_best_values() {
     }
     // The errors are those of a study with these values.
     for choice in &free.choices {
-        let again = advice(&text(&format!("{:?}", number(&free, choice, "alpha"))));
-        let again = again
+        let advised = advice(&text(&format!("{:?}", number(&free, choice, "alpha"))));
+        let again = advised
             .choices
             .iter()
             .find(|other| other.cost == choice.cost)
@@ -372,8 +372,8 @@ fn the_page_shows_what_is_printed() {
     std::fs::write(folder.path().join("studies/which.json"), block("```json\n")).unwrap();
     let shown = block("```text\n$ slipgap recommend studies/which.json\n");
     let output = slipgap(folder.path(), &["recommend", "studies/which.json"]);
-    let printed = String::from_utf8(output.stdout).unwrap();
-    let printed: Vec<&str> = printed
+    let output_text = String::from_utf8(output.stdout).unwrap();
+    let printed: Vec<&str> = output_text
         .lines()
         .filter(|line| !line.starts_with("figures/"))
         .collect();

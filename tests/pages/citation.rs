@@ -9,8 +9,8 @@ fn text(path: &str) -> String {
 
 /// The value of a key of CITATION.cff, at the top level.
 fn cited(citation: &str, key: &str) -> String {
-    let value = |line: &str| Some(line.strip_prefix(key)?.strip_prefix(": ")?.to_owned());
-    let value = citation.lines().find_map(value);
+    let of_line = |line: &str| Some(line.strip_prefix(key)?.strip_prefix(": ")?.to_owned());
+    let value = citation.lines().find_map(of_line);
     value.unwrap_or_else(|| panic!("CITATION.cff has no {key}"))
 }
 
@@ -24,8 +24,8 @@ fn the_citation_has_this_version_its_date_and_the_entry_of_the_page() {
         .lines()
         .find_map(|line| Some(line.strip_prefix(&format!("## [{version}] - "))?.to_owned()));
     assert_eq!(released.as_deref(), Some(date.as_str()));
-    let author = citation.split("authors:\n  - name: ").nth(1).unwrap();
-    let author = author.lines().next().unwrap();
+    let authors = citation.split("authors:\n  - name: ").nth(1).unwrap();
+    let author = authors.lines().next().unwrap();
     let year = &date[..4];
     let entry = format!(
         "@software{{slipgap, title = {{{title}}}, author = {{{{{author}}}}}, year = {{{year}}}, version = {{{version}}}}}\n"

@@ -9,8 +9,10 @@ fn targets(page: &str) -> Vec<String> {
     let path = Path::new(env!("SLIPGAP_ROOT")).join(page);
     let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{page}: {e}"));
     // What is inside code is no link.
-    let prose = text.split("```").step_by(2);
-    let prose = prose.flat_map(|part| part.split('`').step_by(2));
+    let prose = text
+        .split("```")
+        .step_by(2)
+        .flat_map(|part| part.split('`').step_by(2));
     let links = prose.flat_map(|part| part.split("](").skip(1));
     let targets = links.filter_map(|rest| rest.split([')', '#', ' ']).next());
     let is_file = |target: &&str| !target.is_empty() && !target.contains(':');

@@ -149,8 +149,8 @@ fn run_span(scene: &mut Scene, line: &str, span: &str) {
         .iter()
         .filter_map(|word| word.trim_start_matches('[').strip_prefix("--"))
     {
-        let option = option.trim_end_matches([']', '.']);
-        let option = option.split('=').next().unwrap_or(option);
+        let word = option.trim_end_matches([']', '.']);
+        let option = word.split('=').next().unwrap_or(word);
         assert!(
             help.contains(&format!("--{option}")),
             "{line}: {span}: --{option}"
@@ -220,12 +220,12 @@ fn every_page_is_among_them() {
 fn the_page_has_every_column_with_a_name_of_its_own() {
     let mut others = 0;
     for problem in slipgap::problem::PROBLEMS.iter() {
-        let page = format!(
+        let file = format!(
             "{}/docs/study-files-{}.md",
             env!("SLIPGAP_ROOT"),
             problem.name()
         );
-        let page = std::fs::read_to_string(page).unwrap();
+        let page = std::fs::read_to_string(file).unwrap();
         for parameter in problem.parameters() {
             let column = parameter.column_name();
             if column != parameter.name {

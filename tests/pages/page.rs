@@ -67,8 +67,8 @@ pub(crate) fn pieces(name: &str) -> Vec<(Place, Piece)> {
             reader.pieces.push((at_line, block));
         } else if let Some(rest) = trimmed.strip_prefix("<!-- test: ") {
             reader.end_paragraph();
-            let note = rest.strip_suffix(" -->");
-            let note = note.unwrap_or_else(|| panic!("{at_line}: a note ends with -->"));
+            let ended = rest.strip_suffix(" -->");
+            let note = ended.unwrap_or_else(|| panic!("{at_line}: a note ends with -->"));
             reader.pieces.push((at_line, Piece::Note(note.to_owned())));
         } else if trimmed.is_empty() {
             reader.end_paragraph();

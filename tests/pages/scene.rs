@@ -75,8 +75,9 @@ impl Scene {
                 *target = Value::Object(Map::new());
             }
             let block = parse(line, text);
-            let keys = target.as_object_mut();
-            let keys = keys.unwrap_or_else(|| panic!("{line}: {path} is no object and no list"));
+            let keys = target
+                .as_object_mut()
+                .unwrap_or_else(|| panic!("{line}: {path} is no object and no list"));
             keys.extend(block.as_object().unwrap().clone());
         }
         self.bench.file(file, root.to_string());

@@ -84,8 +84,8 @@ pub fn probe(program: &str, folder: &Path, page: &str, script: &str) -> Json {
         &address,
     ];
     let dom = browse(program, folder, &words);
-    let found = dom.split_once("data-found=\"");
-    let found = found
+    let found = dom
+        .split_once("data-found=\"")
         .unwrap_or_else(|| panic!("the probe did not end: {dom:.2000}"))
         .1;
     let [faults, probe] = serde_json::from_slice(&plain(found.split_once('"').unwrap().0)).unwrap();

@@ -29,10 +29,10 @@ pub fn data(page: &str) -> Data {
     for column in head["columns"].as_array().unwrap() {
         let width = column["width"].as_u64().unwrap() as usize;
         let listed = column["listed"].as_u64().unwrap() as usize;
-        let stored = if width == 8 { rows } else { listed };
+        let count = if width == 8 { rows } else { listed };
         let stored = match column["rounded"].as_bool().unwrap() {
-            true => decimals(take(&mut bytes, 5 * stored)),
-            false => doubles(take(&mut bytes, 8 * stored)),
+            true => decimals(take(&mut bytes, 5 * count)),
+            false => doubles(take(&mut bytes, 8 * count)),
         };
         let numbers = match width {
             0 => vec![stored[0]; rows],

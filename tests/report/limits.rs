@@ -110,11 +110,11 @@ fn a_table_too_large_for_the_page_is_shortened_with_a_sentence() {
 
 #[test]
 fn a_column_that_varies_after_the_shortened_rows_is_shown() {
-    let text = FRICTION
+    let wide = FRICTION
         .replace(r#""x0": 3"#, r#""x0": [3, 4]"#)
         .replace("0.4, 1500", "0.4, 1100");
     // x0 is the first axis: the rows on the page have one x0.
-    let text = text.replace(
+    let text = wide.replace(
         r#""beta": { "linspace": [0.001, 0.4, 1100] }, "x0": [3, 4]"#,
         r#""x0": [3, 4], "beta": { "linspace": [0.001, 0.4, 1100] }"#,
     );

@@ -22,8 +22,10 @@ pub fn unpacked(page: &str) -> String {
 
 /// The packed scripts of a part of a page.
 pub fn scripts(part: &str) -> Vec<Vec<u8>> {
-    let texts = part.split(BEGIN).skip(1);
-    let texts = texts.map(|text| text.split_once("</script>").unwrap().0);
+    let texts = part
+        .split(BEGIN)
+        .skip(1)
+        .map(|text| text.split_once("</script>").unwrap().0);
     texts.map(inflated).collect()
 }
 

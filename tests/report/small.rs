@@ -187,8 +187,8 @@ fn distributions_on_the_page_are_those_of_the_table() {
     let page = unpacked(&page);
     let table = fs::read_to_string(folder.path().join("out/s/quantiles.csv")).unwrap();
     let rounded = |cell: &str| -> String {
-        let x: f64 = cell.parse().unwrap();
-        let x: f64 = format!("{x:.3e}").parse().unwrap();
+        let number: f64 = cell.parse().unwrap();
+        let x: f64 = format!("{number:.3e}").parse().unwrap();
         slipgap::problem::numbers::parameter::shortest(x)
     };
     let mut with_numbers = 0;

@@ -10,8 +10,8 @@ use std::process::Command;
 fn allowed() -> Vec<String> {
     let path = Path::new(env!("SLIPGAP_ROOT")).join("deny.toml");
     let text = std::fs::read_to_string(path).unwrap();
-    let list = text.split("\nallow = [").nth(1).unwrap();
-    let list = list.split("\n]").next().unwrap();
+    let rest = text.split("\nallow = [").nth(1).unwrap();
+    let list = rest.split("\n]").next().unwrap();
     list.split('"')
         .skip(1)
         .step_by(2)

@@ -9,8 +9,8 @@ const FRESH: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/fresh");
 #[test]
 #[ignore = "computes what `make figures` has not computed; run by `make test`"]
 fn the_studies_meet_their_checks() {
-    let studies = std::env::var("SLIPGAP_STUDIES");
-    let studies = studies.expect("SLIPGAP_STUDIES, the studies of `make figures`; run `make test`");
+    let given = std::env::var("SLIPGAP_STUDIES");
+    let studies = given.expect("SLIPGAP_STUDIES, the studies of `make figures`; run `make test`");
     let output = Command::new(env!("CARGO_BIN_EXE_slipgap-tested"))
         .arg("run")
         .args(studies.split_whitespace())

@@ -279,8 +279,8 @@ fn a_restitution_that_varies_has_a_mean_and_a_scatter() {
     let path = folder.path().join("study.json");
     fs::write(&path, of_file(files, &varies, &[LAW])).unwrap();
     let source = Source::read(&path, &[], 100).unwrap_or_else(|e| panic!("{e}"));
-    let found = calibrate(&source, &ProgressBar::hidden(), &Stop::default());
-    let found = found.unwrap_or_else(|e| panic!("{e}"));
+    let found = calibrate(&source, &ProgressBar::hidden(), &Stop::default())
+        .unwrap_or_else(|e| panic!("{e}"));
     let fit = &found.fits[0];
     assert_eq!(fit.each.len(), truth.len());
     for (test, truth) in fit.each.iter().zip(&truth) {

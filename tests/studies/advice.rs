@@ -367,9 +367,9 @@ fn pounding(step: f64, seeds: &Json, gaps: &Json) -> [f64; 2] {
         .filter(|row| ["ye", "jankowski", "kelvin-voigt"].contains(&text(row, "law")))
     {
         for other in rows.iter().filter(|other| same(row, other)) {
-            let ratio = |metric| (number(row, metric) / number(other, metric) - 1.0).abs();
+            let ratio_of = |metric| (number(row, metric) / number(other, metric) - 1.0).abs();
             let ratio = ["peak(a)", "peak(b)"]
-                .map(ratio)
+                .map(ratio_of)
                 .into_iter()
                 .fold(0.0, f64::max);
             let [k, of] = [row, other].map(|row| number(row, "k"));

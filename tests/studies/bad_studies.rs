@@ -360,8 +360,8 @@ fn numbers_with_units() {
     ] {
         assert_parameter(&format!("\"alpha\": {given}"), &format!("{at}{unit}"));
     }
-    let bars = "\"dt\": \"1 ms\", \"gamma\": 1, \"n\": \"4 m\", \"duration\": 2, \"right\": {\"E\": \"210 GPa\"}";
-    let bars = format!("{{\n\"problem\": \"bar-impact\", \"parameters\": {{\n{bars}\n}}\n}}");
+    let parameters = "\"dt\": \"1 ms\", \"gamma\": 1, \"n\": \"4 m\", \"duration\": 2, \"right\": {\"E\": \"210 GPa\"}";
+    let bars = format!("{{\n\"problem\": \"bar-impact\", \"parameters\": {{\n{parameters}\n}}\n}}");
     assert_faults(
         &bars,
         &[
@@ -501,12 +501,12 @@ fn assert_marked(text: &str, expected: &[&str]) {
         }
     }
     assert_eq!(marks.len(), expected.len(), "{text}");
-    let expected: Vec<String> = marks
+    let marked: Vec<String> = marks
         .iter()
         .zip(expected)
         .map(|(mark, message)| format!("{mark}: {message}"))
         .collect();
-    let expected: Vec<&str> = expected.iter().map(String::as_str).collect();
+    let expected: Vec<&str> = marked.iter().map(String::as_str).collect();
     assert_faults(&text.replace('§', ""), &expected);
 }
 
@@ -1486,8 +1486,8 @@ fn a_list_of_names_that_is_empty_says_so() {
     let text = structure(
         r#""k": 1"#,
         r#", "checks": [{ "metric": "foo", "max": 1 }, { "max": 1 }, { "metric": 3, "max": 1 }]"#,
-    );
-    let text = text.replace(r#""metrics": ["peak(m)"]"#, r#""metrics": []"#);
+    )
+    .replace(r#""metrics": ["peak(m)"]"#, r#""metrics": []"#);
     let found = faults(&text);
     assert_eq!(found.len(), 3, "{found:#?}");
     assert!(
@@ -1508,12 +1508,11 @@ fn a_reduction_says_what_it_lacks() {
         let text = format!(
             "{{\n\"problem\": \"structure\", \"parameters\": {{ \"n\": [1, 2], \"x\": 0.5, \"dt\": 0.1, \"duration\": \"n + x\" }},\n\"structure\": {{ \"matrices\": {{ \"f\": {{ \"M\": \"frames.M.mtx\", \"K\": \"frames.K.mtx\", \"dofs\": \"frames.dofs.csv\",\n{reduce} }} }} }},\n{rest}\n}}"
         );
-        let faults = match parse(&format!("{folder}/s.json"), &text) {
+        let faults: Vec<String> = match parse(&format!("{folder}/s.json"), &text) {
             Err(Error::Faults(faults)) => faults.iter().map(ToString::to_string).collect(),
             Ok(_) => Vec::new(),
             Err(other) => vec![other.to_string()],
         };
-        let faults: Vec<String> = faults;
         faults.concat()
     };
     let metrics = "\"metrics\": [\"peak(f.132.x)\"]";

@@ -137,9 +137,9 @@ fn sound_cases_among_refused_ones_have_the_numbers_of_a_study_without_those() {
         r#""zip": [["dt", "duration"]], "when": "gap == 1""#,
     );
     let (_, among) = run(&study);
-    let alone = r#"{"problem": "bar-impact", "parameters": {"n": 2, "gap": 1, "gamma": 1, "dt": 0.5, "duration": 2.5}}"#;
-    let alone = parse("s.json", alone).unwrap();
-    let alone = all(&alone, None, &ProgressBar::hidden()).unwrap();
+    let text = r#"{"problem": "bar-impact", "parameters": {"n": 2, "gap": 1, "gamma": 1, "dt": 0.5, "duration": 2.5}}"#;
+    let study = parse("s.json", text).unwrap();
+    let alone = all(&study, None, &ProgressBar::hidden()).unwrap();
     let bits = |outcome: &Outcome| -> Vec<Option<u64>> {
         let metrics = outcome.metrics.iter();
         metrics.map(|metric| metric.map(f64::to_bits)).collect()

@@ -22,8 +22,9 @@ fn table(study: &Path) -> Vec<BTreeMap<String, f64>> {
         .output()
         .unwrap();
     assert!(run.status.success(), "{run:?}");
-    let files = walkdir::WalkDir::new(out.path()).into_iter();
-    let mut files = files.map(|entry| entry.unwrap().into_path());
+    let mut files = walkdir::WalkDir::new(out.path())
+        .into_iter()
+        .map(|entry| entry.unwrap().into_path());
     let results = files.find(|file| file.ends_with("results.csv")).unwrap();
     let text = std::fs::read_to_string(results).unwrap();
     let mut lines = text.lines();

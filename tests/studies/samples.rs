@@ -112,14 +112,13 @@ fn the_right_law_is_accepted_in_95_of_100_sets_and_wrong_ones_are_refused() {
     assert_eq!(run("1")[1], tests);
 
     // 100 sets of 30 tests of the same program.
-    let data = fs::read_to_string(Path::new(env!("SLIPGAP_ROOT")).join("tests/data/sliding.json"));
-    let data: Json = serde_json::from_str(&data.unwrap()).unwrap();
+    let text = fs::read_to_string(Path::new(env!("SLIPGAP_ROOT")).join("tests/data/sliding.json"));
+    let data: Json = serde_json::from_str(&text.unwrap()).unwrap();
     let accepted = |slider: &str, metric: (&str, &str)| {
         let cases = cases(&results, slider, metric.0);
-        let sets = data[metric.1].as_array().unwrap().iter();
-        let sets = sets.map(|set| {
-            let values = set.as_array().unwrap().iter().map(Json::as_f64);
-            let mut values: Vec<f64> = values.map(Option::unwrap).collect();
+        let sets = data[metric.1].as_array().unwrap().iter().map(|set| {
+            let numbers = set.as_array().unwrap().iter().map(Json::as_f64);
+            let mut values: Vec<f64> = numbers.map(Option::unwrap).collect();
             values.sort_by(f64::total_cmp);
             values
         });

@@ -53,8 +53,10 @@ fn cells(bytes: &[u8]) -> Vec<Vec<String>> {
 /// The numbers of a column.
 #[track_caller]
 fn column(table: &[Vec<String>], name: &str) -> Vec<f64> {
-    let column_index = table[0].iter().position(|column| column == name);
-    let column_index = column_index.unwrap_or_else(|| panic!("no column {name} in {:?}", table[0]));
+    let column_index = table[0]
+        .iter()
+        .position(|column| column == name)
+        .unwrap_or_else(|| panic!("no column {name} in {:?}", table[0]));
     let cells = table[1..].iter().map(|row| row[column_index].parse());
     cells.map(|cell| cell.unwrap_or(f64::NAN)).collect()
 }
@@ -300,8 +302,8 @@ fn histories_have_the_same_columns_in_units() {
 /// The first figure of a study over all its cases.
 fn drawn(study: &Study) -> Sheet {
     let outcomes = outcomes(study);
-    let solutions = outcomes.iter().map(|o| study.problem.solve(&o.case, &[]));
-    let solutions: Vec<_> = solutions.map(Result::unwrap).collect();
+    let solved = outcomes.iter().map(|o| study.problem.solve(&o.case, &[]));
+    let solutions: Vec<_> = solved.map(Result::unwrap).collect();
     let mut shown = ShownCases::new(study.problem.schema());
     for (outcome, solution) in outcomes.iter().zip(solutions) {
         shown.push(&outcome.case, &outcome.metrics, Some(solution));

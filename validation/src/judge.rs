@@ -34,8 +34,10 @@ fn finding(met_list: Vec<Met>) -> Finding {
 }
 
 fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met {
-    let cases = outcomes.iter().filter(|o| expect.filter.matches(&o.case));
-    let mut cases: Vec<&CaseMetrics> = cases.collect();
+    let mut cases: Vec<&CaseMetrics> = outcomes
+        .iter()
+        .filter(|o| expect.filter.matches(&o.case))
+        .collect();
     let reduced = match expect.demand {
         Demand::Within { metric, .. }
         | Demand::Trend { metric, .. }
@@ -124,9 +126,10 @@ fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met 
             away,
             max,
         } => {
-            let errors = cases.iter();
-            let errors = errors.map(|o| away_from_fronts(problem, o, *profile, times, *away));
-            let errors: Vec<_> = errors.collect();
+            let errors: Vec<_> = cases
+                .iter()
+                .map(|o| away_from_fronts(problem, o, *profile, times, *away))
+                .collect();
             let name = format!("`{}`", problem.schema().profiles[*profile].name);
             within(&errors, &name, None, Some(*max))
         }
@@ -136,10 +139,10 @@ fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met 
             min,
             max,
         } => {
-            let errors = cases
+            let errors: Vec<_> = cases
                 .iter()
-                .map(|o| later_error(problem, o, *later, flights));
-            let errors: Vec<_> = errors.collect();
+                .map(|o| later_error(problem, o, *later, flights))
+                .collect();
             let name = format!("difference of `{}`", problem.schema().later[*later]);
             within(&errors, &name, *min, *max)
         }

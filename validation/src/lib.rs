@@ -67,8 +67,8 @@ pub fn judged(
     ledger: &Ledger,
     cases: impl FnMut(&LedgerStudy) -> Result<Vec<CaseMetrics>, Error>,
 ) -> Result<Vec<Vec<Finding>>, Error> {
-    let studies = ledger.studies.iter().map(cases);
-    let studies = studies.collect::<Result<Vec<_>, Error>>()?;
+    let solved = ledger.studies.iter().map(cases);
+    let studies = solved.collect::<Result<Vec<_>, Error>>()?;
     let claim = |claim: &Claim| {
         let readings = claim.readings.iter();
         let findings = readings.map(|reading| {

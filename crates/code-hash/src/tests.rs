@@ -147,9 +147,12 @@ fn every_part_of_the_solver_has_a_hash_of_its_code_and_no_test_counts() {
         // The crates of others below it compute for it, and its build script names them.
         let manifest = text(&format!("crates/{part}/Cargo.toml"));
         let (_, below) = manifest.split_once("[dependencies]\n").unwrap();
-        let below = below.lines().take_while(|line| !line.is_empty());
-        let below = below.filter_map(|line| line.split('.').next());
-        let below: Vec<&str> = below.filter(|name| !name.starts_with("slipgap-")).collect();
+        let below: Vec<&str> = below
+            .lines()
+            .take_while(|line| !line.is_empty())
+            .filter_map(|line| line.split('.').next())
+            .filter(|name| !name.starts_with("slipgap-"))
+            .collect();
         let script = text(&format!("crates/{part}/build.rs"));
         let named: Vec<String> = below.iter().map(|name| format!("\"{name}\"")).collect();
         let call = format!(

@@ -32,14 +32,14 @@ pub fn escape(plain: &str) -> String {
 
 /// A unit in markup, as in `m/s^2^` for `m/s2` and `kN·m` for `kN m`; another text unchanged.
 pub fn unit(text: &str) -> String {
-    let factors = text.split([' ', '·']).filter(|factor| !factor.is_empty());
-    let factors: Option<Vec<String>> = factors.map(quotient).collect();
+    let parts = text.split([' ', '·']).filter(|factor| !factor.is_empty());
+    let factors: Option<Vec<String>> = parts.map(quotient).collect();
     factors.map_or_else(|| escape(text), |factors| factors.join("·"))
 }
 
 /// Units with powers, with `/` between; `None` for another text.
 fn quotient(text: &str) -> Option<String> {
-    let parts = text.split('/').map(|part| {
+    let powers = text.split('/').map(|part| {
         let name = part.trim_end_matches(|c: char| c.is_ascii_digit());
         let power = &part[name.len()..];
         let name = name.trim_end_matches('^');
@@ -53,7 +53,7 @@ fn quotient(text: &str) -> Option<String> {
             _ => None,
         }
     });
-    let parts: Option<Vec<String>> = parts.collect();
+    let parts: Option<Vec<String>> = powers.collect();
     parts.map(|parts| parts.join("/"))
 }
 

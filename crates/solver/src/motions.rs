@@ -260,8 +260,8 @@ pub fn exact(structure: &Structure, times: &[f64]) -> Result<Solution, Unsolvabl
 /// As [`exact`], and a law that is none of straight lines: its motion has no events.
 pub fn events(structure: &Structure, end: f64) -> Result<Vec<Event>, Unsolvable> {
     let structure_at_start = started(structure, SHORT * end)?;
-    let motion = exactly::run(&structure_at_start, &[end], |_, _| ());
-    let motion = motion.map_err(|why| Unsolvable::Reference(why.to_string()))?;
+    let motion = exactly::run(&structure_at_start, &[end], |_, _| ())
+        .map_err(|why| Unsolvable::Reference(why.to_string()))?;
     Ok(motion.events)
 }
 

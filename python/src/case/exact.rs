@@ -24,8 +24,8 @@ pub fn exact<'py>(
     parameters: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let Some(known) = problem::find(problem) else {
-        let names: Vec<&str> = PROBLEMS.iter().map(|known| known.name()).collect();
-        let names = names.join(", ");
+        let known: Vec<&str> = PROBLEMS.iter().map(|known| known.name()).collect();
+        let names = known.join(", ");
         return Err(usage(
             py,
             format!("problem: unknown {problem:?}; allowed: {names}"),
@@ -63,8 +63,8 @@ pub fn exact<'py>(
     };
     let dict = PyDict::new(py);
     for channel in known.history_columns(&case) {
-        let values = history.channel(channel.index);
-        let values = arrays::numbers(py, values.iter().copied())?;
+        let samples = history.channel(channel.index);
+        let values = arrays::numbers(py, samples.iter().copied())?;
         dict.set_item(&*channel.column.name, values)?;
     }
     Ok(dict)

@@ -80,8 +80,7 @@ fn decode(kind: &Kind, value: &Bound<'_, PyAny>) -> Option<Value> {
             (*min..=*max).contains(&n).then_some(Value::Whole(n))
         }
         Kind::Choice(names) => {
-            let name = value.cast::<PyString>().ok()?;
-            let name = name.to_str().ok()?;
+            let name = value.cast::<PyString>().ok()?.to_str().ok()?;
             let known = names.iter().find(|known| known.0 == name)?;
             Some(Value::Name(known.0))
         }

@@ -57,8 +57,9 @@ fn of_case(py: Python<'_>, problem: Arc<dyn Problem>, case: Case) -> PyResult<So
         problem_copy.solve(&copy, &[])
     })?;
     let table = problem.metrics().iter().zip(&solution.metrics);
-    let defaults = table.filter(|(metric, _)| metric.default);
-    let defaults = defaults.map(|(metric, value)| (metric.name.to_string(), *value));
+    let defaults = table
+        .filter(|(metric, _)| metric.default)
+        .map(|(metric, value)| (metric.name.to_string(), *value));
     let metrics = defaults.collect();
     Ok(Solution::new(problem, None, (0, case), solution, metrics))
 }
@@ -71,8 +72,10 @@ fn of_study(py: Python<'_>, source: Source, number: i64) -> PyResult<Solution> {
 /// A case of a study: the metrics that are columns of its results.
 pub fn of_source(py: Python<'_>, source: Arc<Source>, number: i64) -> PyResult<Solution> {
     let cases = source.study.len();
-    let found = u64::try_from(number).ok().filter(|number| *number < cases);
-    let found = found.and_then(|number| Some((number, source.study.case(number)?)));
+    let found = u64::try_from(number)
+        .ok()
+        .filter(|number| *number < cases)
+        .and_then(|number| Some((number, source.study.case(number)?)));
     let Some((number, case)) = found else {
         let last = cases.saturating_sub(1);
         return Err(usage(

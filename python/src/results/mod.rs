@@ -159,7 +159,7 @@ impl Results {
     #[getter]
     fn manifest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let source = &self.shown.source;
-        let text = py.detach(|| match &self.folder {
+        let read = py.detach(|| match &self.folder {
             Some(folder) => {
                 let file = folder.join("manifest.json");
                 std::fs::read_to_string(&file).map_err(Error::io("cannot read", file))
@@ -172,7 +172,7 @@ impl Results {
                 Ok(serde_json::Value::Object(entries).to_string())
             }
         });
-        let text = text.map_err(|error| raise(py, error))?;
+        let text = read.map_err(|error| raise(py, error))?;
         py.import("json")?.call_method1("loads", (text,))
     }
 

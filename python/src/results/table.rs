@@ -41,8 +41,8 @@ impl Table {
             arrays.push(array);
         }
         let schema = Arc::new(Schema::new(fields));
-        let batch = RecordBatch::try_new(schema.clone(), arrays);
-        let batch = batch.map_err(|why| usage(columns.py(), format!("columns: {why}")))?;
+        let batch = RecordBatch::try_new(schema.clone(), arrays)
+            .map_err(|why| usage(columns.py(), format!("columns: {why}")))?;
         let batches = vec![batch];
         Ok(Table { schema, batches })
     }
@@ -59,8 +59,8 @@ impl Table {
 
     /// The types of the columns, by the Arrow PyCapsule interface.
     fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
-        let schema = FFI_ArrowSchema::try_from(self.schema.as_ref());
-        let schema = schema.map_err(|e| raise(py, Error::Internal(e.to_string())))?;
+        let schema = FFI_ArrowSchema::try_from(self.schema.as_ref())
+            .map_err(|e| raise(py, Error::Internal(e.to_string())))?;
         PyCapsule::new_with_value(py, schema, c"arrow_schema")
     }
 
@@ -92,8 +92,10 @@ impl Table {
 
     /// A column: an array of shape (cases,) with NaN for null, or for names a list of str and None.
     fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let column = self.schema.index_of(name);
-        let column = column.map_err(|_| PyKeyError::new_err(name.to_owned()))?;
+        let column = self
+            .schema
+            .index_of(name)
+            .map_err(|_| PyKeyError::new_err(name.to_owned()))?;
         let arrays = self.batches.iter().map(|batch| batch.column(column));
         let field = self.schema.field(column);
         let kind = field.data_type();
@@ -102,17 +104,23 @@ impl Table {
             return Ok(PyList::new(py, names.collect::<Vec<_>>())?.into_any());
         }
         if *kind != DataType::Int64 {
-            let values = arrays.flat_map(|array| array.as_primitive::<Float64Type>().iter());
-            let values: Vec<f64> = values.map(|x| x.unwrap_or(f64::NAN)).collect();
+            let values: Vec<f64> = arrays
+                .flat_map(|array| array.as_primitive::<Float64Type>().iter())
+                .map(|x| x.unwrap_or(f64::NAN))
+                .collect();
             return arrays::numbers(py, values.into_iter());
         }
         if arrays.clone().any(|array| array.null_count() > 0) {
-            let values = arrays.flat_map(|array| array.as_primitive::<Int64Type>().iter());
-            let values: Vec<f64> = values.map(|n| n.map_or(f64::NAN, |n| n as f64)).collect();
+            let values: Vec<f64> = arrays
+                .flat_map(|array| array.as_primitive::<Int64Type>().iter())
+                .map(|n| n.map_or(f64::NAN, |n| n as f64))
+                .collect();
             return arrays::numbers(py, values.into_iter());
         }
-        let values = arrays.flat_map(|array| array.as_primitive::<Int64Type>().values());
-        let values: Vec<i64> = values.copied().collect();
+        let values: Vec<i64> = arrays
+            .flat_map(|array| array.as_primitive::<Int64Type>().values())
+            .copied()
+            .collect();
         arrays::whole(py, values.into_iter())
     }
 }
@@ -129,8 +137,8 @@ fn array(column: &Bound<'_, PyAny>) -> PyResult<ArrayRef> {
     };
     match kind.as_str() {
         "i" => {
-            let words = bytes("i8")?;
-            let words = words
+            let values = bytes("i8")?;
+            let words = values
                 .chunks_exact(8)
                 .filter_map(|word| word.try_into().ok());
             Ok(Arc::new(

@@ -63,7 +63,7 @@ impl Groups {
         shown: &Shown,
         warnings: &[WarnedCases],
     ) -> PyResult<Py<PyDict>> {
-        let indices = py.detach(|| {
+        let computed = py.detach(|| {
             let study = &shown.source.study;
             let table = match shown.designs.estimates() {
                 0 => None,
@@ -71,7 +71,7 @@ impl Groups {
             };
             Ok(table.map(|table| table.bytes))
         });
-        let indices = indices.map_err(|error| raise(py, error))?;
+        let indices = computed.map_err(|error| raise(py, error))?;
         let files = [
             ("quantiles", &self.quantiles),
             ("two_samples", &self.two_samples),

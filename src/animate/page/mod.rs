@@ -253,14 +253,14 @@ mod tests {
             page.len()
         );
         let begin = r#"<script id="data" type="application/json">"#;
-        let data = page
+        let text = page
             .split_once(begin)
             .unwrap()
             .1
             .split_once("</script>")
             .unwrap()
             .0;
-        let data: Value = serde_json::from_str(data).unwrap();
+        let data: Value = serde_json::from_str(text).unwrap();
         let largest = films.iter().map(Film::largest).fold(0.0, f64::max);
         for (film, shown) in films.iter().zip(data["films"].as_array().unwrap()) {
             let unit = shown["unit"].as_f64().unwrap();

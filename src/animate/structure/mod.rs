@@ -39,8 +39,8 @@ pub fn film<'a>(
         moves: Vec::new(),
         stresses: Vec::new(),
     };
-    let names: Vec<&str> = scheme.links.iter().map(|link| &*link.name).collect();
-    let names: Vec<&str> = names.into_iter().filter(|name| !name.is_empty()).collect();
+    let link_names = scheme.links.iter().map(|link| &*link.name);
+    let names: Vec<&str> = link_names.filter(|name| !name.is_empty()).collect();
     let limits = problem.as_structure().map_or(Vec::new(), |structure| {
         structure.friction_limits(case, history)
     });
@@ -70,8 +70,10 @@ pub fn film<'a>(
     });
     let places = motion.moves.len();
     let supports = scheme.links.iter().flat_map(|link| &link.supports);
-    let support = supports.flatten().next();
-    let support = support.map(|name| (name.clone(), motion.values(&format!("{name}.a"))));
+    let support = supports
+        .flatten()
+        .next()
+        .map(|name| (name.clone(), motion.values(&format!("{name}.a"))));
     for link in scene.links.iter_mut().filter(|link| link.kind == "impact") {
         let column = motion.column(&format!("{}.r", link.name.0));
         link.opening = column.map(|column| motion.add(column));

@@ -81,8 +81,8 @@ impl AtomicFile {
     fn new(path: &Path) -> Result<AtomicFile, Error> {
         refuse_others(path).map_err(Error::io("cannot write", path))?;
         let folder = path.parent().unwrap_or(Path::new("."));
-        let file = new_temporary(&of_temporaries(folder));
-        let file = file.map_err(Error::io("cannot write", path))?;
+        let file =
+            new_temporary(&of_temporaries(folder)).map_err(Error::io("cannot write", path))?;
         let temporary = file.path().to_owned();
         temporary_files().insert(temporary.clone());
         Ok(AtomicFile {
@@ -105,8 +105,8 @@ impl AtomicFile {
             Some(out) => out.get_ref().as_file(),
             None => return Err(io::ErrorKind::BrokenPipe.into()),
         };
-        let slices = pieces.iter().map(|piece| IoSlice::new(piece.as_ref()));
-        let mut slices: Vec<IoSlice> = slices.filter(|slice| !slice.is_empty()).collect();
+        let of_pieces = pieces.iter().map(|piece| IoSlice::new(piece.as_ref()));
+        let mut slices: Vec<IoSlice> = of_pieces.filter(|slice| !slice.is_empty()).collect();
         let mut left = &mut slices[..];
         while !left.is_empty() {
             match file.write_vectored(left) {

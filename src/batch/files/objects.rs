@@ -78,8 +78,8 @@ pub fn write(path: &Path, file: &Path) -> io::Result<()> {
             bucket.put(key, next()?.into()).await?;
             return Ok(());
         }
-        let upload = bucket.put_multipart(key).await?;
-        let mut upload = WriteMultipart::new_with_chunk_size(upload, piece as usize);
+        let started = bucket.put_multipart(key).await?;
+        let mut upload = WriteMultipart::new_with_chunk_size(started, piece as usize);
         match send(&mut upload, &mut next).await {
             Ok(()) => upload.finish().await.map(drop),
             Err(error) => {
@@ -127,14 +127,14 @@ fn request<T>(
 /// The bucket and the key of `s3://BUCKET/KEY`. The key is the path as it is.
 fn split(path: &Path) -> io::Result<(String, Key)> {
     let invalid = |why: String| io::Error::new(ErrorKind::InvalidInput, why);
-    let text = path.to_str();
-    let text = text.ok_or_else(|| invalid("must be UTF-8 text".into()))?;
+    let given = path.to_str();
+    let utf8 = given.ok_or_else(|| invalid("must be UTF-8 text".into()))?;
     let text = match cfg!(windows) {
-        true => text.replace('\\', "/"),
-        false => text.to_owned(),
+        true => utf8.replace('\\', "/"),
+        false => utf8.to_owned(),
     };
-    let rest = text.strip_prefix("s3:/").unwrap_or(&text);
-    let rest = rest.strip_prefix('/').unwrap_or(rest);
+    let after_scheme = text.strip_prefix("s3:/").unwrap_or(&text);
+    let rest = after_scheme.strip_prefix('/').unwrap_or(after_scheme);
     let (bucket, key) = rest.split_once('/').unwrap_or((rest, ""));
     if bucket.is_empty() {
         return Err(invalid("names no bucket; write s3://BUCKET/FOLDER".into()));
@@ -154,9 +154,9 @@ fn bucket(name: &str) -> object_store::Result<Arc<AmazonS3>> {
         retry_timeout: RETRIED,
         ..RetryConfig::default()
     };
-    let builder = AmazonS3Builder::from_env().with_bucket_name(name);
+    let named = AmazonS3Builder::from_env().with_bucket_name(name);
     // Not every server removes several objects by one request.
-    let builder = builder.with_retry(retry).with_disable_bulk_delete(true);
+    let builder = named.with_retry(retry).with_disable_bulk_delete(true);
     let bucket = Arc::new(builder.build()?);
     buckets.insert(name.to_owned(), bucket.clone());
     Ok(bucket)

@@ -93,8 +93,8 @@ impl Manifest {
             self.unfinished.others = present.filter(others).collect();
             self.unfinished.cases = self.unfinished.cases.max(cases);
         }
-        let present = entries(folder).map_err(Error::io("cannot read", folder))?;
-        let present: BTreeSet<String> = present.into_iter().map(|entry| entry.name).collect();
+        let listed = entries(folder).map_err(Error::io("cannot read", folder))?;
+        let present: BTreeSet<String> = listed.into_iter().map(|entry| entry.name).collect();
         let new = names.into_iter().filter(|name| !present.contains(name));
         self.files.extend(new);
         // The origin of a former run is kept, because its results are still in the folder.

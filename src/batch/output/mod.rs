@@ -73,8 +73,8 @@ impl Folder {
             TESTS,
             FRAGILITY,
             MEMBERS,
-        ];
-        let tables = tables.map(String::from);
+        ]
+        .map(String::from);
         let names = tables.into_iter().chain(figures).collect();
         self.origin = origin(study, file);
         Manifest::read(&self.path)?.begin(&self.path, &self.origin, names, cases)

@@ -53,8 +53,8 @@ pub fn differences(results: &Path, study: &Study) -> Vec<String> {
     if manifest["study_sha256"].as_str() != Some(&study.sha256) {
         found.push("an earlier version of the study".to_owned());
     }
-    let now = study.read.iter().map(|file| (&*file.name, &*file.sha256));
-    let now: BTreeMap<&str, &str> = now.collect();
+    let read_files = study.read.iter().map(|file| (&*file.name, &*file.sha256));
+    let now: BTreeMap<&str, &str> = read_files.collect();
     match inputs(&manifest) {
         None if !now.is_empty() => {
             found.push("files of which manifest.json has no hashes".to_owned());

@@ -54,8 +54,10 @@ impl<'a> ReducedMetrics<'a> {
         for (_, groups) in &mut self.groups {
             let mut of: Vec<usize> = groups.reductions().iter().map(|r| r.of).collect();
             of.dedup();
-            let columns = of.iter().map(|row| part.metrics.column(*row).collect());
-            let columns: Vec<Vec<Option<f64>>> = columns.collect();
+            let columns: Vec<Vec<Option<f64>>> = of
+                .iter()
+                .map(|row| part.metrics.column(*row).collect())
+                .collect();
             let mut shown = part.cases.shown();
             for (index, number) in (0..part.len()).map(|row| (row, part.number(row))) {
                 groups.add(number, shown.at(index), |row| {
@@ -98,8 +100,9 @@ impl<'a> ReducedMetrics<'a> {
                 empty.push((measure.name.clone(), lacking, cases));
             }
         }
-        let bytes = writer.into_inner();
-        let bytes = bytes.map_err(|e| Error::Internal(e.to_string()))?;
+        let bytes = writer
+            .into_inner()
+            .map_err(|e| Error::Internal(e.to_string()))?;
         Ok(Some(ReductionTable { bytes, empty }))
     }
 

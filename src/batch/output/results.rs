@@ -44,11 +44,16 @@ impl<'a, W: Write> ResultTable<'a, W> {
     /// # Errors
     /// Those of the writer.
     pub fn add(&mut self, part: &PartResult) -> io::Result<()> {
-        let parameters = self.parameters.iter();
-        let parameters = parameters.map(|row| Text::of_parameter(&part.cases.columns()[*row]));
-        let metrics = self.study.columns.iter();
-        let metrics = metrics.map(|metric| part.metrics.numbers(*metric));
-        let metrics = metrics.map(|numbers| numbers.map_or(Text::Same(Vec::new()), Text::Metrics));
+        let parameters = self
+            .parameters
+            .iter()
+            .map(|row| Text::of_parameter(&part.cases.columns()[*row]));
+        let metrics = self
+            .study
+            .columns
+            .iter()
+            .map(|metric| part.metrics.numbers(*metric))
+            .map(|numbers| numbers.map_or(Text::Same(Vec::new()), Text::Metrics));
         let columns: Vec<Text> = parameters
             .chain(metrics.map(Ok))
             .collect::<io::Result<_>>()?;

@@ -56,8 +56,9 @@ pub fn table(
             }
         }
     }
-    let bytes = writer.into_inner();
-    let bytes = bytes.map_err(|e| Error::Internal(e.to_string()))?;
+    let bytes = writer
+        .into_inner()
+        .map_err(|e| Error::Internal(e.to_string()))?;
     Ok(Some(IndexTable { bytes, undefined }))
 }
 

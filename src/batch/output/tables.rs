@@ -72,8 +72,8 @@ pub fn write_history(
         let name = format!("{}_exact", column.name);
         (name, column.dimension, exact.channel(*index))
     }));
-    let measured = study.measured(case);
-    let measured: Vec<(&MeasuredChannel, Vec<f64>)> = measured
+    let channels = study.measured(case);
+    let measured: Vec<(&MeasuredChannel, Vec<f64>)> = channels
         .iter()
         .map(|channel| (channel, channel.at(&computed.time)))
         .collect();

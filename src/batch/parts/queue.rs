@@ -95,9 +95,9 @@ mod tests {
         };
         let whole = take(PartQueue::new(&study), 3);
         let chunks = chunk::count(&study);
-        let direct = (0..chunks).flat_map(|chunk| chunk::parts(&study, chunk));
+        let of_chunks = (0..chunks).flat_map(|chunk| chunk::parts(&study, chunk));
         let direct = (0..)
-            .zip(direct)
+            .zip(of_chunks)
             .map(|(n, part)| (n, part.start, part.first));
         assert!(whole.iter().copied().eq(direct));
         assert!(chunks == 3 && whole.len() > 8);

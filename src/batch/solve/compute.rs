@@ -122,8 +122,8 @@ pub(in crate::batch) fn compute_rows(
     };
     let mut solved: Vec<(usize, SolvedCase)> = Vec::new();
     for block in signal_order(study, cases, single) {
-        let block = block.into_iter().map(|row| row as usize);
-        let block: Vec<(usize, Case)> = block.map(|row| (row, shown.at(row).clone())).collect();
+        let rows = block.into_iter().map(|row| row as usize);
+        let block: Vec<(usize, Case)> = rows.map(|row| (row, shown.at(row).clone())).collect();
         let solutions = block.par_iter().map(solve);
         solved.extend(solutions.collect::<Result<Vec<_>, Error>>()?);
     }

@@ -219,8 +219,9 @@ fn with_signals_of(study: &Study, like: &Case) -> Vec<Case> {
     }
     let raw = study.raw_len();
     let stride = raw.div_ceil(MOST_SUMMED);
-    let cases = (0..raw).step_by(stride as usize);
-    let cases = cases.filter_map(|raw| study.combination(raw));
+    let cases = (0..raw)
+        .step_by(stride as usize)
+        .filter_map(|raw| study.combination(raw));
     let found: Vec<Case> = cases
         .filter(|case| study.samples(case) == samples)
         .collect();
@@ -330,8 +331,8 @@ mod tests {
         let study = study(r#""beta": {"linspace": [1, 2, 64]}, "dT": 1e-7, "duration": 3"#);
         let like = study.case(0).unwrap();
         let (_, cases) = study.columns(0, slice(study.raw_len(), total(&study)));
-        let cases = alike(&study, &like, &cases, std::slice::from_ref(&like));
-        let cases = shortened(&study, cases, SWEEP_WORK);
+        let alike_cases = alike(&study, &like, &cases, std::slice::from_ref(&like));
+        let cases = shortened(&study, alike_cases, SWEEP_WORK);
         assert_eq!(cases.len(), 64);
         let work = work(&study, &cases, &solvable_rows(&cases));
         // The number of steps is rounded: up to one step in each case.

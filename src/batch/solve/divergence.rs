@@ -74,11 +74,11 @@ fn sampled_if(
     }
     let cases = study.len();
     let numbers = numbers(cases, most, total(study));
-    let found = numbers.par_iter().map(|number| {
+    let sampled = numbers.par_iter().map(|number| {
         let case = study.case(*number).filter(|case| wanted(case))?;
         diverges(study, &case)
     });
-    let found: Vec<Option<bool>> = found.collect();
+    let found: Vec<Option<bool>> = sampled.collect();
     let mut sum = Divergence::default();
     found.into_iter().for_each(|found| sum.add(found));
     Some(Divergence { cases, ..sum })

@@ -23,8 +23,9 @@ pub(in crate::batch) fn run_part(
     options.go_on()?;
     let (start, first, work) = (part.start, part.first, part.work as f64);
     let cases = part.cases();
-    let store = options.store;
-    let store = store.map(|store| (store, Key::new(study, first, &cases)));
+    let store = options
+        .store
+        .map(|store| (store, Key::new(study, first, &cases)));
     let readable = store.as_ref().filter(|_| !options.recompute);
     let loaded = match readable {
         Some((store, key)) => store.load(study, start, key, cases.len()),

@@ -40,8 +40,9 @@ impl WarnedCases {
     /// The example, as in `case 3: gap = 0.1, n = 5`.
     pub fn example(&self) -> String {
         let parameters = self.parameters.iter();
-        let values = parameters.map(|(name, value)| format!("{name} = {value}"));
-        let values: Vec<String> = values.collect();
+        let values: Vec<String> = parameters
+            .map(|(name, value)| format!("{name} = {value}"))
+            .collect();
         let mut text = format!("case {}", self.case);
         if !values.is_empty() {
             text += &format!(": {}", values.join(", "));
@@ -59,8 +60,9 @@ impl WarnedCases {
             Value::Whole(n) => json!(n),
             Value::Name(name) => json!(name),
         };
-        let parameters = self.parameters.iter();
-        let parameters: Map<String, Json> = parameters
+        let parameters: Map<String, Json> = self
+            .parameters
+            .iter()
             .map(|(name, given)| (name.clone(), value(given)))
             .collect();
         json!({
@@ -103,8 +105,8 @@ impl WarningCounts {
 
     /// The kinds that some of the `of` cases of the study have.
     pub fn list(&self, study: &Study, of: u64) -> Vec<WarnedCases> {
-        let found = WARNINGS.into_iter().zip(self.0);
-        let found = found.filter_map(|(kind, found)| Some((kind, found?)));
+        let pairs = WARNINGS.into_iter().zip(self.0);
+        let found = pairs.filter_map(|(kind, found)| Some((kind, found?)));
         let warned = found.map(|(kind, (cases, case))| WarnedCases {
             kind,
             cases,
@@ -128,8 +130,9 @@ fn varying(study: &Study, number: u64, case: &Case) -> Vec<(String, Value)> {
     let Some(block) = study.block_of(number) else {
         return Vec::new();
     };
-    let firsts = (0..study.blocks.len()).filter_map(|i| study.case(study.first_of(i)));
-    let firsts: Vec<Case> = firsts.collect();
+    let firsts: Vec<Case> = (0..study.blocks.len())
+        .filter_map(|i| study.case(study.first_of(i)))
+        .collect();
     let on_axis = |row: usize| {
         let groups = block.groups.iter().filter(|group| group.len() > 1);
         groups
@@ -140,8 +143,10 @@ fn varying(study: &Study, number: u64, case: &Case) -> Vec<(String, Value)> {
         let other = |other: &Case| !Value::identical(other.values[row], case.values[row]);
         study.blocks.iter().any(|block| block.gives(row)) && firsts.iter().any(other)
     };
-    let rows = study.parameter_columns().into_iter();
-    let rows = rows.filter(|row| on_axis(*row) || differs(*row));
+    let rows = study
+        .parameter_columns()
+        .into_iter()
+        .filter(|row| on_axis(*row) || differs(*row));
     let named = rows.filter_map(|row| {
         let name = study.problem.parameters()[row].name.to_string();
         Some((name, case.values[row]?))

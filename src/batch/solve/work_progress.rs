@@ -168,8 +168,10 @@ mod tests {
         let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "dT": 0.1, "duration": 3,
             "beta": {"range": [1, 327680, 1]}}}"#;
         let study = parse("s.json", text).unwrap();
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
-        let pool = pool.build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(1)
+            .build()
+            .unwrap();
         let progress = WorkProgress::new(0.0);
         let options = RunOptions {
             progress: Some(&progress),

@@ -50,8 +50,8 @@ pub fn study_status(
     let store = results.join(STORE);
     let signs = heartbeat::signs(&store);
     let last = signs.iter().max_by_key(|sign| sign.written);
-    let of = last.and_then(|sign| sign.shard).map(Shard::of);
-    let of = shards.or(of.filter(|of| *of <= MOST_SHARDS));
+    let of_last = last.and_then(|sign| sign.shard).map(Shard::of);
+    let of = shards.or(of_last.filter(|of| *of <= MOST_SHARDS));
     let mut status = StudyStatus {
         all: Progress::default(),
         shards: Vec::new(),
@@ -91,8 +91,10 @@ pub fn study_status(
     }
     // The clock of the file server, which gives the times, may be ahead of this one.
     let latest = shards.iter().chain([&status.all]).filter_map(|p| p.latest);
-    let now = latest.max().max(Some(SystemTime::now()));
-    let now = now.unwrap_or(SystemTime::UNIX_EPOCH);
+    let now = latest
+        .max()
+        .max(Some(SystemTime::now()))
+        .unwrap_or(SystemTime::UNIX_EPOCH);
     let progresses = shards.iter_mut().chain([&mut status.all]);
     progresses.for_each(|progress| progress.finish(now));
     status.shards = Shard::all(of.unwrap_or(0)).zip(shards).collect();

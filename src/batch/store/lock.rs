@@ -23,9 +23,11 @@ pub fn acquire(
         let why = io::Error::other("it is not a file; remove it");
         return Err(Error::io("cannot lock", path)(why));
     }
-    let mut options = OpenOptions::new();
-    let options = options.read(true).write(true).create(true).truncate(false);
-    let lock = options
+    let lock = OpenOptions::new()
+        .read(true)
+        .write(true)
+        .create(true)
+        .truncate(false)
         .open(&path)
         .map_err(Error::io("cannot write", &path))?;
     match locks::lock(&lock, acquire) {

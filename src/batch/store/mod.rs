@@ -212,8 +212,9 @@ impl Store {
     ) -> Result<(), Error> {
         let pieces = writing::encode(study, key, cases, metrics, &self.constant_columns)
             .map_err(|e| Error::Internal(format!("cannot make a part of the store: {e}")))?;
-        let folder = chunk::folder(study, start).map(part_file::folder_name);
-        let folder = folder.map_or(self.folder.clone(), |name| self.folder.join(name));
+        let folder = chunk::folder(study, start)
+            .map(part_file::folder_name)
+            .map_or(self.folder.clone(), |name| self.folder.join(name));
         let path = folder.join(part_file::name(start, &checksum(&pieces)));
         self.write(&path, &pieces)?;
         // The parts that it replaces remain until `close`: other parts may use their cases.

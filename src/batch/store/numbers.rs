@@ -60,7 +60,7 @@ pub fn encode(
     bytes[..start].copy_from_slice(&levels);
     split(&values, &mut bytes[start..]);
     let data = Bytes::from(packed(bytes, start, values.len()));
-    let page = Page::DataPage {
+    let data_page = Page::DataPage {
         buf: data.clone(),
         num_values: numbers.len() as u32,
         encoding: Encoding::BYTE_STREAM_SPLIT,
@@ -68,7 +68,7 @@ pub fn encode(
         rep_level_encoding: Encoding::RLE,
         statistics: None,
     };
-    let page = CompressedPage::new(page, bytes.len());
+    let page = CompressedPage::new(data_page, bytes.len());
     let mut out = TrackedWrite::new(Beginning::default());
     let written = SerializedPageWriter::new(&mut out).write_page(page)?;
     let mut head = out.into_inner()?.0;
@@ -171,8 +171,8 @@ fn statistics(values: &[f64], without: usize) -> Statistics {
         if greatest == 0.0 { 0.0 } else { greatest },
     ));
     let (least, greatest) = some.unzip();
-    let statistics = ValueStatistics::new(least, greatest, None, Some(without as u64), false);
-    let statistics = statistics.with_nan_count(Some(0));
+    let statistics = ValueStatistics::new(least, greatest, None, Some(without as u64), false)
+        .with_nan_count(Some(0));
     Statistics::from(statistics.with_backwards_compatible_min_max(true))
 }
 

@@ -92,7 +92,7 @@ pub fn read_checked(path: &Path) -> Option<Vec<u8>> {
 /// The number of cases of a part that could not be solved, from its footer. Damage of its rows is not seen.
 pub fn failures(path: &Path, key: &Key, cases: usize) -> Result<u64, Miss> {
     let damaged = || Miss::Damaged(path.to_owned());
-    let read = match is_object(path) {
+    let caught = match is_object(path) {
         true => {
             let bytes = Bytes::from(read_file(path).map_err(|_| damaged())?);
             catch_panic(|| reading::failures(bytes, key, cases).ok())
@@ -100,12 +100,14 @@ pub fn failures(path: &Path, key: &Key, cases: usize) -> Result<u64, Miss> {
         false => {
             // A pipe would wait for a writer.
             let is_file = fs::metadata(path).is_ok_and(|found| found.is_file());
-            let file = is_file.then(|| File::open(path).ok()).flatten();
-            let file = file.ok_or_else(damaged)?;
+            let file = is_file
+                .then(|| File::open(path).ok())
+                .flatten()
+                .ok_or_else(damaged)?;
             catch_panic(|| reading::failures(file, key, cases).ok())
         }
     };
-    let read = read.flatten();
+    let read = caught.flatten();
     read.ok_or_else(damaged)?.map_err(Miss::Outdated)
 }
 

@@ -165,8 +165,10 @@ fn values(
 /// The key of a part.
 fn stored_key<R: ChunkReader + 'static>(file: &SerializedFileReader<R>) -> Key {
     let metadata = file.metadata().file_metadata();
-    let pairs = metadata.key_value_metadata();
-    let pairs = pairs.map(Vec::as_slice).unwrap_or_default();
+    let pairs = metadata
+        .key_value_metadata()
+        .map(Vec::as_slice)
+        .unwrap_or_default();
     let value = |key: &str| {
         let key = format!("slipgap.{key}");
         let pair = pairs.iter().find(|pair| pair.key == key);
@@ -208,8 +210,10 @@ fn metrics(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> R
         width = width.max(metric + 1);
     }
     // By their places: a parameter may have the same name.
-    let first_text = group.num_columns().checked_sub(OWN_TEXTS);
-    let first_text = first_text.ok_or_else(|| general("a column is missing"))?;
+    let first_text = group
+        .num_columns()
+        .checked_sub(OWN_TEXTS)
+        .ok_or_else(|| general("a column is missing"))?;
     let texts = |column: usize| match group.get_column_reader(column)? {
         ColumnReader::ByteArrayColumnReader(reader) => filled(reader, count),
         _ => Err(general("a column is not text")),

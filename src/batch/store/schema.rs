@@ -76,8 +76,8 @@ pub fn metadata(study: &Study, key: &Key) -> Vec<KeyValue> {
     let parameters = rows
         .map(|row| &table[row])
         .map(|p| (p.column_name(), &*p.unit, &*p.meaning));
-    let metrics = study.metrics.iter().map(|m| &study.problem.metrics()[*m]);
-    let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning));
+    let metric_rows = study.metrics.iter().map(|m| &study.problem.metrics()[*m]);
+    let metrics = metric_rows.map(|m| (&*m.name, &*m.unit, &*m.meaning));
     let own_columns = [
         ("case", "1", "number of the case, from 0"),
         (FAILURE, "", "why the case could not be solved"),

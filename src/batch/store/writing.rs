@@ -67,9 +67,10 @@ pub fn encode(
         properties: Arc::new(properties()),
     };
     let table = study.problem.parameters();
-    let parameters = study.parameter_columns().into_iter();
-    let parameters =
-        parameters.map(|row| Source::Parameter(table[row].kind, &cases.columns()[row]));
+    let parameters = study
+        .parameter_columns()
+        .into_iter()
+        .map(|row| Source::Parameter(table[row].kind, &cases.columns()[row]));
     let numbers = |metric: &usize| metrics.numbers(*metric).unwrap_or_default();
     let values = study
         .metrics
@@ -80,10 +81,12 @@ pub fn encode(
         .chain(values)
         .collect();
     sources.extend([Source::Failures, Source::Warnings]);
-    let columns = sources.par_iter().enumerate();
-    let columns = columns.map_init(Vec::new, |memory, (index, source)| {
-        encoder.column(index, source, memory)
-    });
+    let columns = sources
+        .par_iter()
+        .enumerate()
+        .map_init(Vec::new, |memory, (index, source)| {
+            encoder.column(index, source, memory)
+        });
     encoder.file(metadata(study, key), columns.collect::<Result<_>>()?)
 }
 
@@ -91,7 +94,7 @@ impl Encoder<'_> {
     /// The pieces of the file with these columns.
     fn file(&self, about: Vec<KeyValue>, columns: Vec<EncodedColumn>) -> Result<Vec<Bytes>> {
         let (rows, mut offset) = (self.cases.len() as i64, MAGIC.len() as i64);
-        let placed = |(pieces, column): &EncodedColumn| {
+        let place_column = |(pieces, column): &EncodedColumn| {
             let column = column.metadata.clone();
             let dictionary = column.dictionary_page_offset().map(|page| page + offset);
             let data = column.data_page_offset() + offset;
@@ -99,7 +102,10 @@ impl Encoder<'_> {
             let column = column.into_builder().set_data_page_offset(data);
             column.set_dictionary_page_offset(dictionary).build()
         };
-        let placed = columns.iter().map(placed).collect::<Result<Vec<_>>>()?;
+        let placed = columns
+            .iter()
+            .map(place_column)
+            .collect::<Result<Vec<_>>>()?;
         let sizes = placed.iter().map(ColumnChunkMetaData::uncompressed_size);
         let group = RowGroupMetaData::builder(self.schema.clone())
             .set_num_rows(rows)
@@ -251,10 +257,10 @@ fn write_cells_of(writer: &mut ColumnWriter, cells: &Cells) -> Result<()> {
             write_cells::<Int64Type>(writer, numbers.len(), cells)
         }
         Cells::Names { names, places } => {
-            let names = names
+            let names: Vec<ByteArray> = names
                 .iter()
-                .map(|name| Bytes::from_static(name.as_bytes()).into());
-            let names: Vec<ByteArray> = names.collect();
+                .map(|name| Bytes::from_static(name.as_bytes()).into())
+                .collect();
             let name = |index: &u32| (*index != NO_NAME).then(|| names[*index as usize].clone());
             write_cells::<ByteArrayType>(writer, places.len(), places.iter().map(name))
         }

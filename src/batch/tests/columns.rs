@@ -107,8 +107,10 @@ fn part(study: &Study) -> (Key, Vec<u8>) {
     let store = Store::open(folder.path()).unwrap();
     store.save(study, 0, &key, (first, &cases), &found).unwrap();
     drop(store);
-    let parts = walkdir::WalkDir::new(folder.path()).into_iter().flatten();
-    let mut parts = parts.filter(|entry| entry.path().extension().is_some_and(|e| e == "parquet"));
+    let mut parts = walkdir::WalkDir::new(folder.path())
+        .into_iter()
+        .flatten()
+        .filter(|entry| entry.path().extension().is_some_and(|e| e == "parquet"));
     (key, std::fs::read(parts.next().unwrap().path()).unwrap())
 }
 

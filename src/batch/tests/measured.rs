@@ -26,8 +26,8 @@ const STUDY: &str = r#"{ "problem": "structure",
 fn a_table_has_measured_columns_at_the_steps() {
     let folder = tempfile::tempdir().unwrap();
     // A file that begins and ends within the motion, at uneven times.
-    let times = (0..60).map(|i| f64::from(i) * (0.03 + 0.0005 * f64::from(i)));
-    let times: Vec<f64> = times
+    let times: Vec<f64> = (0..60)
+        .map(|i| f64::from(i) * (0.03 + 0.0005 * f64::from(i)))
         .filter(|t| (0.1..=0.9).contains(&(t - DELAY)))
         .collect();
     let row = |t: &f64| {

@@ -81,8 +81,8 @@ fn more_records_than_fit_in_memory_are_made_once() {
     assert_eq!(values.len(), 4800);
     let first = values[0].unwrap();
     for (case, value) in values.iter().enumerate() {
-        let factor = study.case(case as u64).unwrap();
-        let factor = factor.number("k").unwrap() * factor.number("a").unwrap();
+        let of_case = study.case(case as u64).unwrap();
+        let factor = of_case.number("k").unwrap() * of_case.number("a").unwrap();
         assert!(
             (value.unwrap() / (first * factor) - 1.0).abs() < 1e-12,
             "{case}"

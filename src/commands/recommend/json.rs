@@ -7,8 +7,10 @@ use serde_json::{Map, Value, json};
 
 /// The whole answer.
 pub fn answer(advice: &Advice) -> Value {
-    let candidates = advice.choices.iter().enumerate();
-    let candidates: Vec<Value> = candidates
+    let candidates: Vec<Value> = advice
+        .choices
+        .iter()
+        .enumerate()
         .map(|(at, choice)| candidate(advice, at, choice))
         .collect();
     let lists: Vec<Value> = advice

@@ -112,12 +112,12 @@ impl RecommendArgs {
 /// Writes the picture of a front; returns the paths, one in each line.
 fn write_front(folder: &mut Folder, front: &Front) -> Result<String, Error> {
     let sheet = front.sheet();
-    let paths = [
+    let files = [
         folder.write("front.png", &figures::png(&sheet, DPI)?)?,
         folder.write("front.svg", figures::svg(&sheet, DPI)?.as_bytes())?,
         folder.write("front.pdf", &figures::pdf(&sheet, DPI)?)?,
     ];
-    let paths = paths.iter().map(|path| format!("{}\n", path.display()));
+    let paths = files.iter().map(|path| format!("{}\n", path.display()));
     Ok(paths.collect())
 }
 
@@ -165,13 +165,13 @@ fn has_warnings(advice: &Advice) -> bool {
 /// The table of all candidates, with a line of names.
 fn rows(advice: &Advice, style: &Style) -> Vec<Vec<String>> {
     let (parameters, within) = (advice.parameters(), advice.within());
-    let names = parameters.iter().map(|parameter| parameter.1);
-    let names = names.chain(["cost", "energy_gain", "energy_loss"]);
-    let names = names.chain(within.iter().map(|metric| metric.0));
+    let of_parameters = parameters.iter().map(|parameter| parameter.1);
+    let with_costs = of_parameters.chain(["cost", "energy_gain", "energy_loss"]);
+    let names = with_costs.chain(within.iter().map(|metric| metric.0));
     let has_warnings = has_warnings(advice);
     let warnings = (style.always_warnings || has_warnings).then_some("warnings");
-    let header = names.chain(["worst"]).chain(warnings).chain(["verdict"]);
-    let header = header.map(str::to_owned);
+    let columns = names.chain(["worst"]).chain(warnings).chain(["verdict"]);
+    let header = columns.map(str::to_owned);
     let number = |x: f64| match x.is_finite() {
         true => (style.number)(x),
         false => style.missing.to_owned(),
@@ -200,8 +200,8 @@ fn rows(advice: &Advice, style: &Style) -> Vec<Vec<String>> {
 
 /// The tolerances as the last line of the printed table.
 fn tolerances(advice: &Advice) -> Vec<String> {
-    let limits = [advice.energy.gain, advice.energy.loss].into_iter();
-    let limits = limits
+    let of_energy = [advice.energy.gain, advice.energy.loss].into_iter();
+    let limits = of_energy
         .chain(advice.within().into_iter().map(|metric| metric.1))
         .chain([1.0]);
     let limit = |x: f64| match x.is_finite() {

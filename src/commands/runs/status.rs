@@ -64,8 +64,10 @@ fn status(sources: &[Source], out: &Path, shards: Option<u64>, as_json: bool) ->
             lines += &format!("{object}\n");
             continue;
         }
-        let shards = status.shards.iter();
-        let shards = shards.map(|(shard, progress)| row(source, shard.to_string(), progress));
+        let shards = status
+            .shards
+            .iter()
+            .map(|(shard, progress)| row(source, shard.to_string(), progress));
         rows.extend(shards.chain([row(source, "all".into(), &status.all)]));
     }
     print(&if as_json { lines } else { table(&rows) })

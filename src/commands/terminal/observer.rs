@@ -60,11 +60,11 @@ impl Observer for Terminal {
 
     fn end_cases(&mut self, source: &Source, bar: &ProgressBar, summary: &str) {
         self.studies.end_cases(&self.work);
-        let left = match bar.is_hidden() {
+        let estimate = match bar.is_hidden() {
             true => self.studies.estimate_for_log(),
             false => None,
         };
-        let left = left.map_or(String::new(), |left| format!("; {left} left"));
+        let left = estimate.map_or(String::new(), |left| format!("; {left} left"));
         progress::finish(
             bar,
             &self.studies.name(source),

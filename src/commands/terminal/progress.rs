@@ -85,9 +85,9 @@ pub fn figures(name: &str, figures: usize, estimate: Option<Estimate>) -> Progre
     }
     let time_left = move |state: &ProgressState, out: &mut dyn Write| {
         let drawn = usize::try_from(state.pos()).unwrap_or(figures);
-        let left = estimate.as_ref();
-        let left =
-            left.map(|estimate| estimate.text(Some(Duration::ZERO), figures.saturating_sub(drawn)));
+        let left = estimate
+            .as_ref()
+            .map(|estimate| estimate.text(Some(Duration::ZERO), figures.saturating_sub(drawn)));
         let _ = write!(
             out,
             "{}",

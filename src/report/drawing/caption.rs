@@ -130,23 +130,22 @@ fn curves(sheet: &Sheet) -> Option<String> {
 /// The cases that the figure chooses.
 fn cases(data: &FigureData) -> Option<String> {
     let table = data.study.problem.parameters();
-    let chosen = data.figure.filter.0.iter();
-    let chosen = chosen.map(|(row, values)| {
+    let of_rows = data.figure.filter.0.iter().map(|(row, values)| {
         let parameter = &table[*row];
         let are_numbers = values.iter().all(|value| value.as_f64().is_some());
-        let values: Vec<String> = values
+        let words: Vec<String> = values
             .iter()
             .map(|value| written(parameter, value))
             .collect();
-        let values = match &values[..] {
-            [first, .., last] if are_numbers && values.len() > MOST_NUMBERS => {
-                format!("{} values from {first} to {last}", values.len())
+        let values = match &words[..] {
+            [first, .., last] if are_numbers && words.len() > MOST_NUMBERS => {
+                format!("{} values from {first} to {last}", words.len())
             }
-            values => list(values, "or"),
+            words => list(words, "or"),
         };
         format!("{} = {values}", plain(&parameter.symbol))
     });
-    let chosen: Vec<String> = chosen.collect();
+    let chosen: Vec<String> = of_rows.collect();
     (!chosen.is_empty()).then(|| format!("for {}", chosen.join(", ")))
 }
 

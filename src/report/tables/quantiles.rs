@@ -74,16 +74,16 @@ impl Quantiles {
             b"<th>cases</th><th>empty</th><th>median</th><th>16 % to 84 %</th><th>5 % to 95 %</th><th>all</th></tr></thead>\n<tbody>\n",
         )?;
         for (names, of) in rows {
-            let names = names.iter();
             let names: String = names
+                .iter()
                 .map(|name| format!("<td class=\"words\">{}</td>", escape(name)))
                 .collect();
             let [min, q05, q16, _, median, _, q84, q95, max] = of.quantiles;
             let [cases, empty] = of.counts;
-            let interval = range(of.moments[2], of.moments[3]);
-            let interval = match interval.as_str() {
-                "" => interval,
-                interval => format!(" ({interval})"),
+            let ends = range(of.moments[2], of.moments[3]);
+            let interval = match ends.as_str() {
+                "" => ends,
+                ends => format!(" ({ends})"),
             };
             writeln!(
                 out,

@@ -58,8 +58,10 @@ impl<'a> Results<'a> {
     pub fn add(&mut self, outcome: &Outcome) {
         let study = self.study;
         let table = study.problem.parameters();
-        let parameters = self.parameters.iter();
-        let parameters = parameters.map(|row| number(table[*row].kind, outcome.case.values[*row]));
+        let parameters = self
+            .parameters
+            .iter()
+            .map(|row| number(table[*row].kind, outcome.case.values[*row]));
         let metrics = study
             .columns
             .iter()
@@ -180,8 +182,8 @@ impl<'a> Results<'a> {
                 )
             }
             None => {
-                let metric = self.study.columns[index - self.parameters.len()];
-                let metric = &self.study.measures[metric];
+                let row = self.study.columns[index - self.parameters.len()];
+                let metric = &self.study.measures[row];
                 (&*metric.name, &*metric.unit, &*metric.meaning, Vec::new())
             }
         };

@@ -53,8 +53,8 @@ fn refused(file: &str, marked: &str, expected: &[&str]) {
             .lines()
             .filter(|l| !l.starts_with("  | "))
             .collect();
-        let fit = found.len() == lines.len();
-        let fit = fit
+        let same_count = found.len() == lines.len();
+        let fit = same_count
             && found
                 .iter()
                 .zip(&lines)

@@ -115,8 +115,8 @@ fn a_motion_that_loses_its_target_spectrum_is_cut() {
             0.1 * (PI * (t - 2.0) / 2.0).sin()
         }
     };
-    let rows = (0..=1200).map(|i| f64::from(i) / 100.0);
-    let rows: String = rows
+    let rows: String = (0..=1200)
+        .map(|i| f64::from(i) / 100.0)
         .map(|t| format!("{t},{}\n", if t < 10.0 { value(t) } else { 0.0 }))
         .collect();
     bench.file("quake.csv", format!("t,a\n{rows}"));

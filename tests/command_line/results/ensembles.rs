@@ -19,8 +19,8 @@ fn the_tables_of_an_ensemble_are_those_of_its_cases() {
     bench.expect(0, &["run", "s.json"]);
     let quantiles = bench.text("figures/s/quantiles.csv");
     let two_samples = bench.text("figures/s/two_samples.csv");
-    let results = bench.text("figures/s/results.csv");
-    let results = rows(&results);
+    let table = bench.text("figures/s/results.csv");
+    let results = rows(&table);
     let at = |name: &str| results[0].iter().position(|cell| *cell == name).unwrap();
     let (alpha, error) = (at("alpha"), at("rms_error"));
     for row in rows(&quantiles).iter().filter(|row| row[0] == "rms_error") {
@@ -284,8 +284,8 @@ fn a_fragility_figure_over_a_metric_needs_a_fit() {
 fn independent(figure: &str) -> (Vec<f64>, serde_json::Value) {
     let reference: serde_json::Value =
         serde_json::from_str(include_str!("../../data/fragility.json")).unwrap();
-    let curve = reference[figure]["curve"].as_array().unwrap().iter();
-    let curve = curve.map(|x| x.as_f64().unwrap()).collect();
+    let of_figure = reference[figure]["curve"].as_array().unwrap().iter();
+    let curve = of_figure.map(|x| x.as_f64().unwrap()).collect();
     (curve, reference[figure]["members"].clone())
 }
 
@@ -332,8 +332,8 @@ fn fragilities_agree_with_an_independent_program() {
     ] {
         let (expected, shares) = independent(figure);
         let function_row = table.iter().find(|row| row[0] == figure).unwrap();
-        let found = numbers.map(|name| function_row[column_of(name)]);
-        let found: Vec<f64> = found.iter().filter_map(|x| x.parse().ok()).collect();
+        let cells = numbers.map(|name| function_row[column_of(name)]);
+        let found: Vec<f64> = cells.iter().filter_map(|x| x.parse().ok()).collect();
         assert_eq!(found.len(), expected.len(), "{figure}");
         found.iter().zip(expected).for_each(|(x, y)| near(*x, y));
         let counts = ["beyond", "before", "collapsed"].map(|name| function_row[column_of(name)]);

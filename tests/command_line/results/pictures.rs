@@ -12,8 +12,8 @@ const LAW: &str = r#", "figures": [{ "name": "law", "kind": "law", "width": 90 }
 
 /// The characters of the codes of a font, from its ToUnicode map.
 fn characters(font: &Dict) -> HashMap<u16, String> {
-    let map = font.get::<Stream>("ToUnicode").expect("a map");
-    let map = String::from_utf8(map.decoded().unwrap().to_vec()).unwrap();
+    let stream = font.get::<Stream>("ToUnicode").expect("a map");
+    let map = String::from_utf8(stream.decoded().unwrap().to_vec()).unwrap();
     let hex = |word: &str| u16::from_str_radix(word, 16).unwrap();
     let pairs = map.lines().filter_map(|line| {
         let (code, text) = line
@@ -62,8 +62,8 @@ fn text(bytes: Vec<u8>) -> (String, (f32, f32)) {
 
 /// Asserts that some but not all outlines of a font are in the file.
 fn embedded(font: &Dict) {
-    let under = font.get::<Array>("DescendantFonts").unwrap();
-    let under = under.iter::<Dict>().next().unwrap();
+    let descendants = font.get::<Array>("DescendantFonts").unwrap();
+    let under = descendants.iter::<Dict>().next().unwrap();
     let descriptor = under.get::<Dict>("FontDescriptor").unwrap();
     let program = descriptor
         .get::<Stream>("FontFile3")

@@ -21,8 +21,10 @@ fn table(text: &str) -> Vec<Vec<String>> {
 
 /// The cells of a column.
 fn column(table: &[Vec<String>], name: &str) -> Vec<String> {
-    let column = table[0].iter().position(|cell| cell == name);
-    let column = column.unwrap_or_else(|| panic!("{name} in {:?}", table[0]));
+    let column = table[0]
+        .iter()
+        .position(|cell| cell == name)
+        .unwrap_or_else(|| panic!("{name} in {:?}", table[0]));
     table[1..].iter().map(|row| row[column].clone()).collect()
 }
 
@@ -71,10 +73,10 @@ fn the_table_has_every_reduction_of_every_group() {
     for (i, group) in groups.into_iter().enumerate() {
         let mut of: Vec<f64> = group.iter().map(|case| errors[*case].unwrap()).collect();
         let mean = of.iter().sum::<f64>() / of.len() as f64;
-        let best = group
+        let found = group
             .iter()
             .min_by(|a, b| errors[**a].unwrap().total_cmp(&errors[**b].unwrap()));
-        let best = *best.unwrap();
+        let best = *found.unwrap();
         assert_eq!(cells("law")[i], column(&results, "law")[best]);
         assert_eq!(cells("dT")[i], column(&results, "dT")[best]);
         assert_eq!(value[i], errors[best]);
@@ -92,8 +94,10 @@ fn the_table_has_every_reduction_of_every_group() {
         let part = 0.25 * (of.len() - 1) as f64;
         let quantile = of[0] + part * (of[1] - of[0]);
         assert!((value[8 + i].unwrap() - quantile).abs() <= 1e-15 * quantile);
-        let worst = group.iter().filter_map(|case| rests[*case]);
-        let worst = worst.max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        let worst = group
+            .iter()
+            .filter_map(|case| rests[*case])
+            .max_by(|a, b| a.abs().total_cmp(&b.abs()));
         assert_eq!(value[12 + i], worst);
         assert_eq!(cases[12 + i], group.len().to_string());
         let lacking = group.iter().filter(|case| rests[**case].is_none()).count();

@@ -127,9 +127,9 @@ fn a_contact_without_a_whole_impact_has_no_restitution() {
 #[test]
 fn a_restitution_that_is_not_the_target_is_a_note_and_is_not_denied() {
     let bench = Bench::new();
-    let parameters = r#""e": [0.5, LOW, HIGH, 0.99], "dt": 1e-4, "duration": 0.05"#;
+    let template = r#""e": [0.5, LOW, HIGH, 0.99], "dt": 1e-4, "duration": 0.05"#;
     // The law of Hunt and Crossley gives 0.05 more than the target 0.7477.
-    let parameters = parameters.replace("LOW", "0.745").replace("HIGH", "0.75");
+    let parameters = template.replace("LOW", "0.745").replace("HIGH", "0.75");
     let contact = r#""law": "hunt-crossley", "k_h": 1e6, "restitution": "e""#;
     assert_eq!(
         bench.kinds(&collision(&parameters, contact, "")),

@@ -32,8 +32,8 @@ fn kinds(table: &str, column: &str) -> String {
         .headers()
         .unwrap()
         .iter()
-        .position(|header| header == column);
-    let index = index.unwrap_or_else(|| panic!("{column}"));
+        .position(|header| header == column)
+        .unwrap_or_else(|| panic!("{column}"));
     let cells = rows.records().map(|row| row.unwrap()[index].to_owned());
     let mut kinds: Vec<char> = cells
         .filter(|cell| !cell.is_empty())
@@ -82,11 +82,12 @@ fn values_of_a_rule_are_its_decimals() {
     bench.expect(0, &["run", "s.json"]);
     let text = bench.text("figures/s/results.csv");
     let column = |index: usize| {
-        let cells = text
+        let mut cells: Vec<String> = text
             .lines()
             .skip(1)
-            .filter_map(move |line| line.split(',').nth(index));
-        let mut cells: Vec<String> = cells.map(str::to_owned).collect();
+            .filter_map(move |line| line.split(',').nth(index))
+            .map(str::to_owned)
+            .collect();
         cells.sort_by(|a, b| a.parse::<f64>().unwrap().total_cmp(&b.parse().unwrap()));
         cells.dedup();
         cells

@@ -61,8 +61,8 @@ fn cases_are_counted_also_without_tables_and_figures() {
         .filter(|line| line.starts_with("all.json:"));
     assert!(of_all.all(|line| !line.contains("no contact")), "{done:?}");
     for (name, count) in [("many", 10_201), ("all", 0)] {
-        let manifest = bench.text(&format!("figures/{name}/manifest.json"));
-        let manifest: Json = serde_json::from_str(&manifest).unwrap();
+        let text = bench.text(&format!("figures/{name}/manifest.json"));
+        let manifest: Json = serde_json::from_str(&text).unwrap();
         assert_eq!(manifest["cases_without_contact"], count);
     }
 }

@@ -177,15 +177,15 @@ fn a_pipe_in_place_of_a_result_does_not_stop_a_run() {
     bench.file("s.json", friction(ONE, ""));
     bench.expect(0, &["run", "s.json"]);
     let everything = bench.everything("figures/s");
-    let part = everything.iter().find(|name| name.ends_with(".parquet"));
-    let part = part.unwrap().rsplit('/').next().unwrap();
+    let entry = everything.iter().find(|name| name.ends_with(".parquet"));
+    let part = entry.unwrap().rsplit('/').next().unwrap();
     for name in ["manifest.json", &format!("store/{part}")] {
         let path = bench.path(&format!("figures/s/{name}"));
         fs::remove_file(&path).unwrap();
         let made = Command::new("mkfifo").arg(&path).status().unwrap();
         assert!(made.success());
         let mut command = bench.command();
-        let command = command.args(["run", "s.json"]).stderr(Stdio::null());
+        command.args(["run", "s.json"]).stderr(Stdio::null());
         let mut child = command.stdout(Stdio::null()).spawn().unwrap();
         // A run takes a fraction of a second; a reader of the pipe waits for ever.
         let mut waits = 0..3000;

@@ -30,8 +30,10 @@ fn every_verb_says_that_results_are_of_other_files() {
     let before = manifest(&bench, "one");
     let input = |name: &str| {
         let text = bench.text(name);
-        let digits = Sha256::digest(text.as_bytes());
-        let digits: String = digits.iter().map(|byte| format!("{byte:02x}")).collect();
+        let digits: String = Sha256::digest(text.as_bytes())
+            .iter()
+            .map(|byte| format!("{byte:02x}"))
+            .collect();
         json!({"name": name, "size": text.len(), "sha256": digits})
     };
     assert_eq!(before["inputs"], json!([input("a.csv"), input("b.csv")]));

@@ -13,10 +13,10 @@ fn run(bench: &Bench) -> String {
 
 /// The rows of the store and of results.csv, as sorted text.
 fn rows(bench: &Bench) -> [Vec<String>; 2] {
-    let stored = store::rows(&bench.path("figures/s")).unwrap();
-    let stored = stored.rows.iter().map(|row| row.join(","));
-    let csv = bench.text("figures/s/results.csv");
-    let csv = csv.lines().skip(1).map(String::from);
+    let stored_table = store::rows(&bench.path("figures/s")).unwrap();
+    let stored = stored_table.rows.iter().map(|row| row.join(","));
+    let csv_text = bench.text("figures/s/results.csv");
+    let csv = csv_text.lines().skip(1).map(String::from);
     let sorted = |mut rows: Vec<String>| {
         rows.sort();
         rows
@@ -120,8 +120,8 @@ fn reports_of_one_study_wait_for_each_other() {
     bench.file("s.json", friction(ONE, ""));
     let begin = |_| {
         let mut command = bench.command();
-        let command = command.args(["report", "s.json"]);
         command
+            .args(["report", "s.json"])
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn()
@@ -323,11 +323,11 @@ fn other_blocks_do_not_change_the_indices_of_a_saltelli_design() {
         );
         run(&bench);
         let table = bench.text("figures/s/sobol.csv");
-        let rows = table
+        let pairs = table
             .lines()
             .skip(1)
             .map(|row| row.split_once(',').unwrap());
-        let rows: Vec<String> = rows
+        let rows: Vec<String> = pairs
             .map(|(block, rest)| {
                 assert_eq!(block, number.to_string());
                 rest.to_owned()

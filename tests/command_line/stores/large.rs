@@ -62,8 +62,8 @@ fn shards_and_readers_find_the_parts_in_sub_folders() {
         let output = Command::new(&python)
             .args(["-c", &program])
             .current_dir(bench.path(""))
-            .output();
-        let output = output.unwrap();
+            .output()
+            .unwrap();
         assert!(
             output.status.success(),
             "{tool}: {}",
@@ -128,8 +128,8 @@ fn memory_is_counted_for_what_is_kept() {
         assert!(err.contains(what), "{err}");
     }
     // Metrics of many nodes.
-    let metrics: Vec<String> = (1..400).map(|i| format!("\"last(b.{i})\"")).collect();
-    let metrics = format!(", \"metrics\": [{}]", metrics.join(", "));
+    let names: Vec<String> = (1..400).map(|i| format!("\"last(b.{i})\"")).collect();
+    let metrics = format!(", \"metrics\": [{}]", names.join(", "));
     bench.file("s.json", bar(19_999, "1e-6", &metrics));
     let err = bench.expect(2, &["check", "s.json"]).err;
     let what = "dt: gives 1.000e6 steps of 399 numbers in the metrics and figures, at most 2.68e8 numbers fit in memory";

@@ -235,8 +235,7 @@ fn the_script_for_slurm_has_full_paths_and_the_settings() {
     ];
     let done = bench.expect(0, &words);
     assert_eq!(done.err, "");
-    let folder = bench.path("").canonicalize().unwrap();
-    let folder = folder.display().to_string();
+    let folder = bench.path("").canonicalize().unwrap().display().to_string();
     let arguments = format!(
         "arguments=('{folder}/it'\\''s/s.json' '--out' '{folder}/figures' '--set' 'alpha=[0.1, 1]')"
     );

@@ -25,8 +25,10 @@ fn run(bench: &Bench) -> String {
 
 /// The bytes of all files except the manifest, which depends on the path of the study.
 fn bytes(bench: &Bench, folder: &str) -> Vec<(String, Vec<u8>)> {
-    let names = bench.everything(folder).into_iter();
-    let names = names.filter(|name| !name.ends_with("manifest.json"));
+    let names = bench
+        .everything(folder)
+        .into_iter()
+        .filter(|name| !name.ends_with("manifest.json"));
     names
         .map(|name| {
             (
@@ -187,8 +189,8 @@ fn a_report_of_a_changed_study_waits_for_the_store() {
     lock.lock().unwrap();
     let mut command = bench.command();
     command.args(["report", "s.json"]);
-    let child = command.stdout(Stdio::null()).stderr(Stdio::piped());
-    let mut child = child.spawn().unwrap();
+    let quiet = command.stdout(Stdio::null()).stderr(Stdio::piped());
+    let mut child = quiet.spawn().unwrap();
     // Time for an attempt to lock the store. The test passes for any time.
     sleep(Duration::from_millis(500));
     assert_eq!(child.try_wait().unwrap(), None);
@@ -371,11 +373,11 @@ fn other_programs_read_the_store() {
         .split(',')
         .position(|c| c == "rms_error_r")
         .unwrap();
-    let column = csv
+    let column: Vec<f64> = csv
         .lines()
         .skip(1)
-        .map(|row| row.split(',').nth(number).unwrap().parse().unwrap());
-    let column: Vec<f64> = column.collect();
+        .map(|row| row.split(',').nth(number).unwrap().parse().unwrap())
+        .collect();
     let python = std::env::var("SLIPGAP_PYTHON").unwrap_or("python3".into());
     let partial = "figures/s/store/.slipgap-0123456789aB.partial";
     for written in [false, true] {

@@ -230,8 +230,7 @@ fn a_parameter_that_the_measurement_does_not_contain_is_not_determined() {
         1,
     );
     // The mass never reaches the ground.
-    let more = format!("{}{FREE}", measured("\"test.csv\""));
-    let more = more.replace("[0.5, 2]", "[0.05, 0.15]");
+    let more = format!("{}{FREE}", measured("\"test.csv\"")).replace("[0.5, 2]", "[0.05, 0.15]");
     bench.file(
         "s.json",
         study(r#""law": "hertz", "k": 1, "k_h": 5000, "v0": 0.1"#, &more),

@@ -14,8 +14,8 @@ fn help_and_version_go_to_stdout() {
     for verb in ["run", "check"] {
         assert!(bench.expect(0, &[verb, "--help"]).out.contains("--jobs"));
     }
-    let version = bench.expect(0, &["--version"]).out;
-    let version = version.strip_suffix('\n').unwrap();
+    let printed = bench.expect(0, &["--version"]).out;
+    let version = printed.strip_suffix('\n').unwrap();
     let number = concat!("slipgap ", env!("CARGO_PKG_VERSION"));
     match head() {
         Some(commit) => assert_eq!(version, format!("{number} ({})", &commit[..8])),
@@ -28,8 +28,8 @@ fn head() -> Option<String> {
     let root = Path::new(env!("SLIPGAP_ROOT"));
     let git = |words: &[&str]| {
         let mut command = Command::new("git");
-        let output = command.arg("rev-parse").args(words).current_dir(root);
-        let output = output.output().ok()?;
+        let call = command.arg("rev-parse").args(words).current_dir(root);
+        let output = call.output().ok()?;
         let text = String::from_utf8(output.stdout).unwrap();
         output.status.success().then(|| text.trim().to_owned())
     };
@@ -158,8 +158,8 @@ fn the_schema_allows_one_value_or_a_list_in_where() {
 /// The verbs that the help lists.
 fn verbs(bench: &Bench) -> Vec<String> {
     let help = bench.expect(0, &["--help"]).out;
-    let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1);
-    let lines = lines.take_while(|line| !line.is_empty());
+    let from_commands = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let lines = from_commands.take_while(|line| !line.is_empty());
     let words = lines.filter_map(|line| line.split_whitespace().next());
     words.map(String::from).collect()
 }

@@ -46,8 +46,8 @@ fn the_mass_of_a_spring_is_that_of_its_nodes() {
     // From m1 m2/(m1 + m2) to all that springs connect.
     let of_two =
         r#", {"between": ["a", "b"], "mass": "m", "period": 1}, {"between": ["b", "d"], "k": 1}"#;
-    let study = sprung(r#""m": [0.49, 0.5, 1, 2.5, 2.6]"#, of_two, "");
-    let study = study.replace(r#""a": 1}"#, r#""a": 1, "b": 1, "d": 0.5}"#);
+    let study = sprung(r#""m": [0.49, 0.5, 1, 2.5, 2.6]"#, of_two, "")
+        .replace(r#""a": 1}"#, r#""a": 1, "b": 1, "d": 0.5}"#);
     assert_eq!(bench.kinds(&study), some(&[("spring-mass", 2, 0)]));
 }
 
@@ -59,8 +59,8 @@ fn ratios_and_coefficients_are_no_percentages() {
     assert_eq!(bench.kinds(&sprung(r#""x": [1, 1.01]"#, spring, "")), ratio);
     let modal = r#", "modal_damping": "x""#;
     assert_eq!(bench.kinds(&sprung(r#""x": [1, 1.01]"#, "", modal)), ratio);
-    let coefficient = sprung(r#""x": [2, 2.01]"#, "", "");
-    let coefficient = coefficient.replace(r#""limit": 0.1"#, r#""nu": "x", "N": 0.01"#);
+    let coefficient =
+        sprung(r#""x": [2, 2.01]"#, "", "").replace(r#""limit": 0.1"#, r#""nu": "x", "N": 0.01"#);
     assert_eq!(
         bench.kinds(&coefficient),
         some(&[("friction-coefficient", 1, 1)])

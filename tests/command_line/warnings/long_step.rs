@@ -103,11 +103,11 @@ fn peaks_with_twelve_steps_err_by_some_percent() {
     let right = peaks(500.0);
     let errors = |count: f64| {
         let found = peaks(count);
-        let errors = found
+        let mut errors: Vec<f64> = found
             .iter()
             .zip(&right)
-            .map(|(x, right)| (x / right - 1.0).abs());
-        let mut errors: Vec<f64> = errors.collect();
+            .map(|(x, right)| (x / right - 1.0).abs())
+            .collect();
         errors.sort_by(f64::total_cmp);
         errors
     };

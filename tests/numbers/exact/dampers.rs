@@ -77,7 +77,7 @@ fn an_elastic_contact_that_slides_before_a_damper_has_no_exact_motion() {
         json!({"law": "displacement-control", "k": 8000, "limit": 5}),
         json!({"law": "viscous", "c": 30, "a": 0.5}),
     ];
-    let study = json!({
+    let written = json!({
         "problem": "structure", "parameters": {"dt": 0.004, "duration": 2},
         "structure": {
             "masses": {"a": 20}, "springs": [{"between": ["ground", "a"], "k": 2200}],
@@ -85,7 +85,7 @@ fn an_elastic_contact_that_slides_before_a_damper_has_no_exact_motion() {
         },
         "metrics": ["step_error(a)"]
     });
-    let study = study::parse("study.json", &study.to_string()).unwrap();
+    let study = study::parse("study.json", &written.to_string()).unwrap();
     let why = study
         .problem
         .solve(&study.case(0).unwrap(), &[])

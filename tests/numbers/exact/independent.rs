@@ -52,7 +52,7 @@ fn compare(file: &str, tolerance: impl Fn(&Json) -> f64) {
             record["steps"].as_u64().unwrap(),
             "{parameters}"
         );
-        let known = |(row, metric): (usize, &Metric)| {
+        let row_if_known = |(row, metric): (usize, &Metric)| {
             record["metrics"]
                 .get(&*metric.name)
                 .is_some()
@@ -62,7 +62,7 @@ fn compare(file: &str, tolerance: impl Fn(&Json) -> f64) {
             .metrics()
             .iter()
             .enumerate()
-            .filter_map(known)
+            .filter_map(row_if_known)
             .collect();
         let solution = problem.solve(&case, &known).unwrap();
         let tolerance = tolerance(record);

@@ -198,11 +198,12 @@ fn normal_force(step: usize) -> f64 {
 fn friction_vanishes_and_slip_follows_in_an_open_contact() {
     let set = Set::frame(0.1, 400);
     let (law, element) = displacement(&set, 0.3, -6.0);
-    let difference = set.difference(law, element, |step, law, element| {
-        law.limit = Lane([friction_limit(0.5, normal_force(step))]);
-        element.normal_force = normal_force(step);
-    });
-    let difference = difference.unwrap();
+    let difference = set
+        .difference(law, element, |step, law, element| {
+            law.limit = Lane([friction_limit(0.5, normal_force(step))]);
+            element.normal_force = normal_force(step);
+        })
+        .unwrap();
     assert!(difference < ROUND_OFF, "{difference:e}");
 
     let mut modal = set.modal(0.0);
@@ -221,11 +222,12 @@ fn friction_vanishes_and_slip_follows_in_an_open_contact() {
     assert!(lifted > 100, "the test must lift the contact");
 
     let (law, element) = velocity(&set, 0.5);
-    let difference = set.difference(law, element, |step, law, element| {
-        law.limit = Lane([friction_limit(0.5, normal_force(step))]);
-        element.normal_force = normal_force(step);
-    });
-    let difference = difference.unwrap();
+    let difference = set
+        .difference(law, element, |step, law, element| {
+            law.limit = Lane([friction_limit(0.5, normal_force(step))]);
+            element.normal_force = normal_force(step);
+        })
+        .unwrap();
     assert!(difference < ROUND_OFF, "{difference:e}");
 }
 
@@ -250,8 +252,8 @@ fn the_papers_dimensional_data_are_gravitational_units() {
     let limit = friction_limit(nu, -m * g);
     let (mut a, mut b) = (dimensional.modal(0.0), scaled.modal(0.0));
     let compliance = elastic / limit;
-    let law = DisplacementControl { compliance, limit };
-    let law = DisplacementControl::step(&[law], &a.flexibilities()[0]);
+    let control = DisplacementControl { compliance, limit };
+    let law = DisplacementControl::step(&[control], &a.flexibilities()[0]);
     let (scaled_law, _) = displacement(&scaled, alpha, 12.0);
     let [mut law, mut scaled_law] = [law, scaled_law].map(RunningLaw::new);
     for _ in 0..80 {

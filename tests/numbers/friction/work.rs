@@ -124,8 +124,8 @@ fn numerical_dissipation_of_moreau_and_jeans_method_is_that_of_its_theta() {
         let metrics = FrictionOscillator.metrics();
         let row = metrics
             .iter()
-            .position(|m| m.name == "numerical_dissipation");
-        let row = row.unwrap();
+            .position(|m| m.name == "numerical_dissipation")
+            .unwrap();
         let solution = FrictionOscillator.solve(&case, &[row]).unwrap();
         let c = solution.computed;
         let pairs = c.velocity().windows(2).zip(c.displacement().windows(2));

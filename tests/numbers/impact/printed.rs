@@ -126,7 +126,7 @@ fn impedances_two_to_one_exchange_two_thirds_and_four_thirds() {
     }
     .solve(2.0);
     assert!((exact.impulse(2.0) - 1.0).abs() < 1e-15);
-    let off = |n: u32| {
+    let off_by = |n: u32| {
         let given = json!({
             "k_I": 100.0 * f64::from(n) / 10.0, "n": n, "dt": 0.0005, "duration": 1.5,
             "A": 2.0, "right": {"A": 1.0, "V0": 0.0},
@@ -135,7 +135,7 @@ fn impedances_two_to_one_exchange_two_thirds_and_four_thirds() {
         (left - 1.0 / 3.0).abs().max((right - 4.0 / 3.0).abs())
     };
     // The difference is vibration of the meshes; with four times the elements it is half as large.
-    let off = [10, 40, 160].map(off);
+    let off = [10, 40, 160].map(off_by);
     assert!(
         off[0] < 0.03 && off[1] < off[0] / 1.7 && off[2] < off[1] / 1.7,
         "{off:?}"

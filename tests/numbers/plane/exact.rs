@@ -8,11 +8,13 @@ use slipgap::study;
 fn exact(mut study: Json, channels: &[&str], steps: &[usize]) -> Vec<Vec<f64>> {
     study["metrics"] = json!(["rms_error(f.r)", "reference_error(f.r)"]);
     study["figures"] = json!([{"name": "h", "kind": "history", "y": channels}]);
-    let study = study::parse("study.json", &study.to_string());
-    let study = study.unwrap_or_else(|why| panic!("{why}"));
+    let study =
+        study::parse("study.json", &study.to_string()).unwrap_or_else(|why| panic!("{why}"));
     let case = study.case(0).unwrap();
-    let solution = study.problem.solve(&case, &study.metrics);
-    let solution = solution.unwrap_or_else(|why| panic!("{why}"));
+    let solution = study
+        .problem
+        .solve(&case, &study.metrics)
+        .unwrap_or_else(|why| panic!("{why}"));
     let error = solution.metrics[1].unwrap();
     assert!(error < 1e-9, "reference_error {error}");
     let channel = |i: usize| -> Vec<f64> {

@@ -6,7 +6,7 @@ use slipgap::study;
 
 /// The energy metrics of a body on a floor under a pulse, and whether a contact seems to make energy, in every method.
 fn of_sticking(between: [&str; 2], law: &str, limit: f64) {
-    let study = json!({
+    let written = json!({
         "problem": "structure",
         "parameters": {
             "dt": [0.002, 0.0005], "duration": 0.6,
@@ -23,7 +23,7 @@ fn of_sticking(between: [&str; 2], law: &str, limit: f64) {
         },
         "metrics": ["energy_error", "numerical_dissipation"]
     });
-    let study = study::parse("s.json", &study.to_string()).unwrap_or_else(|why| panic!("{why}"));
+    let study = study::parse("s.json", &written.to_string()).unwrap_or_else(|why| panic!("{why}"));
     for case in study.cases() {
         let solution = study.problem.solve(&case, &study.metrics).unwrap();
         let gains = |warning: Warning| warning == Warning::ContactGain;

@@ -105,7 +105,7 @@ fn a_start_has_no_displacement_beside_static_loads() {
 
 #[test]
 fn static_loads_that_nothing_holds_are_named() {
-    let study = json!({
+    let written = json!({
         "problem": "structure",
         "parameters": {"dt": 0.01, "duration": 1},
         "structure": {
@@ -116,7 +116,7 @@ fn static_loads_that_nothing_holds_are_named() {
         },
         "metrics": ["peak(b)"]
     });
-    let study = parse(&study);
+    let study = parse(&written);
     let why = study
         .problem
         .solve(&study.case(0).unwrap(), &[])

@@ -153,7 +153,7 @@ fn a_target_spectrum_is_met_by_least_squares() {
             .map(|ordinate| ordinate.pseudo_acceleration())
             .collect()
     };
-    let wanted = |period: f64| {
+    let design = |period: f64| {
         0.3 * G
             * 1.2
             * if period <= 0.5 {
@@ -162,7 +162,7 @@ fn a_target_spectrum_is_met_by_least_squares() {
                 2.5 * 0.5 / period
             }
     };
-    let wanted: Vec<f64> = periods.iter().map(|t| wanted(*t)).collect();
+    let wanted: Vec<f64> = periods.iter().map(|t| design(*t)).collect();
     let ordinates = spectrum_of(&motion(&keys(en)));
     // At the least, the derivative of the squares by the factor is 0.
     let slope: f64 = ordinates
@@ -432,8 +432,8 @@ fn measures_of_the_ground_are_those_of_an_independent_program() {
         let duration = number("dt") * (number("count") - 1.0);
         let steps = format!("\"dt\": {}, \"duration\": {duration}", number("dt"));
         let whole = text.replace(r#""dt": 0.01, "duration": 1"#, &steps);
-        let study = parse(&whole.replace(r#""peak(m)""#, &metrics.join(", ")));
-        let study = study.unwrap_or_else(|why| panic!("{why}"));
+        let study = parse(&whole.replace(r#""peak(m)""#, &metrics.join(", ")))
+            .unwrap_or_else(|why| panic!("{why}"));
         let metrics = study
             .problem
             .solve(&study.case(case as u64).unwrap(), &[])
@@ -495,8 +495,8 @@ fn measures_are_those_of_the_motion_that_the_structure_gets() {
         let metrics = r#""ground.x.Sa(0.5)", "ground.x.pga", "ground.y.pga", "ground.y.arias""#;
         let text = text.replace(r#""peak(m)""#, metrics);
         let steps = format!(r#""dt": {dt}, "duration": {duration}"#);
-        let study = parse(&text.replace(r#""dt": 0.01, "duration": 1"#, &steps));
-        let study = study.unwrap_or_else(|why| panic!("{why}"));
+        let study = parse(&text.replace(r#""dt": 0.01, "duration": 1"#, &steps))
+            .unwrap_or_else(|why| panic!("{why}"));
         let case = study.case(0).unwrap();
         study.problem.solve(&case, &[]).unwrap().metrics
     };

@@ -169,11 +169,11 @@ fn a_pendulum_on_a_hinge_that_yields_moves_as_the_closed_form() {
         } else {
             f64::INFINITY
         };
-        let v = velocity * libm::cos(w * yields.min(0.0)).max(0.0);
+        let v_in_yielding = velocity * libm::cos(w * yields.min(0.0)).max(0.0);
         let v = if reached < 1.0 {
             velocity * (1.0 - reached * reached).sqrt()
         } else {
-            v
+            v_in_yielding
         };
         let mut compared = 0;
         for (i, u) in motion.iter().enumerate() {

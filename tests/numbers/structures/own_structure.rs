@@ -194,8 +194,8 @@ fn plate(dt: f64) -> Vec<[f64; 4]> {
     (0..40)
         .map(|case| {
             let case = study.case(case).unwrap();
-            let metrics = study.problem.solve(&case, &[]).unwrap().metrics;
-            let metrics: Vec<f64> = metrics.into_iter().flatten().collect();
+            let cells = study.problem.solve(&case, &[]).unwrap().metrics;
+            let metrics: Vec<f64> = cells.into_iter().flatten().collect();
             metrics.try_into().unwrap()
         })
         .collect()

@@ -155,10 +155,11 @@ fn page() -> BTreeMap<String, Vec<Vec<String>>> {
 #[test]
 fn the_page_has_every_file_with_its_hash_and_numbers() {
     let page = page();
-    let files = fs::read_dir(folder())
+    let mut files: Vec<String> = fs::read_dir(folder())
         .unwrap()
-        .map(|file| file.unwrap().file_name());
-    let mut files: Vec<String> = files.map(|name| name.into_string().unwrap()).collect();
+        .map(|file| file.unwrap().file_name())
+        .map(|name| name.into_string().unwrap())
+        .collect();
     files.retain(|name| name != "README.md");
     files.sort();
     assert_eq!(files, page.keys().cloned().collect::<Vec<_>>());

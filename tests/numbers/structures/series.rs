@@ -396,7 +396,7 @@ fn stuck(law: &Json, names: [&str; 6], [length, force]: [f64; 2]) -> [Vec<f64>; 
     let mass = |m: f64| json!(m * stiffness);
     let mut law = law.clone();
     law["k_h"] = json!(8329.542440279285 * force / length.powf(1.5));
-    let study = json!({
+    let written = json!({
         "problem": "structure", "parameters": {"dt": 0.001, "duration": 0.2},
         "structure": {
             "masses": {
@@ -413,7 +413,7 @@ fn stuck(law: &Json, names: [&str; 6], [length, force]: [f64; 2]) -> [Vec<f64>; 
         "figures": [{"name": "h", "kind": "history", "y": [a, "f.1.S", "f.2.S"]}]
     });
     let study =
-        study::parse("study.json", &study.to_string()).unwrap_or_else(|why| panic!("{why}"));
+        study::parse("study.json", &written.to_string()).unwrap_or_else(|why| panic!("{why}"));
     let case = study.case(0).unwrap();
     let solution = study.problem.solve(&case, &study.metrics);
     let motion = solution.unwrap_or_else(|why| panic!("{why}")).computed;

@@ -341,13 +341,8 @@ fn pairs_and_sets_refuse_what_has_no_meaning() {
             .unwrap_err()
             .contains("must be in one \"zip\"")
     );
-    let follows = set.replace(r#""record": "rx""#, r#""record": "rx", "start": "later""#);
-    let follows = text(
-        r#""n": [0, 1], "later": "n + 1","#,
-        r#", "n""#,
-        &follows,
-        SET,
-    );
+    let later = set.replace(r#""record": "rx""#, r#""record": "rx", "start": "later""#);
+    let follows = text(r#""n": [0, 1], "later": "n + 1","#, r#", "n""#, &later, SET);
     assert!(
         parse(&follows)
             .unwrap_err()

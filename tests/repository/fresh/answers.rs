@@ -132,8 +132,8 @@ fn medians_of_samples() {
             }
         }
         let motions = table("samples/ensemble-size/results.csv");
-        let logs: Vec<f64> = numbers(&motions, column, &[("n", "320")]);
-        let logs: Vec<f64> = logs.iter().map(|x| x.ln()).collect();
+        let responses: Vec<f64> = numbers(&motions, column, &[("n", "320")]);
+        let logs: Vec<f64> = responses.iter().map(|x| x.ln()).collect();
         let count = logs.len() as f64;
         let mean = logs.iter().sum::<f64>() / count;
         let squares: f64 = logs.iter().map(|x| (x - mean).powi(2)).sum();
@@ -183,8 +183,8 @@ fn intervals_of_fragilities() {
     let dispersion = of("240", "dispersion")[0];
     let contain = |low, high| {
         // A row for each capacity, six of each sample.
-        let ends = of("6", low).into_iter().zip(of("6", high)).step_by(6);
-        let ends: Vec<(f64, f64)> = ends.collect();
+        let pairs = of("6", low).into_iter().zip(of("6", high)).step_by(6);
+        let ends: Vec<(f64, f64)> = pairs.collect();
         assert_eq!(ends.len(), 40);
         let inside = ends
             .iter()

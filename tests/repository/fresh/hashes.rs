@@ -32,10 +32,10 @@ pub fn hashed_name(name: &str) -> String {
 
 /// The SHA-256 of a file, in hexadecimal digits. Of an SVG file without the images in it.
 pub fn hash(file: &Path) -> String {
-    let bytes = fs::read(file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+    let content = fs::read(file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
     let bytes = match file.extension().is_some_and(|ending| ending == "svg") {
-        true => without_images(&String::from_utf8(bytes).unwrap()).into_bytes(),
-        false => bytes,
+        true => without_images(&String::from_utf8(content).unwrap()).into_bytes(),
+        false => content,
     };
     let digits = Sha256::digest(bytes);
     digits.iter().map(|byte| format!("{byte:02x}")).collect()
@@ -57,12 +57,12 @@ fn rewrite() {
     let (committed, results) = (crate::committed(), crate::results());
     let outputs = crate::outputs(&results);
     let others = outputs.iter().filter(|name| !committed.contains(*name));
-    let hashes = others.map(|name| {
+    let pairs = others.map(|name| {
         let name = hashed_name(name);
         (hash(&results.join(&name)), name)
     });
     // By path, as `read` has them.
-    let hashes: BTreeMap<String, String> = hashes.map(|(hash, name)| (name, hash)).collect();
+    let hashes: BTreeMap<String, String> = pairs.map(|(hash, name)| (name, hash)).collect();
     let lines = hashes
         .iter()
         .map(|(name, hash)| format!("{hash}  {name}\n"));

@@ -41,8 +41,8 @@ fn studies() -> Vec<String> {
     let folder = root().join("studies");
     let files = walkdir::WalkDir::new(&folder)
         .sort_by_file_name()
-        .into_iter();
-    let files = files.map(|entry| entry.unwrap().into_path());
+        .into_iter()
+        .map(|entry| entry.unwrap().into_path());
     let studies = files.filter(|file| file.extension().is_some_and(|ending| ending == "json"));
     let name = |file: PathBuf| {
         let relative = file.strip_prefix(&folder).unwrap().with_extension("");
@@ -56,8 +56,8 @@ fn studies() -> Vec<String> {
 /// The manifest that the run of a study has written last.
 fn manifest(results: &Path, study: &str) -> Json {
     let path = results.join(study).join("manifest.json");
-    let text = fs::read_to_string(&path);
-    let text = text.unwrap_or_else(|e| panic!("{}: {e}: no results of {study}", path.display()));
+    let text = fs::read_to_string(&path)
+        .unwrap_or_else(|e| panic!("{}: {e}: no results of {study}", path.display()));
     serde_json::from_str(&text).unwrap()
 }
 
@@ -66,8 +66,8 @@ fn outputs(results: &Path) -> BTreeSet<String> {
     let mut outputs = BTreeSet::from([CLAIMS.to_owned()]);
     for study in studies() {
         let manifest = manifest(results, &study);
-        let files = manifest["files"].as_array().unwrap().iter();
-        let files = files.map(|file| file.as_str().unwrap());
+        let listed = manifest["files"].as_array().unwrap().iter();
+        let files = listed.map(|file| file.as_str().unwrap());
         let kept = files.filter(|file| file.ends_with(".csv") || file.ends_with(".png"));
         outputs.extend(kept.map(|file| format!("{study}/{file}")));
     }

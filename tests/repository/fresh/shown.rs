@@ -46,8 +46,8 @@ fn committed_results_are_pictures_of_pages_and_small_tables() {
         return;
     };
     let pages = tracked.iter().filter(|name| name.ends_with(".md"));
-    let shown: BTreeSet<String> = pages.flat_map(|page| pictures(page)).collect();
-    let shown: BTreeSet<&String> = shown
+    let pictured: BTreeSet<String> = pages.flat_map(|page| pictures(page)).collect();
+    let shown: BTreeSet<&String> = pictured
         .iter()
         .filter(|name| name.starts_with("figures/"))
         .collect();

@@ -166,8 +166,8 @@ fn tree(tokens: &[TokenTree]) -> Vec<Path> {
         let path_names = names(part);
         match part.last() {
             Some(TokenTree::Group(group)) => {
-                let inner: Vec<TokenTree> = group.stream().into_iter().collect();
-                let inner = tree(&inner).into_iter();
+                let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+                let inner = tree(&tokens).into_iter();
                 paths.extend(inner.map(|path| [path_names.clone(), path].concat()));
             }
             _ => paths.push(path_names),

@@ -1,11 +1,13 @@
 //! The rooms of the house are small, and imports point down: no circle of imports between the modules of a folder, no file above 300
-//! lines before its tests, no folder above 15 entries. Nothing is compiled: sources are read as text.
+//! lines before its tests, no folder above 15 entries, and a name has one meaning. Nothing is compiled: sources are read as text.
 
 mod circles;
 mod imports;
+mod shadows;
 mod sources;
 
 use sources::Crate;
+use std::fs;
 use std::path::Path;
 use walkdir::{DirEntry, WalkDir};
 
@@ -13,6 +15,8 @@ use walkdir::{DirEntry, WalkDir};
 const MOST_LINES: usize = 300;
 /// Most files and folders in a folder.
 const MOST_ENTRIES: usize = 15;
+/// Most bindings that shadow the one of the statement just before.
+const MOST_SHADOWS: usize = 20;
 
 /// The folders with sources and tests.
 const FOLDERS: [&str; 7] = [
@@ -123,8 +127,10 @@ fn no_folder_has_more_than_15_entries() {
     let mut offences = Vec::new();
     let folders = FOLDERS.iter().map(|name| root().join(name));
     for folder in folders.filter(|folder| folder.is_dir()) {
-        let entries = WalkDir::new(folder).into_iter();
-        let entries = entries.filter_entry(is_source).map(Result::unwrap);
+        let entries = WalkDir::new(folder)
+            .into_iter()
+            .filter_entry(is_source)
+            .map(Result::unwrap);
         for folder in entries.filter(|entry| entry.file_type().is_dir()) {
             let inside = WalkDir::new(folder.path()).min_depth(1).max_depth(1);
             let count = inside.into_iter().filter_entry(is_source).count();
@@ -135,6 +141,27 @@ fn no_folder_has_more_than_15_entries() {
         }
     }
     assert_none("more than 15 entries", &offences);
+}
+
+#[test]
+fn few_bindings_shadow_the_one_just_before() {
+    let text = "let a = f(\n    1,\n);\n// Twice.\nlet mut a: u32 = 2 * a;\nlet b = a;\ng();\nlet b = b;\n";
+    assert_eq!(shadows::of(text), [5]);
+    let mut offences = Vec::new();
+    for folder in FOLDERS.iter().chain(&["build.rs"]) {
+        let entries = WalkDir::new(root().join(folder)).sort_by_file_name();
+        for entry in entries.into_iter().filter_entry(is_source) {
+            let path = entry.as_ref().unwrap().path();
+            if path.extension().is_some_and(|end| end == "rs") {
+                let name = path.strip_prefix(root()).unwrap().display();
+                let lines = shadows::of(&fs::read_to_string(path).unwrap());
+                offences.extend(lines.iter().map(|line| format!("{name}:{line}")));
+            }
+        }
+    }
+    if offences.len() > MOST_SHADOWS {
+        assert_none("a binding shadows the one just before", &offences);
+    }
 }
 
 /// Whether an entry is a source, not something that was built.

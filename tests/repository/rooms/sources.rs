@@ -43,8 +43,9 @@ impl Crate {
 
     fn read(root: &Path, folder: &Path) -> Crate {
         // The files of a small crate are next to its manifest.
-        let source = Some(folder.join("src")).filter(|source| source.is_dir());
-        let source = source.unwrap_or_else(|| folder.to_owned());
+        let source = Some(folder.join("src"))
+            .filter(|source| source.is_dir())
+            .unwrap_or_else(|| folder.to_owned());
         let mut modules: Vec<Module> = Vec::new();
         for entry in WalkDir::new(&source).sort_by_file_name() {
             let entry = entry.unwrap();

@@ -32,10 +32,10 @@ pub fn study(random: &mut RandomChoice) -> String {
         ));
     }
     let count = [0, 1, 1, 2][random.below(4)];
-    let figures: Vec<String> = some(count)
+    let figure_list: Vec<String> = some(count)
         .map(|i| figure(&**problem, i, ensemble.is_some(), random))
         .collect();
-    let mut figures = figures.join(", ");
+    let mut figures = figure_list.join(", ");
     if random.once_in(6) {
         // Some figures show it instead of the metric.
         let metric = metric(&**problem, random);
@@ -67,8 +67,8 @@ fn ensemble(problem: &dyn Problem, blocks: &str, random: &mut RandomChoice) -> O
         return None;
     }
     let table = problem.parameters().iter();
-    let listed = |row: &&Parameter| blocks.contains(&format!("\"{}\": [", row.name));
-    let listed: Vec<&Parameter> = table.filter(listed).collect();
+    let is_listed = |row: &&Parameter| blocks.contains(&format!("\"{}\": [", row.name));
+    let listed: Vec<&Parameter> = table.filter(is_listed).collect();
     if random.once_in(20) {
         return Some(parameter(problem, random).to_owned());
     }
@@ -87,16 +87,17 @@ fn quoted(text: &str) -> String {
 fn metric<'a>(problem: &'a dyn Problem, random: &mut RandomChoice) -> &'a str {
     // Mostly one that needs no mention in "metrics".
     let any = random.once_in(4);
-    let table = problem.metrics().iter();
-    let table: Vec<_> = table.filter(|metric| any || metric.default).collect();
+    let metrics = problem.metrics().iter();
+    let table: Vec<_> = metrics.filter(|metric| any || metric.default).collect();
     &table[random.below(table.len())].name
 }
 
 fn parameter<'a>(problem: &'a dyn Problem, random: &mut RandomChoice) -> &'a str {
     // Mostly one of those that a study is likely to give.
     let any = random.once_in(8);
-    let table = problem.parameters().iter();
-    let table: Vec<_> = table
+    let table: Vec<_> = problem
+        .parameters()
+        .iter()
         .filter(|row| any || row.column == ColumnRule::Always)
         .collect();
     &table[random.below(table.len())].name

@@ -24,8 +24,8 @@ const ENDLESS: Duration = Duration::from_secs(300);
 /// The studies that the project ships, and the ones that `init` writes.
 fn shipped() -> Vec<String> {
     let root = Path::new(env!("SLIPGAP_ROOT"));
-    let files = walkdir::WalkDir::new(root.join("studies")).sort_by_file_name();
-    let files = files
+    let files = walkdir::WalkDir::new(root.join("studies"))
+        .sort_by_file_name()
         .into_iter()
         .filter_map(|entry| Some(entry.ok()?.into_path()));
     let studies = files.filter(|file| file.extension().is_some_and(|ending| ending == "json"));

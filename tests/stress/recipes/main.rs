@@ -24,8 +24,10 @@ const ROOT: &str = env!("SLIPGAP_ROOT");
 /// The commands in the first block of a section of the page.
 fn commands(section: &str) -> String {
     let page = fs::read_to_string(Path::new(ROOT).join("docs/clusters.md")).unwrap();
-    let after = page.split_once(&format!("\n## {section}\n"));
-    let after = after.unwrap_or_else(|| panic!("no section {section}")).1;
+    let after = page
+        .split_once(&format!("\n## {section}\n"))
+        .unwrap_or_else(|| panic!("no section {section}"))
+        .1;
     let block = after.split_once("```sh\n").unwrap().1;
     block.split_once("```").unwrap().0.to_owned()
 }

@@ -117,8 +117,8 @@ fn killed_shards_keep_their_parts_and_the_merge_writes_the_same_bytes() {
     };
     let merge = [&["merge", "s.json", "--shards", "2"][..], &out].concat();
     // Both at once; the first is killed when a part of it is there.
-    let mut killed = SERVER.slipgap(&bench, Port::Good, &args("1/2"));
-    let mut killed = killed.stderr(Stdio::null()).spawn().unwrap();
+    let mut command = SERVER.slipgap(&bench, Port::Good, &args("1/2"));
+    let mut killed = command.stderr(Stdio::null()).spawn().unwrap();
     let begun = Instant::now();
     while parts(&objects(&bench, "shards")) == 0 {
         assert!(begun.elapsed() < Duration::from_secs(120));

@@ -29,8 +29,8 @@ fn verbs_that_write_files_write_objects_with_the_same_bytes() {
     ];
     for call in calls {
         let [there, here] = ["s3://verbs", "out"].map(|out| {
-            let args: Vec<String> = call.iter().map(|word| word.replace("OUT", out)).collect();
-            let args: Vec<&str> = args.iter().map(String::as_str).collect();
+            let words: Vec<String> = call.iter().map(|word| word.replace("OUT", out)).collect();
+            let args: Vec<&str> = words.iter().map(String::as_str).collect();
             SERVER.run(&bench, Port::Good, 0, &args).out
         });
         assert_eq!(there.replace("s3://verbs", "out"), here, "{call:?}");

@@ -113,11 +113,11 @@ fn submitted<'a>(
     let done: Done = command.output().unwrap().into();
     assert_eq!(done.code, Some(0), "{done:?}");
     // "array 1: shards 1-6 of 6; then job 7: merge"
-    let numbers = done
+    let numbers: Vec<&str> = done
         .out
         .split(|c: char| !c.is_ascii_digit())
-        .filter(|word| !word.is_empty());
-    let numbers: Vec<&str> = numbers.collect();
+        .filter(|word| !word.is_empty())
+        .collect();
     Submission {
         cluster,
         array: numbers[0].to_owned(),

@@ -78,16 +78,16 @@ impl Scene {
             assert_eq!(done.code, Some(0), "{words:?}: {done:?}");
             bench
         };
-        let former = study("[0.1, 1.3, 0.1]", "new").replace(
+        let named = study("[0.1, 1.3, 0.1]", "new").replace(
             "\"name\": \"new\"",
             "\"name\": \"new\", \"title\": \"Former\"",
         );
-        let former = match words[0] {
+        let study_before = match words[0] {
             // A claim names the figure. A run has a figure that the new study does not have.
-            "claims" => former,
+            "claims" => named,
             _ => study("[0.1, 1.3, 0.1]", "old"),
         };
-        let former = with(former).tree(OUT);
+        let former = with(study_before).tree(OUT);
         let bench = with(study("[0.2, 1.1, 0.1]", "new"));
         let wanted = bench.tree(OUT);
         Scene {
@@ -126,8 +126,8 @@ impl Scene {
         let Some(manifest) = tree.get(MANIFEST) else {
             return;
         };
-        let manifest = serde_json::from_slice(manifest);
-        let manifest: Json = manifest.unwrap_or_else(|e| panic!("{what}: the manifest: {e}"));
+        let read = serde_json::from_slice(manifest);
+        let manifest: Json = read.unwrap_or_else(|e| panic!("{what}: the manifest: {e}"));
         let files = manifest["files"].as_array().unwrap();
         let unfinished = manifest["unfinished"]["cases"].as_u64().unwrap_or(0);
         let of_study = tree.keys().filter_map(|name| name.strip_prefix("s/"));

@@ -17,8 +17,8 @@ fn one_and_two_threads() {
 #[test]
 #[ignore = "minutes; make torture"]
 fn from_1_to_16_threads() {
-    let jobs: Vec<String> = (2..=16).map(|jobs: u32| jobs.to_string()).collect();
-    let jobs: Vec<&str> = jobs.iter().map(String::as_str).collect();
+    let counts: Vec<String> = (2..=16).map(|jobs: u32| jobs.to_string()).collect();
+    let jobs: Vec<&str> = counts.iter().map(String::as_str).collect();
     threads(&jobs, &|name| !SLOW.contains(&name));
     threads(&["16"], &|name| SLOW.contains(&name));
 }

@@ -79,8 +79,10 @@ fn each(
         for (number, call) in calls.iter().enumerate() {
             // The short form begins with a different call for each kind.
             let first = 1 + number as u64 % stride;
-            let hits = (first..).step_by(stride as usize);
-            let hits = hits.take_while(|n| disturb(&traced, call, *n)).count();
+            let hits = (first..)
+                .step_by(stride as usize)
+                .take_while(|n| disturb(&traced, call, *n))
+                .count();
             eprintln!("{:?}, {call}: {hits} calls disturbed", scene.words);
             count += hits;
         }

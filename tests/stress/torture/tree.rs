@@ -14,8 +14,8 @@ impl Bench {
         let root = self.path(folder);
         let entries = walkdir::WalkDir::new(&root).min_depth(1).into_iter();
         let entry = |entry: walkdir::DirEntry| {
-            let name = entry.path().strip_prefix(&root).unwrap();
-            let name = name.display().to_string();
+            let relative = entry.path().strip_prefix(&root).unwrap();
+            let name = relative.display().to_string();
             match entry.file_type().is_dir() {
                 true => (name + "/", Vec::new()),
                 false => (name, fs::read(entry.path()).unwrap()),

@@ -161,8 +161,8 @@ fn claim(
     let place_in_paper = string("where", "its place in the paper, or its source");
     let statement = string("says", "the statement");
     let quantity = string("quantity", "the quantity that decides");
-    let because = object.get("because");
-    let because = because.and_then(|node| markdown(node, &object.path("because"), faults));
+    let node = object.get("because");
+    let because = node.and_then(|node| markdown(node, &object.path("because"), faults));
     if let (Some(id), Some(node)) = (&id, object.get("id"))
         && !is_id(id)
     {
@@ -245,8 +245,8 @@ fn reading(
     if faults.count() == before && expect.is_empty() {
         object.missing("expect", "at least one expectation", faults);
     }
-    let near = object.get("near");
-    let near = near.and_then(|node| text(node, &object.path("near"), faults));
+    let near_node = object.get("near");
+    let near = near_node.and_then(|node| text(node, &object.path("near"), faults));
     (faults.count() == before).then_some(Reading {
         name: assumed?,
         study: at,

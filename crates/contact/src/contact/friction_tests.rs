@@ -499,8 +499,8 @@ fn stribeck_keeps_its_branch_where_a_step_has_several_roots() {
             };
             let residual = |v: f64| v + h_rate * curve(v) - rate;
             let below = |i: i32| residual(f64::from(i) * 2e-4) < 0.0;
-            let roots = (0..20_000).filter(|i| below(*i) != below(i + 1));
-            let roots = Vec::from_iter(roots.map(|i| f64::from(i) * 2e-4));
+            let changes = (0..20_000).filter(|i| below(*i) != below(i + 1));
+            let roots = Vec::from_iter(changes.map(|i| f64::from(i) * 2e-4));
             assert!(h_rate > 0.2 || roots.len() <= 1);
             let velocity = |before: f64| {
                 let trial = Trial {

@@ -35,12 +35,12 @@ pub(super) fn rising<const L: usize>(
             let newton = now - value / slope;
             let inside = !halve && slope > 0.0 && newton >= low.0[l] && newton <= high.0[l];
             let middle = 0.5 * (low.0[l] + high.0[l]);
-            let next = if inside { newton } else { middle };
+            let estimate = if inside { newton } else { middle };
             // A value that is not a number gives one that is not.
             let next = if value == 0.0 {
                 now
             } else {
-                next + 0.0 * value
+                estimate + 0.0 * value
             };
             // A half of the bracket is not an estimate of the error: it has to be round-off.
             let last = if inside { LAST } else { f64::EPSILON };

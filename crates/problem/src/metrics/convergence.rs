@@ -67,8 +67,8 @@ fn unexplained(motions: &[&[f64]], exact: &[f64], size: f64) -> Option<f64> {
         let later = |x| <[f64]>::get(x, 1..).unwrap_or_default();
         rms_error(later(a), later(b))
     };
-    let differences = motions.windows(2).map(|pair| distance(pair[0], pair[1]));
-    let differences: Vec<f64> = differences.collect();
+    let distances = motions.windows(2).map(|pair| distance(pair[0], pair[1]));
+    let differences: Vec<f64> = distances.collect();
     let round_off = ROUND_OFF * size;
     let ratios = differences.windows(2).map(|pair| pair[1] / pair[0]);
     let q = ratios.fold(LEAST_RATIO, f64::max);
@@ -101,8 +101,8 @@ pub fn reference_errors(
             continue;
         };
         let of_channel = |(channel, referred): (usize, &Referred)| {
-            let window = motions[first..].iter();
-            let window: Option<Vec<&[f64]>> = window
+            let window: Option<Vec<&[f64]>> = motions[first..]
+                .iter()
                 .map(|motion| Some(&motion.get(channel)?[..]))
                 .collect();
             unexplained(&window?, &referred.exact, referred.size).filter(|_| next.resolved)
@@ -118,8 +118,8 @@ pub fn reference_errors(
         }
     }
     let [before, last] = seen;
-    let twice = before.iter().zip(&last);
-    let mut twice = twice.map(|(a, b)| a.zip(*b).map_or(0.0, |(a, b)| a.min(b)));
+    let pairs = before.iter().zip(&last);
+    let mut twice = pairs.map(|(a, b)| a.zip(*b).map_or(0.0, |(a, b)| a.min(b)));
     let error = |referred: &Referred| referred.estimate.max(twice.next().unwrap_or(0.0));
     channels.iter().map(error).collect()
 }

@@ -38,8 +38,8 @@ pub fn mean_over_time<const L: usize>(
     let mut i = 1;
     // The last step has no right-hand side; both sides of a jump count half.
     let inner = jumps.clone().filter(|jump| jump.0 > 0 && jump.0 < last);
-    let end = { jumps }.find(|jump| jump.0 == last);
-    let end = (last, end.map_or(exact[last], |jump| jump.1));
+    let last_jump = { jumps }.find(|jump| jump.0 == last);
+    let end = (last, last_jump.map_or(exact[last], |jump| jump.1));
     for (jump, before) in inner.chain([end]) {
         for (i, e) in (i..jump).zip(&exact[i..jump]) {
             sum = sum + value(i, *e);

@@ -51,8 +51,8 @@ fn mean_of_cycles(c: &[f64], time: &dyn Fn(usize) -> f64) -> Option<f64> {
 /// The place of the largest `sign` c between two places, by a parabola through it and its neighbours.
 fn turning_point(c: &[f64], sign: f64, from: f64, to: f64) -> f64 {
     let inner = (from.floor() as usize + 1)..(to.ceil() as usize);
-    let most = inner.max_by(|a, b| (sign * c[*a]).total_cmp(&(sign * c[*b])));
-    let Some(most) = most.filter(|place| (1..c.len() - 1).contains(place)) else {
+    let extreme = inner.max_by(|a, b| (sign * c[*a]).total_cmp(&(sign * c[*b])));
+    let Some(most) = extreme.filter(|place| (1..c.len() - 1).contains(place)) else {
         return from;
     };
     let [before, here, after] = [c[most - 1], c[most], c[most + 1]];

@@ -104,11 +104,12 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
     };
     if system.method.has_critical_step() {
         // A mode of a bar needs sines, and the search for the highest frequency takes the modes many times.
-        let modes = (0..system.linear.len()).map(|j| system.linear.mode(j).mode);
-        let modes: Vec<Mode> = modes.collect();
-        let stiffness = system.law.properties().largest_stiffness(overlap);
+        let modes: Vec<Mode> = (0..system.linear.len())
+            .map(|j| system.linear.mode(j).mode)
+            .collect();
+        let of_law = system.law.properties().largest_stiffness(overlap);
         // An element without mass is in series with the contact.
-        let stiffness = 1.0 / (1.0 / stiffness + system.linear.contact_compliance());
+        let stiffness = 1.0 / (1.0 / of_law + system.linear.contact_compliance());
         if stiffness == f64::INFINITY {
             return vec![Violation {
                 parameter: "method".into(),

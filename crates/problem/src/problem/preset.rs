@@ -115,8 +115,9 @@ impl Preset {
         };
         let track = solve::run::<ContactTrack>(&halved).ok()?.track;
         let steps = track.0.iter().step_by(every as usize);
-        let values = steps.map(|modes| self.values(self.system.at_contact(*modes)));
-        let values: Vec<_> = values.collect();
+        let values: Vec<_> = steps
+            .map(|modes| self.values(self.system.at_contact(*modes)))
+            .collect();
         let channel = |channel: usize| values.iter().map(|row| row[channel]).collect();
         Some((0..channels).map(channel).collect())
     }
@@ -151,7 +152,7 @@ impl Between {
     pub fn errors(&self, preset: &Preset, computed: &History, norm: &Norm) -> Vec<Option<f64>> {
         let (channels, size) = (norm.channels, norm.size);
         let over = |channel: &[f64]| -> Vec<f64> { channel.iter().map(|x| x / size).collect() };
-        let referred = |channel: usize| {
+        let of_channel = |channel: usize| {
             let scaled = |motion: &History| over(motion.channel(channel));
             let pairs = self.motions.iter().zip(&self.coarse);
             let estimates = pairs.map(|(fine, coarse)| {
@@ -164,7 +165,7 @@ impl Between {
                 computed: scaled(computed),
             }
         };
-        let referred: Vec<Referred> = (0..channels).map(referred).collect();
+        let referred: Vec<Referred> = (0..channels).map(of_channel).collect();
         let errors = reference_errors(&referred, |halvings| {
             let halved = preset.halved(halvings, channels)?;
             Some(Halved {

@@ -51,8 +51,8 @@ pub(super) fn selected<const N: usize>(
     values: [Option<f64>; N],
     wanted: &[usize],
 ) -> Vec<Option<f64>> {
-    let values = rows.zip(values);
-    let values =
-        values.map(|(row, value)| value.filter(|x| x.is_finite() && wanted.contains(&row)));
-    values.collect()
+    let in_rows = rows.zip(values);
+    in_rows
+        .map(|(row, value)| value.filter(|x| x.is_finite() && wanted.contains(&row)))
+        .collect()
 }

@@ -11,12 +11,12 @@ fn number(name: &'static str, x: f64) -> (&'static str, Value) {
 /// The metrics that no case has.
 fn empty(problem: &dyn Problem, cases: &[Vec<(&str, Value)>]) -> Vec<String> {
     let indices: Vec<usize> = (0..problem.metrics().len()).collect();
-    let metrics = cases.iter().map(|given| {
+    let solved = cases.iter().map(|given| {
         let (case, broken) = Case::given(problem, given);
         assert!(broken.is_empty(), "{broken:?}");
         problem.solve(&case, &indices).expect("a solution").metrics
     });
-    let metrics: Vec<Vec<Option<f64>>> = metrics.collect();
+    let metrics: Vec<Vec<Option<f64>>> = solved.collect();
     let none = |row: &usize| metrics.iter().all(|values| values[*row].is_none());
     let rows = indices.iter().filter(|row| none(row));
     rows.map(|row| problem.metrics()[*row].name.to_string())

@@ -214,13 +214,13 @@ fn events_of_the_oscillator_are_the_closed_forms() {
     let times: Vec<f64> = (0..700).map(|i| 0.0371 * f64::from(i)).collect();
     for given in &friction()[..5] {
         let (case, rows) = by_events(&*problem, given, &times);
-        let closed = problem
+        let textbook = problem
             .as_textbook()
             .unwrap()
             .exact_of_law(&case, &times)
             .unwrap();
         let closed: Vec<[f64; 3]> = (0..times.len())
-            .map(|i| [0, 1, 2].map(|channel| closed.channel(channel)[i]))
+            .map(|i| [0, 1, 2].map(|channel| textbook.channel(channel)[i]))
             .collect();
         let found = difference(&closed, &rows);
         assert!(found.iter().all(|x| *x < ROUND_OFF), "{given:?} {found:?}");

@@ -39,18 +39,20 @@ fn names(text: &str) -> Vec<(String, String)> {
 /// The names of the module of laws, which documents them in one table.
 fn laws() -> Vec<String> {
     let text = source("laws.rs");
-    let list = text.split_once("contact::{").expect("a list").1;
-    let list = list.split_once('}').expect("its end").0;
+    let after = text.split_once("contact::{").expect("a list").1;
+    let list = after.split_once('}').expect("its end").0;
     let names = list.split(',').map(|name| name.trim().to_owned());
     names.filter(|name| !name.is_empty()).collect()
 }
 
 /// All names, with their documentation.
 fn all() -> BTreeMap<String, String> {
-    let files = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("src")).expect("files");
-    let files = files.map(|file| file.expect("a file").file_name());
-    let files = files.map(|file| file.into_string().expect("a name"));
-    let files: Vec<String> = files.filter(|file| file != "laws.rs").collect();
+    let files: Vec<String> = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("src"))
+        .expect("files")
+        .map(|file| file.expect("a file").file_name())
+        .map(|file| file.into_string().expect("a name"))
+        .filter(|file| file != "laws.rs")
+        .collect();
     let mut sources: BTreeMap<_, _> = files.iter().flat_map(|file| names(&source(file))).collect();
     sources.insert("laws".to_owned(), source("laws.rs"));
     sources
@@ -61,8 +63,10 @@ fn the_names_of_the_crate_are_the_reviewed_ones() {
     let mut public: Vec<String> = all().into_keys().collect();
     public.extend(laws().iter().map(|law| format!("laws::{law}")));
     public.sort();
-    let reviewed = include_str!("names.txt").split_whitespace();
-    let reviewed: Vec<String> = reviewed.map(str::to_owned).collect();
+    let reviewed: Vec<String> = include_str!("names.txt")
+        .split_whitespace()
+        .map(str::to_owned)
+        .collect();
     assert_eq!(
         public,
         reviewed,

@@ -41,8 +41,7 @@ impl MeasuredTable {
     /// No line of names, or a row with more or fewer fields than names.
     pub fn read(file: &str, bytes: &[u8]) -> Result<MeasuredTable, RecordFault> {
         let text = decode(bytes);
-        let lines = text.lines().enumerate();
-        let mut lines = lines.filter(|(_, line)| {
+        let mut lines = text.lines().enumerate().filter(|(_, line)| {
             let line = line.trim();
             !line.is_empty() && !line.starts_with('#')
         });

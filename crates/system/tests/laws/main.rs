@@ -55,8 +55,7 @@ fn made_with(law: &Offered, value: impl Fn(&Number) -> f64) -> Option<ContactLaw
         table: &[[0.5, 1.0], [1.5, 2.0], [4.0, 2.5]],
         others: &[("limit", 2.0), ("nu", 2.0)],
     };
-    let form = (law.offer.form)(&given);
-    let form = form.unwrap_or_else(|why| panic!("{}: {why}", law.offer.name));
+    let form = (law.offer.form)(&given).unwrap_or_else(|why| panic!("{}: {why}", law.offer.name));
     let relation = StructureLaw::new(form, Limit::constant(2.0));
     assert_eq!(relation.kind(), law.kind, "{}", law.offer.name);
     Some(relation.law(2.0))
@@ -249,8 +248,8 @@ fn by_steps(law: &ContactLaw, mass: f64, speed: f64) -> Collided {
         law.stored_energy(-overlap, force)
     };
     let energy = 0.5 * mass * speed * speed;
-    let overlap = (-60..60).map(|i| libm::exp2(f64::from(i) * 0.5));
-    let overlap = overlap.into_iter().find(|depth| stored(*depth) > energy);
+    let depths = (-60..60).map(|i| libm::exp2(f64::from(i) * 0.5));
+    let overlap = depths.into_iter().find(|depth| stored(*depth) > energy);
     let dt = overlap.expect("an overlap that stores the energy") / speed / 20_000.0;
     let half = Flexibility {
         h: Lane([0.25 * dt * dt / mass]),

@@ -46,13 +46,12 @@ fn properties(law: &ContactLaw) -> Vec<(&'static str, String)> {
         dt: Lane([0.1]),
         by_impulse: false,
     };
-    let shown = properties.shown().into_iter();
-    let shown: Vec<String> = shown
+    let numbers = properties.shown().into_iter();
+    let shown: Vec<String> = numbers
         .map(|(name, x)| format!("{} {}", name.trim_end_matches(" ="), number(x)))
         .collect();
     let [r, rdot, s] = [-0.1, 0.7, -0.3];
-    let evolution = law.evolution();
-    let evolution = evolution.map(|evolution| {
+    let evolution = law.evolution().map(|evolution| {
         let z = evolution.state(s, r);
         [
             z,
@@ -168,11 +167,11 @@ fn laws() -> Vec<(String, ContactLaw)> {
         Some((law.offer.name.to_owned(), made))
     });
     let mut laws: Vec<_> = named.collect();
-    let viscous = VelocityControl {
+    let control = VelocityControl {
         compliance: 0.25,
         limit: 2.0,
     };
-    let viscous = ContactLaw::VelocityControl(viscous);
+    let viscous = ContactLaw::VelocityControl(control);
     laws.push(("velocity-control, constant".to_owned(), viscous));
     laws.push(("own".to_owned(), ContactLaw::Own(Own::new(&SPRING))));
     laws

@@ -163,8 +163,8 @@ fn no_impact_is_shorter_than_its_touching_time() {
             for speed in [1e-6, 0.1, 3.0] {
                 let collision = collided(&made, mass, speed);
                 let overlap = Some(collision.overlap);
-                let stated = made.properties().touching_time(1.0 / mass, overlap);
-                let stated = stated.unwrap_or_else(|| panic!("{}", law.offer.name));
+                let time = made.properties().touching_time(1.0 / mass, overlap);
+                let stated = time.unwrap_or_else(|| panic!("{}", law.offer.name));
                 let share = stated / collision.duration;
                 // The closed forms of damped impacts are integrals with this tolerance.
                 // Damping of the approach alone makes it shorter for the same overlap; the return, half of the time, stays.

@@ -51,10 +51,10 @@ impl EnsembleMetrics<'_> {
                 continue;
             };
             let samples = self.samples(column);
-            let cells = samples
+            let cells: Vec<_> = samples
                 .par_iter()
-                .map(|sample| cells(&tests, &sample.rising));
-            let cells: Vec<_> = cells.collect();
+                .map(|sample| cells(&tests, &sample.rising))
+                .collect();
             for (values, cells) in self.ensembles.iter().zip(cells) {
                 let values = varying
                     .iter()

@@ -28,7 +28,7 @@ impl EnsembleMetrics<'_> {
         writer.write_record(header.chain(names).chain(["n_1", "n_2", "D", "p"]))?;
         for column in 0..self.columns.len() {
             let samples = self.samples(column);
-            let rows = pairs.par_iter().map(|pair| {
+            let of_pairs = pairs.par_iter().map(|pair| {
                 let [a, b] = pair.ensembles.map(|ensemble| &samples[ensemble].rising);
                 let test = test(a, b);
                 let cells =
@@ -36,11 +36,13 @@ impl EnsembleMetrics<'_> {
                 let counts = [a.len(), b.len()].map(|count| count.to_string());
                 counts.into_iter().chain(cells).collect::<Vec<String>>()
             });
-            let rows: Vec<Vec<String>> = rows.collect();
+            let rows: Vec<Vec<String>> = of_pairs.collect();
             for (pair, numbers) in pairs.iter().zip(rows) {
                 let names = [self.metric(column), self.column_name(pair.place)];
-                let row = names.map(String::from).into_iter();
-                let row = row.chain(self.values(pair, (&varying, whole)));
+                let row = names
+                    .map(String::from)
+                    .into_iter()
+                    .chain(self.values(pair, (&varying, whole)));
                 writer.write_record(row.chain(numbers))?;
             }
         }

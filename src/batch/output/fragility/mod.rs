@@ -138,8 +138,10 @@ impl<'a> FragilityTable<'a> {
             }
             for share in curve.annual.iter().flat_map(|annual| &annual.shares) {
                 let values = self.values(figure, curve, "");
-                let member = share.member.iter();
-                let member = member.map(|value| value.map(|v| v.cell()).unwrap_or_default());
+                let member = share
+                    .member
+                    .iter()
+                    .map(|value| value.map(|v| v.cell()).unwrap_or_default());
                 let [low, high] = share.capacity;
                 let numbers = [low, high, share.frequency, share.share]
                     .map(Some)
@@ -182,8 +184,9 @@ impl<'a> FragilityTable<'a> {
     /// # Errors
     /// A table that cannot be made.
     pub fn write(self, folder: &mut Folder) -> Result<Vec<PathBuf>, Error> {
-        let tables = [(FRAGILITY, self.writer), (MEMBERS, self.members)];
-        let tables = tables.into_iter().take(1 + usize::from(self.has_members));
+        let tables = [(FRAGILITY, self.writer), (MEMBERS, self.members)]
+            .into_iter()
+            .take(1 + usize::from(self.has_members));
         let write = |(name, table): (&str, csv::Writer<Vec<u8>>)| {
             let bytes = table.into_inner();
             folder.write(name, &bytes.map_err(|e| Error::Internal(e.to_string()))?)
@@ -195,16 +198,19 @@ impl<'a> FragilityTable<'a> {
 /// The cells after the parameters.
 fn cells(curve: &FragilityCurve, point: &FragilityPoint) -> impl Iterator<Item = String> {
     let counts = [point.cases, point.empty, point.exceeded].map(|count| count.to_string());
-    let part = point.probability;
+    let probability = point.probability;
     let part = [
-        part.map(|p| p.value),
-        part.map(|p| p.low),
-        part.map(|p| p.high),
+        probability.map(|p| p.value),
+        probability.map(|p| p.low),
+        probability.map(|p| p.high),
     ];
-    let fit = curve.function();
-    let fit = [fit.map(|fit| fit.median), fit.map(|fit| fit.dispersion)];
-    let reason = curve.fit.as_ref().err();
-    let reason = reason.map_or(String::new(), |why| why.to_string());
+    let function = curve.function();
+    let fit = [
+        function.map(|fit| fit.median),
+        function.map(|fit| fit.dispersion),
+    ];
+    let why = curve.fit.as_ref().err();
+    let reason = why.map_or(String::new(), |why| why.to_string());
     let numbers = part.into_iter().chain(fit).map(cell);
     counts.into_iter().chain(numbers).chain([reason])
 }

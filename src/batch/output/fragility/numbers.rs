@@ -80,9 +80,8 @@ impl Numbers {
     }
 
     pub(super) fn of(&self, figure: &Fragility, curve: &FragilityCurve) -> Vec<String> {
-        let ends = [curve.intervals(), curve.bootstrap];
-        let ends =
-            ends.map(|ends| ends.map_or([None; 4], |[[a, b], [c, d]]| [a, b, c, d].map(Some)));
+        let ends = [curve.intervals(), curve.bootstrap]
+            .map(|ends| ends.map_or([None; 4], |[[a, b], [c, d]]| [a, b, c, d].map(Some)));
         let mut cells: Vec<String> = ends.concat().into_iter().map(cell).collect();
         let count = |count: usize, has: bool| match has {
             true => count.to_string(),
@@ -93,8 +92,11 @@ impl Numbers {
             cells.extend(curve.bounded.map(|members| count(members, is_incremental)));
         }
         if self.cloud {
-            let line = curve.fit.as_ref().ok().and_then(|fit| fit.line);
-            let line = [line.map(|line| line.slope), line.map(|line| line.deviation)];
+            let fitted = curve.fit.as_ref().ok().and_then(|fit| fit.line);
+            let line = [
+                fitted.map(|line| line.slope),
+                fitted.map(|line| line.deviation),
+            ];
             cells.extend(line.map(cell));
         }
         if self.collapsed {
@@ -110,13 +112,13 @@ impl Numbers {
             cells.extend(trend.map(cell));
         }
         if self.annual {
-            let annual = curve.annual.as_ref();
+            let found = curve.annual.as_ref();
             let annual = [
-                annual.map(|annual| annual.frequency),
-                annual.and_then(|annual| Some(annual.interval?[0])),
-                annual.and_then(|annual| Some(annual.interval?[1])),
-                annual.map(|annual| annual.outside),
-                annual.map(|annual| annual.closed_form),
+                found.map(|annual| annual.frequency),
+                found.and_then(|annual| Some(annual.interval?[0])),
+                found.and_then(|annual| Some(annual.interval?[1])),
+                found.map(|annual| annual.outside),
+                found.map(|annual| annual.closed_form),
             ];
             cells.extend(annual.map(cell));
         }

@@ -94,11 +94,11 @@ fn read_arguments(
         ));
     }
     files::read_all(inputs, |(study_file, input)| {
-        let source = Source::of_input(study_file.file.clone(), study_file.name, input, limit);
-        let source = source.map_err(|error| match several {
-            true => with_file_name(error, &study_file.file),
-            false => error,
-        })?;
+        let source = Source::of_input(study_file.file.clone(), study_file.name, input, limit)
+            .map_err(|error| match several {
+                true => with_file_name(error, &study_file.file),
+                false => error,
+            })?;
         Ok((study_file.argument, source))
     })
 }

@@ -130,11 +130,11 @@ options=({})
 
 /// A path from the root: the jobs may begin in another folder. An object store is the same from everywhere.
 fn full(path: &Path) -> Result<String, Error> {
-    let full = match is_object(path) {
+    let resolved = match is_object(path) {
         true => Ok(path.to_owned()),
         false => absolute(path),
     };
-    let full = full.map_err(Error::io("cannot find", path))?;
+    let full = resolved.map_err(Error::io("cannot find", path))?;
     let text = full.to_str().map(String::from);
     text.ok_or_else(|| Error::Usage(format!("{}: must be UTF-8 text", path.display())))
 }

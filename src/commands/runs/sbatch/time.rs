@@ -23,10 +23,12 @@ impl FromStr for TimeLimit {
 
     /// Reads minutes, minutes:seconds, hours:minutes:seconds, days-hours, days-hours:minutes or days-hours:minutes:seconds.
     fn from_str(text: &str) -> Result<TimeLimit, Expected> {
-        let seconds = seconds(text).filter(|seconds| *seconds > 0);
-        let seconds = seconds.ok_or(Expected(
-            "a time > 0 as Slurm reads it: HH:MM:SS, D-HH:MM:SS, D-HH:MM, D-HH, MM:SS or MM".into(),
-        ))?;
+        let seconds = seconds(text)
+            .filter(|seconds| *seconds > 0)
+            .ok_or(Expected(
+                "a time > 0 as Slurm reads it: HH:MM:SS, D-HH:MM:SS, D-HH:MM, D-HH, MM:SS or MM"
+                    .into(),
+            ))?;
         let text = text.to_owned();
         Ok(TimeLimit { text, seconds })
     }

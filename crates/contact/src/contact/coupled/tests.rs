@@ -12,8 +12,8 @@ pub(in crate::contact) struct Random(pub(in crate::contact) u64);
 impl Random {
     fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     }
 
@@ -114,16 +114,16 @@ impl Problem {
             }
         }
         let moved = effective.cholesky().unwrap().solve(&b);
-        let h: DMatrix<f64> = b.transpose() * moved;
-        let h = (&h + h.transpose()) * 0.5;
+        let product: DMatrix<f64> = b.transpose() * moved;
+        let h = (&product + product.transpose()) * 0.5;
         // A spring k, a dashpot c: 1/k, dt/(2 c).
-        let g = random.list(m, |random| match random.below(2) {
+        let drawn = random.list(m, |random| match random.below(2) {
             0 => random.decades(6.0),
             _ => 0.5 * dt * random.decades(3.0),
         });
         // Ratios of stiffness up to 1e12.
         let g = (0..m)
-            .map(|i| g[i].clamp(1e-12 * h[(i, i)], 1e12 * h[(i, i)]))
+            .map(|i| drawn[i].clamp(1e-12 * h[(i, i)], 1e12 * h[(i, i)]))
             .collect();
         Problem { h, g }
     }
@@ -141,7 +141,7 @@ struct Numbers {
 impl Numbers {
     /// Limits of friction, impacts, open contacts, springs, and others.
     fn limits(random: &mut Random, scale: &[f64]) -> [Vec<f64>; 2] {
-        let limits = scale.iter().map(|scale| {
+        let pairs = scale.iter().map(|scale| {
             let [a, b] = from_fn(|_| scale * random.even());
             match random.below(8) {
                 0..3 => [-a.abs(), a.abs()],
@@ -151,7 +151,7 @@ impl Numbers {
                 _ => [a.min(b), a.max(b)],
             }
         });
-        let limits = Vec::from_iter(limits);
+        let limits = Vec::from_iter(pairs);
         from_fn(|end| limits.iter().map(|limits| limits[end]).collect())
     }
 
@@ -210,8 +210,8 @@ impl Numbers {
                 _ => (),
             }
         }
-        let d = problem.matrix() * DVector::from_column_slice(&force);
-        let mut d = d.as_slice().to_vec();
+        let product = problem.matrix() * DVector::from_column_slice(&force);
+        let mut d = product.as_slice().to_vec();
         for d in &mut d {
             match random.below(6) {
                 0 => *d = 0.0,
@@ -285,13 +285,13 @@ fn enumeration(problem: &Problem, numbers: &Numbers) -> Vec<f64> {
         }
         let rest = DVector::from_column_slice(&numbers.d) - &a * DVector::from_column_slice(&force);
         let block = a.select_rows(&free).select_columns(&free);
-        let solved = match free.is_empty() {
+        let solution = match free.is_empty() {
             true => Some(DVector::zeros(0)),
             false => block
                 .cholesky()
                 .map(|factor| factor.solve(&rest.select_rows(&free))),
         };
-        let Some(solved) = solved else {
+        let Some(solved) = solution else {
             continue;
         };
         for (i, s) in free.iter().zip(solved.iter()) {
@@ -437,12 +437,12 @@ fn rigid_contacts_have_forces_only_if_these_are_unique() {
             Ok(force) => {
                 assert!(residual(&a, &numbers, &force) <= 1e-13);
                 // Contacts that are not pressed against a limit can move; if they are regular, nothing else is a minimum.
-                let movable = (0..m).filter(|i| {
+                let can_move = (0..m).filter(|i| {
                     let q = numbers.d[*i] - (0..m).map(|j| a[(*i, j)] * force[j]).sum::<f64>();
                     let t = 1e-13 * terms(&a, &numbers, &force, *i);
                     numbers.low[*i] < numbers.high[*i] && q.abs() <= 0.5 * t
                 });
-                let movable = Vec::from_iter(movable);
+                let movable = Vec::from_iter(can_move);
                 let block = a.select_rows(&movable).select_columns(&movable);
                 assert!(
                     movable.is_empty() || rank(&block) == movable.len(),

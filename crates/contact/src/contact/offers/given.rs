@@ -129,8 +129,9 @@ impl GivenNumbers<'_> {
         match (self.given("nu_min"), self.given("nu_rate")) {
             (None, None) => Ok([1.0, 0.0]),
             (Some(least), Some(rate)) => {
-                let nu = self.given("nu");
-                let nu = nu.ok_or(LawFault::Needs("nu_min", "nu and N"))?;
+                let nu = self
+                    .given("nu")
+                    .ok_or(LawFault::Needs("nu_min", "nu and N"))?;
                 match least <= nu {
                     true => Ok([least / nu, rate]),
                     false => Err(LawFault::LeastFriction { nu, least }),

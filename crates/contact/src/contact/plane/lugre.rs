@@ -37,12 +37,12 @@ impl PlaneLaw for Lugre {
             true => dt / (dt + memory.dt),
             false => 0.0,
         };
-        let before = match (memory.begun, trial.velocity) {
+        let uncut = match (memory.begun, trial.velocity) {
             (true, _) => memory.bristles,
             (false, [0.0, 0.0]) => trial.force,
             (false, _) => [0.0; 2],
         };
-        let before = cut(before, self.static_limit);
+        let before = cut(uncut, self.static_limit);
         if self.limit <= 0.0 {
             let memory = Memory {
                 begun: true,

@@ -73,8 +73,8 @@ impl PlaneStep {
 
 /// The names of the laws of structures that slide in a plane.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    let offered = LAWS.iter().filter(|law| law.in_plane);
-    let offered = offered.filter(|law| law.offer.structure.is_some());
+    let in_plane = LAWS.iter().filter(|law| law.in_plane);
+    let offered = in_plane.filter(|law| law.offer.structure.is_some());
     offered.map(|law| law.offer.name)
 }
 

@@ -204,8 +204,10 @@ fn run_model(
 /// The times at which the integration that tells the error stops: every third one, and the last one.
 pub fn coarse_times(times: &[f64]) -> Vec<f64> {
     let last = times.len().saturating_sub(1);
-    let chosen = times.iter().enumerate();
-    let chosen = chosen.filter(|(i, _)| i % STRIDE == 0 || *i == last);
+    let chosen = times
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| i % STRIDE == 0 || *i == last);
     chosen.map(|(_, time)| *time).collect()
 }
 

@@ -30,8 +30,8 @@ pub fn weights() -> [[f64; POINTS]; POINTS] {
             polynomial = next;
         }
         for i in 0..POINTS {
-            let integral = polynomial.iter().enumerate().rev();
-            let integral = integral.fold(0.0, |sum, (k, c)| sum * NODES[i] + c / (k + 1) as f64);
+            let falling = polynomial.iter().enumerate().rev();
+            let integral = falling.fold(0.0, |sum, (k, c)| sum * NODES[i] + c / (k + 1) as f64);
             weights[i][j] = integral * NODES[i];
         }
     }

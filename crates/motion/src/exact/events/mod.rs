@@ -176,19 +176,19 @@ pub fn work(structure: &Structure, end: f64, points: usize) -> f64 {
 
 /// About how many pieces the motion up to `end` has: friction sticks, impact contacts are open. 0 for a motion that is refused.
 pub fn pieces(structure: &Structure, end: f64) -> f64 {
-    let phases = structure
+    let states = structure
         .contacts
         .iter()
         .map(|contact| match contact.law.kind() {
             ContactKind::Impact => ContactState::in_phase(Phase::Open),
             ContactKind::Friction | ContactKind::Link => ContactState::in_phase(Phase::Closed),
         });
-    let phases = phases.zip(&structure.contacts).map(|(state, contact)| {
+    let phased = states.zip(&structure.contacts).map(|(state, contact)| {
         let line = crate::exact::events::phases::lines::of(&contact.law)
             .map(|law| law.start(contact.gap, None));
         ContactState { line, ..state }
     });
-    let phases: Vec<ContactState> = phases.collect();
+    let phases: Vec<ContactState> = phased.collect();
     let pieces = Model::of_nodes(structure).pieces(&phases, end) * coupling(structure);
     match refuse_laws(structure).is_ok() && pieces <= MOST_PIECES as f64 {
         true => pieces,
@@ -244,8 +244,8 @@ fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
             || law.is_curved() && !has_lines((*i, contact))
             || law.limit().is_some_and(refused)
     };
-    let contact = structure.contacts.iter().enumerate().find(unknown);
-    let contact = contact.map(|(_, contact)| contact);
+    let found = structure.contacts.iter().enumerate().find(unknown);
+    let contact = found.map(|(_, contact)| contact);
     match contact.map(|contact| contact.name.clone()) {
         Some(contact) => Err(EventsFault::Law { contact }),
         None => Ok(()),

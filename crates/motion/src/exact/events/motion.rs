@@ -114,9 +114,9 @@ impl<'a> Motion<'a> {
     /// Starts the polynomials at t.
     pub fn begin(&mut self) {
         let left = self.limit() - self.t;
-        let length = self.length.min(if left > 0.0 { left } else { 1.0 });
+        let wanted = self.length.min(if left > 0.0 { left } else { 1.0 });
         // The length between the times as numbers, so that their round-off does not add up.
-        let length = (self.t + length) - self.t;
+        let length = (self.t + wanted) - self.t;
         let phase = LONGEST * (length / self.length);
         let Motion { u, v, .. } = self;
         self.series

@@ -133,9 +133,9 @@ pub fn damping_work(track: &Track<1>, system: &System) -> f64 {
     let form = step_work(&[*system]);
     let force =
         |Lane([r]): Lane<1>, Lane([f]): Lane<1>| Lane([-f - system.law.conservative_force(r, -f)]);
-    let states = track.displacement.iter().zip(&track.force);
-    let states = states.zip(&track.velocity);
-    let states: Vec<[Lane<1>; 3]> = states
+    let loop_points = track.displacement.iter().zip(&track.force);
+    let states: Vec<[Lane<1>; 3]> = loop_points
+        .zip(&track.velocity)
         .map(|((r, f), rdot)| [*r, *rdot, force(*r, *f)])
         .collect();
     let work = |step: &[[Lane<1>; 3]]| {

@@ -29,8 +29,8 @@ pub fn cycles(r: &[f64]) -> Vec<f64> {
 /// Work of each of the cycles that begin and end at these places: the integral of S dr by trapezoids.
 pub fn work_of_cycles(r: &[f64], s: &[f64], places: &[f64]) -> Vec<f64> {
     let part = |x: &[f64], from: f64, to: f64| {
-        let inner = (from.floor() as usize + 1)..(to.ceil() as usize);
-        let inner = inner.map(|i| x[i]);
+        let indices = (from.floor() as usize + 1)..(to.ceil() as usize);
+        let inner = indices.map(|i| x[i]);
         let ends = [between(x, from), between(x, to)];
         let part: Vec<f64> = [ends[0]]
             .into_iter()

@@ -208,8 +208,8 @@ impl<W: Copy + Into<ContactLaw>, M: EachMethod> LaneCase<LANES> for OscillatorCa
         lane: usize,
         exact: &Sampled,
     ) -> Self::OneMetrics {
-        let steps = motion.track.0[..exact.count()].iter();
-        let steps: Vec<_> = steps.map(|x| Lane([x.0[lane]])).collect();
+        let recorded = motion.track.0[..exact.count()].iter();
+        let steps: Vec<_> = recorded.map(|x| Lane([x.0[lane]])).collect();
         values(&Shared {
             compared: Compared::new(&steps, exact),
             work: Lane([self.work(motion, lane)]),

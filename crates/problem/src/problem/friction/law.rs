@@ -27,8 +27,8 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
             release_force(slip, case.at(rows::X0)?)
         }
     };
-    let form = |given: &GivenNumbers| (law.offered.offer.form)(given).ok();
-    let form = law.make(|_, row| case.at(row), &[("limit", LIMIT)], form)?;
+    let form_of = |given: &GivenNumbers| (law.offered.offer.form)(given).ok();
+    let form = law.make(|_, row| case.at(row), &[("limit", LIMIT)], form_of)?;
     Some((form.given.law().at_limit(LIMIT), force))
 }
 

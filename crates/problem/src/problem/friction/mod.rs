@@ -92,8 +92,9 @@ impl Problem for Oscillator {
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         // Names are compared once, if all cases have the same.
-        let common = cases.common(PlainCase::deciding());
-        let common = common.map(|case| PlainCase::law_name(&case));
+        let common = cases
+            .common(PlainCase::deciding())
+            .map(|case| PlainCase::law_name(&case));
         let form_of = |case: &Case| {
             let name = common.unwrap_or_else(|| PlainCase::law_name(case));
             match name.and_then(|name| PlainCase::plain(case, name)) {
@@ -109,13 +110,13 @@ impl Problem for Oscillator {
             return Vec::new();
         };
         let count = 2.0 * PI / oscillator.step;
-        let long = || {
+        let warning = || {
             (
                 Warning::LongStep,
                 format!("a period of 2 pi has {count:.1} steps"),
             )
         };
-        let long = oscillator.has_long_step().then(long);
+        let long = oscillator.has_long_step().then(warning);
         long.into_iter()
             .chain(oscillator.ends_early().map(ends_early))
             .collect()

@@ -22,7 +22,7 @@ pub fn between(case: &OscillatorCase, times: &[f64], with_error: bool) -> Option
             Some(vec![case.preset().integrated(times, tolerance)?])
         });
     };
-    let mut motion = match law {
+    let mut solution = match law {
         PlainLaw::Velocity(law) if law.compliance == 0.0 => {
             return Some(Between::in_closed_form([coulomb(x0, times)]));
         }
@@ -31,7 +31,7 @@ pub fn between(case: &OscillatorCase, times: &[f64], with_error: bool) -> Option
         PlainLaw::Velocity(law) => regularised::holds(x0, law.compliance, 0.0, end)
             .then(|| Regularised::velocity(x0, law.compliance))?,
     };
-    let motion = History::sample(times, |time| motion.at(time).values());
+    let motion = History::sample(times, |time| solution.at(time).values());
     Some(Between::in_closed_form([motion]))
 }
 

@@ -30,9 +30,9 @@ pub fn between(case: &ImpactCase, times: &[f64], with_error: bool) -> Option<Bet
         return None;
     }
     Between::integrated(times, with_error, |times, tolerance| {
-        let bars = adaptive::bars::continuous(&scaled.law, gap, times, tolerance).ok()?;
-        let bars = times.iter().zip(bars);
-        let bars = bars.map(|(time, state)| (*time, state.values())).collect();
+        let states = adaptive::bars::continuous(&scaled.law, gap, times, tolerance).ok()?;
+        let timed = times.iter().zip(states);
+        let bars = timed.map(|(time, state)| (*time, state.values())).collect();
         Some(vec![bars, case.preset().integrated(times, tolerance)?])
     })
 }

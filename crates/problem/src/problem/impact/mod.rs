@@ -128,8 +128,8 @@ impl Problem for Bars {
 
     fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {
         let end = ImpactCase::new(case).and_then(|impact| impact.ends_early());
-        let speed = scales::strange_speed(case, self.velocity);
-        let speed = speed.map(|text| (Warning::WaveSpeed, text));
+        let speed =
+            scales::strange_speed(case, self.velocity).map(|text| (Warning::WaveSpeed, text));
         end.map(ends_early).into_iter().chain(speed).collect()
     }
 

@@ -175,8 +175,9 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
         _ => k_i / element,
     };
     let k_h = k_h().filter(|_| curved);
-    let filled = [("gamma", rows::GAMMA, gamma), ("k_I", rows::K_I, k_i)].into_iter();
-    let filled = filled.chain(k_h.map(|k_h| ("k_h", K_H, k_h)));
+    let filled = [("gamma", rows::GAMMA, gamma), ("k_I", rows::K_I, k_i)]
+        .into_iter()
+        .chain(k_h.map(|k_h| ("k_h", K_H, k_h)));
     for (other, row, value) in filled.filter(|other| other.0 != name) {
         if !(value.is_finite() && value > 0.0) {
             let message = format!("gives {other} = {value}, outside the range of double precision");

@@ -122,8 +122,8 @@ mod tests {
             // The error of a step solved once, at changes of the contact, falls with the time step.
             let difference = |dt: f64, last: u64| {
                 let system = system(&case, dt, last);
-                let once = record(&system, &case).unwrap().1;
-                let once: Vec<f64> = once.iter().map(|e| e / start - 1.0).collect();
+                let energies = record(&system, &case).unwrap().1;
+                let once: Vec<f64> = energies.iter().map(|e| e / start - 1.0).collect();
                 let mut converged = Vec::new();
                 solve::visit(&system, |_, stepper| {
                     let modes = (0..).zip(stepper.modes());

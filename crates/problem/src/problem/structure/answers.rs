@@ -17,7 +17,6 @@ use super::warn;
 use crate::history::History;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::{Case, MeasuredChannel, Problem, Samples, Violation};
-use crate::system::structure::Direction;
 
 impl StructureProblem {
     /// A metric, by its row, in each test that the study compares as a sample; `None` without such tests, and if they do not have it.
@@ -34,17 +33,16 @@ impl StructureProblem {
         let units = &self.template.units;
         let mut text = describe::describe(&structure, &models, times, units, &restitutions);
         if let Some(total) = &models.total {
-            let reduced = self.template.matrices.iter().map(|matrices| {
+            let reductions = self.template.matrices.iter().map(|matrices| {
                 let reduced = matrices.reduce.as_ref()?.reduced(case);
                 reduced.ok()
             });
-            let reduced: Vec<_> = reduced.collect();
-            let supports = self.template.supports.iter();
-            let supports: Vec<Direction> = supports.map(|support| support.direction).collect();
-            let shaken = total.iter().filter(|(_, mass)| *mass > 0.0);
-            let shaken = shaken.map(|(direction, mass)| {
+            let reduced: Vec<_> = reductions.collect();
+            let supports = &self.template.supports;
+            let massive = total.iter().filter(|(_, mass)| *mass > 0.0);
+            let shaken = massive.map(|(direction, mass)| {
                 let reduced = (&reduced[..], &numbering);
-                let inertia = inertia(&structure, &supports, reduced, *direction);
+                let inertia = inertia(&structure, supports, reduced, *direction);
                 (*direction, inertia, *mass)
             });
             text += &participation::described(&structure, &shaken.collect::<Vec<_>>());

@@ -91,13 +91,12 @@ impl Problem for StructureProblem {
         let recorded = distinct(drawn.into_iter().chain(numbers.iter().copied()));
         let (motions, metrics, warnings) = self.solve_ready(&ready, &recorded)?;
         let time: Vec<f64> = (0..=ready.last).map(|i| i as f64 * ready.dt).collect();
-        let exact = match (self.template.reference, self.against_rigid()) {
-            (None, _) => &None,
-            (Some(_), true) => &motions.rigid,
-            (Some(_), false) => &motions.softened,
+        let reference = match (self.template.reference, self.against_rigid()) {
+            (None, _) => None,
+            (Some(_), true) => motions.rigid.as_ref(),
+            (Some(_), false) => motions.softened.as_ref(),
         };
-        let exact = exact.as_ref();
-        let exact = exact.map(|exact| self.history(exact, &ready.numbering, &numbers));
+        let exact = reference.map(|motion| self.history(motion, &ready.numbering, &numbers));
         let computed = self.history(&motions.computed, &ready.numbering, &numbers);
         let history = |channels| History {
             time: time.clone(),

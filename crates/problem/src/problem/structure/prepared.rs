@@ -64,8 +64,8 @@ impl StructureProblem {
         identity: String,
         notes: Vec<String>,
     ) -> StructureProblem {
-        let channels = metrics.iter().filter_map(|metric| metric.channel.as_ref());
-        let mut channels = channels.chain(drawn.iter().map(|drawn| &drawn.channel));
+        let of_metrics = metrics.iter().filter_map(|metric| metric.channel.as_ref());
+        let mut channels = of_metrics.chain(drawn.iter().map(|drawn| &drawn.channel));
         let observed = channels.any(Channel::is_derived);
         StructureProblem {
             schema,
@@ -95,8 +95,9 @@ impl StructureProblem {
             let Some(modes) = damping::modes(&structure, &stiffness) else {
                 return Err(self.no_modes(&structure, case));
             };
-            let ratios = modal.ratios(case, &modes.omega2);
-            let ratios = ratios.map_err(|one| broken(vec![one]))?;
+            let ratios = modal
+                .ratios(case, &modes.omega2)
+                .map_err(|one| broken(vec![one]))?;
             damping::add_modal(&mut structure, &modes, &ratios);
         }
         match structure.preload.load.is_empty() {
@@ -192,8 +193,8 @@ impl StructureProblem {
         numbering: &Numbering,
         numbers: &[Number],
     ) -> Vec<Vec<f64>> {
-        let drawn = self.drawn.iter();
-        let drawn = drawn.map(|drawn| recorded.channel(&drawn.channel, numbering));
+        let channels = self.drawn.iter();
+        let drawn = channels.map(|drawn| recorded.channel(&drawn.channel, numbering));
         drawn
             .chain(numbers.iter().map(|number| recorded.of(*number).to_vec()))
             .collect()

@@ -59,8 +59,8 @@ impl StructureProblem {
         watched: Option<&Watched>,
     ) -> Result<Warnings, Unsolvable> {
         let structure = &ready.structure;
-        let contacts = watched.map_or(&[][..], |watched| &watched.contacts);
-        let contacts = || structure.contacts.iter().zip(contacts);
+        let watched_contacts = watched.map_or(&[][..], |watched| &watched.contacts);
+        let contacts = || structure.contacts.iter().zip(watched_contacts);
         let mut impacts =
             contacts().filter(|(contact, _)| contact.law.kind() == ContactKind::Impact);
         let touches = |(_, seen): (&Contact, &WatchedContact)| seen.force < 0.0;
@@ -73,13 +73,13 @@ impl StructureProblem {
                 && -seen.displacement > DEEP * (seen.opening - contact.gap)
                 && !yields(&contact.law)
         };
-        let given = self.doubts_of(&ready.case, structure, &ready.numbering);
-        let given = given
+        let doubts = self
+            .doubts_of(&ready.case, structure, &ready.numbering)
             .iter()
             .fold(Warnings::NONE, |set, doubt| set.with(doubt.0, true));
         let given = match watched {
-            Some(watched) => unused::with(given, &self.template, ready, watched),
-            None => given,
+            Some(watched) => unused::with(doubts, &self.template, ready, watched),
+            None => doubts,
         };
         Ok(given
             .with(Warning::DeepOverlap, contacts().any(overlaps))

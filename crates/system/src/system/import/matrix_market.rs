@@ -142,11 +142,11 @@ impl Matrix {
 
 /// The form that the first line says.
 fn form(line: &str) -> Result<Form, ImportFault> {
-    let words: Vec<String> = line
+    let lower_case: Vec<String> = line
         .split_whitespace()
         .map(str::to_ascii_lowercase)
         .collect();
-    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let words: Vec<&str> = lower_case.iter().map(String::as_str).collect();
     let refuse = |what: &str| {
         let message = format!(
             "must begin with %%MatrixMarket matrix, coordinate or array, real or integer, general or symmetric, got {what}"

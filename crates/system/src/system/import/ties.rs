@@ -78,12 +78,9 @@ impl Dofs {
             );
             return Err(fault(index, message));
         }
-        let direction = line_cells.next().unwrap_or_default();
-        let Some(direction) = Direction::named(direction) else {
-            let message = format!(
-                "a direction is x, y, z, rx, ry or rz, got {}",
-                shown(direction)
-            );
+        let word = line_cells.next().unwrap_or_default();
+        let Some(direction) = Direction::named(word) else {
+            let message = format!("a direction is x, y, z, rx, ry or rz, got {}", shown(word));
             return Err(fault(index, message));
         };
         let along = self.sum_of(line_cells, index)?;

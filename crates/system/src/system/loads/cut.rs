@@ -19,11 +19,10 @@ pub fn cut(acceleration: &Table, start: Option<f64>, end: Option<f64>) -> Option
         Some(index) => values[index],
         None => acceleration.at(to),
     };
-    let inner = times.iter().zip(values);
-    let inner = inner.filter(|(t, _)| **t > from && **t < to);
+    let table_points = times.iter().zip(values);
+    let inner = table_points.filter(|(t, _)| **t > from && **t < to);
     let ends = |t: f64, a: f64| std::iter::once((t, a));
-    let points = ends(from, acceleration.at(from));
-    let points = points.chain(inner.map(|(t, a)| (*t, *a)));
+    let points = ends(from, acceleration.at(from)).chain(inner.map(|(t, a)| (*t, *a)));
     let shift = start.unwrap_or(0.0);
     let points = points.chain(ends(to, at_end)).map(|(t, a)| (t - shift, a));
     let (times, values) = points.unzip();
@@ -50,8 +49,8 @@ pub fn delayed(acceleration: &Table, delay: f64) -> Option<Table> {
     // What is before t = 0 does not act.
     let times = acceleration.times().iter().zip(acceleration.values());
     let after_start = times.filter(|(t, _)| **t > 0.0);
-    let points = std::iter::once((0.0, acceleration.at(0.0)));
-    let points = points.chain(after_start.map(|(t, a)| (*t, *a)));
+    let points =
+        std::iter::once((0.0, acceleration.at(0.0))).chain(after_start.map(|(t, a)| (*t, *a)));
     let (mut times, mut values): (Vec<f64>, Vec<f64>) = points.map(|(t, a)| (t + delay, a)).unzip();
     if values.first().is_some_and(|first| *first != 0.0) {
         times.insert(0, delay);

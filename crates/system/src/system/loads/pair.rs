@@ -250,8 +250,8 @@ mod tests {
     fn the_peaks_are_those_of_the_turned_motions() {
         // The second component begins later, with a jump, and has points of its own.
         let early = motion(0.013, 0.7);
-        let late = early.times().iter().map(|t| t + 0.5);
-        let late = late.zip(early.values().iter().copied());
+        let late_times = early.times().iter().map(|t| t + 0.5);
+        let late = late_times.zip(early.values().iter().copied());
         let pair = [
             &motion(0.01, 0.0),
             &table([(0.5, 0.0)].into_iter().chain(late)),
@@ -261,11 +261,11 @@ mod tests {
             let [c, s] = directions().nth(degrees).unwrap();
             let pieces = pieces(pair);
             let sum = |[a, b]: [f64; 2]| c * a + s * b;
-            let points = pieces.iter().flat_map(|piece| {
+            let ends = pieces.iter().flat_map(|piece| {
                 let [from, to] = piece.accelerations.map(sum);
                 [(piece.times[0], from), (piece.times[1], to)]
             });
-            let mut points: Vec<(f64, f64)> = points.collect();
+            let mut points: Vec<(f64, f64)> = ends.collect();
             points.dedup();
             points.push((points[points.len() - 1].0 + 1.0, 0.0));
             let before = points.len() - 2;

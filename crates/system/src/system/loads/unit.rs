@@ -55,8 +55,8 @@ impl Unit {
     /// The unit that the header of a record writes so: `G`, `GAL`, `cm/sec/sec`, `M/S**2`, `mm/s^2`, `cm/s\u{b2}`.
     pub(super) fn spelled(text: &str) -> Option<Unit> {
         let text = text.trim().trim_end_matches(['.', ',', ';', ':']);
-        let plain = text.to_ascii_lowercase().replace("**", "").replace('^', "");
-        let plain = plain.replace('\u{b2}', "2").replace("sec", "s");
+        let lower_case = text.to_ascii_lowercase().replace("**", "").replace('^', "");
+        let plain = lower_case.replace('\u{b2}', "2").replace("sec", "s");
         match plain.as_str() {
             "gal" | "gals" => Some(Unit::CentimetrePerSecond2),
             _ => Unit::from_name(&plain.replace("/s/s", "/s2")),

@@ -92,8 +92,9 @@ impl Basis {
         });
         let directions = Direction::ALL.into_iter().filter_map(|direction| {
             let rows = imported.dofs.rows().iter();
-            let one = rows.map(|dof| f64::from(u8::from(dof.direction == direction)));
-            let one: Vec<f64> = one.collect();
+            let one: Vec<f64> = rows
+                .map(|dof| f64::from(u8::from(dof.direction == direction)))
+                .collect();
             let free: Vec<f64> = of.free.iter().map(|row| one[*row]).collect();
             let mut inertia = vec![0.0; of.size];
             imported.mass.add_product(&one, &mut inertia);

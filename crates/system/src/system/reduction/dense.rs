@@ -43,8 +43,8 @@ pub(super) fn all_modes(of: &Held) -> Result<Vec<Mode>, ReductionFault> {
     let shapes = root
         .tr_solve_lower_triangular(&eigen.eigenvectors)
         .ok_or_else(no_mass)?;
-    let modes = eigen.eigenvalues.iter().zip(shapes.column_iter());
-    let mut modes: Vec<Mode> = modes
+    let pairs = eigen.eigenvalues.iter().zip(shapes.column_iter());
+    let mut modes: Vec<Mode> = pairs
         .map(|(omega2, massive_shape)| {
             let mut shape = vec![0.0; of.free.len()];
             for ((row, x), follower) in massive.iter().zip(massive_shape.iter()).zip(&following) {
@@ -72,8 +72,8 @@ fn following(of: &Held) -> Result<Vec<Vec<f64>>, ReductionFault> {
     }
     // K_ff is positive definite, so that K_ss is.
     let of_massless = of.stiffness.block(massless);
-    let factor = Factor::new(&of_massless, &vec![false; of_massless.size()]);
-    let factor = factor.map_err(|_| ReductionFault::Mass)?;
+    let factor = Factor::new(&of_massless, &vec![false; of_massless.size()])
+        .map_err(|_| ReductionFault::Mass)?;
     for ((i, j), k) in of.stiffness.entries() {
         for (row, column) in [(i, j), (j, i)] {
             if let (Ok(row), Ok(column)) =

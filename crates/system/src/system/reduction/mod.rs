@@ -112,8 +112,9 @@ impl Reduction {
     pub fn reduced(&self, wanted: Wanted) -> Result<Reduced, ReductionFault> {
         let held = self
             .held
-            .get_or_init(|| Held::new(&self.imported, &self.kept));
-        let held = held.as_ref().map_err(Clone::clone)?;
+            .get_or_init(|| Held::new(&self.imported, &self.kept))
+            .as_ref()
+            .map_err(Clone::clone)?;
         let most_modes = held.massive.len();
         let (basis, modes) = match wanted {
             Wanted::Modes(modes) => {

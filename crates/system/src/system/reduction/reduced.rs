@@ -160,9 +160,10 @@ impl Reduced {
     pub fn modal(&self, kept: &[f64], of_directions: &[(Direction, f64)]) -> Vec<f64> {
         let held = self.places(&self.basis.held);
         let coordinate = |mode: usize| {
-            let followed = held.iter().enumerate();
-            let followed =
-                followed.map(|(i, column)| self.basis.coupling[(mode, i)] * kept[*column]);
+            let followed = held
+                .iter()
+                .enumerate()
+                .map(|(i, column)| self.basis.coupling[(mode, i)] * kept[*column]);
             let others = of_directions.iter().filter_map(|(direction, u)| {
                 let of = self
                     .basis
@@ -178,12 +179,12 @@ impl Reduced {
 
     /// A vector of the basis in the coordinates of the case.
     fn reduced(&self, direction: Direction, which: impl Fn(&OfDirection) -> &Vec<f64>) -> Vec<f64> {
-        let inertia = self
+        let of_direction = self
             .basis
             .directions
             .iter()
             .find(|known| known.direction == direction);
-        let Some(inertia) = inertia.map(which) else {
+        let Some(inertia) = of_direction.map(which) else {
             return vec![0.0; self.len()];
         };
         // Without loose rows the coordinates are those of the basis.

@@ -184,8 +184,8 @@ impl StructureBuilder {
             structure.loads.push(Load { pattern, signal });
         }
         for signal in self.ground {
-            let pattern = nodes.iter().enumerate();
-            let pattern = pattern.map(|(i, node)| (i, -node.mass)).collect();
+            let numbered = nodes.iter().enumerate();
+            let pattern = numbered.map(|(i, node)| (i, -node.mass)).collect();
             structure.loads.push(Load { pattern, signal });
         }
         for (mass, [u, v]) in self.starts {

@@ -117,8 +117,8 @@ impl Structure {
             .zip(held)
             .map(|(massless, held)| massless && !held)
             .collect();
-        let loaded = self.loads.iter().flat_map(|load| &load.pattern);
-        let loaded = loaded.filter(|(_, factor)| *factor != 0.0);
+        let terms = self.loads.iter().flat_map(|load| &load.pattern);
+        let loaded = terms.filter(|(_, factor)| *factor != 0.0);
         for (node, _) in loaded {
             is_free[*node] = false;
         }
@@ -159,11 +159,12 @@ impl Structure {
             let contact = &self.contacts[members[0].0];
             // More than two nodes would be no chain, nor is a direction of a plane.
             let is_alone = contact.law.row().is_some();
-            let free = contact
+            let free: Vec<_> = contact
                 .along
                 .iter()
-                .filter(|(node, _)| is_free.get(*node) == Some(&true));
-            let free: Vec<_> = free.copied().collect();
+                .filter(|(node, _)| is_free.get(*node) == Some(&true))
+                .copied()
+                .collect();
             for (node, factor) in &free {
                 let factor = if is_alone || free.len() > 2 {
                     f64::NAN

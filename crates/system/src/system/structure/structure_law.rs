@@ -237,8 +237,8 @@ impl Limit {
 
     /// The limit at time t with a part by forces that press.
     fn with(&self, t: f64, pressed: f64) -> f64 {
-        let varying = self.varying.as_ref();
-        let varying = varying.map_or(0.0, |(factor, signal)| factor * signal.at(t));
+        let by_signal = self.varying.as_ref();
+        let varying = by_signal.map_or(0.0, |(factor, signal)| factor * signal.at(t));
         let limit = (self.constant + varying + pressed).max(0.0);
         self.pressure
             .map_or(limit, |pressure| pressure.limit(limit))

@@ -55,13 +55,13 @@ impl Structure {
     /// Adds a C that acts on the motion beside R u_s, K R = -K_fs, also if the equations have R = 0: then C R v_s is a load.
     pub fn damp_beside_supports(&mut self, damping: &Symmetric) {
         self.damping.add_matrix(damping, 1.0);
-        let displaced = self.loads.iter().filter_map(|load| match &*load.signal {
+        let displacements = self.loads.iter().filter_map(|load| match &*load.signal {
             Signal::Motion(motion, Quantity::Displacement) if !motion.carries() => {
                 Some((motion.clone(), load.pattern.clone()))
             }
             Signal::Motion(..) | Signal::Sine { .. } | Signal::Table(_) => None,
         });
-        let displaced: Vec<_> = displaced.collect();
+        let displaced: Vec<_> = displacements.collect();
         if displaced.is_empty() {
             return;
         }
@@ -123,8 +123,9 @@ impl Structure {
                 }
             }
             let contacts = self.contacts.iter();
-            let gaps = contacts.map(|contact| gap(&contact.along, r, n, s));
-            let gaps = gaps.collect();
+            let gaps = contacts
+                .map(|contact| gap(&contact.along, r, n, s))
+                .collect();
             self.supports.push(Support {
                 name,
                 motion,
@@ -328,8 +329,7 @@ mod tests {
             omega: 1.0,
             phase: 0.0,
         };
-        let motion = Motion::new(&signal, 1.0, 0.0, Baseline::None).unwrap();
-        let motion = Arc::new(motion);
+        let motion = Arc::new(Motion::new(&signal, 1.0, 0.0, Baseline::None).unwrap());
         structure.prescribe(vec![("a".into(), motion.clone()), ("b".into(), motion)]);
         // M R + M_fs = 2 (3/4) and 2/4 + 0.5; C R + C_fs = 10 (3/4) - 3 and 10/4.
         let expected = [

@@ -272,8 +272,8 @@ impl CurvedForces {
         let slope = |j: usize| 1.0 / (self.own[j] + self.tangents.compliance[j]);
         (0..m).all(|i| {
             let row = &self.coupling[i * m..(i + 1) * m];
-            let answers = row.iter().enumerate();
-            let answers = answers.map(|(j, m)| m.abs() * point.terms[j] * slope(j));
+            let entries = row.iter().enumerate();
+            let answers = entries.map(|(j, m)| m.abs() * point.terms[j] * slope(j));
             let terms = point.terms[i] + answers.sum::<f64>();
             point.rest[i].abs() <= ROUND_OFF * terms
         })

@@ -55,8 +55,8 @@ impl Tangents {
         let directions = laws.directions(i, y, force);
         // A force that does not follow in a direction is as good as held by a large 1/f'.
         self.planes[i] = directions.matrix(HELD * flexibility);
-        let least = directions.slopes.map(|g| g.clamp(0.0, HELD * flexibility));
-        let least = least[0].min(least[1]);
+        let clamped = directions.slopes.map(|g| g.clamp(0.0, HELD * flexibility));
+        let least = clamped[0].min(clamped[1]);
         for row in i..i + 2 {
             self.compliance[row] = least;
             (self.low[row], self.high[row]) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -121,9 +121,9 @@ impl Tangents {
                     second = true;
                     continue;
                 }
-                let g = self.compliance[i].max(soft * flexibilities[i]);
-                let g = if g < LEVEL * flexibilities[i] {
-                    g
+                let compliance = self.compliance[i].max(soft * flexibilities[i]);
+                let g = if compliance < LEVEL * flexibilities[i] {
+                    compliance
                 } else {
                     flexibilities[i]
                 };

@@ -136,8 +136,8 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         let below = (-z).larger(zero);
         let elastic = w.zip(c, |w, c| w / (1.0 + c)).smaller(below);
         let z = z.larger(zero);
-        let w = w.zip(c, |w, _| w) - below - c * below;
-        let w = w.larger(zero);
+        let beyond = w.zip(c, |w, _| w) - below - c * below;
+        let w = beyond.larger(zero);
         let mut grown = zero;
         if step.closed[0] {
             let one = step.exponent.map(|n| if n == 1.0 { 1.0 } else { 2.0 });

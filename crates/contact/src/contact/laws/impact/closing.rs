@@ -15,13 +15,13 @@ impl<const L: usize> ClosingSpeed<L> {
         let v0 = &mut self.0;
         for (l, v0) in v0.0.iter_mut().enumerate() {
             let overlap = free.overlap.0[l];
-            let gap = trial.displacement.0[l];
-            let gap = if gap > 0.0 { gap } else { 0.0 };
+            let r = trial.displacement.0[l];
+            let gap = if r > 0.0 { r } else { 0.0 };
             // Part of the step before r = 0; 0/0 of an open contact is not used.
             let part = gap / (gap + overlap);
             let start = -trial.velocity.0[l];
-            let speed = start + part * (free.closing.0[l] - start);
-            let speed = if speed > 0.0 { speed } else { f64::INFINITY };
+            let rate = start + part * (free.closing.0[l] - start);
+            let speed = if rate > 0.0 { rate } else { f64::INFINITY };
             let begun = if *v0 == 0.0 { speed } else { *v0 };
             *v0 = if overlap > 0.0 { begun } else { 0.0 };
         }

@@ -237,11 +237,11 @@ mod tests {
             [1.0 - 1e-9, 1.0, 1.0 + 1e-9].map(|ratio| of_linear(ratio).restitution);
         assert!((at - libm::exp(-2.0)).abs() < 1e-15);
         assert!((below - at).abs() < 1e-8 && (above - at).abs() < 1e-8 && below > at && at > above);
-        let rigid = ContactLaw::Rigid(Rigid {
+        let law = ContactLaw::Rigid(Rigid {
             restitution: 0.7,
             impulses: true,
         });
-        let rigid = rigid.collision(2.0, 3.0).unwrap();
+        let rigid = law.collision(2.0, 3.0).unwrap();
         assert_eq!(
             rigid,
             RigidImpact {

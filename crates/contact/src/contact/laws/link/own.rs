@@ -222,8 +222,8 @@ impl<const L: usize> StepLaw<L> for Step<L> {
             let answer = |s: f64| given_law.law.answer(&step(s), &state);
             let (s, is_root) = given_law.root(end, round_off, answer);
             let last = answer(s);
-            let fault = given_law.fault(step(s).to[0], &last, &answer(s));
-            let fault = fault.or((!is_root).then_some(OwnFault::NoAnswer));
+            let fault_of_law = given_law.fault(step(s).to[0], &last, &answer(s));
+            let fault = fault_of_law.or((!is_root).then_some(OwnFault::NoAnswer));
             memory.0[l] = (last.state, fault);
             force.0[l] = s;
         }

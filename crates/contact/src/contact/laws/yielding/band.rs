@@ -35,10 +35,10 @@ impl Band {
     /// Energy that both springs store. The whole is 0 where S = 0 at r = 0.
     pub(in crate::contact) fn stored_energy(&self, r: f64, s: f64) -> f64 {
         let [k1, k2] = self.stiffness;
-        let elastic = s - k2 * r;
+        let elastic_force = s - k2 * r;
         // Without an elastic part the force is k2 r.
         let elastic = if k1 > k2 {
-            elastic * elastic / (k1 - k2)
+            elastic_force * elastic_force / (k1 - k2)
         } else {
             0.0
         };

@@ -127,8 +127,8 @@ impl Moving<'_> {
                 for (c, first) in firsts.iter().enumerate() {
                     let state = self.in_plane(*first, times[i], &points.states[i], [0.0; 2]);
                     let speed = length(state.rdot);
-                    let limit = self.planes[*first].as_ref()?;
-                    let limit = limit.limit(self.limit(*first, times[i], &points.states[i]));
+                    let plane = self.planes[*first].as_ref()?;
+                    let limit = plane.limit(self.limit(*first, times[i], &points.states[i]));
                     if speed.is_nan() || speed <= 0.0 {
                         return None;
                     }
@@ -164,12 +164,12 @@ impl Moving<'_> {
             }
             good = if largest <= allowed { good + 1 } else { 0 };
             if good == 2 {
-                let stiffness = (0..p).map(|c| {
+                let of_columns = (0..p).map(|c| {
                     let trace =
                         influence[4 * c * p + 2 * c] + influence[(2 * c + 1) * 2 * p + 2 * c + 1];
                     0.5 * trace * length(points.forces[POINTS - 1][c])
                 });
-                let stiffness = stiffness.collect();
+                let stiffness = of_columns.collect();
                 return Some((points, stiffness));
             }
             if !eliminate(&mut matrix, &mut rest) {

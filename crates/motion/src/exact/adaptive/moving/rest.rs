@@ -153,8 +153,8 @@ impl Moving<'_> {
         let mut any = false;
         for (i, first) in rests.iter().enumerate() {
             let size = length([forces[2 * i], forces[2 * i + 1]]);
-            let begins = size >= (1.0 - ROUND_OFF) * limits[2 * i];
-            let begins = begins && (moves(2 * i) || moves(2 * i + 1));
+            let at_limit = size >= (1.0 - ROUND_OFF) * limits[2 * i];
+            let begins = at_limit && (moves(2 * i) || moves(2 * i + 1));
             if let (Some(plane), true) = (&mut self.planes[*first], begins) {
                 plane.phase = Some(match limits[2 * i] > 0.0 {
                     true => Phase::Begins { since: t },

@@ -71,8 +71,9 @@ impl<'a> Moving<'a> {
                 let other = structure.contacts[i + 1].gap + gap;
                 let r = [r, model.columns[i + 1].dot(u) + other];
                 let rdot = [rdot, model.columns[i + 1].dot(v) + of_gap];
-                let at_rest = at_rest.zip(structure.preload.force(i + 1));
-                let at_rest = at_rest.map(|(first, second)| [first, second]);
+                let at_rest = at_rest
+                    .zip(structure.preload.force(i + 1))
+                    .map(|(first, second)| [first, second]);
                 let plane = PlaneContact::new(law, given.law.is_rigid(), at_rest, rdot);
                 let state = plane.state(r).filter(|_| plane.phase.is_none());
                 places.push(state.map(|z| {

@@ -23,8 +23,8 @@ fn the_laws_of_the_papers_move_as_their_closed_forms() {
             &times,
             TOLERANCE,
         );
-        let mut exact = Regularised::displacement(12.0, width, 0.0);
-        let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
+        let mut closed_form = Regularised::displacement(12.0, width, 0.0);
+        let exact: Vec<[f64; 3]> = times.iter().map(|t| closed_form.at(*t).values()).collect();
         // 1e-12 of x0 in a step, of some hundred steps.
         assert!(
             distance(&computed, &exact, 0) < 1.2e-11,
@@ -40,8 +40,8 @@ fn the_laws_of_the_papers_move_as_their_closed_forms() {
             &times,
             TOLERANCE,
         );
-        let mut exact = Regularised::velocity(12.0, width);
-        let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
+        let mut closed_form = Regularised::velocity(12.0, width);
+        let exact: Vec<[f64; 3]> = times.iter().map(|t| closed_form.at(*t).values()).collect();
         assert!(
             distance(&computed, &exact, 0) < 1.2e-11,
             "{width} {}",
@@ -125,8 +125,8 @@ fn elastoplastic_laws_are_one() {
         limit,
         exponent: 0.0,
     });
-    let mut exact = Regularised::displacement(12.0, compliance, 0.0);
-    let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
+    let mut closed_form = Regularised::displacement(12.0, compliance, 0.0);
+    let exact: Vec<[f64; 3]> = times.iter().map(|t| closed_form.at(*t).values()).collect();
     let computed = at(&friction(dahl), &times, TOLERANCE);
     assert!(distance(&computed, &exact, 0) < 1.2e-11);
 }

@@ -192,8 +192,9 @@ fn what_the_integration_does_not_know_is_said() {
     );
     stiff.displacement = vec![12.0];
     let model = Model::new(&stiff).unwrap();
-    let text = run_model(model, &[0], &[20.0], [TOLERANCE, 1e5], |_, _| {});
-    let text = text.unwrap_err().to_string();
+    let text = run_model(model, &[0], &[20.0], [TOLERANCE, 1e5], |_, _| {})
+        .unwrap_err()
+        .to_string();
     assert!(text.contains("needs too many steps from t = "), "{text}");
 }
 

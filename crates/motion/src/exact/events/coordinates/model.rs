@@ -214,12 +214,12 @@ impl<'a> Model<'a> {
 fn bound(couplings: &[f64], coefficients: &[f64]) -> f64 {
     let rows = couplings
         .chunks_exact(coefficients.len().max(1))
-        .zip(coefficients);
-    let rows = rows.map(|(row, c)| {
-        let terms = row.iter().zip(coefficients);
-        terms
-            .map(|(coupling, other)| coupling * (c * other).sqrt())
-            .sum()
-    });
+        .zip(coefficients)
+        .map(|(row, c)| {
+            let terms = row.iter().zip(coefficients);
+            terms
+                .map(|(coupling, other)| coupling * (c * other).sqrt())
+                .sum()
+        });
     rows.fold(0.0, f64::max)
 }

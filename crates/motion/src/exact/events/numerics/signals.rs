@@ -56,8 +56,8 @@ fn signals(structure: &Structure) -> impl Iterator<Item = &Signal> {
     let limits = structure
         .contacts
         .iter()
-        .filter_map(|contact| contact.law.limit());
-    let limits = limits.filter_map(|limit| Some(&*limit.varying.as_ref()?.1));
+        .filter_map(|contact| contact.law.limit())
+        .filter_map(|limit| Some(&*limit.varying.as_ref()?.1));
     structure
         .loads
         .iter()
@@ -72,8 +72,10 @@ pub fn points(structure: &Structure) -> Vec<f64> {
         // Those of supports follow.
         Signal::Sine { .. } | Signal::Motion(..) => None,
     });
-    let of_supports = structure.supports.iter();
-    let of_supports = of_supports.flat_map(|support| support.motion.points());
+    let of_supports = structure
+        .supports
+        .iter()
+        .flat_map(|support| support.motion.points());
     let ends = tables.flatten().copied().chain(of_supports);
     let mut times: Vec<f64> = ends.filter(|t| *t > 0.0).collect();
     times.sort_by(f64::total_cmp);
@@ -87,7 +89,9 @@ pub fn fastest(structure: &Structure) -> f64 {
         Signal::Sine { omega, .. } => omega.abs(),
         Signal::Table(_) | Signal::Motion(..) => 0.0,
     });
-    let of_supports = structure.supports.iter();
-    let of_supports = of_supports.map(|support| support.motion.omega().abs());
+    let of_supports = structure
+        .supports
+        .iter()
+        .map(|support| support.motion.omega().abs());
     frequencies.chain(of_supports).fold(0.0, f64::max)
 }

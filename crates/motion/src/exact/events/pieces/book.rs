@@ -149,16 +149,18 @@ pub fn energy(model: &Model, states: &[ContactState], u: &[f64], v: &[f64]) -> f
         Some(_) => dot(v, v),
     };
     let contacts = model.contacts.iter().zip(states);
-    let lines = contacts.clone().filter_map(|(contact, state)| {
+    let of_lines = contacts.clone().filter_map(|(contact, state)| {
         let line = state.line.as_ref()?;
         Some(lines::of(&contact.law)?.stored(line, state.r))
     });
-    let lines: f64 = lines.sum();
+    let lines: f64 = of_lines.sum();
     let stored = contacts.map(|(contact, state)| {
         let spring = contact.law.spring();
         spring.map_or(0.0, |k| state.force * state.force / k)
     });
-    let flexible = model.flexible.as_ref();
-    let flexible = flexible.map_or(0.0, |flexible| 0.5 * flexible.stored(states));
+    let flexible = model
+        .flexible
+        .as_ref()
+        .map_or(0.0, |flexible| 0.5 * flexible.stored(states));
     flexible + 0.5 * (kinetic + model.stiffness.form(u) + stored.sum::<f64>()) + lines
 }

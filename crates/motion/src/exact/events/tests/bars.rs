@@ -70,8 +70,10 @@ fn fine_bars_approach_continuous_ones() {
     let times = steps(0.01, 200);
     let error = |n: usize| {
         let (states, _) = first(&row(&[1.0, -1.0], n, 8.0), &times);
-        let errors = times.iter().zip(&states);
-        let errors = errors.map(|(t, state)| (exact.at(*t).displacement - state.r).abs());
+        let errors = times
+            .iter()
+            .zip(&states)
+            .map(|(t, state)| (exact.at(*t).displacement - state.r).abs());
         errors.fold(0.0, f64::max)
     };
     let [coarse, fine, finest] = [20, 40, 80].map(error);

@@ -93,8 +93,8 @@ fn at_half_the_frequency_stops_become_short_as_one_over_their_number() {
 #[test]
 fn amplitudes_of_softened_laws_approach_it_with_their_orders() {
     let period = 2.0 * PI / 0.8;
-    let times: Vec<f64> = steps(period / 4000.0, 4000);
-    let times: Vec<f64> = times.iter().map(|t| 100.0 * period + t).collect();
+    let in_period: Vec<f64> = steps(period / 4000.0, 4000);
+    let times: Vec<f64> = in_period.iter().map(|t| 100.0 * period + t).collect();
     let change = |law| {
         let (states, _) = first(&den_hartog(0.8, law), &times);
         let inner = 1..states.len() - 1;
@@ -147,8 +147,8 @@ fn a_block_on_a_shaking_base_slides_as_westermo_and_udwadia_computed() {
     ] {
         // Between the events of a cycle it stops twice.
         let r = reversals(&block(coulomb(eta)), 2.0 * PI, 20, 3);
-        let slips = r.windows(2).map(|r| (r[1] - r[0]).abs());
-        let slips: Vec<f64> = slips.filter(|slip| *slip > 1e-9).collect();
+        let changes = r.windows(2).map(|r| (r[1] - r[0]).abs());
+        let slips: Vec<f64> = changes.filter(|slip| *slip > 1e-9).collect();
         assert!(slips.len() >= 5);
         for slip in slips {
             // 10 decimals.

@@ -247,8 +247,8 @@ fn a_mass_meets_a_part_that_yields_as_two_bodies_do() {
         let mut rows = Vec::new();
         let summary = run(&structure, &[touch, end, end + 1.0], |_, state| {
             rows.push([state.r[0], state.rate[0], state.force[0]]);
-        });
-        let summary = summary.unwrap();
+        })
+        .unwrap();
         assert!(
             (rows[2][1] - expected.restitution * speed).abs() < 1e-13,
             "{rows:?}"

@@ -9,8 +9,8 @@ pub struct Random(pub u64);
 impl Random {
     fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     }
 
@@ -32,7 +32,7 @@ fn signal(random: &mut Random) -> Signal {
         );
     }
     let mut t = -0.5;
-    let points: Vec<[f64; 2]> = (0..6)
+    let drawn: Vec<[f64; 2]> = (0..6)
         .map(|_| {
             // Some points are jumps.
             t += if random.below(4) == 0 && t > 0.0 {
@@ -43,11 +43,11 @@ fn signal(random: &mut Random) -> Signal {
             [t, random.number(-1.0, 1.0)]
         })
         .collect();
-    let points: Vec<[f64; 2]> = points
+    let points: Vec<[f64; 2]> = drawn
         .iter()
         .enumerate()
         .map(|(i, p)| {
-            let before = points[..i].iter().filter(|q| q[0] == p[0]).count();
+            let before = drawn[..i].iter().filter(|q| q[0] == p[0]).count();
             [p[0] + (before / 2) as f64 * 0.01, p[1]]
         })
         .collect();

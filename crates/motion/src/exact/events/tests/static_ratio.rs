@@ -39,8 +39,8 @@ fn the_published_numbers_of_two_masses_are_met() {
     let loose = events
         .iter()
         .find(|(_, phase)| *phase == Phase::Sliding(1.0));
-    let stops = events.iter().skip_while(|(time, _)| *time < 0.2);
-    let stops = stops.copied().next().unwrap();
+    let later_events = events.iter().skip_while(|(time, _)| *time < 0.2);
+    let stops = later_events.copied().next().unwrap();
     let computed = [loose.unwrap().0, u[0][0], u[0][1], stops.0, u[1][1]];
     let published = [0.03512, 1.35332, 1.80751, 0.31492, 3.96813];
     // DOP853 with restarts (scipy, tolerances 1e-12).
@@ -78,8 +78,10 @@ fn a_rising_load_moves_a_mass_in_equal_slips() {
         + drop / k * (1.0 - libm::cos(omega * slide));
     // The load that is missing for the next slip.
     let period = k * slip / a;
-    let events = changes(&summary);
-    let events: Vec<_> = events.into_iter().filter(|(time, _)| *time > 0.0).collect();
+    let events: Vec<_> = changes(&summary)
+        .into_iter()
+        .filter(|(time, _)| *time > 0.0)
+        .collect();
     assert!(events.len() > 10, "{events:?}");
     for (i, (time, phase)) in events.iter().enumerate() {
         let start = ratio * limit / a + (i / 2) as f64 * period;

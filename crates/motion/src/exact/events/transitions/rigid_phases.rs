@@ -111,16 +111,16 @@ fn decide_order(
     let [mut d, mut low, mut high, mut force] = [(); 4].map(|()| vec![0.0; m]);
     for (i, candidate) in candidates.iter().enumerate() {
         d[i] = series.relative_acceleration(candidate.contact, model);
-        let limit = if candidate.friction {
+        let limit_of_series = if candidate.friction {
             series.contacts[candidate.contact].limit[order]
         } else {
             0.0
         };
         // Below 0 by round-off.
         let limit = if candidate.at == [true; 2] {
-            limit.max(0.0)
+            limit_of_series.max(0.0)
         } else {
-            limit
+            limit_of_series
         };
         let [least, most] = candidate.ratios.map(|ratio| ratio * limit);
         low[i] = if candidate.at[0] {
@@ -137,8 +137,9 @@ fn decide_order(
     for (contact, force) in contacts.iter().zip(&force) {
         series.apply(order, *contact, *force, model);
     }
-    let largest = (0..m).map(|i| force[i].abs().max(d[i].abs() / flexibility[i * m + i]));
-    let largest = largest.fold(0.0, f64::max);
+    let largest = (0..m)
+        .map(|i| force[i].abs().max(d[i].abs() / flexibility[i * m + i]))
+        .fold(0.0, f64::max);
     // A force changes by this part over the round-off of t.
     let instant = 4.0 * f64::EPSILON * series.start / series.length;
     let round_off = (ROUND_OFF + instant) * scales.force();

@@ -62,8 +62,9 @@ impl Curved {
                 .any(|i| contacts[i].law.row() == Some(PlaneRow::First))
         };
         // Both directions are alone in their groups, which follow each other.
-        let planes = (0..groups.len()).filter(|g| is_first(&groups[*g]));
-        let planes: Vec<usize> = planes.collect();
+        let planes: Vec<usize> = (0..groups.len())
+            .filter(|g| is_first(&groups[*g]))
+            .collect();
         let forces = CurvedBlocks::new(grouped(flexibility, &groups), &planes);
         let mut flexibilities = vec![0.0; m];
         for (g, group) in groups.iter().enumerate() {

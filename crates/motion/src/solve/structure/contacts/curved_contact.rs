@@ -126,8 +126,11 @@ impl Contact {
     /// Lets the law take its closing speed from a motion that just closes the contact at this rate.
     fn touch(&mut self, motion: Motion, rate: f64) {
         let r = motion.displacement;
-        let just = if r > 0.0 { -r * (1.0 + 1e-12) } else { 0.0 };
-        let just = if r == 0.0 { -f64::MIN_POSITIVE } else { just };
+        let just = match r == 0.0 {
+            true => -f64::MIN_POSITIVE,
+            false if r > 0.0 => -r * (1.0 + 1e-12),
+            false => 0.0,
+        };
         ContactResponse::force(&mut self.law, 0, &trial(&motion, just, rate));
     }
 

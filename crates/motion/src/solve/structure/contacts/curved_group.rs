@@ -43,8 +43,9 @@ pub(crate) fn grouped(flexibility: &BlockMatrix, groups: &[Group]) -> BlockMatri
     }
     BlockMatrix::new(blocks, |a, b| {
         let others = || groups[b].leaders();
-        let pairs = groups[a].leaders();
-        let pairs = pairs.flat_map(|a| others().map(move |b| (a, b)));
+        let pairs = groups[a]
+            .leaders()
+            .flat_map(|a| others().map(move |b| (a, b)));
         let terms = pairs.map(|((i, one), (j, other))| one * other * flexibility.entry(i, j));
         let h: f64 = terms.sum();
         // What the nodes between the contacts leave is round-off.
@@ -56,8 +57,9 @@ pub(crate) fn grouped(flexibility: &BlockMatrix, groups: &[Group]) -> BlockMatri
 pub(crate) fn of_masses(structure: &Structure, group: &Group, dt: f64) -> f64 {
     let dt = dt / SHORT;
     let nodes = group.leaders().flat_map(|(i, _)| structure.column(i));
-    let terms = nodes.map(|(node, factor)| (structure.nodes[node].mass, factor));
-    let terms = terms.filter(|(mass, _)| *mass > 0.0);
+    let terms = nodes
+        .map(|(node, factor)| (structure.nodes[node].mass, factor))
+        .filter(|(mass, _)| *mass > 0.0);
     let sum: f64 = terms.map(|(mass, factor)| factor * factor / mass).sum();
     if sum > 0.0 { dt * dt * sum } else { 1.0 }
 }

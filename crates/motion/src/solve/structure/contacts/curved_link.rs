@@ -137,8 +137,10 @@ pub(crate) fn forces(
     let intervals: Vec<[f64; 2]> = free.iter().flatten().copied().collect();
     if !intervals.is_empty() {
         let rest = filled(&intervals, force - forces.iter().sum::<f64>());
-        let holds = forces.iter_mut().zip(&free);
-        let holds = holds.filter(|(_, free)| free.is_some());
+        let holds = forces
+            .iter_mut()
+            .zip(&free)
+            .filter(|(_, free)| free.is_some());
         for ((to, _), rest) in holds.zip(rest) {
             *to = rest;
         }

@@ -70,8 +70,8 @@ pub(crate) fn first_forces(
         is_massless: false,
     };
     let law = plane_law(structure, contact, limit, scale, 0.0)?;
-    let at_rest = [contact, contact + 1].map(|c| structure.preload.force(c));
-    let at_rest = match at_rest {
+    let forces = [contact, contact + 1].map(|c| structure.preload.force(c));
+    let at_rest = match forces {
         [Some(a), Some(b)] => Some([a, b]),
         _ => None,
     };

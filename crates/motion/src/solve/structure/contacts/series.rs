@@ -61,12 +61,13 @@ impl Series<'_> {
         ];
         // Most steps are like the one before.
         let stays = guess == 0.0 || guess == low || guess == high;
-        let near = match stays {
+        let stayed = match stays {
             true => self.stay(guess, y),
             false => None,
         };
-        let near = near.or_else(|| self.by_changes(y, guess));
-        let near = near.or_else(|| self.newton(y, guess, [low, high]));
+        let near = stayed
+            .or_else(|| self.by_changes(y, guess))
+            .or_else(|| self.newton(y, guess, [low, high]));
         near.unwrap_or_else(|| self.find(y, [low, high]))
     }
 

@@ -38,8 +38,8 @@ impl Series<'_> {
 
     /// The answer by Newton's method from the state of the step before, if it gets there.
     pub(crate) fn newton(&self, y: f64, guess: f64, [low, high]: [f64; 2]) -> Option<Shares> {
-        let places = self.parts.iter().map(|part| part.own * guess + part.change);
-        let mut places: Vec<f64> = places.collect();
+        let of_guess = self.parts.iter().map(|part| part.own * guess + part.change);
+        let mut places: Vec<f64> = of_guess.collect();
         let of_parts: f64 = self.parts.iter().map(|part| part.own).sum();
         let mut answers = vec![[0.0; 2]; places.len()];
         for _ in 0..STEPS {
@@ -74,9 +74,8 @@ impl Series<'_> {
                 *y += away / slope;
             }
             if is_near {
-                let changes = places.iter().zip(self.parts);
-                let changes = changes.map(|(y, part)| y - part.own * force);
-                let mut changes: Vec<f64> = changes.collect();
+                let pairs = places.iter().zip(self.parts);
+                let mut changes: Vec<f64> = pairs.map(|(y, part)| y - part.own * force).collect();
                 // Round-off of the force is most of the change of the softest one: it has what the others leave, wherever it is.
                 let softest =
                     (0..answers.len()).min_by(|i, j| answers[*i][1].total_cmp(&answers[*j][1]))?;

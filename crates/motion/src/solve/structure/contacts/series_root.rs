@@ -28,7 +28,7 @@ pub(crate) fn search(
         let middle = l + 0.5 * width;
         let of_line = r - line[1] * (width / (line[1] - line[0]));
         let flat = left == 0.0 || right == 0.0;
-        let x = match turn % 4 == 3 || flat || !of_line.is_finite() {
+        let next = match turn % 4 == 3 || flat || !of_line.is_finite() {
             true => middle,
             // Not too near to an end: the other one would not move.
             false => of_line.clamp(
@@ -36,7 +36,7 @@ pub(crate) fn search(
                 r - 0.25 * NEAR * r.abs().max(least),
             ),
         };
-        let x = if x > l && x < r { x } else { middle };
+        let x = if next > l && next < r { next } else { middle };
         if x <= l || x >= r {
             break;
         }
@@ -83,8 +83,9 @@ pub(crate) fn filled(intervals: &[[f64; 2]], sum: f64) -> Vec<f64> {
     if count == 0 {
         return at(if above.is_finite() { above } else { below }).collect();
     }
-    let fixed = intervals.iter().filter(|interval| !is_free(interval));
-    let fixed: f64 = fixed
+    let fixed: f64 = intervals
+        .iter()
+        .filter(|interval| !is_free(interval))
         .map(|[low, high]| if *high <= below { *high } else { *low })
         .sum();
     let level = (sum - fixed) / count as f64;

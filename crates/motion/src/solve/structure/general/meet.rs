@@ -69,9 +69,10 @@ impl<const L: usize> General<'_, L> {
         for (c, contact) in self.contacts.iter().enumerate() {
             let [mut low, mut high] = contact.bounds;
             for l in (0..L).filter(|l| contact.known[*l]) {
-                let s = self.trial[c].0[l] / contact.softness.0[l];
-                let s = if s < low.0[l] { low.0[l] } else { s };
-                let s = if s > high.0[l] { high.0[l] } else { s };
+                let (least, most) = (low.0[l], high.0[l]);
+                let free = self.trial[c].0[l] / contact.softness.0[l];
+                let raised = if free < least { least } else { free };
+                let s = if raised > most { most } else { raised };
                 (low.0[l], high.0[l]) = (s, s);
             }
             forces.bound(c, [low, high]);

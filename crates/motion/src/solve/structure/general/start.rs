@@ -37,10 +37,10 @@ impl<'a, const L: usize> General<'a, L> {
                 (0..m).map(line).collect()
             })
             .collect();
-        let forces = parts.iter().zip(&lines).map(|(linear, lines)| {
-            let of = lines.iter().zip(&contacts);
+        let of_parts = parts.iter().zip(&lines).map(|(linear, lines)| {
+            let pairs = lines.iter().zip(&contacts);
             // A force that is known beforehand needs no compliance.
-            let of = of.map(|(line, contact)| {
+            let of = pairs.map(|(line, contact)| {
                 let mut compliance = line.compliance;
                 for (x, known) in compliance.0.iter_mut().zip(contact.known) {
                     *x = if known { 0.0 } else { *x };
@@ -49,7 +49,7 @@ impl<'a, const L: usize> General<'a, L> {
             });
             Forces::new(&linear.flexibility, of)
         });
-        let mut forces: Vec<_> = forces.collect();
+        let mut forces: Vec<_> = of_parts.collect();
         let moving = Moving::new(cases, prepared.dt, &prepared.method);
         let mut stage = Stage {
             nodes: vec![[zero; 3]; n + 1],
@@ -66,9 +66,10 @@ impl<'a, const L: usize> General<'a, L> {
                 let (contact, why) = static_ratio_fault(case, &prepared.method)?;
                 Some(format!("{}: {why}", case.contacts[contact].name))
             };
-            let fault = fault.map(words);
-            let fault = fault.or_else(|| curved::refused(case, prepared));
-            let fault = fault.or_else(two_limits);
+            let fault = fault
+                .map(words)
+                .or_else(|| curved::refused(case, prepared))
+                .or_else(two_limits);
             refused[l] = fault.map(Unsolvable::BrokenRules);
             let start = initial::forces(case).unwrap_or_else(|why| {
                 forces[0].fail(l, 0, why);

@@ -77,12 +77,12 @@ impl<const L: usize> Inputs<L> {
                 .zip(&after)
                 .map(|(before, after)| after - before);
             inputs.jumps.push(jumps.collect());
-            let weighted = (0..=count).map(|end| {
+            let at_ends = (0..=count).map(|end| {
                 let start = end.saturating_sub(1);
                 let [w0, w1] = weights[start % parts];
                 w0 * after[start] + w1 * before[end]
             });
-            let mut weighted: Vec<f64> = weighted.collect();
+            let mut weighted: Vec<f64> = at_ends.collect();
             // A load in one step alone has the impulse of its mean over all sub-steps.
             for (step, mean) in signal.exact_means(prepared.dt, steps) {
                 let start = (step - 1) * parts;

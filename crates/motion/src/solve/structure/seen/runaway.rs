@@ -68,8 +68,10 @@ impl<const L: usize> Runaway<L> {
             [lanes(&|of| of.contacts[c].gap + moved(of)), lanes(&force)]
         });
         let nodes: Vec<Lane<L>> = nodes.collect();
-        let at_rest = mass.iter().map(|(i, j, m)| nodes[*i] * nodes[*j] * *m);
-        let at_rest = at_rest.fold(Lane::splat(0.0), |sum, term| sum + term);
+        let at_rest = mass
+            .iter()
+            .map(|(i, j, m)| nodes[*i] * nodes[*j] * *m)
+            .fold(Lane::splat(0.0), |sum, term| sum + term);
         Some(Runaway {
             nodes,
             contacts: contacts.collect(),

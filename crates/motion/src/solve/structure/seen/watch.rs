@@ -82,8 +82,8 @@ impl<const L: usize> Watch<L> {
         let numbers = 0..start.contacts();
         let watched = numbers.filter(|c| !structures.iter().all(|of| passive(*c, of)));
         let contacts = watched.map(|c| {
-            let now = start.contact(c);
-            let now = [now.displacement, now.force];
+            let at_start = start.contact(c);
+            let now = [at_start.displacement, at_start.force];
             let contact = Contact {
                 last: now,
                 smallest: now,
@@ -124,8 +124,8 @@ impl<const L: usize> Watch<L> {
         match &state.0 {
             Kind::Average(state) => {
                 for (c, contact) in &mut self.contacts {
-                    let now = &state.contacts[*c];
-                    let now = [now.p - now.w * 0.5, now.force];
+                    let motion = &state.contacts[*c];
+                    let now = [motion.p - motion.w * 0.5, motion.force];
                     let [r, s] = contact.last;
                     let mean = state.mean_force(*c, [s, now[1]]);
                     contact.add(now, mean * (now[0] - r));

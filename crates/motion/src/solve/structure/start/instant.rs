@@ -63,8 +63,7 @@ fn meet(structure: &mut Structure, dt: f64) -> Result<(), Unsolvable> {
     };
     let columns: Vec<Vec<f64>> = touching.iter().map(column).collect();
     let along = |contact: usize, x: &[f64]| -> f64 {
-        let terms = structure.column(contact);
-        let terms = terms.filter_map(|(node, factor)| {
+        let terms = structure.column(contact).filter_map(|(node, factor)| {
             let row = nodes.binary_search(&node).ok()?;
             Some(factor * x[row])
         });

@@ -31,8 +31,7 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
     let Equilibrium {
         u, forces, curved, ..
     } = equilibrium;
-    let laws = structure.contacts.iter().enumerate();
-    let laws = laws.map(|(i, contact)| {
+    let laws = structure.contacts.iter().enumerate().map(|(i, contact)| {
         let loaded = contact.law.is_curved() && remembers(contact.law.kind());
         (loaded && at_rest(&contact.law).is_none()).then(|| curved.law(i))
     });

@@ -131,12 +131,12 @@ pub(super) fn all_patterns(
             continue;
         };
         let q = d - a * &s;
-        let wrong = |i: usize| match digit(i) {
+        let wrong_by = |i: usize| match digit(i) {
             0 => q[i] / a[(i, i)],
             1 => (low[i] - s[i]).max(s[i] - high[i]),
             _ => -q[i] / a[(i, i)],
         };
-        let wrong = (0..count).map(wrong).fold(0.0, f64::max);
+        let wrong = (0..count).map(wrong_by).fold(0.0, f64::max);
         if wrong < best.0 {
             best = (wrong, s);
         }

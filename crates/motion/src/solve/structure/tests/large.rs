@@ -22,8 +22,10 @@ fn truss(scale: f64) -> Structure {
                 continue;
             }
             let bar = |matrix: &mut Symmetric, of: usize, [x, y]: [f64; 2], k: f64| {
-                let along = [(at, x), (at + 1, y), (of, -x), (of + 1, -y)];
-                let along: Vec<_> = along.into_iter().filter(|(_, c)| *c != 0.0).collect();
+                let along: Vec<_> = [(at, x), (at + 1, y), (of, -x), (of + 1, -y)]
+                    .into_iter()
+                    .filter(|(_, c)| *c != 0.0)
+                    .collect();
                 matrix.add_along(&along, k);
             };
             let k = 300.0 + ((5 * i + 3 * j) % 7) as f64;
@@ -45,8 +47,8 @@ fn truss(scale: f64) -> Structure {
     truss.damping.add_matrix(&truss.stiffness.clone(), 1e-3);
     for j in (0..WIDTH).step_by(3) {
         let face = joint(WIDTH - 1, j);
-        let stop = StructureLaw::new(ClippedLine::Spring { stiffness: 5e3 }, None);
-        let mut stop = contact([Some(face), None], 0.02, stop);
+        let law = StructureLaw::new(ClippedLine::Spring { stiffness: 5e3 }, None);
+        let mut stop = contact([Some(face), None], 0.02, law);
         stop.along.push((face + 1, 0.1));
         truss.contacts.push(stop);
     }

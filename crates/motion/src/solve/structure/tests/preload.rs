@@ -120,12 +120,13 @@ fn a_stop_carries_what_presses_it() {
 fn the_memory_of_a_curved_law_is_that_of_a_slow_push() {
     // dS/dr = k (1 - S/L): S = L (1 - exp(-k r/L)).
     let (k, limit, force) = (1e3, 10.0, 8.0);
-    let law = BoucWen {
+    let bouc_wen = BoucWen {
         compliance: 1.0 / k,
         limit,
         exponent: 1.0,
     };
-    let law = StructureLaw::new(ContactLaw::BoucWen(law), Limit::constant(limit)).from_its_answer();
+    let law =
+        StructureLaw::new(ContactLaw::BoucWen(bouc_wen), Limit::constant(limit)).from_its_answer();
     let mut structure = pair(law, [0.0, force], [1e3, 0.0]);
     settle(&mut structure).unwrap();
     let r = structure.displacement[1] - structure.displacement[0];
@@ -169,8 +170,8 @@ fn contacts_carry_the_weight_above_them() {
         ContactLaw::HertzDamp(HertzDamp::new(1e6, 0.5)),
         ContactLaw::HuntCrossley(HuntCrossley::new(1e6, 0.5)),
         ContactLaw::Ye(Ye::new(1e6, 0.5)),
-    ];
-    let damped = damped.map(|law| StructureLaw::new(law, None));
+    ]
+    .map(|law| StructureLaw::new(law, None));
     for law in [stop, hertz].into_iter().chain(damped) {
         for (bodies, ratio) in [2, 3, 8, 14, 50]
             .into_iter()
@@ -221,12 +222,12 @@ fn bodies_at_rest_on_stops_stay() {
 #[test]
 fn laws_that_fall_carry_what_is_below_their_limit() {
     // Two storeys on springs that soften: the load is 1 % of what they yield at.
-    let law = Bilinear {
+    let bilinear = Bilinear {
         stiffness: 2e4,
         hardening: -1e3,
         yield_force: 400.0,
     };
-    let law = StructureLaw::new(ContactLaw::Bilinear(law), None);
+    let law = StructureLaw::new(ContactLaw::Bilinear(bilinear), None);
     let mut structure = stack(&[100.0, 100.0], 0.0, &law);
     structure.preload.load = vec![0.0, 4.0];
     settle(&mut structure).unwrap();

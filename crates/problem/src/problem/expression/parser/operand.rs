@@ -109,8 +109,8 @@ impl Parser<'_> {
             "e" if row.is_none() => E,
             _ => {
                 let Some(row) = row else {
-                    let known = CONSTANTS.into_iter().chain(FUNCTIONS.iter().map(|f| f.0));
-                    let known = known.map(Text::Borrowed);
+                    let names = CONSTANTS.into_iter().chain(FUNCTIONS.iter().map(|f| f.0));
+                    let known = names.map(Text::Borrowed);
                     let parameters = self.table.iter().map(|p| p.name.clone());
                     let allowed = known.chain(parameters).collect();
                     return Err(unknown(at, "name", name, allowed));

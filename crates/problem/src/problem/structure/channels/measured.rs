@@ -68,11 +68,11 @@ impl Measured {
         let found = self.tests.iter().find(|pair| pair.0 == name);
         let (_, test) = found.ok_or_else(|| self.violation("the case has no file".to_owned()))?;
         let [least, most] = self.delays;
-        let delay = self
+        let given_delay = self
             .delay
             .as_ref()
             .map(|amount| Ok((amount, amount.value(case)?)));
-        let delay = match delay.transpose()? {
+        let delay = match given_delay.transpose()? {
             Some((amount, delay)) => {
                 let slack = SLACK * least.abs().max(most.abs());
                 if delay < least - slack || delay > most + slack {
@@ -164,8 +164,8 @@ impl Compared<'_> {
             0.0 => String::new(),
             delay => format!(", delay {}", shortest(delay)),
         };
-        let names = self.measured.channels.iter();
-        let names: Vec<&str> = names.map(|column| column.0.name.as_str()).collect();
+        let columns = self.measured.channels.iter();
+        let names: Vec<&str> = columns.map(|column| column.0.name.as_str()).collect();
         format!(
             "measured: {} of {}, {points} of {of} points are compared{delay}\n",
             names.join(", "),

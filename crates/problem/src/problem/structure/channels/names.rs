@@ -218,8 +218,8 @@ impl Names {
         let (part, dof) = name.split_once('.')?;
         let matrices = self.matrices(part)?;
         let tie = self.matrices[matrices].1.dofs.tie(dof)?;
-        let terms = tie.along.iter();
-        let terms = terms.map(|(row, factor)| (*factor, NodeRef::Dof(matrices, *row)));
+        let along = tie.along.iter();
+        let terms = along.map(|(row, factor)| (*factor, NodeRef::Dof(matrices, *row)));
         Some(terms.collect())
     }
 
@@ -272,8 +272,8 @@ impl Names {
         let (part, dof) = name.split_once('.')?;
         let (title, imported) = &self.matrices[self.matrices(part)?];
         let node = dof.split('.').next().unwrap_or_default();
-        let directions = imported.dofs.directions(node);
-        let directions: Vec<&str> = directions.iter().map(|one| one.name()).collect();
+        let of_node = imported.dofs.directions(node);
+        let directions: Vec<&str> = of_node.iter().map(|one| one.name()).collect();
         Some(match directions.is_empty() {
             true => format!(
                 "{title} has no node or force {node:?}; its dofs are in the file under \"dofs\", its forces in that under \"forces\""

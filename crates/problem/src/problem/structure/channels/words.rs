@@ -120,8 +120,8 @@ impl Words<'_> {
             Some([_, unit]) if !unit.is_empty() => return Some(unit.clone()),
             _ => {}
         }
-        let words = channel.name.split(' ');
-        let mut words = words.filter(|word| !["+", "-"].contains(word));
+        let pieces = channel.name.split(' ');
+        let mut words = pieces.filter(|word| !["+", "-"].contains(word));
         let unit = of(channel.dimension())?;
         // An angle has no length.
         Some(match words.all(|word| self.rotation(word).is_some()) {
@@ -171,8 +171,8 @@ impl Words<'_> {
         let Some((_, term)) = channel.terms.first() else {
             return plain("{}", word);
         };
-        let words = WORDS.iter().find(|row| row.0 == key(*term));
-        let words = words.map_or("{}", |row| row.1);
+        let row = WORDS.iter().find(|row| row.0 == key(*term));
+        let words = row.map_or("{}", |row| row.1);
         let above = || word.rsplit_once('.').map_or(word, |(above, _)| above);
         match term {
             Term::Displacement(_)
@@ -204,17 +204,19 @@ impl Words<'_> {
     /// The words of a node, with the direction behind if its name has one.
     fn of_node(&self, words: &str, node: &str) -> Phrase {
         if let Some((base, direction)) = self.rotation(node) {
-            let angular = words.replacen("displacement", "rotation", 1);
-            let angular = angular.replacen("velocity", "angular velocity", 1);
-            let angular = angular.replacen("acceleration", "angular acceleration", 1);
+            let angular = words
+                .replacen("displacement", "rotation", 1)
+                .replacen("velocity", "angular velocity", 1)
+                .replacen("acceleration", "angular acceleration", 1);
             let axis = direction.name().trim_start_matches('r');
             return Phrase {
                 words: format!("{angular} about {axis}"),
                 of: base.to_owned(),
             };
         }
-        let split = node.rsplit_once('.');
-        let split = split.filter(|(_, end)| Direction::named(end).is_some());
+        let split = node
+            .rsplit_once('.')
+            .filter(|(_, end)| Direction::named(end).is_some());
         match split {
             Some((base, direction)) => Phrase {
                 words: format!("{words} in {direction}"),
@@ -312,8 +314,8 @@ mod tests {
     fn every_channel_of_the_pages_has_words() {
         let nodes = OF_NODES.map(|row| format!("NODE.{}", row.0));
         let contacts = QUANTITIES.map(|row| format!("CONTACT.{}", row.0));
-        let others = [&OF_SPRINGS[..], &OF_GROUND, &OF_BASE, &OF_ENERGY].concat();
-        let others = others.into_iter().map(|row| row.0.to_owned());
+        let rows = [&OF_SPRINGS[..], &OF_GROUND, &OF_BASE, &OF_ENERGY].concat();
+        let others = rows.into_iter().map(|row| row.0.to_owned());
         for name in nodes.into_iter().chain(contacts).chain(others) {
             assert!(WORDS.iter().any(|row| row.0 == name), "{name}");
         }

@@ -76,8 +76,8 @@ pub fn describe(
                 gap => format!(", gap {}", short(gap)),
             };
             let touch = touch(structure, contact, dt);
-            let restitution = restitutions.get(index).copied().flatten();
-            let restitution = restitution.map_or(String::new(), |stated| format!(", {stated}"));
+            let of_contact = restitutions.get(index).copied().flatten();
+            let restitution = of_contact.map_or(String::new(), |stated| format!(", {stated}"));
             format!(
                 "{}: {}{gap}, {law}{restitution}{touch}{}",
                 contact.name,
@@ -115,8 +115,8 @@ fn loads(structure: &Structure) -> usize {
 /// The largest |u| and |v| of a motion up to a time, at its points and at some between.
 fn largest(motion: &Motion, end: f64) -> [f64; 2] {
     const TIMES: u32 = 2000;
-    let times = (0..=TIMES).map(|i| end * f64::from(i) / f64::from(TIMES));
-    let times = times.chain(motion.points()).filter(|t| *t <= end);
+    let evenly = (0..=TIMES).map(|i| end * f64::from(i) / f64::from(TIMES));
+    let times = evenly.chain(motion.points()).filter(|t| *t <= end);
     times.fold([0.0; 2], |[u, v], t| {
         let [own_u, own_v, _] = motion.at(t);
         [u.max(own_u.abs()), v.max(own_v.abs())]
@@ -137,8 +137,9 @@ fn by_direction(mass: &[(Direction, f64)]) -> String {
 /// The two ends of a contact, or its nodes with their factors.
 fn ends(structure: &Structure, contact: usize) -> String {
     let along = &structure.contacts[contact].along;
-    let nodes = along.iter();
-    let nodes = nodes.map(|(node, factor)| (&structure.nodes[*node].name, *factor));
+    let nodes = along
+        .iter()
+        .map(|(node, factor)| (&structure.nodes[*node].name, *factor));
     let supports = structure.supports.iter().filter_map(|support| {
         let carried = along
             .iter()
@@ -186,8 +187,9 @@ fn periods(which: &str, modes: &Modes, structure: &Structure) -> String {
     let round_off = rigid_below(omega2);
     let free = omega2.iter().filter(|x| x.abs() <= round_off).count();
     let held = vibrating(omega2);
-    let periods = held.iter();
-    let periods = periods.map(|mode| short(2.0 * PI / omega2[*mode].sqrt()));
+    let periods = held
+        .iter()
+        .map(|mode| short(2.0 * PI / omega2[*mode].sqrt()));
     let mut text = list(&format!("natural periods {which}"), periods.collect());
     if let Some(ratios) = modes.ratios(structure) {
         let ratios = held.iter().map(|mode| short(ratios[*mode])).collect();
@@ -249,8 +251,8 @@ fn law(relation: &StructureLaw) -> String {
 
 /// A law that is not a clipped line, with its numbers.
 fn curved(law: &ContactLaw) -> String {
-    let numbers = law.properties().shown();
-    let numbers = numbers
+    let shown = law.properties().shown();
+    let numbers = shown
         .iter()
         .map(|(name, x)| format!("{name} {}", short(*x)));
     format!("{} {}", law.name(), numbers.collect::<Vec<_>>().join(", "))

@@ -78,8 +78,8 @@ pub fn set_spectra(template: &Template, case: &Case, periods: &[f64]) -> Option<
 
 /// Units of length and time, as the study writes them; empty if it does not.
 pub fn units(template: &Template) -> [String; 2] {
-    let units = UnitNames::of(&template.units);
-    let units = units.map(|units| [units.length, units.time].map(str::to_owned));
+    let names = UnitNames::of(&template.units);
+    let units = names.map(|units| [units.length, units.time].map(str::to_owned));
     units.unwrap_or_default()
 }
 

@@ -21,15 +21,15 @@ pub fn described(structure: &Structure, shaken: &[(Direction, Vec<f64>, f64)]) -
         return String::new();
     };
     let held = vibrating(&modes.omega2);
-    let parts = shaken.iter().map(|(direction, inertia, mass)| {
+    let of_directions = shaken.iter().map(|(direction, inertia, mass)| {
         let along: Vec<(usize, f64)> = inertia.iter().copied().enumerate().collect();
-        let parts = modes.components(structure, &along).into_iter();
-        let parts: Vec<f64> = parts
+        let components = modes.components(structure, &along).into_iter();
+        let parts: Vec<f64> = components
             .map(|component| component * component / mass)
             .collect();
         (direction.name(), parts)
     });
-    let parts: Vec<(&str, Vec<f64>)> = parts.collect();
+    let parts: Vec<(&str, Vec<f64>)> = of_directions.collect();
     // Nodes of reduced matrices carry others.
     let mut nodes = structure.nodes.iter();
     let is_reduced = nodes.any(|node| node.direction == Direction::Modal);

@@ -194,8 +194,8 @@ impl Source {
             Kind::Pulse(_, numbers) => of(&numbers.iter().collect::<Vec<_>>()),
             Kind::Synthetic { seed, omega } => {
                 let seed = seed.whole(case, 0, LARGEST_SEED)?;
-                let omega = omega.as_ref().map(|omega| omega.value(case));
-                let omega = omega.unwrap_or(Ok(synthetic::FIRM_GROUND))?;
+                let given_omega = omega.as_ref().map(|omega| omega.value(case));
+                let omega = given_omega.unwrap_or(Ok(synthetic::FIRM_GROUND))?;
                 Ok(vec![f64::from(seed), omega])
             }
         }
@@ -204,7 +204,7 @@ impl Source {
     fn make(&self, numbers: &[f64], metre: f64) -> Result<Signal, Violation> {
         let text = |fault: PulseFault| fault.to_string();
         let none = || "the function has no finite values".to_owned();
-        let table = match (&self.kind, numbers) {
+        let made = match (&self.kind, numbers) {
             (Kind::Sine { .. }, &[amplitude, omega, phase]) => {
                 return Ok(Signal::Sine {
                     amplitude,
@@ -220,13 +220,13 @@ impl Source {
             }
             (Kind::Pulse(pulse, _), numbers) => pulse.table(numbers).map_err(text),
             (Kind::Synthetic { .. }, &[seed, omega]) => {
-                let record = synthetic::synthetic(seed as u64, omega);
-                let record = record.ok_or_else(|| no_motion(omega));
+                let record =
+                    synthetic::synthetic(seed as u64, omega).ok_or_else(|| no_motion(omega));
                 record.and_then(|record| record.scaled(1.0 / metre).ok_or_else(none))
             }
             _ => Err(none()),
         };
-        let table = table.map_err(|why| self.violation(why))?;
+        let table = made.map_err(|why| self.violation(why))?;
         Ok(Signal::Table(table))
     }
 

@@ -131,8 +131,7 @@ impl Numbering {
 
     /// Number of the first row of matrices, by their place in the list.
     pub fn first_row(&self, matrices: usize) -> usize {
-        let before = self.rows[..matrices].iter();
-        let before = before.map(RowsInCase::nodes);
+        let before = self.rows[..matrices].iter().map(RowsInCase::nodes);
         self.first(self.elements.len()) + before.sum::<usize>()
     }
 

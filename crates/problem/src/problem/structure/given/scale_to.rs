@@ -182,8 +182,8 @@ impl ScaleTo {
                         ratio,
                     })
                 };
-                let ordinates = periods.iter().map(spectral);
-                let ordinates = ordinates.collect::<Result<Vec<f64>, Violation>>()?;
+                let by_period = periods.iter().map(spectral);
+                let ordinates = by_period.collect::<Result<Vec<f64>, Violation>>()?;
                 let wanted: Vec<f64> = periods.iter().map(|t| unit * target.at(*t)).collect();
                 Ok(self.fit.nearest(&ordinates, &wanted))
             }

@@ -144,8 +144,7 @@ impl Set {
             key.extend((motions.identity)(&member)?);
         }
         let cell = {
-            let made = self.made.lock();
-            let mut made = made.unwrap_or_else(PoisonError::into_inner);
+            let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
             made.entry(key).or_default().clone()
         };
         cell.get_or_init(|| self.computed(case, motions)).clone()
@@ -159,8 +158,8 @@ impl Set {
         let over = |least: f64, value: f64, period: f64| {
             (value / (least * motions.unit * target.at(period)), period)
         };
-        let ratios = periods.iter().zip(&statistic);
-        let mut ratios: Vec<(f64, f64)> = ratios
+        let pairs = periods.iter().zip(&statistic);
+        let mut ratios: Vec<(f64, f64)> = pairs
             .map(|(t, ordinate)| over(least, *ordinate, *t))
             .collect();
         if let Some(at_zero) = &self.at_zero {
@@ -224,8 +223,8 @@ impl Set {
         };
         let by_period = periods
             .iter()
-            .map(|period| self.each(spectral(period), case, motions));
-        let by_period = by_period.collect::<Result<Vec<Vec<f64>>, Violation>>()?;
+            .map(|period| self.each(spectral(period), case, motions))
+            .collect::<Result<Vec<Vec<f64>>, Violation>>()?;
         let of = |i: usize| by_period.iter().map(|values| values[i]).collect();
         let each = (0..self.members.len()).map(of).collect();
         Ok((

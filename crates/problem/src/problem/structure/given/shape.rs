@@ -101,8 +101,7 @@ impl Shape {
             };
             let why = "has no points from start to end";
             let part = part.ok_or_else(|| scaled.source.violation(why))?;
-            let level = without_baseline(part, self.baseline);
-            let level = level.map_err(|NoEnd| {
+            let level = without_baseline(part, self.baseline).map_err(|NoEnd| {
                 scaled
                     .source
                     .violation("a baseline needs a function with an end after t = 0")
@@ -239,8 +238,8 @@ impl Scaled {
         part.key.push(delay.to_bits());
         let cell = shape.made().signals.cell(&part.key, table.times().len());
         let make = || {
-            let late = delayed(table, delay);
-            let late = late.ok_or_else(|| self.source.violation("the delay is too large"))?;
+            let late = delayed(table, delay)
+                .ok_or_else(|| self.source.violation("the delay is too large"))?;
             Ok(Arc::new(Signal::Table(late)))
         };
         Ok((cell.get_or_init(make).clone()?, factor))

@@ -14,13 +14,13 @@ impl Support {
     /// # Errors
     /// The first rule that it breaks.
     pub fn in_case(&self, case: &Case, metre: f64, samples: bool) -> Result<Motion, Violation> {
-        let delay = self.delay.as_ref();
-        let delay = delay.map_or(Ok(0.0), |delay| delay.value(case))?;
+        let amount = self.delay.as_ref();
+        let delay = amount.map_or(Ok(0.0), |amount| amount.value(case))?;
         match &self.course {
             Course::Acceleration(acceleration) => {
                 let motion = self.accelerated(acceleration, delay, (case, metre, samples))?;
-                let velocity = self.velocity.as_ref();
-                let velocity = velocity.map_or(Ok(0.0), |velocity| velocity.value(case))?;
+                let amount = self.velocity.as_ref();
+                let velocity = amount.map_or(Ok(0.0), |amount| amount.value(case))?;
                 let moving = motion.with_velocity(velocity);
                 moving.map_err(|why| acceleration.source.violation(why.to_string()))
             }

@@ -70,12 +70,11 @@ pub fn measured(
 
 /// A motion of which too little is computed: a recorded one, or one with a strength that it then has not.
 pub fn cut(template: &Template, case: &Case, steps: Steps) -> Option<(Warning, String)> {
-    let ground = template.ground.iter();
-    let ground = ground.map(|own| (format!("ground in {}", own.0.name()), &own.1, 0.0));
-    let supports = template.supports.iter();
-    let supports = supports.filter_map(|own| {
-        let delay = own.delay.as_ref();
-        let delay = delay.map_or(Some(0.0), |delay| delay.value(case).ok())?;
+    let motions = template.ground.iter();
+    let ground = motions.map(|own| (format!("ground in {}", own.0.name()), &own.1, 0.0));
+    let supports = template.supports.iter().filter_map(|own| {
+        let amount = own.delay.as_ref();
+        let delay = amount.map_or(Some(0.0), |amount| amount.value(case).ok())?;
         let name = format!("support {}", own.full_name());
         Some((name, own.acceleration()?, delay))
     });
@@ -141,8 +140,8 @@ fn lost_displacement(support: &Support, case: &Case, metre: f64, steps: Steps) -
     };
     let name = file.name(case);
     let [times, _] = &*files.iter().find(|file| file.0 == name)?.1;
-    let delay = support.delay.as_ref();
-    let delay = delay.map_or(Some(0.0), |delay| delay.value(case).ok())?;
+    let amount = support.delay.as_ref();
+    let delay = amount.map_or(Some(0.0), |amount| amount.value(case).ok())?;
     let motion = support.in_case(case, metre, true).ok()?;
     let size = |t: f64| motion.quantity(Quantity::Displacement, t).abs();
     let both = [
@@ -156,11 +155,11 @@ fn lost_displacement(support: &Support, case: &Case, metre: f64, steps: Steps) -
 
 /// The measures of which the part has too little of the whole.
 fn compared(all: &[(&str, [Option<f64>; 2])]) -> Option<String> {
-    let parts = all.iter().filter_map(|(what, [whole, part])| {
+    let small_parts = all.iter().filter_map(|(what, [whole, part])| {
         let (whole, part) = ((*whole)?, part.unwrap_or(0.0));
         (part < ENOUGH * whole).then(|| format!("{what} {} of {}", short(part), short(whole)))
     });
-    let parts: Vec<String> = parts.collect();
+    let parts: Vec<String> = small_parts.collect();
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 

@@ -97,10 +97,10 @@ impl GroundMetric {
             (Some((_, scaled)), None) => Ok(scaled),
             (None, _) if ground.is_empty() => Err("the study has no \"ground\"".to_owned()),
             (first, _) => {
-                let directions = ground
+                let directions: Vec<String> = ground
                     .iter()
-                    .map(|own| format!("{PREFIX}{}.", own.0.name()));
-                let directions: Vec<String> = directions.collect();
+                    .map(|own| format!("{PREFIX}{}.", own.0.name()))
+                    .collect();
                 let what = match first {
                     Some(_) => "the ground has several directions",
                     None => "the ground does not move in this direction",

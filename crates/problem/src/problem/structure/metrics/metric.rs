@@ -38,8 +38,8 @@ pub const OF_ALL: [&str; 2] = ["energy_error", "numerical_dissipation"];
 
 /// Whether a text has the form of a metric: `name(...)`, or one of [`OF_ALL`].
 pub fn looks_like_metric(text: &str) -> bool {
-    let name = text.split('(').next().unwrap_or_default().trim();
-    let name = &*without_direction(name).0;
+    let word = text.split('(').next().unwrap_or_default().trim();
+    let name = &*without_direction(word).0;
     let with_brackets = text.contains('(') && text.trim_end().ends_with(')');
     Reduction::named(name).is_some()
         && (with_brackets || OF_ALL.contains(&name) || name.starts_with(PREFIX))

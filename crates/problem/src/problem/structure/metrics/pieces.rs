@@ -105,8 +105,8 @@ mod tests {
         ] {
             assert_eq!(metrics(text), expected, "{text}");
         }
-        let names = pieces("peak(a)/(h*F_1) + 2e3*sqrt(x.y)");
-        let names = names.into_iter().filter_map(|piece| match piece {
+        let of_text = pieces("peak(a)/(h*F_1) + 2e3*sqrt(x.y)");
+        let names = of_text.into_iter().filter_map(|piece| match piece {
             Piece::Name(range) => Some(range),
             Piece::Metric(_) => None,
         });

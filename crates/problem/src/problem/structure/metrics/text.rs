@@ -140,11 +140,11 @@ impl Takes {
         if may(self) {
             return Ok(());
         }
-        let all = Reduction::all().filter(|reduction| may(reduction.row().takes));
-        let all: Vec<&str> = all.map(Reduction::name).collect();
+        let comparing = Reduction::all().filter(|reduction| may(reduction.row().takes));
+        let names: Vec<&str> = comparing.map(Reduction::name).collect();
         Err(format!(
             "{name} does not compare with what was measured; these do: {}",
-            all.join(", ")
+            names.join(", ")
         ))
     }
 }

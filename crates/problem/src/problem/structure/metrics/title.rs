@@ -8,8 +8,8 @@ use crate::problem::structure::channels::words::Words;
 pub fn title(metric: &StructureMetric, words: Words, time: Option<&str>) -> String {
     let against = metric.reduction.of_measured().filter(|_| metric.measured);
     let title = against.map_or(metric.reduction.row().title, |row| row.title);
-    let channels = metric.channel.iter().chain(&metric.second);
-    let channels: Vec<String> = channels.map(|channel| words.channel(channel)).collect();
+    let of_metric = metric.channel.iter().chain(&metric.second);
+    let channels: Vec<String> = of_metric.map(|channel| words.channel(channel)).collect();
     let of_contact = channels.is_empty() && title.contains("{}");
     let mut of = channels
         .into_iter()

@@ -61,8 +61,8 @@ const SAME: f64 = 1e-9;
 
 /// Why these units do not agree, and the units that would; `None` if they agree or are not known.
 pub fn fault(text: &str) -> Option<String> {
-    let names: Vec<&str> = text.split(',').map(str::trim).collect();
-    let names: [&str; 4] = names.try_into().ok()?;
+    let listed: Vec<&str> = text.split(',').map(str::trim).collect();
+    let names: [&str; 4] = listed.try_into().ok()?;
     let mut sizes = [0.0; 4];
     for (place, (name, (what, table))) in names.iter().zip(TABLES).enumerate() {
         let known = size(table, name).or_else(|| match place {
@@ -94,14 +94,14 @@ pub fn fault(text: &str) -> Option<String> {
         (2, force * time * time / mass),
         (3, (mass * length / force).sqrt()),
     ];
-    let mended = wanted.iter().filter_map(|(place, wanted)| {
+    let suggestions = wanted.iter().filter_map(|(place, wanted)| {
         let known = TABLES[*place].1.iter();
         let (name, _) = known.clone().find(|(_, size)| same(*size, *wanted))?;
         let mut names = names;
         names[*place] = name;
         Some(format!("\"{}\"", names.join(", ")))
     });
-    let mended: Vec<String> = mended.collect();
+    let mended: Vec<String> = suggestions.collect();
     let [m, f, l, t] = names;
     // Without round-off.
     let newton: f64 = format!("{product:.6e}").parse().unwrap_or(product);
@@ -109,8 +109,8 @@ pub fn fault(text: &str) -> Option<String> {
         none if none.is_empty() => "give units with force = mass length/time^2".to_owned(),
         all => format!("give {all}"),
     };
-    let unit = FORCES.iter().find(|(_, size)| same(*size, product));
-    let unit = unit.map_or(String::new(), |(name, _)| format!("{name}, "));
+    let named = FORCES.iter().find(|(_, size)| same(*size, product));
+    let unit = named.map_or(String::new(), |(name, _)| format!("{name}, "));
     Some(format!(
         "units must agree, force = mass length/time^2: {m} {l}/{t}^2 is {unit}{newton} N, not {f}; {give}"
     ))

@@ -87,8 +87,8 @@ impl Window {
 
     /// The window in words with a blank before it, such as ` from 10 to 20 s`; empty without a limit. An expression gets no unit.
     pub fn in_words(&self, unit: Option<&str>) -> String {
-        let limits = LIMITS.iter().zip(&self.texts);
-        let limits = limits.filter_map(|(name, text)| Some((name, text.as_ref()?)));
+        let with_texts = LIMITS.iter().zip(&self.texts);
+        let limits = with_texts.filter_map(|(name, text)| Some((name, text.as_ref()?)));
         let mut words: String = limits
             .map(|(name, text)| format!(" {name} {text}"))
             .collect();
@@ -167,8 +167,7 @@ impl Window {
         let end = count.checked_sub(1)? as f64 * dt;
         let [from, to] = self.limits(case, [0.0, end]).ok()?;
         let first = step_from(from, dt);
-        let after = (to / dt * (1.0 + SLACK)).floor() as usize + 1;
-        let after = after.min(count);
+        let after = ((to / dt * (1.0 + SLACK)).floor() as usize + 1).min(count);
         (first < after).then_some(first..after)
     }
 
@@ -229,8 +228,8 @@ impl Reduction {
 
 /// Why a metric has no window, with those that have one.
 pub fn no_window(name: &str) -> String {
-    let having = Reduction::all().filter(|reduction| reduction.has_window());
-    let having: Vec<&str> = having.map(Reduction::name).collect();
+    let windowed = Reduction::all().filter(|reduction| reduction.has_window());
+    let having: Vec<&str> = windowed.map(Reduction::name).collect();
     format!(
         "{name} is of the whole motion and takes no from= and to=; these do: {}",
         having.join(", ")

@@ -109,12 +109,12 @@ impl Modes {
                 *power += twice * shapes[(i, mode)] * shapes[(j, mode)];
             }
         }
-        let ratios = powers.iter().zip(&self.omega2);
-        let mut ratios: Vec<f64> = ratios
+        let pairs = powers.iter().zip(&self.omega2);
+        let mut ratios: Vec<f64> = pairs
             .map(|(power, omega2)| 0.5 * power / omega2.sqrt())
             .collect();
-        let largest = ratios.iter().filter(|ratio| ratio.is_finite());
-        let largest = largest.fold(0.0, |largest: f64, ratio| largest.max(ratio.abs()));
+        let finite = ratios.iter().filter(|ratio| ratio.is_finite());
+        let largest = finite.fold(0.0, |largest: f64, ratio| largest.max(ratio.abs()));
         for ratio in &mut ratios {
             // Round-off of the sums over the nodes.
             if ratio.abs() < 1e-12 * largest {
@@ -166,8 +166,9 @@ fn coupled_modes(structure: &Structure, stiffness: &Symmetric, nodes: Vec<usize>
     let stiffness = stiffness.full();
     // Between contacts in series there may be nodes without springs, which follow nothing.
     let is_between = structure.chain_nodes();
-    let others = (0..size).filter(|i| !nodes.contains(i) && !is_between[*i]);
-    let others: Vec<usize> = others.collect();
+    let others: Vec<usize> = (0..size)
+        .filter(|i| !nodes.contains(i) && !is_between[*i])
+        .collect();
     let mut condensed = stiffness.select_rows(&nodes).select_columns(&nodes);
     if !others.is_empty() {
         let inner = stiffness.select_rows(&others).select_columns(&others);

@@ -109,8 +109,8 @@ fn condensed(structure: &Structure, massless: &[bool]) -> Result<(Vec<usize>, Fa
         .filter(|node| massless[*node] && !is_between[*node])
         .collect();
     let block = structure.stiffness.block(&nodes);
-    let factor = Factor::new(&block, &vec![false; nodes.len()]);
-    let factor = factor.map_err(|NotPositive { row }| nodes[row])?;
+    let factor =
+        Factor::new(&block, &vec![false; nodes.len()]).map_err(|NotPositive { row }| nodes[row])?;
     Ok((nodes, factor))
 }
 

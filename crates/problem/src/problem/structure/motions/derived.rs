@@ -75,8 +75,8 @@ impl Sums<'_> {
                     if quantity == Quantity::Acceleration {
                         terms.signals.push((given.scale, given.signal.clone()));
                     } else {
-                        let motion = Motion::new(&given.signal, given.scale, 0.0, Baseline::None);
-                        let motion = motion.map_err(|_| Unsolvable::OutOfRange)?;
+                        let motion = Motion::new(&given.signal, given.scale, 0.0, Baseline::None)
+                            .map_err(|_| Unsolvable::OutOfRange)?;
                         terms.add_motion(1.0, &Arc::new(motion), quantity);
                     }
                 }

@@ -20,8 +20,8 @@ pub fn exact(
     times: &[f64],
     numbers: &[Number],
 ) -> Result<Recorded, Unsolvable> {
-    let held = massless::with_springs_in_series(structure);
-    let held = held.as_ref().unwrap_or(structure);
+    let in_series = massless::with_springs_in_series(structure);
+    let held = in_series.as_ref().unwrap_or(structure);
     record(held, times, numbers, |nodes, visit| {
         let by_events = events::run_of(held, nodes, times, &mut *visit);
         match by_events {
@@ -105,18 +105,18 @@ pub(super) fn record(
         }
     };
     let of_terms = terms.iter().flat_map(|sum| sum.u.iter().chain(&sum.v));
-    let pressed = structure.contacts.iter();
-    let pressed = pressed.filter_map(|contact| contact.law.limit()?.pressed_by.as_ref());
+    let contacts = structure.contacts.iter();
+    let pressed = contacts.filter_map(|contact| contact.law.limit()?.pressed_by.as_ref());
     let springs = pressed.flat_map(|pressed_by| &pressed_by.springs);
-    let nodes: BTreeSet<usize> = numbers
+    let wanted: BTreeSet<usize> = numbers
         .iter()
         .filter_map(Number::node)
         .chain(of_terms.map(|term| term.0))
         .chain(springs.flat_map(|pressing| pressing.spring.along.iter().map(|(node, _)| *node)))
         .collect();
     // Those behind the nodes are supports.
-    let nodes = nodes.into_iter().filter(|node| *node < structure.len());
-    let nodes: Vec<usize> = nodes.collect();
+    let moving = wanted.into_iter().filter(|node| *node < structure.len());
+    let nodes: Vec<usize> = moving.collect();
     run(&nodes, &mut visit).map_err(Unsolvable::Reference)?;
     Ok(Recorded::new(numbers, series, times.len()))
 }
@@ -145,8 +145,8 @@ pub(super) fn exact_value(
                 limit.map_or(0.0, |limit| limit.pressed_in(t, |c| state.force[c], motion))
             }
             Quantity::Distance | Quantity::Speed | Quantity::Size | Quantity::SlipDistance => {
-                let both = number.directions().into_iter().flatten();
-                let both = both.map(|number| exact_value(structure, t, state, number));
+                let directions = number.directions().into_iter().flatten();
+                let both = directions.map(|number| exact_value(structure, t, state, number));
                 both.fold(0.0, libm::hypot)
             }
         },

@@ -11,8 +11,8 @@ impl StructureProblem {
         let Function::Values(function) = metric.reduction.row().function else {
             return None;
         };
-        let tests = self.template.sample.as_ref()?;
-        let mut tests = tests.channel(metric.channel.as_ref()?)?;
+        let sample = self.template.sample.as_ref()?;
+        let mut tests = sample.channel(metric.channel.as_ref()?)?;
         let limits = metric.window.constant()?;
         tests.try_fold(Vec::new(), |mut results, (time, values)| {
             let points = within(limits, time)?;

@@ -60,8 +60,8 @@ impl StructureProblem {
         let of_metric = |(row, metric): (usize, &StructureMetric)| {
             if metric.measured {
                 let of_loop = metric.contact.map(measured_loop);
-                let channels = metric.channel.iter().chain(&metric.second);
-                let mut channels = channels.chain(of_loop.iter().flatten());
+                let named_channels = metric.channel.iter().chain(&metric.second);
+                let mut channels = named_channels.chain(of_loop.iter().flatten());
                 return channels.any(|channel| of_channel(channel).unwrap_or(false));
             }
             let sample = self.sample_of(row).zip(values[row]);

@@ -38,17 +38,19 @@ impl<'a, const L: usize> Observer<'a, L> {
         steps: usize,
     ) -> Result<Option<Observer<'a, L>>, [Unsolvable; L]> {
         let places = || numbers.iter().enumerate();
-        let wanted = places().filter_map(|(column, number)| Some((column, number.derived()?)));
-        let wanted: Vec<(usize, Derived)> = wanted.collect();
-        let energies = places().filter_map(|(column, number)| match number {
-            Number::Energy(energy) => Some((column, *energy)),
-            Number::Displacement(_)
-            | Number::Velocity(_)
-            | Number::Acceleration(_)
-            | Number::Contact(..)
-            | Number::Derived(_) => None,
-        });
-        let energies: Vec<(usize, Energy)> = energies.collect();
+        let wanted: Vec<(usize, Derived)> = places()
+            .filter_map(|(column, number)| Some((column, number.derived()?)))
+            .collect();
+        let energies: Vec<(usize, Energy)> = places()
+            .filter_map(|(column, number)| match number {
+                Number::Energy(energy) => Some((column, *energy)),
+                Number::Displacement(_)
+                | Number::Velocity(_)
+                | Number::Acceleration(_)
+                | Number::Contact(..)
+                | Number::Derived(_) => None,
+            })
+            .collect();
         if wanted.is_empty() && energies.is_empty() {
             return Ok(None);
         }
@@ -56,8 +58,8 @@ impl<'a, const L: usize> Observer<'a, L> {
         let mut lanes = Vec::with_capacity(L);
         for structure in structures {
             // All have the same linear part, and so the same fault.
-            let terms = derived::terms(structure, &derived);
-            let terms = terms.map_err(|why| std::array::from_fn(|_| why.clone()))?;
+            let terms = derived::terms(structure, &derived)
+                .map_err(|why| std::array::from_fn(|_| why.clone()))?;
             lanes.push(terms.into_iter());
         }
         let sums = wanted.iter().map(|(column, _)| {

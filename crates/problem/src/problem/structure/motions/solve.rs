@@ -51,12 +51,12 @@ impl StructureProblem {
         let rigid = self.needs(Motion::Rigid) || against && rigid;
         let motions = u64::from(softened) + u64::from(rigid);
         // An integrated motion has 12 evaluations in a step at least, and 4 where its error is wanted.
-        let of_step = match (integrated, self.needs_estimate()) {
+        let without_halving = match (integrated, self.needs_estimate()) {
             (true, true) => 400,
             (true, false) => 300,
             (false, _) => 30,
         };
-        let of_step = of_step + self.halved_steps();
+        let of_step = without_halving + self.halved_steps();
         let at_steps = self.one_run_work(case).saturating_mul(of_step);
         let of_one = at_steps.saturating_add(self.motion_work(case, Model::Study) as u64);
         let finer = match self.needs(Motion::Finer) {
@@ -132,8 +132,8 @@ impl StructureProblem {
         ready: &Ready,
         more: &[Number],
     ) -> Result<JudgedCase, Unsolvable> {
-        let numbers = self.numbers(&ready.numbering, |_| true);
-        let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
+        let of_metrics = self.numbers(&ready.numbering, |_| true);
+        let numbers = distinct(of_metrics.into_iter().chain(more.iter().copied()));
         let recording = self.recording(ready, &numbers);
         let prepared = motion::prepare(&ready.structure, &ready.method, ready.dt)?;
         let [run] = motion::steps(&[&ready.structure], &prepared, recording);
@@ -151,8 +151,8 @@ impl StructureProblem {
         let (Some(first), true) = (cases.first(), self.needs_perturbed()) else {
             return [const { None }; L];
         };
-        let channels = self.metrics.iter().filter(|metric| needs(metric));
-        let channels = channels.filter_map(|metric| metric.channel.as_ref());
+        let needed_metrics = self.metrics.iter().filter(|metric| needs(metric));
+        let channels = needed_metrics.filter_map(|metric| metric.channel.as_ref());
         let numbers = distinct(channels.flat_map(|channel| channel.numbers(&first.numbering)));
         let recording = Recording {
             last: first.last,
@@ -214,8 +214,8 @@ impl StructureProblem {
         if let Some(run) = perturbed {
             motions.perturbed = Some(run?.0);
         }
-        let numbers = self.numbers(numbering, StructureMetric::needs_exact);
-        let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
+        let of_metrics = self.numbers(numbering, StructureMetric::needs_exact);
+        let numbers = distinct(of_metrics.into_iter().chain(more.iter().copied()));
         let referred =
             self.needs(Motion::Reference) || self.template.reference.is_some() && !more.is_empty();
         let times: Vec<f64> = (0..=*last).map(|i| i as f64 * dt).collect();

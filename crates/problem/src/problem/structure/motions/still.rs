@@ -69,8 +69,8 @@ impl Still {
         (computed, numbering): (&Recorded, &Numbering),
         values: &[f64],
     ) -> bool {
-        let size = |term: Number| peak(computed.of(term)).max(self.size(term));
-        let size: f64 = channel.numbers(numbering).map(size).sum();
+        let size_of = |term: Number| peak(computed.of(term)).max(self.size(term));
+        let size: f64 = channel.numbers(numbering).map(size_of).sum();
         peak(values) < ROUND_OFF * size
     }
 }

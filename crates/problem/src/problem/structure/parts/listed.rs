@@ -13,8 +13,8 @@ pub fn listed(template: &Template, elements: &[u32]) -> String {
     if !template.contacts.is_empty() {
         parts.push(format!("{} of contacts", joined(&QUANTITIES)));
     }
-    let springs = template.springs.iter().map(|spring| &spring.name);
-    let springs = springs.filter(|name| !name.is_empty());
+    let names = template.springs.iter().map(|spring| &spring.name);
+    let springs = names.filter(|name| !name.is_empty());
     parts.extend(springs.map(|name| format!("{name}.S")));
     let bars = template.bars.iter().zip(elements);
     parts.extend(bars.map(|(bar, n)| match n {
@@ -40,14 +40,14 @@ pub fn listed(template: &Template, elements: &[u32]) -> String {
 impl Template {
     /// What the structure adds to the names of nodes and contacts.
     pub fn names(&self) -> StructureNames {
-        let springs = self.springs.iter().enumerate();
-        let springs = springs.filter(|(_, spring)| !spring.name.is_empty());
+        let numbered = self.springs.iter().enumerate();
+        let springs = numbered.filter(|(_, spring)| !spring.name.is_empty());
         let contacts = self.contacts.iter().enumerate();
         let first = contacts.filter(|(_, contact)| contact.row == Some(PlaneRow::First));
         let masses = self.masses.iter().map(|mass| mass.direction);
         let bars = self.bars.iter().map(|bar| bar.direction);
-        let rows = self.matrices.iter();
-        let rows = rows.flat_map(|matrices| matrices.imported.dofs.rows());
+        let blocks = self.matrices.iter();
+        let rows = blocks.flat_map(|matrices| matrices.imported.dofs.rows());
         let moving: HashSet<Direction> = masses
             .chain(bars)
             .chain(rows.map(|dof| dof.direction))

@@ -126,8 +126,8 @@ impl Template {
                 Some(Normal::Weight { vertical, .. }) => Some(&vertical.source),
                 Some(Normal::Constant(_) | Normal::Parts(_)) | None => None,
             });
-        let supports = self.supports.iter().filter_map(Support::acceleration);
-        let supports = supports.map(|acceleration| &acceleration.source);
+        let accelerations = self.supports.iter().filter_map(Support::acceleration);
+        let supports = accelerations.map(|acceleration| &acceleration.source);
         let sources = loads.chain(ground).chain(supports).chain(normals);
         sources.filter(|source| source.is_sampled())
     }

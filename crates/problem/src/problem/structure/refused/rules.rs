@@ -88,8 +88,8 @@ impl StructureProblem {
         let metrics = self.metrics.iter();
         let of_metrics =
             metrics.filter_map(|metric| Some((metric.channel.as_ref()?, &metric.place)));
-        let drawn = self.drawn.iter();
-        let drawn = drawn.map(|drawn| (&drawn.channel, &drawn.place));
+        let columns = self.drawn.iter();
+        let drawn = columns.map(|drawn| (&drawn.channel, &drawn.place));
         let faults = of_metrics.chain(drawn).filter_map(|(channel, (at, path))| {
             let mut terms = channel.terms.iter();
             let fault = |(_, term): &(f64, Term)| {

@@ -30,8 +30,8 @@ pub fn all_numbers(structure: &Structure, template: &Template) -> Vec<Number> {
             Number::Acceleration(s),
         ]
     });
-    let of_contacts = template.contacts.iter().enumerate();
-    let of_contacts = of_contacts.flat_map(|(c, contact)| {
+    let contacts = template.contacts.iter().enumerate();
+    let of_contacts = contacts.flat_map(|(c, contact)| {
         let numbers = OF_CONTACTS.map(|(quantity, _)| Number::Contact(c, quantity));
         let lengths = (contact.row == Some(PlaneRow::Second))
             .then(|| OF_CONTACTS.map(|(quantity, _)| Number::Contact(c - 1, quantity.in_plane())));
@@ -91,8 +91,8 @@ pub fn of(
 
 /// The columns of drawn channels that the motion of nodes and contacts does not have.
 pub fn of_drawn(drawn: &[Drawn], exact: bool) -> impl Iterator<Item = HistoryColumn> {
-    let more = drawn.iter().enumerate();
-    let more = more.filter(|(_, drawn)| drawn.channel.is_derived() && !drawn.error);
+    let numbered = drawn.iter().enumerate();
+    let more = numbered.filter(|(_, drawn)| drawn.channel.is_derived() && !drawn.error);
     more.map(move |(index, drawn)| HistoryColumn {
         index,
         column: Column {

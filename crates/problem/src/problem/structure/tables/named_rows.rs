@@ -22,17 +22,18 @@ pub fn named_rows(
         StaticLoad::Force(at, _) => Some(at),
         StaticLoad::Gravity(..) => None,
     });
-    let moved = loads.chain(at_rest);
-    let moved = moved.chain(template.start.iter().map(|start| &start.of));
-    let moved = moved.flat_map(|moved| match moved {
+    let given = loads
+        .chain(at_rest)
+        .chain(template.start.iter().map(|start| &start.of));
+    let moved = given.flat_map(|moved| match moved {
         Moved::Node(name) => vec![name.node],
         Moved::Tied(terms) => terms.iter().map(|(_, name)| name.node).collect(),
         Moved::Bar(_) | Moved::Rows(..) => Vec::new(),
     });
-    let channels = metrics.iter().filter_map(|metric| metric.channel.as_ref());
-    let channels = channels.chain(drawn.iter().map(|drawn| &drawn.channel));
-    let terms = channels.flat_map(|channel| &channel.terms);
-    let terms = terms.filter_map(|(_, term)| term.node());
+    let of_metrics = metrics.iter().filter_map(|metric| metric.channel.as_ref());
+    let channels = of_metrics.chain(drawn.iter().map(|drawn| &drawn.channel));
+    let of_channels = channels.flat_map(|channel| &channel.terms);
+    let terms = of_channels.filter_map(|(_, term)| term.node());
     let mut named = vec![Vec::new(); template.matrices.len()];
     for node in along.chain(moved).chain(terms) {
         if let NodeRef::Dof(matrices, row) = node {

@@ -152,15 +152,14 @@ fn budgets(
     };
     let of = |channel: &Channel| {
         let total = row(Reduction::RmsError, channel)?;
-        let parts = [
+        let parts: Vec<(Text, usize)> = [
             ("regularisation", Reduction::RegularisationError),
             ("mesh", Reduction::MeshError),
             ("step", Reduction::StepError),
-        ];
-        let parts = parts
-            .into_iter()
-            .filter_map(|(name, part)| Some((Borrowed(name), row(part, channel)?)));
-        let parts: Vec<(Text, usize)> = parts.collect();
+        ]
+        .into_iter()
+        .filter_map(|(name, part)| Some((Borrowed(name), row(part, channel)?)))
+        .collect();
         (!parts.is_empty()).then(|| Budget {
             name: channel.name.clone().into(),
             title: in_unit(

@@ -17,23 +17,23 @@ pub fn closed(structure: &Structure) -> Option<Doubt> {
         return None;
     }
     let largest = largest_length(structure);
-    let impacts = structure.contacts.iter().enumerate();
-    let impacts = impacts.filter(|(_, contact)| contact.law.kind() == ContactKind::Impact);
-    let overlaps = impacts.map(|(index, contact)| {
+    let numbered = structure.contacts.iter().enumerate();
+    let impacts = numbered.filter(|(_, contact)| contact.law.kind() == ContactKind::Impact);
+    let displacements = impacts.map(|(index, contact)| {
         (
             index,
             contact,
             structure.relative(index, &structure.displacement),
         )
     });
-    let overlaps = overlaps.map(|(index, contact, r)| (index, contact, -(r + contact.gap)));
+    let overlaps = displacements.map(|(index, contact, r)| (index, contact, -(r + contact.gap)));
     let (index, contact, overlap) = overlaps
         .filter(|(.., overlap)| *overlap > ROUND_OFF * largest)
         .max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let force = forces_at_start(structure).map_or(0.0, |forces| -forces[index]);
+    let pressing = forces_at_start(structure).map_or(0.0, |forces| -forces[index]);
     let force = match contact.law.is_rigid() {
         true => String::new(),
-        false => format!(" and presses with {}", short(force)),
+        false => format!(" and presses with {}", short(pressing)),
     };
     let text = format!(
         "contact {} overlaps by {} at t = 0{force}",
@@ -51,8 +51,8 @@ pub fn at_once(structure: &Structure) -> Option<Doubt> {
         };
         Some(restitution)
     };
-    let stops = structure.contacts.iter().enumerate();
-    let stops: Vec<(usize, &Contact, f64)> = stops
+    let numbered = structure.contacts.iter().enumerate();
+    let stops: Vec<(usize, &Contact, f64)> = numbered
         .filter_map(|(index, contact)| Some((index, contact, restitution(contact)?)))
         .collect();
     if stops.len() < 2 {

@@ -35,11 +35,11 @@ fn scaled(name: String, given: &Scaled, records: bool) -> Function<'_> {
 
 /// The loads, motions and N that are functions of time.
 fn functions(template: &Template) -> impl Iterator<Item = Function<'_>> {
-    let loads = template.loads.iter().enumerate();
-    let loads = loads.map(|(number, load)| scaled(format!("loads[{number}]"), &load.force, true));
-    let ground = template.ground.iter();
+    let given = template.loads.iter().enumerate();
+    let loads = given.map(|(number, load)| scaled(format!("loads[{number}]"), &load.force, true));
+    let motions = template.ground.iter();
     let ground =
-        ground.map(|motion| scaled(format!("ground in {}", motion.0.name()), &motion.1, false));
+        motions.map(|motion| scaled(format!("ground in {}", motion.0.name()), &motion.1, false));
     let accelerated = template.supports.iter().filter_map(|support| {
         let name = format!("support {}", support.full_name());
         Some(scaled(name, support.acceleration()?, false))
@@ -148,8 +148,8 @@ fn displaced(template: &Template, case: &Case, steps: Steps) -> Option<String> {
         };
         let motion = support.in_case(case, template.metre, true).ok()?;
         let end = steps.last as f64 * steps.dt;
-        let times = motion.points().into_iter().filter(|time| *time <= end);
-        let times: Vec<f64> = times.collect();
+        let points = motion.points().into_iter().filter(|time| *time <= end);
+        let times: Vec<f64> = points.collect();
         // The velocity of a cubic is largest in its middle or at an end.
         let middles = times.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
         let largest = |which: usize, times: &mut dyn Iterator<Item = f64>| {

@@ -193,9 +193,9 @@ fn are_parallel(a: [f64; 3], b: [f64; 3]) -> bool {
 /// A direction as x, or by its components.
 fn words(direction: [f64; 3]) -> String {
     let names = Direction::TRANSLATIONS.map(Direction::name);
-    let parts: Vec<(f64, &str)> = direction.into_iter().zip(names).collect();
-    let parts = parts.into_iter().filter(|(factor, _)| *factor != 0.0);
-    let parts: Vec<(f64, &str)> = parts.collect();
+    let components = direction.into_iter().zip(names);
+    let not_zero = components.filter(|(factor, _)| *factor != 0.0);
+    let parts: Vec<(f64, &str)> = not_zero.collect();
     match parts[..] {
         [(_, name)] => name.to_owned(),
         _ => {

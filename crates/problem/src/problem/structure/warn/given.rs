@@ -59,8 +59,8 @@ pub fn damping_ratio(template: &Template, case: &Case) -> Option<Doubt> {
             SpringNumbers::Stiffness { .. } => None,
         });
     let modal = template.modal_damping.iter();
-    let ratios = ratios.chain(modal.flat_map(ModalDamping::amounts));
-    let mut ratios = ratios.chain(match &template.rayleigh {
+    let with_modal = ratios.chain(modal.flat_map(ModalDamping::amounts));
+    let mut ratios = with_modal.chain(match &template.rayleigh {
         Rayleigh::Factors(_) => &[][..],
         Rayleigh::Ratios { ratios, .. } => ratios,
     });
@@ -143,9 +143,9 @@ pub fn idle_gravity(template: &Template, case: &Case) -> Option<Doubt> {
     let moves = |direction: Direction| {
         let masses = template.masses.iter().map(|mass| mass.direction);
         let bars = template.bars.iter().map(|bar| bar.direction);
-        let rows = template.matrices.iter();
+        let blocks = template.matrices.iter();
         let rows =
-            rows.flat_map(|block| block.imported.dofs.rows().iter().map(|dof| dof.direction));
+            blocks.flat_map(|block| block.imported.dofs.rows().iter().map(|dof| dof.direction));
         masses
             .chain(bars)
             .chain(rows)

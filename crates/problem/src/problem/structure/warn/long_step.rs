@@ -64,8 +64,8 @@ impl StructureProblem {
             .metrics
             .iter()
             .flat_map(|metric| needed(metric, numbering, 0));
-        let channels = numbers.filter_map(|number| followed(structure, number));
-        let channels: Vec<_> = channels
+        let channels: Vec<_> = numbers
+            .filter_map(|number| followed(structure, number))
             .map(|(along, order)| (natural.components(structure, &along), order))
             .collect();
         let matters = |mode: &usize| {
@@ -81,8 +81,8 @@ impl StructureProblem {
             };
             periods[*mode] < limit && drives.iter().any(of)
         };
-        let shortest = (0..omega.len()).filter(matters).map(|mode| periods[mode]);
-        let shortest = shortest.reduce(f64::min)?;
+        let mattering = (0..omega.len()).filter(matters).map(|mode| periods[mode]);
+        let shortest = mattering.reduce(f64::min)?;
         let digits = |x: f64| short(format!("{x:.2e}").parse().unwrap_or(x));
         let text = format!(
             "a period of {} has {} steps",
@@ -103,9 +103,10 @@ fn elastic(structure: &Structure) -> Symmetric {
 }
 
 fn links(structure: &Structure) -> impl Iterator<Item = (&[(usize, f64)], f64)> {
-    let links = structure.contacts.iter();
-    let links = links.filter(|contact| contact.law.kind() == ContactKind::Link);
-    let links = links.map(|contact| (&contact.along[..], contact.initial_stiffness()));
+    let contacts = structure.contacts.iter();
+    let links = contacts
+        .filter(|contact| contact.law.kind() == ContactKind::Link)
+        .map(|contact| (&contact.along[..], contact.initial_stiffness()));
     links.filter(|(_, k)| *k > 0.0)
 }
 
@@ -154,9 +155,8 @@ fn drives(structure: &Structure, modes: &Modes, omega: &[f64]) -> Vec<Drive> {
         Some(Drive { by_mode, shortest })
     });
     let mut drives: Vec<Drive> = loads.collect();
-    let starts = [(&structure.displacement, 2), (&structure.velocity, 1)];
     // Static equilibrium does not move.
-    let starts = starts
+    let starts = [(&structure.displacement, 2), (&structure.velocity, 1)]
         .into_iter()
         .filter(|(start, order)| start.iter().any(|x| *x != 0.0) && (*order == 1 || !at_rest));
     drives.extend(starts.map(|(start, order)| {

@@ -16,8 +16,8 @@ pub fn has_stuck(template: &Template, ready: &Ready, watched: Option<&Watched>) 
         return false;
     };
     let structure = &ready.structure;
-    let contacts = template.contacts.iter().zip(&structure.contacts);
-    let contacts = contacts.zip(&watched.contacts).enumerate();
+    let pairs = template.contacts.iter().zip(&structure.contacts);
+    let contacts = pairs.zip(&watched.contacts).enumerate();
     let slides: Vec<(usize, bool)> = contacts
         .filter(|(_, ((_, contact), _))| contact.law.kind() == ContactKind::Friction)
         .map(|(index, ((given, _), seen))| {

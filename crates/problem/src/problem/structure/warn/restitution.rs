@@ -50,8 +50,8 @@ fn of_contact(
 ) -> Option<Restitution> {
     let law = law_named(given.law.name(case)).filter(|law| law.has("restitution"))?;
     let target = given.value("restitution", case).ok()??;
-    let colliding = given.value("colliding_mass", case).ok()?;
-    let colliding = colliding.filter(|_| law.has("colliding_mass"));
+    let given_mass = given.value("colliding_mass", case).ok()?;
+    let colliding = given_mass.filter(|_| law.has("colliding_mass"));
     // Without dashpots of a mass, the restitution is the same for every mass and every speed.
     let mass = colliding.or_else(|| contact_duration::mass_along(structure, contact));
     let collision = contact.law.law(0.0).collision(mass.unwrap_or(1.0), 1.0)?;

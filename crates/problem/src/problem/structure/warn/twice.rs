@@ -26,25 +26,27 @@ pub fn damped(template: &Template, case: &Case) -> Option<Doubt> {
             .flat_map(|matrix| matrix.entries())
             .any(|(_, c)| c != 0.0)
     });
-    let modal = template.modal_damping.iter();
-    let modal = modal
+    let modal = template
+        .modal_damping
+        .iter()
         .flat_map(ModalDamping::amounts)
         .find(|ratio| acts(ratio));
-    let rayleigh = template.rayleigh.amounts();
-    let rayleigh = rayleigh.into_iter().find(|amount| acts(amount));
+    let amounts = template.rayleigh.amounts();
+    let rayleigh = amounts.into_iter().find(|amount| acts(amount));
     let of_parts = ratio.is_some() || matrices.is_some();
     let given = [modal.is_some(), rayleigh.is_some(), of_parts];
     if given.iter().filter(|given| **given).count() < 2 {
         return None;
     }
-    let parts = ratio.map(|ratio| ratio.path.clone());
-    let parts = parts.or_else(|| matrices.map(|block| format!("{}.C", block.place.1)));
-    let paths = [
+    let parts = ratio
+        .map(|ratio| ratio.path.clone())
+        .or_else(|| matrices.map(|block| format!("{}.C", block.place.1)));
+    let found = [
         modal.map(|amount| amount.path.clone()),
         rayleigh.map(|amount| amount.path.clone()),
         parts,
     ];
-    let paths: Vec<String> = paths.into_iter().flatten().collect();
+    let paths: Vec<String> = found.into_iter().flatten().collect();
     Some((Warning::DampedTwice, paths.join(" and ")))
 }
 

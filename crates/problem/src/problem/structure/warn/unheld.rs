@@ -7,11 +7,11 @@ use crate::system::structure::Structure;
 /// starts with a velocity.
 pub fn has_idle_part(structure: &Structure) -> bool {
     let mut is_loaded = vec![false; structure.len()];
-    let loads = structure.loads.iter().flat_map(|load| &load.pattern);
-    let loads = loads.filter(|(_, factor)| *factor != 0.0);
+    let terms = structure.loads.iter().flat_map(|load| &load.pattern);
+    let loads = terms.filter(|(_, factor)| *factor != 0.0);
     loads.for_each(|(node, _)| is_loaded[*node] = true);
-    let impacts = structure.contacts.iter();
-    let impacts = impacts.filter(|contact| contact.law.kind() == ContactKind::Impact);
+    let contacts = structure.contacts.iter();
+    let impacts = contacts.filter(|contact| contact.law.kind() == ContactKind::Impact);
     let mut is_meant: Vec<bool> = structure.velocity.iter().map(|v| *v != 0.0).collect();
     let nodes = impacts.flat_map(|contact| contact.along.iter().map(|(node, _)| *node));
     nodes.for_each(|node| is_meant[node] = true);

@@ -69,8 +69,9 @@ pub fn along_friction(template: &Template, case: &Case, structure: &Structure) -
     let contact = parts.find_map(|node| {
         let key = (node, direction);
         of.free_mass(key)?;
-        let contacts = structure.contacts.iter();
-        let mut contacts = contacts
+        let mut contacts = structure
+            .contacts
+            .iter()
             .filter(|contact| of.touches(contact, key))
             .peekable();
         let first = contacts.peek()?.name.clone();
@@ -130,8 +131,8 @@ impl<'a> Parts<'a> {
                 ContactKind::Link => continue,
                 ContactKind::Friction => {}
             }
-            let others = contact.along.iter().map(|(node, _)| *node);
-            let mut others = others.filter(|node| self.part[*node] != key.0);
+            let nodes = contact.along.iter().map(|(node, _)| *node);
+            let mut others = nodes.filter(|node| self.part[*node] != key.0);
             // What lies on another part may have others on itself.
             if others.any(|node| self.free_mass((self.part[node], key.1)).is_some()) {
                 return None;

@@ -86,8 +86,8 @@ fn is_table(lines: &[&str], header: usize) -> bool {
         let line = line.replace(';', " ");
         fields(&line).map(|text| number(text).ok()).collect()
     };
-    let body = lines.iter().skip(header + 1);
-    let body = body.filter(|line| !line.trim().is_empty());
+    let below_header = lines.iter().skip(header + 1);
+    let body = below_header.filter(|line| !line.trim().is_empty());
     let rows: Vec<Vec<f64>> = body
         .skip_while(|line| row(line).is_none())
         .map_while(row)
@@ -137,8 +137,8 @@ fn without_second(field: &str) -> &str {
 fn unit(title: &str) -> Option<Unit> {
     let title = title.to_ascii_uppercase();
     let (_, after) = title.split_once("UNITS")?;
-    let after = after.trim_start_matches([':', '=', ' ']);
-    let after = after.strip_prefix("OF ").unwrap_or(after);
+    let trimmed = after.trim_start_matches([':', '=', ' ']);
+    let after = trimmed.strip_prefix("OF ").unwrap_or(trimmed);
     Unit::spelled(after.split_whitespace().next()?)
 }
 
@@ -146,13 +146,13 @@ fn unit(title: &str) -> Option<Unit> {
 fn heading(lines: &[&str], _: &Reading) -> Heading {
     let titles = &lines[..header(lines).unwrap_or_default()];
     let title = titles.iter().find(|title| title.matches(',').count() > 1);
-    let fields = title.into_iter().flat_map(|title| title.split(','));
-    let fields = fields.map(|field| {
+    let parts = title.into_iter().flat_map(|title| title.split(','));
+    let texts = parts.map(|field| {
         let field = field.split('(').next().unwrap_or_default();
         let words = field.split_whitespace().filter(|word| !is_time(word));
         spaced(&words.collect::<Vec<_>>().join(" "))
     });
-    let fields: Vec<String> = fields.filter(|field| !field.is_empty()).collect();
+    let fields: Vec<String> = texts.filter(|field| !field.is_empty()).collect();
     let (event, station, component) = match &fields[..] {
         [] => return Heading::default(),
         [event] => (event, String::new(), ""),

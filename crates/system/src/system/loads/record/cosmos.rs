@@ -57,8 +57,8 @@ fn read(lines: &[&str], reading: &Reading) -> Series {
 
 /// The lines with which channels of accelerations begin; those of velocities and displacements are no components.
 fn starts(lines: &[&str]) -> Vec<usize> {
-    let starts = lines.iter().enumerate().filter(|(_, line)| is_start(line));
-    let starts = starts.filter(|(_, line)| line.to_ascii_lowercase().contains("acceleration"));
+    let sections = lines.iter().enumerate().filter(|(_, line)| is_start(line));
+    let starts = sections.filter(|(_, line)| line.to_ascii_lowercase().contains("acceleration"));
     starts.map(|(index, _)| index).collect()
 }
 
@@ -68,8 +68,9 @@ fn heading(lines: &[&str], reading: &Reading) -> Heading {
     let start = starts(lines).get(index).copied().unwrap_or_default();
     let event = lines.get(start + 1).copied().unwrap_or_default();
     let mut header = lines.iter().skip(start).take(20);
-    let code = header.find_map(|line| line.split_once("Code:"));
-    let code = code.and_then(|(_, rest)| rest.split_whitespace().next());
+    let code = header
+        .find_map(|line| line.split_once("Code:"))
+        .and_then(|(_, rest)| rest.split_whitespace().next());
     let channel = name(lines, start);
     let direction = channel
         .split_once(':')
@@ -85,8 +86,8 @@ fn heading(lines: &[&str], reading: &Reading) -> Heading {
 /// The station and channel as the header names them.
 fn name(lines: &[&str], start: usize) -> String {
     let mut header = lines.iter().skip(start).take(20).map(|line| line.trim());
-    let named = header.find(|line| line.starts_with("Sta Chan"));
-    let named = named.unwrap_or_default().split('(').next();
+    let line = header.find(|line| line.starts_with("Sta Chan"));
+    let named = line.unwrap_or_default().split('(').next();
     named.unwrap_or_default().trim().to_owned()
 }
 
@@ -112,10 +113,12 @@ fn labelled(
     let Some((index, line)) = found else {
         return Err(fault(end(lines), RecordCause::NoLine(label)));
     };
-    let text = line.to_ascii_lowercase();
-    let text = text.split_once(" on ").map_or(&*text, |(_, after)| after);
-    let count = text.split_whitespace().next().unwrap_or_default();
-    let count = number(count).map_err(|cause| fault(index, cause))?;
+    let lower_case = line.to_ascii_lowercase();
+    let text = lower_case
+        .split_once(" on ")
+        .map_or(&*lower_case, |(_, after)| after);
+    let word = text.split_whitespace().next().unwrap_or_default();
+    let count = number(word).map_err(|cause| fault(index, cause))?;
     // So many lines or points fit in no file.
     match (1.0..1e9).contains(&count) && count.fract() == 0.0 {
         true => Ok((index, count as usize)),

@@ -132,8 +132,8 @@ fn date(line: &str) -> Option<String> {
     ];
     let mut words = line.split_whitespace();
     let year: u16 = words.next()?.parse().ok()?;
-    let month = words.next()?;
-    let month = MONTHS.iter().position(|name| *name == month)? + 1;
+    let word = words.next()?;
+    let month = MONTHS.iter().position(|name| *name == word)? + 1;
     let day: u8 = words.next()?.parse().ok()?;
     Some(format!("{year}-{month:02}-{day:02}"))
 }

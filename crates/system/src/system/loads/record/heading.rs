@@ -25,8 +25,8 @@ impl Heading {
 
     /// `event, station, component`, without what is empty.
     pub fn words(&self) -> String {
-        let parts = [&self.event, &self.station, &self.component].map(String::as_str);
-        let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        let texts = [&self.event, &self.station, &self.component].map(String::as_str);
+        let parts: Vec<&str> = texts.into_iter().filter(|part| !part.is_empty()).collect();
         parts.join(", ")
     }
 }

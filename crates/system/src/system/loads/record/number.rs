@@ -181,8 +181,8 @@ fn pointed(text: &str) -> impl Iterator<Item = &str> {
         let point = rest.find('.').filter(|_| decimals > 1);
         let cut = point.map(|point| point + 1 + decimals);
         let is_whole = |cut: &usize| {
-            let digits = rest.as_bytes().get(cut - decimals..*cut);
-            let digits = digits.is_some_and(|bytes| bytes.iter().all(u8::is_ascii_digit));
+            let of_decimals = rest.as_bytes().get(cut - decimals..*cut);
+            let digits = of_decimals.is_some_and(|bytes| bytes.iter().all(u8::is_ascii_digit));
             digits && rest[*cut..].contains('.')
         };
         let cut = cut.filter(is_whole).unwrap_or(rest.len());

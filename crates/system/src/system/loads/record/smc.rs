@@ -83,10 +83,10 @@ fn read(lines: &[&str]) -> Series {
 
 /// What lines 4 and 6 name, such as `1989  10  18    0004 Loma Prieta, CA` and `station = Shafter  component=    270`.
 fn heading(lines: &[&str]) -> Heading {
-    let event = lines.get(3).copied().unwrap_or_default();
-    let event = event.trim_start_matches(|c: char| c.is_ascii_digit() || c == ' ');
-    let line = lines.get(5).copied().unwrap_or_default();
-    let line = line.trim().strip_prefix("station").unwrap_or_default();
+    let event_line = lines.get(3).copied().unwrap_or_default();
+    let event = event_line.trim_start_matches(|c: char| c.is_ascii_digit() || c == ' ');
+    let text = lines.get(5).copied().unwrap_or_default();
+    let line = text.trim().strip_prefix("station").unwrap_or_default();
     let (station, component) = line.split_once("component=").unwrap_or((line, ""));
     let station = spaced(station.trim_start_matches([' ', '=']));
     // The field is short and may end with the first letter of a word.

@@ -11,7 +11,7 @@ pub(in crate::system) fn decode(bytes: &[u8]) -> String {
             .map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER))
             .collect::<String>()
     };
-    let text = match bytes {
+    let decoded = match bytes {
         [0xff, 0xfe, rest @ ..] => units(u16::from_le_bytes, rest),
         [0xfe, 0xff, rest @ ..] => units(u16::from_be_bytes, rest),
         [a, 0, b, 0, ..] if *a != 0 && *b != 0 => units(u16::from_le_bytes, bytes),
@@ -19,7 +19,7 @@ pub(in crate::system) fn decode(bytes: &[u8]) -> String {
         // Names of stations may have any encoding.
         _ => String::from_utf8_lossy(bytes).into_owned(),
     };
-    let text = text.trim_start_matches('\u{feff}');
+    let text = decoded.trim_start_matches('\u{feff}');
     let is_padding = |c: char| c.is_whitespace() || matches!(c, '\u{1a}' | '\0');
     let text = match text.split_once('\u{1a}') {
         Some((before, after)) if after.chars().all(is_padding) => before,

@@ -96,8 +96,9 @@ impl Motion {
         let finite = pieces
             .iter()
             .all(|piece| piece.values.iter().all(|x| x.is_finite()));
-        let shown = accelerations(times, secants, delay).filter(|_| finite);
-        let shown = shown.ok_or(MotionFault::NotFinite)?;
+        let shown = accelerations(times, secants, delay)
+            .filter(|_| finite)
+            .ok_or(MotionFault::NotFinite)?;
         Ok(Motion {
             course: Course::Pieces(pieces),
             accelerations: Some(Arc::new(shown)),

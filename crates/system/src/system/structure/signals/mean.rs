@@ -76,8 +76,8 @@ impl Signal {
 fn inside(times: &[f64], dt: f64, steps: usize) -> Vec<f64> {
     let end = steps as f64;
     let first = times.partition_point(|time| *time <= 0.0);
-    let points = times[first..].iter().map(|time| time / dt);
-    let points = points.take_while(|point| *point < end);
+    let in_steps = times[first..].iter().map(|time| time / dt);
+    let points = in_steps.take_while(|point| *point < end);
     points
         .filter(|point| (point - point.round()).abs() > AT_END)
         .collect()
@@ -150,8 +150,8 @@ mod tests {
     fn the_means_of_a_motion_are_its_changes() {
         let points = ([0.003, 0.0041, 0.02, 0.027], [0.0, 0.1, 0.02, -0.3]);
         let displaced = Motion::through(&points.0, &points.1, 0.0).unwrap();
-        let table = Table::new(vec![0.0, 0.0013, 0.0013, 0.02], vec![0.0, 9.0, -30.0, 2.0]);
-        let table = Signal::Table(table.unwrap());
+        let with_jump = Table::new(vec![0.0, 0.0013, 0.0013, 0.02], vec![0.0, 9.0, -30.0, 2.0]);
+        let table = Signal::Table(with_jump.unwrap());
         let moved = Motion::new(&table, 1.0, 0.0017, Baseline::None).unwrap();
         for motion in [displaced, moved].map(Arc::new) {
             for (dt, steps) in [(0.01, 4), (0.002, 20), (0.04, 1)] {

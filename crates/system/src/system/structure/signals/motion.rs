@@ -208,8 +208,8 @@ impl Motion {
                 vec![(*start, [0.0, acceleration(*start)])]
             }
             Course::Pieces(pieces) => {
-                let first = pieces.iter().take(1);
-                let first = first.map(|piece| (piece.time, [0.0, piece.values[2]]));
+                let at_start = pieces.iter().take(1);
+                let first = at_start.map(|piece| (piece.time, [0.0, piece.values[2]]));
                 let others = pieces.windows(2).map(|pair| {
                     let time = pair[1].time;
                     (time, [pair[0].at(time)[2], pair[1].values[2]])

@@ -31,8 +31,9 @@ pub(crate) fn pieces(
     delay: f64,
     baseline: Baseline,
 ) -> Result<Vec<Piece>, MotionFault> {
-    let points = baseline.removed(table, scale);
-    let points = points.map_err(|NoEnd| MotionFault::NoEnd)?;
+    let points = baseline
+        .removed(table, scale)
+        .map_err(|NoEnd| MotionFault::NoEnd)?;
     let [mut u, mut v] = [0.0; 2];
     let mut pieces: Vec<Piece> = Vec::with_capacity(points.len());
     for (i, (time, a)) in points.iter().enumerate() {

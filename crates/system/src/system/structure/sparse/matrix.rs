@@ -59,8 +59,9 @@ impl Packed {
         let starts = std::iter::once(&0).chain(&self.ends);
         starts.zip(&self.ends).map(|(start, end)| {
             let entries_of_row = *start as usize..*end as usize;
-            let columns = self.columns[entries_of_row.clone()].iter();
-            let columns = columns.map(|column| *column as usize);
+            let columns = self.columns[entries_of_row.clone()]
+                .iter()
+                .map(|column| *column as usize);
             columns.zip(self.values[entries_of_row].iter().copied())
         })
     }

@@ -100,8 +100,8 @@ impl Properties for Lugre {
         }
         let m = self.static_limit / self.limit - 1.0;
         let range = self.static_limit - self.limit;
-        let steep = 0.8578 * range / (self.stribeck_velocity * dt);
-        let steep = steep * (1.0 + m * libm::exp(-1.0 - 1.0 / m));
+        let slope_by_dt = 0.8578 * range / (self.stribeck_velocity * dt);
+        let steep = slope_by_dt * (1.0 + m * libm::exp(-1.0 - 1.0 / m));
         let fast = 0.7358 * m * (1.0 + m) * self.sigma0;
         let q = m * self.sigma0 + if steep < fast { steep } else { fast };
         h * (1.0 + 2.0 * self.sigma1 / (self.sigma0 * dt)) * q < 1.0 + self.sigma2 * h_rate

@@ -196,19 +196,19 @@ impl<const L: usize> StepLaw<L> for Step<L> {
     fn force(&self, trial: &Trial<L>, bristles: &mut Bristles<L>) -> Lane<L> {
         let StepFlexibility { start, end, dt, .. } = self.on;
         // 0 in the first step, where dz/dt is the difference quotient.
-        let weight = dt.zip(bristles.dt, |dt, last| dt / (dt + last));
+        let share = dt.zip(bristles.dt, |dt, last| dt / (dt + last));
         let weight = if bristles.begun {
-            weight
+            share
         } else {
             Lane::splat(0.0)
         };
-        let before = if bristles.begun {
+        let uncut = if bristles.begun {
             bristles.force
         } else {
             let at_rest = |s: f64, rdot: f64| if rdot == 0.0 { s } else { 0.0 };
             trial.force.zip(trial.velocity, at_rest)
         };
-        let before = before.cut(self.limit);
+        let before = uncut.cut(self.limit);
 
         // S (1 + sigma2 h_rate) = known + grip y, y = sigma0 (z(i+1) - z(i)) in the direction of the motion.
         let quotient = (self.sigma0 * dt).map(|x| 1.0 / x);

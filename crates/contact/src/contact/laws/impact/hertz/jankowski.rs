@@ -117,8 +117,8 @@ impl Law for Jankowski {
             let unit = reach / greatest;
             [unit * overlap, push(self.stiffness, unit) * force]
         });
-        let parting = steps.map(|p| reach * (1.0 - p));
-        let parting = parting.map(|overlap| [overlap, push(self.stiffness, overlap)]);
+        let overlaps = steps.map(|p| reach * (1.0 - p));
+        let parting = overlaps.map(|overlap| [overlap, push(self.stiffness, overlap)]);
         loop_of(approach.chain(parting), reach)
     }
 }

@@ -113,8 +113,8 @@ pub(in crate::contact) fn bound<const L: usize>(mut e: Lane<L>, c: Lane<L>) -> L
         let b = *e - c;
         let third = above_cube_root(if b > 0.0 { 3.0 * b } else { 0.0 });
         let fifth = above_fifth_root(3.0 * c);
-        let damped = if fifth > third { fifth } else { third };
-        let damped = if damped > 1.8 { damped } else { 1.8 };
+        let larger = if fifth > third { fifth } else { third };
+        let damped = if larger > 1.8 { larger } else { 1.8 };
         let bound = if large < small { large } else { small };
         *e = if damped < bound { damped } else { bound };
     }

@@ -23,8 +23,8 @@ pub(super) fn parts_of(table: &[[f64; 2]]) -> Result<Parts, LawFault> {
         return Err(LawFault::Table("S must be 0 at r = 0"));
     }
     let high: Vec<[f64; 2]> = table.iter().copied().filter(|[r, _]| *r > 0.0).collect();
-    let low = table.iter().rev().filter(|[r, _]| *r < 0.0);
-    let low: Vec<[f64; 2]> = low.map(|[r, s]| [-r, -s]).collect();
+    let negative = table.iter().rev().filter(|[r, _]| *r < 0.0);
+    let low: Vec<[f64; 2]> = negative.map(|[r, s]| [-r, -s]).collect();
     let Some(up) = side(&high)? else {
         return Err(LawFault::Table("it needs a point with r > 0"));
     };

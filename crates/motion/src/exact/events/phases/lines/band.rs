@@ -96,9 +96,9 @@ impl Band {
             return 0.0;
         }
         let [k1, k2] = self.stiffness;
-        let elastic = line.force(r) - k2 * r;
+        let elastic_force = line.force(r) - k2 * r;
         let elastic = if k1 > k2 {
-            elastic * elastic / (k1 - k2)
+            elastic_force * elastic_force / (k1 - k2)
         } else {
             0.0
         };

@@ -20,11 +20,11 @@ impl OneSided {
 
     /// A line through d and F, between these d, in this direction of d.
     fn line(&self, slope: f64, [d, force]: [f64; 2], ends: [f64; 2], direction: f64) -> Line {
-        let ends = ends.map(|d| self.r(d));
+        let ends_in_r = ends.map(|d| self.r(d));
         let ends = if self.0.sign > 0.0 {
-            ends
+            ends_in_r
         } else {
-            [ends[1], ends[0]]
+            [ends_in_r[1], ends_in_r[0]]
         };
         Line {
             slope,

@@ -142,8 +142,8 @@ impl<'a> Equilibrium<'a> {
 
     /// Finds the equilibrium with a part of the load.
     fn find(&mut self, part: f64) -> Result<(), Unsolvable> {
-        let load = self.structure.preload.load.iter().map(|p| part * p);
-        let load: Vec<f64> = load.collect();
+        let scaled = self.structure.preload.load.iter().map(|p| part * p);
+        let load: Vec<f64> = scaled.collect();
         self.start = (self.u.clone(), self.forces.clone(), self.curved.memory());
         match self.search(&load) {
             Err(_) if self.refine(&load) => Ok(()),
@@ -237,8 +237,8 @@ impl<'a> Equilibrium<'a> {
         weights.q *= LESS;
         for (c, k) in stiffnesses(self.structure).into_iter().enumerate() {
             let moved = self.structure.relative(c, change).abs();
-            let present = (self.forces[c] - before[c]).abs() / moved;
-            let present = if present.is_nan() { k } else { present };
+            let secant = (self.forces[c] - before[c]).abs() / moved;
+            let present = if secant.is_nan() { k } else { secant };
             let weight = &mut weights.contacts[c];
             *weight = weight.min(present.max(weights.part * k) / LARGE);
         }

@@ -85,8 +85,7 @@ pub(super) fn diagonal(matrix: &Symmetric) -> Vec<f64> {
 pub(super) fn first_q(structure: &Structure, stiffened: &Symmetric) -> f64 {
     let ratios = diagonal(stiffened)
         .into_iter()
-        .zip(diagonal(&structure.mass()));
-    let ratios = ratios
+        .zip(diagonal(&structure.mass()))
         .filter(|(k, m)| *k > 0.0 && *m > 0.0)
         .map(|(k, m)| k / m);
     let least = ratios.fold(f64::INFINITY, f64::min);
@@ -134,9 +133,10 @@ pub(super) fn linear(
     weights: &Weights,
 ) -> Result<Linear, Unsolvable> {
     let matrix = weights.weighted(structure, mass);
-    let factor = Factor::new(&matrix, &vec![false; structure.len()]);
-    let factor = factor.map_err(|why| Unsolvable::NoEquilibrium {
-        node: structure.nodes[why.row].name.clone(),
+    let factor = Factor::new(&matrix, &vec![false; structure.len()]).map_err(|why| {
+        Unsolvable::NoEquilibrium {
+            node: structure.nodes[why.row].name.clone(),
+        }
     })?;
     let column = |contact: usize| {
         let mut column = vec![0.0; structure.len()];

@@ -257,7 +257,7 @@ impl Dense<'_> {
         let [mut low, mut high] = self.bounds(t);
         let mut g = DVector::zeros(count);
         for (i, contact) in self.structure.contacts.iter().enumerate() {
-            let known = match contact.law.line() {
+            let unclipped = match contact.law.line() {
                 None => unreachable!(),
                 Some(ClippedLine::Spring { stiffness }) => stiffness * r[i],
                 Some(ClippedLine::Elastic { stiffness }) => {
@@ -269,7 +269,7 @@ impl Dense<'_> {
                 }
                 _ => continue,
             };
-            let known = known.clamp(low[i], high[i]);
+            let known = unclipped.clamp(low[i], high[i]);
             (low[i], high[i]) = (known, known);
         }
         // 2 dt rdot = r(i+1) - r(i-1).

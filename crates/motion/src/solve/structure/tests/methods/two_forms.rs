@@ -129,8 +129,8 @@ fn by_modes<S: Scheme>(scheme: S, structure: &Structure, force: f64) -> Vec<[f64
     let modal = Modal::new(&m, &full(&structure.stiffness), &b).unwrap();
     let shares = |of: &[f64]| modal.shares(0, &DVector::from_column_slice(of));
     let (x, v) = (shares(&structure.displacement), shares(&structure.velocity));
-    let modes = modal.modes(0).into_iter().enumerate();
-    let modes = modes.map(|(j, mode)| ModeStart {
+    let numbered = modal.modes(0).into_iter().enumerate();
+    let modes = numbered.map(|(j, mode)| ModeStart {
         mode: [mode],
         displacement: Lane([x[j]]),
         velocity: Lane([v[j]]),
@@ -142,9 +142,9 @@ fn by_modes<S: Scheme>(scheme: S, structure: &Structure, force: f64) -> Vec<[f64
         force: Lane([force]),
     };
     let mut method = S::Lanes::<1, ManyModes>::new(&start, modes).unwrap();
-    let law = &structure.contacts[0].law;
-    let law = law.law(law.limit().map_or(0.0, |limit| limit.at(0.0)));
-    let mut law = ContactLaw::running(&[law], &method.flexibilities());
+    let structure_law = &structure.contacts[0].law;
+    let contact_law = structure_law.law(structure_law.limit().map_or(0.0, |limit| limit.at(0.0)));
+    let mut law = ContactLaw::running(&[contact_law], &method.flexibilities());
     let mut rows = Vec::new();
     for _ in 0..STEPS {
         let now = method.step(&mut law);

@@ -116,22 +116,22 @@ pub fn joined(table: &[(&str, &str)]) -> String {
 impl Names {
     /// The names of channels, without those of inner nodes and all dofs, and without the suffixes of each node.
     pub fn channels(&self) -> impl Iterator<Item = String> + '_ {
-        let bars = self.bars.iter();
-        let bars = bars.flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
+        let bar_names = self.bars.iter();
+        let bars = bar_names.flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
         let masses = self.masses.iter().cloned();
         let dofs = self.matrices.iter().flat_map(|(name, imported)| {
             let first = imported.dofs.name(0);
             let dofs = format!("{name}.{first} and the other dofs of {name}");
-            let forces = imported.dofs.member_forces().iter();
-            let forces = forces.map(move |force| format!("{name}.{}", force.name));
+            let members = imported.dofs.member_forces().iter();
+            let forces = members.map(move |force| format!("{name}.{}", force.name));
             std::iter::once(dofs).chain(forces)
         });
         let contacts = self.contacts.iter().map(|contact| format!("{contact}.S"));
         let supports = self.supports.iter().map(|(name, _)| format!("{name}.u"));
         let springs = self.springs().map(|spring| format!("{spring}.S"));
         let ground = (!self.ground.is_empty()).then(|| "ground".to_owned());
-        let known = masses.chain(bars).chain(dofs).chain(supports);
-        let known = known.chain(contacts).chain(springs).chain(ground);
+        let of_parts = masses.chain(bars).chain(dofs).chain(supports);
+        let known = of_parts.chain(contacts).chain(springs).chain(ground);
         let base = ["base".to_owned()].into_iter();
         known
             .chain(base)

@@ -46,9 +46,10 @@ pub(super) fn in_plane(word: &str, names: &Names) -> Option<Result<Vec<(f64, Ter
 /// u, v or an acceleration of a node or support; of a tied dof the sum of those of its rows.
 pub(super) fn of_node(word: &str, names: &Names) -> Option<Vec<(f64, Term)>> {
     let of_all = |nodes: Vec<(f64, NodeRef)>, quantity: fn(NodeRef) -> Term| {
-        let terms = nodes.into_iter();
-        let terms = terms.map(|(factor, node)| (factor, quantity(node)));
-        terms.collect()
+        nodes
+            .into_iter()
+            .map(|(factor, node)| (factor, quantity(node)))
+            .collect()
     };
     if let Some(nodes) = names.nodes(word) {
         return Some(of_all(nodes, Term::Displacement));
@@ -71,8 +72,7 @@ pub(super) fn of_members(word: &str, names: &Names) -> Option<Vec<(f64, Term)>> 
         ForceKind::Force => Dimension::Force,
         ForceKind::Moment => Dimension::Energy,
     };
-    let terms = force.along.iter();
-    let terms = terms.map(|(row, factor)| {
+    let terms = force.along.iter().map(|(row, factor)| {
         let node = NodeRef::Dof(matrices, *row);
         (*factor, Term::Member(node, dimension))
     });
@@ -91,12 +91,12 @@ pub(super) fn ground(word: &str, names: &Names) -> Found {
     if direction.is_some() {
         parts.remove(0);
     }
-    let quantity = match parts[..] {
+    let named = match parts[..] {
         [] => Some(OfMotion::Acceleration),
         [name] => OF_MOTION.iter().find(|row| row.0 == name).map(|row| row.1),
         _ => None,
     };
-    let Some(quantity) = quantity else {
+    let Some(quantity) = named else {
         return Some(Err(format!(
             "the ground has the channels ground (its acceleration), ground.a, ground.v and ground.u, got '{word}'"
         )));
@@ -241,8 +241,8 @@ impl Term {
         }
         let found = force(word, names)
             .or_else(|| energy(word))
-            .or_else(|| base(word, names));
-        let found = found.unwrap_or_else(|| Err(describe::unknown(word, names)));
+            .or_else(|| base(word, names))
+            .unwrap_or_else(|| Err(describe::unknown(word, names)));
         found.map(alone)
     }
 }

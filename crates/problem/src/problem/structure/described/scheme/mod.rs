@@ -54,8 +54,8 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
             loads.push(loaded);
         }
     }
-    let moved = template.ground.iter().map(|(direction, _)| *direction);
-    let moved = moved.chain(template.supports.iter().map(|support| support.direction));
+    let of_ground = template.ground.iter().map(|(direction, _)| *direction);
+    let moved = of_ground.chain(template.supports.iter().map(|support| support.direction));
     let mut ground: Vec<Direction> = Vec::new();
     for direction in moved {
         if !ground.contains(&direction) {

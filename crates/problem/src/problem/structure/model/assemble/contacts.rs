@@ -20,13 +20,13 @@ impl Draft<'_> {
             let is_driven = along.iter().all(|(node, _)| *node >= nodes);
             let gap = self.optional(&contact.gap);
             let pressed_by = self.pressed_by(contact);
-            let law = contacts::relation(
+            let relation = contacts::relation(
                 contact,
                 self.case,
                 self.template.metre,
                 (pressed_by, self.detail == Detail::Whole),
             );
-            let law = law.and_then(|law| self.in_plane(law, i, is_held));
+            let law = relation.and_then(|law| self.in_plane(law, i, is_held));
             if let Some(law) = self.checked(law) {
                 if is_driven && !is_held && self.violations.is_empty() && law.is_rigid() {
                     let message = "a contact between supports, or of a support and the ground, needs a law with a stiffness or a damper";

@@ -5,7 +5,7 @@ use crate::problem::Violation;
 use crate::problem::numbers::short::short;
 use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::given::shape::Scaled;
-use crate::problem::structure::given::supports::Course;
+use crate::problem::structure::given::supports::{Course, Support};
 use crate::problem::structure::parts::template::{Moved, StaticLoad};
 use crate::system::reduction::Reduced;
 use crate::system::structure::{Direction, Ground, Load, Motion, Node, Signal, Structure};
@@ -88,8 +88,8 @@ impl Draft<'_> {
             true => self.shaken(direction),
             false => Vec::new(),
         };
-        let masses = shaken.into_iter().enumerate();
-        let masses = masses.filter(|(_, mass)| *mass != 0.0);
+        let numbered = shaken.into_iter().enumerate();
+        let masses = numbered.filter(|(_, mass)| *mass != 0.0);
         masses
             .map(|(node, mass)| (node, acceleration * mass))
             .collect()
@@ -97,10 +97,9 @@ impl Draft<'_> {
 
     /// M times 1 in the nodes of a direction and 0 in the others.
     pub(super) fn shaken(&self, direction: Direction) -> Vec<f64> {
-        let supports = self.template.supports.iter();
-        let supports: Vec<Direction> = supports.map(|support| support.direction).collect();
+        let supports = &self.template.supports;
         let reduced = (&self.reduced[..], &self.numbering);
-        inertia(&self.structure, &supports, reduced, direction)
+        inertia(&self.structure, supports, reduced, direction)
     }
 
     /// The nodes on which a load acts, with the forces of a load of 1.
@@ -125,8 +124,7 @@ impl Draft<'_> {
                 let forces = self.template.matrices[*matrices]
                     .imported
                     .dofs
-                    .forces(*direction);
-                let forces = forces
+                    .forces(*direction)
                     .into_iter()
                     .enumerate()
                     .filter(|entry| entry.1 != 0.0);
@@ -135,8 +133,9 @@ impl Draft<'_> {
                 nodes.filter(|pair| pair.0 < nodes_in_case).collect()
             }
             Moved::Tied(terms) => {
-                let nodes = terms.iter();
-                let nodes = nodes.filter_map(|(factor, name)| Some((self.node(name)?, *factor)));
+                let nodes = terms
+                    .iter()
+                    .filter_map(|(factor, name)| Some((self.node(name)?, *factor)));
                 nodes.filter(|pair| pair.0 < nodes_in_case).collect()
             }
             Moved::Node(_) | Moved::Bar(_) => {
@@ -209,10 +208,10 @@ impl Draft<'_> {
     }
 }
 
-/// M times 1 in the nodes of a direction and 0 in the others: with these directions of supports and reductions of matrices.
+/// M times 1 in the nodes of a direction and 0 in the others: with these supports and reductions of matrices.
 pub fn inertia(
     structure: &Structure,
-    supports: &[Direction],
+    supports: &[Support],
     (reduced, numbering): (&[Option<Reduced>], &Numbering),
     direction: Direction,
 ) -> Vec<f64> {
@@ -220,7 +219,9 @@ pub fn inertia(
     // Supports come after the nodes.
     let is_shaken = |i: usize| match nodes.get(i) {
         Some(node) => node.direction == direction,
-        None => supports.get(i - nodes.len()) == Some(&direction),
+        None => supports
+            .get(i - nodes.len())
+            .is_some_and(|support| support.direction == direction),
     };
     let indexed = nodes.iter().enumerate();
     let masses = indexed.map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 });

@@ -122,8 +122,8 @@ fn draft(
     if !violations.is_empty() {
         return Err(violations);
     }
-    let rows = template.matrices.iter().zip(&reduced);
-    let rows = rows.map(|(matrices, reduced)| match reduced {
+    let blocks = template.matrices.iter().zip(&reduced);
+    let rows = blocks.map(|(matrices, reduced)| match reduced {
         Some(reduced) => RowsInCase::kept(&matrices.rows, reduced.kept(), reduced.modes()),
         None => RowsInCase::All(matrices.rows.clone()),
     });

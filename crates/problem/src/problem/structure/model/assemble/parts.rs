@@ -151,8 +151,7 @@ impl Draft<'_> {
                 found.omega2
             }
         };
-        let frequencies = of.frequencies(self.case, &omega2);
-        let Some(frequencies) = self.checked(frequencies) else {
+        let Some(frequencies) = self.checked(of.frequencies(self.case, &omega2)) else {
             return [0.0; 2];
         };
         let found = factors(values, frequencies);
@@ -173,8 +172,8 @@ impl Draft<'_> {
     }
 
     pub(super) fn modal_damping(&mut self) {
-        let ratios = self.template.modal_damping.as_ref();
-        let ratios = ratios.map_or(&[][..], ModalDamping::amounts);
+        let modal = self.template.modal_damping.as_ref();
+        let ratios = modal.map_or(&[][..], ModalDamping::amounts);
         for ratio in ratios {
             self.value(ratio);
         }

@@ -67,8 +67,8 @@ impl Draft<'_> {
                 (first..first + self.numbering.elements()[*bar] as usize + 1).collect()
             }
             Moved::Rows(matrices, direction) => {
-                let rows = self.template.matrices[*matrices].imported.dofs.rows();
-                let rows = rows.iter().enumerate();
+                let of_matrices = self.template.matrices[*matrices].imported.dofs.rows();
+                let rows = of_matrices.iter().enumerate();
                 let dofs = rows.filter(|(_, dof)| dof.direction == *direction);
                 let nodes = dofs.filter_map(|(row, _)| self.numbering.row(*matrices, row));
                 // Those behind the nodes are supports.

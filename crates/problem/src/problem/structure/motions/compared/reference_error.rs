@@ -52,11 +52,11 @@ impl StructureProblem {
         let is_own = |metric: &&StructureMetric| metric.is_exact(Reduction::ReferenceError);
         let metrics: Vec<_> = self.metrics.iter().filter(is_own).collect();
         let count = ready.last as usize + 1;
-        let channels = metrics.iter().filter_map(|metric| {
+        let with_steps = metrics.iter().filter_map(|metric| {
             let steps = metric.window.steps(&ready.case, ready.dt, count)?;
             Some((metric.channel.as_ref()?, steps))
         });
-        let channels: Vec<_> = channels.collect();
+        let channels: Vec<_> = with_steps.collect();
         let steps = Stepped {
             structure: &ready.structure,
             numbering: &ready.numbering,
@@ -84,7 +84,7 @@ impl Stepped<'_> {
             values.drain(..steps.start.min(values.len()));
             values
         };
-        let referred = |channel: &(&Channel, Range<usize>)| {
+        let of_channel = |channel: &(&Channel, Range<usize>)| {
             let values = of(exact, channel);
             let terms = channel.0.numbers(self.numbering);
             Referred {
@@ -94,11 +94,11 @@ impl Stepped<'_> {
                 size: terms.map(|term| reduce::peak(computed.of(term))).sum(),
             }
         };
-        let referred: Vec<Referred> = channels.iter().map(referred).collect();
-        let numbers = channels
+        let referred: Vec<Referred> = channels.iter().map(of_channel).collect();
+        let of_channels = channels
             .iter()
             .flat_map(|channel| channel.0.numbers(self.numbering));
-        let numbers = distinct(numbers);
+        let numbers = distinct(of_channels);
         reference_errors(&referred, |halvings| {
             let (motion, resolved) = self.halved(halvings, &numbers)?;
             let channels = channels.iter().map(|channel| of(&motion, channel));

@@ -14,8 +14,8 @@ pub(super) fn limit(
     (pressed_by, with_samples): (PressedBy, bool),
 ) -> Result<(Limit, f64), Violation> {
     let (limit, at_rest) = without_pressure(contact, case, metre, (pressed_by, with_samples))?;
-    let exponent = contact.value("pressure_exponent", case)?;
-    let Some(exponent) = exponent.filter(|p| *p > 0.0) else {
+    let given = contact.value("pressure_exponent", case)?;
+    let Some(exponent) = given.filter(|p| *p > 0.0) else {
         return Ok((limit, at_rest));
     };
     if contact.number("nu").is_none() {

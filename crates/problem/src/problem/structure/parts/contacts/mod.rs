@@ -75,8 +75,8 @@ pub fn relation(
     let values = offer
         .numbers
         .iter()
-        .map(|number| contact.value(number.key, case));
-    let values = values.collect::<Result<Vec<Option<f64>>, Violation>>()?;
+        .map(|number| contact.value(number.key, case))
+        .collect::<Result<Vec<Option<f64>>, Violation>>()?;
     let mut others = vec![("limit", at_rest)];
     if law.kind == ContactKind::Friction {
         for key in ["nu", "pressure_exponent"] {

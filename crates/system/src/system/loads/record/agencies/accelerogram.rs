@@ -118,8 +118,8 @@ fn counted(lines: &[&str], at: usize) -> Series {
         (rate, true) => 1.0 / rate,
         (step, false) => step,
     };
-    let units = line.split_once("UNITS").or_else(|| line.split_once(" IN "));
-    let units = units.and_then(|(_, rest)| unit(rest));
+    let after_word = line.split_once("UNITS").or_else(|| line.split_once(" IN "));
+    let units = after_word.and_then(|(_, rest)| unit(rest));
     let source = format!("the number of points of line {}", at + 1);
     let values = block(lines, at + 1, points, &source)?;
     let stated = Stated::new(step, "the time step", at);
@@ -226,8 +226,7 @@ fn channel_words(head: &[&str]) -> [String; 2] {
         let line = line.trim_start().to_ascii_uppercase();
         line.starts_with("CHAN") || line.starts_with("COMP")
     };
-    let line = head.iter().find(begins).copied().unwrap_or_default();
-    let line = line.trim();
+    let line = head.iter().find(begins).copied().unwrap_or_default().trim();
     let end = line
         .find(':')
         .map_or(line.len().min("COMP".len()), |i| i + 1);
@@ -251,11 +250,11 @@ fn heading(lines: &[&str], reading: &Reading) -> Heading {
         .iter()
         .rposition(|line| line.to_ascii_uppercase().contains("ACCELEROGRAM DATA"));
     let event = data.and_then(|line| head.get(line + 1));
-    let station = head.iter().position(|line| {
+    let label = head.iter().position(|line| {
         let line = line.trim_start().to_ascii_uppercase();
         line.starts_with("STATION NO") || line.starts_with("STATION USC")
     });
-    let station = station.and_then(|line| head.get(line + 1));
+    let station = label.and_then(|line| head.get(line + 1));
     let [_, direction] = channel_words(head);
     Heading {
         event: event.map(|line| column(line)).unwrap_or_default(),

@@ -123,8 +123,8 @@ fn find(lines: &[&str], labels: &Labels) -> Result<(), &'static str> {
 /// The values behind a label, each with the index of its line: one, or one for each channel, `/0.01/0.01`, also in several lines.
 fn values<'a>(lines: &[&'a str], label: &str) -> Vec<(usize, &'a str)> {
     let of = |(i, line): (usize, &&'a str)| {
-        let rest = line.trim_start().strip_prefix(label)?;
-        let rest = rest.split_once(':').map_or("", |(_, rest)| rest).trim();
+        let tail = line.trim_start().strip_prefix(label)?;
+        let rest = tail.split_once(':').map_or("", |(_, rest)| rest).trim();
         let by = if rest.starts_with('/') { "/" } else { ":" };
         let values = rest.split(by).map(str::trim);
         Some(

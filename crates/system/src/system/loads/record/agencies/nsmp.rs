@@ -86,8 +86,8 @@ fn read(lines: &[&str], reading: &Reading) -> Series {
     };
     let rate = positive(labelled(at, "SAMPLES/SEC=")?, "SAMPLES/SEC", at)?;
     let points = count(labelled(at + 1, "NO OF POINTS=")?, "NO OF POINTS", at + 1)?;
-    let units = labelled(at + 1, "UNITS=")?.split(',').next();
-    let units = units.and_then(unit).map(|pair| pair.0);
+    let word = labelled(at + 1, "UNITS=")?.split(',').next();
+    let units = word.and_then(unit).map(|pair| pair.0);
     let source = format!("NO OF POINTS of line {}", at + 2);
     let values = block(lines, at + 2, points, &source)?;
     let stated = Stated::new(1.0 / rate, "SAMPLES/SEC", at);

@@ -68,11 +68,11 @@ pub(super) fn peak(
     let stated = number(word).ok()?.abs();
     let named = words.next().and_then(Unit::spelled);
     let [of_record, other] = [record.unit?, named.or(unit).or(record.unit)?].map(Unit::in_m_s2);
-    let largest = record
+    let peak = record
         .values
         .iter()
         .fold(0.0, |max: f64, a| max.max(a.abs()));
-    let largest = largest * of_record / other;
+    let largest = peak * of_record / other;
     let tolerance = last_digit(word)? + ROUNDED * largest;
     let cause = || RecordCause::Peak(largest, format!("{by} of line {}", line + 1), stated);
     ((largest - stated).abs() > tolerance).then(|| Doubt::new(line, cause()))

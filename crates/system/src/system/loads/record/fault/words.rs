@@ -117,9 +117,9 @@ impl fmt::Display for RecordCause {
                 )
             }
             RecordCause::Parts(key, names, wanted) => {
-                let names = names.iter().enumerate();
+                let numbered = names.iter().enumerate();
                 let names: Vec<String> =
-                    names.map(|(i, name)| format!("{} {name}", i + 1)).collect();
+                    numbered.map(|(i, name)| format!("{} {name}", i + 1)).collect();
                 let wanted = wanted.map_or(String::new(), |number| format!(", got {number}"));
                 let names = names.join(", ");
                 write!(
@@ -132,8 +132,8 @@ impl fmt::Display for RecordCause {
                 write!(f, "{what} must be a whole number >= 2, got {count}")
             }
             RecordCause::Unknown(table, others) => {
-                let others = others.iter().map(|(name, why)| format!("{name} ({why})"));
-                let others: Vec<String> = others.collect();
+                let reasons = others.iter().map(|(name, why)| format!("{name} ({why})"));
+                let others: Vec<String> = reasons.collect();
                 write!(
                     f,
                     "{table}; the file is in no other format, either: {}",

@@ -124,8 +124,8 @@ impl Facts {
 fn units(rest: &str) -> Option<Vec<&str>> {
     let mut signs = [":", "=", " :", " =", " of ", " are ", " in "].into_iter();
     let rest = signs.find_map(|sign| rest.strip_prefix(sign))?;
-    let words = rest.split([' ', ',', ';', '(', ')']);
-    let words: Vec<&str> = words
+    let words: Vec<&str> = rest
+        .split([' ', ',', ';', '(', ')'])
         .filter(|word| !word.is_empty() && *word != "of")
         .collect();
     (!words.is_empty()).then_some(words)

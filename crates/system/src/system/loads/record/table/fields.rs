@@ -11,7 +11,7 @@ pub(super) fn separator(line: &str) -> Option<char> {
 /// The fields between separators, or between blanks. A separator within a field that is in quotes does not count.
 pub(in crate::system) fn split(line: &str, by: Option<char>) -> Vec<&str> {
     let (mut in_quotes, mut begins) = (false, true);
-    let fields = line.split(|c: char| {
+    let pieces = line.split(|c: char| {
         if in_quotes {
             in_quotes = c != '"';
             return false;
@@ -21,7 +21,7 @@ pub(in crate::system) fn split(line: &str, by: Option<char>) -> Vec<&str> {
         begins = ends || begins && c.is_whitespace();
         ends
     });
-    let fields = fields.map(str::trim);
+    let fields = pieces.map(str::trim);
     fields
         .filter(|field| by.is_some() || !field.is_empty())
         .collect()

@@ -61,11 +61,11 @@ pub(super) fn fault(rows: &Rows, count: usize, even: bool) -> RecordCause {
     let least = 2 - usize::from(even);
     let widths: Vec<usize> = rows.lines.iter().map(|line| cells(line).len()).collect();
     let full = widths.iter().filter(|width| **width == count).count();
-    let firsts = rows
+    let firsts: Vec<f64> = rows
         .lines
         .iter()
-        .map_while(|line| number(cells(line).first()?).ok());
-    let firsts: Vec<f64> = firsts.collect();
+        .map_while(|line| number(cells(line).first()?).ok())
+        .collect();
     let rises = firsts.windows(2).all(|pair| pair[0] < pair[1]);
     let is_filled = rows.names.is_none() && !rises && widths.iter().all(|width| *width <= count);
     match count > least && full == widths.len() {

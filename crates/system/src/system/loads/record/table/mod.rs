@@ -141,8 +141,8 @@ fn check_columns(header: &[&str], rows: &Rows, reading: &Reading) -> Result<(), 
     };
     let line = header
         .iter()
-        .rposition(|line| line.contains(char::is_alphabetic));
-    let line = line.unwrap_or_default();
+        .rposition(|line| line.contains(char::is_alphabetic))
+        .unwrap_or_default();
     let wanted = reading
         .column
         .unwrap_or(2 - usize::from(reading.dt.is_some()));

@@ -27,10 +27,10 @@ fn numbers(values: &[i64]) -> Vec<f64> {
 fn fortran(values: &[i64], width: usize, row: usize) -> String {
     let field = |x: &i64| {
         let sign = if *x < 0 { "-" } else { "" };
-        let text = format!("{sign}{}.{:03}", x.abs() / 1000, x.abs() % 1000);
-        let text = match text.len() > width {
-            true => text.replacen("0.", ".", 1),
-            false => text,
+        let decimal = format!("{sign}{}.{:03}", x.abs() / 1000, x.abs() % 1000);
+        let text = match decimal.len() > width {
+            true => decimal.replacen("0.", ".", 1),
+            false => decimal,
         };
         assert!(text.len() <= width, "{text}");
         format!("{text:>width$}")
@@ -41,8 +41,8 @@ fn fortran(values: &[i64], width: usize, row: usize) -> String {
 
 /// A hundred whole numbers in rows of 16, and `count` numbers in rows of 8.
 fn header(count: usize) -> String {
-    let whole: Vec<String> = (0..100).map(|i| format!("{:5}", i % 13)).collect();
-    let whole: String = whole.chunks(16).map(|row| row.concat() + "\n").collect();
+    let fields: Vec<String> = (0..100).map(|i| format!("{:5}", i % 13)).collect();
+    let whole: String = fields.chunks(16).map(|row| row.concat() + "\n").collect();
     whole + &fortran(&vec![41; count], 10, 8)
 }
 
@@ -72,8 +72,8 @@ fn csmip(number: usize, direction: &str, values: &[i64]) -> String {
 /// An uncorrected channel of RENADIC with pairs from a time on, 0.005 apart.
 fn renadic(number: usize, direction: &str, values: &[i64], from: i64) -> String {
     let n = values.len();
-    let pairs = values.iter().enumerate();
-    let pairs: Vec<i64> = pairs.flat_map(|(i, a)| [from + 5 * i as i64, *a]).collect();
+    let steps = values.iter().enumerate();
+    let pairs: Vec<i64> = steps.flat_map(|(i, a)| [from + 5 * i as i64, *a]).collect();
     let end = (from + 5 * n as i64) as f64 / 1000.0;
     format!(
         "UNCORRECTED ACCELEROGRAM DATA              PROCESSED: 01/01/2000\nNOWHERE 2000\n\

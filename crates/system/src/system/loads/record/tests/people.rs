@@ -164,8 +164,8 @@ fn a_header_of_any_table_agrees_with_the_study_and_the_rows() {
     let few = text
         .replace("VS30_M/S", "x")
         .replace("NDATA", "N")
-        .replace("DATA_TYPE", "x");
-    let few = few.replace("PGA_CM/S^2", "y");
+        .replace("DATA_TYPE", "x")
+        .replace("PGA_CM/S^2", "y");
     let by = "sampling interval s of line 3";
     let fault = refused(&few, Reading::default());
     assert!(

@@ -134,8 +134,8 @@ impl Blocks {
 
     /// The entries of a column, whose rows rise.
     pub(super) fn column(&self, column: usize) -> impl Iterator<Item = Entry> + '_ {
-        let block = self.blocks.partition_point(|block| block.end <= column);
-        let block = &self.blocks[block];
+        let index = self.blocks.partition_point(|block| block.end <= column);
+        let block = &self.blocks[index];
         let mut groups = block.groups();
         let group = groups.find(|(columns, _)| columns.contains(&column));
         let (columns, start) = group.unwrap_or((column..column + 1, block.values));
@@ -147,8 +147,8 @@ impl Blocks {
         let column_values =
             &triangle[triangle.len() - inside(width - before)..][..width - 1 - before];
         let below = below.iter().skip(before).step_by(width);
-        let rows = self.rows[block.rows[0]..block.rows[1]].iter();
-        let rows = (column + 1..block.end).chain(rows.map(|row| *row as usize));
+        let rows_below = self.rows[block.rows[0]..block.rows[1]].iter();
+        let rows = (column + 1..block.end).chain(rows_below.map(|row| *row as usize));
         rows.zip(column_values.iter().chain(below))
             .map(|(at, value)| Entry { at, value: *value })
     }

@@ -157,8 +157,8 @@ impl Factor {
 fn by_columns(panels: &[Panel], values: &[f64]) -> Columns {
     let mut end = values.len();
     let size = panels.last().map_or(0, |panel| panel.end);
-    let backwards = panels.iter().rev();
-    let backwards = backwards.flat_map(|p| (p.first..p.end).rev().map(move |k| (p, k)));
+    let panels_backwards = panels.iter().rev();
+    let backwards = panels_backwards.flat_map(|p| (p.first..p.end).rev().map(move |k| (p, k)));
     let columns = backwards.map(|(panel, column)| {
         let start = end - panel.entries(column);
         let values = &values[start..end];

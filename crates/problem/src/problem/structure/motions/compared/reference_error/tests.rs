@@ -98,8 +98,8 @@ struct Said {
 
 /// `reference_error` of a channel where the exact motion is that of `other`.
 fn said(sound: &Structure, other: &Structure, channel: &str, dt: f64) -> Said {
-    let names = Names::new(vec!["m".into()], Vec::new(), Vec::new());
-    let names = names.with_contacts(vec!["c".into(), "idle".into()]);
+    let names = Names::new(vec!["m".into()], Vec::new(), Vec::new())
+        .with_contacts(vec!["c".into(), "idle".into()]);
     let channel = Channel::parse(channel, &names).unwrap();
     let numbering = Numbering::new(1, Vec::new(), 1, Vec::new());
     let numbers: Vec<Number> = channel.numbers(&numbering).collect();
