@@ -4,7 +4,7 @@
 use super::exact::{Even, Ratios};
 use super::powers::Powers;
 use crate::source::faults::{Faults, join};
-use crate::source::field::{self, Keys, field};
+use crate::source::field::{self, Keys, field, fields};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::within;
@@ -15,10 +15,13 @@ use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, Value
 use std::sync::Arc;
 
 /// The rules, each with the meaning of its three numbers.
-pub(crate) const RULES: Keys = Keys::new(&[
-    field("linspace", THREE, "[a, b, n]: n numbers from a to b, evenly spaced"),
-    field("geomspace", THREE, "[a, b, n]: n numbers from a to b, with the same ratio between neighbours"),
-    field("range", THREE, "[a, b, step]: a, a + step, ... up to b; b is included if it is a whole number of steps from a"),
+pub(crate) const RULES: Keys = Keys::new(&fields![
+    /// [a, b, n]: n numbers from a to b, evenly spaced
+    field("linspace", THREE),
+    /// [a, b, n]: n numbers from a to b, with the same ratio between neighbours
+    field("geomspace", THREE),
+    /// [a, b, step]: a, a + step, ... up to b; b is included if it is a whole number of steps from a
+    field("range", THREE),
 ])
 .rules(&[field::Rule::One(&["linspace", "geomspace", "range"], &[])]);
 

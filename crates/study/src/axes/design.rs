@@ -3,7 +3,7 @@
 use super::draft::{BlockDraft, ParameterDraft};
 use super::interval::Interval;
 use crate::source::faults::Faults;
-use crate::source::field::{Keys, Kind, MOST_SEED, field, needed};
+use crate::source::field::{Keys, Kind, MOST_SEED, field, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use slipgap_cases::axis::design::{Design, Sampling};
@@ -11,18 +11,13 @@ use slipgap_cases::axis::values::Sampled;
 use slipgap_problem::problem::numbers::parameter::Parameter;
 
 /// The keys of a design, each with its meaning.
-pub(crate) const KEYS: Keys = Keys::new(&[
-    needed("kind", Kind::Meant(|| &KINDS), "how the points are chosen"),
-    needed(
-        "n",
-        Kind::Whole([2, 1_000_000]),
-        "number of points; saltelli: base points; a power of 2 is best for Sobol' sequences",
-    ),
-    field(
-        "seed",
-        Kind::Whole([0, MOST_SEED]),
-        "a whole number that selects the sequence of random numbers; if left out, 0",
-    ),
+pub(crate) const KEYS: Keys = Keys::new(&fields![
+    /// how the points are chosen
+    needed("kind", Kind::Meant(|| &KINDS)),
+    /// number of points; saltelli: base points; a power of 2 is best for Sobol' sequences
+    needed("n", Kind::Whole([2, 1_000_000])),
+    /// a whole number that selects the sequence of random numbers; if left out, 0
+    field("seed", Kind::Whole([0, MOST_SEED])),
 ]);
 
 /// The kinds of design, in the order of [`Sampling`].

@@ -2,7 +2,7 @@
 
 use crate::Scale;
 use crate::source::faults::{Faults, join};
-use crate::source::field::{self, Keys, Rule, field};
+use crate::source::field::{self, Keys, Rule, field, fields};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::within;
@@ -11,13 +11,11 @@ use slipgap_problem::problem::numbers::allowed::value_of;
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, shortest};
 
 /// The distributions, each with the meaning of its two numbers.
-pub(crate) const INTERVALS: Keys = Keys::new(&[
-    field("uniform", ENDS, "[a, b]: uniform distribution from a to b"),
-    field(
-        "loguniform",
-        ENDS,
-        "[a, b]: uniform distribution of the logarithm from a to b",
-    ),
+pub(crate) const INTERVALS: Keys = Keys::new(&fields![
+    /// [a, b]: uniform distribution from a to b
+    field("uniform", ENDS),
+    /// [a, b]: uniform distribution of the logarithm from a to b
+    field("loguniform", ENDS),
 ])
 .rules(&[Rule::One(&["uniform", "loguniform"], &[])]);
 

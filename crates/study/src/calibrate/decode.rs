@@ -6,34 +6,22 @@ use crate::Figure;
 use crate::cases::scope::Scope;
 use crate::computed::sources::{MINIMISE, items, members};
 use crate::source::faults::{Faults, any_of, join, quoted, unknown};
-use crate::source::field::{self, ANY, Keys, MOST_SEED, field, needed};
+use crate::source::field::{self, ANY, Keys, MOST_SEED, field, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::{name, text};
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter};
 
 /// The keys besides the names of free parameters, each with its meaning.
-pub(crate) const KEYS: Keys = Keys::new(&[
-    needed(
-        MINIMISE,
-        field::Kind::Text,
-        "the metric that the best values make smallest, such as \"rms_error(deck.u, measured)\"; arithmetic, too",
-    ),
-    field(
-        "seed",
-        field::Kind::Whole([0, MOST_SEED]),
-        "seed of the search; 1 if left out",
-    ),
-    field(
-        "cases",
-        field::Kind::Whole(LIMITS),
-        "cases for each alternative, of which the search takes three quarters and profiles the rest; 20000 if left out",
-    ),
-    field(
-        "varies",
-        field::Kind::Several(&field::Kind::Text, [1, ANY]),
-        "free parameters that vary from test to test, of which mean and scatter are found; each test is fitted alone, too",
-    ),
+pub(crate) const KEYS: Keys = Keys::new(&fields![
+    /// the metric that the best values make smallest, such as "rms_error(deck.u, measured)"; arithmetic, too
+    needed(MINIMISE, field::Kind::Text),
+    /// seed of the search; 1 if left out
+    field("seed", field::Kind::Whole([0, MOST_SEED])),
+    /// cases for each alternative, of which the search takes three quarters and profiles the rest; 20000 if left out
+    field("cases", field::Kind::Whole(LIMITS)),
+    /// free parameters that vary from test to test, of which mean and scatter are found; each test is fitted alone, too
+    field("varies", field::Kind::Several(&field::Kind::Text, [1, ANY])),
 ]);
 
 /// Names of the figures of a calibration, in the folder of those of the study.

@@ -1,7 +1,7 @@
 //! The range of a free parameter.
 
 use crate::source::faults::{Faults, quoted};
-use crate::source::field::{Keys, Kind, needed};
+use crate::source::field::{Keys, Kind, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::within;
@@ -9,11 +9,10 @@ use slipgap_problem::problem::numbers::allowed::value_of;
 use slipgap_problem::problem::numbers::parameter::{Parameter, Range, shortest};
 
 /// The key of a range whose logarithm is searched.
-pub(crate) const LOG: Keys = Keys::new(&[needed(
-    "log",
-    Kind::List(&Kind::Number(Range::Any), [2, 2]),
-    "[a, b]: range from a to b of which the logarithm is searched, for numbers over several powers of ten",
-)]);
+pub(crate) const LOG: Keys = Keys::new(&fields![
+    /// [a, b]: range from a to b of which the logarithm is searched, for numbers over several powers of ten
+    needed("log", Kind::List(&Kind::Number(Range::Any), [2, 2])),
+]);
 
 /// What a range looks like.
 const FORM: &str = "a range [a, b] or {\"log\": [a, b]}";

@@ -6,28 +6,19 @@ use crate::cases::ensemble::{item, refuse_constant};
 use crate::cases::scope::{Scope, names};
 use crate::computed::sources::WITHIN;
 use crate::source::faults::Faults;
-use crate::source::field::{ANY, Keys, Kind, field, needed};
+use crate::source::field::{ANY, Keys, Kind, field, fields, needed};
 use crate::source::object::Object;
 use crate::value::number;
 use slipgap_problem::problem::numbers::parameter::{self, Range};
 
 /// The keys besides the names of free parameters, each with its meaning.
-pub(crate) const KEYS: Keys = Keys::new(&[
-    needed(
-        "over",
-        NAMES,
-        "the parameters to choose, such as [\"law\", \"dt\", \"n\"]; cases that differ only in these, and in what changes with them, are candidates for the same physical case",
-    ),
-    needed(
-        WITHIN,
-        Kind::Shared("tolerances"),
-        "the metrics to keep, each with its tolerance, as in {\"peak(gap.S)\": 0.02}: an error such as rms_error(a) is at most this, any other metric differs by at most this part from that of the exact or finest motion",
-    ),
-    field(
-        "neighbours",
-        NAMES,
-        "numbers among those in over whose next smaller and next larger values must keep the metrics, too",
-    ),
+pub(crate) const KEYS: Keys = Keys::new(&fields![
+    /// the parameters to choose, such as ["law", "dt", "n"]; cases that differ only in these, and in what changes with them, are candidates for the same physical case
+    needed("over", NAMES),
+    /// the metrics to keep, each with its tolerance, as in {"peak(gap.S)": 0.02}: an error such as rms_error(a) is at most this, any other metric differs by at most this part from that of the exact or finest motion
+    needed(WITHIN, Kind::Shared("tolerances")),
+    /// numbers among those in over whose next smaller and next larger values must keep the metrics, too
+    field("neighbours", NAMES),
 ]);
 
 /// One name, or a list of names.

@@ -4,7 +4,7 @@ use crate::figure::keys::Takes;
 use crate::figure::kinds::KINDS;
 use crate::reduction::decode;
 use crate::source::faults::join;
-use crate::source::field::{Keys, Kind, field, needed};
+use crate::source::field::{Keys, Kind, field, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use slipgap_problem::problem::expression::FUNCTIONS;
@@ -20,22 +20,13 @@ pub const MINIMISE: &str = "minimise";
 pub const WITHIN: &str = "within";
 
 /// The keys of a metric with a name, each with its meaning.
-pub(crate) const NAMED: Keys = Keys::new(&[
-    needed(
-        "value",
-        Kind::Text,
-        "the metric, arithmetic of metrics, or a ratio",
-    ),
-    field(
-        "unit",
-        Kind::Text,
-        "its unit, for figures; none if left out",
-    ),
-    field(
-        "title",
-        Kind::Text,
-        "its title in figures; the name if left out",
-    ),
+pub(crate) const NAMED: Keys = Keys::new(&fields![
+    /// the metric, arithmetic of metrics, or a ratio
+    needed("value", Kind::Text),
+    /// its unit, for figures; none if left out
+    field("unit", Kind::Text),
+    /// its title in figures; the name if left out
+    field("title", Kind::Text),
 ]);
 
 /// A text that names a metric.

@@ -8,7 +8,7 @@ use crate::axes::draft::BlockDraft;
 use crate::axes::parameters::parameters;
 use crate::axes::zip::zip;
 use crate::source::faults::{Faults, in_words, quoted};
-use crate::source::field::{ANY, Field, Keys, Kind, field, needed};
+use crate::source::field::{ANY, Field, Keys, Kind, field, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
@@ -92,30 +92,20 @@ pub(crate) fn blocks(
 }
 
 /// The keys of a block in addition to `parameters`, each with its meaning.
-pub(crate) const BLOCK_KEYS: &[Field] = &[
-    field(
-        "zip",
-        Kind::List(&Kind::List(&Kind::Text, [2, ANY]), [0, ANY]),
-        "groups of axes that advance together: one case for each position, not for each combination",
-    ),
-    field(
-        "when",
-        Kind::Text,
-        "a condition, as in \"dt <= 0.5/n\"; only combinations that meet it become cases; names are written in single quotes",
-    ),
-    field(
-        "design",
-        Kind::Object(&design::KEYS),
-        "points that fill the ranges of all parameters given as uniform or loguniform",
-    ),
+pub(crate) const BLOCK_KEYS: &[Field] = &fields![
+    /// groups of axes that advance together: one case for each position, not for each combination
+    field("zip", Kind::List(&Kind::List(&Kind::Text, [2, ANY]), [0, ANY])),
+    /// a condition, as in "dt <= 0.5/n"; only combinations that meet it become cases; names are written in single quotes
+    field("when", Kind::Text),
+    /// points that fill the ranges of all parameters given as uniform or loguniform
+    field("design", Kind::Object(&design::KEYS)),
 ];
 
 /// A block.
-const BLOCK: Keys = Keys::new(&[needed(
-    "parameters",
-    Kind::Any,
-    "the parameters of the block",
-)])
+const BLOCK: Keys = Keys::new(&fields![
+    /// the parameters of the block
+    needed("parameters", Kind::Any),
+])
 .and(BLOCK_KEYS);
 
 /// The draft of a block: the parameters at `node` and the other keys of `object`.

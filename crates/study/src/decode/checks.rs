@@ -2,7 +2,7 @@
 
 use crate::cases::scope::Scope;
 use crate::source::faults::{Faults, any_of};
-use crate::source::field::{Keys, Kind, Rule, field, needed};
+use crate::source::field::{Keys, Kind, Rule, field, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::value::name;
@@ -10,15 +10,15 @@ use crate::{Check, Filter};
 use slipgap_problem::problem::numbers::parameter::shortest;
 
 /// The keys of a check.
-pub(crate) const KEYS: Keys = Keys::new(&[
-    needed("metric", Kind::Shared("column"), "the metric to check"),
-    field(
-        "where",
-        Kind::Shared("where"),
-        "which cases to check: a value or a list for parameters",
-    ),
-    field("min", Kind::Constant, "smallest value allowed"),
-    field("max", Kind::Constant, "largest value allowed"),
+pub(crate) const KEYS: Keys = Keys::new(&fields![
+    /// the metric to check
+    needed("metric", Kind::Shared("column")),
+    /// which cases to check: a value or a list for parameters
+    field("where", Kind::Shared("where")),
+    /// smallest value allowed
+    field("min", Kind::Constant),
+    /// largest value allowed
+    field("max", Kind::Constant),
 ])
 .rules(&[Rule::Any(&["min", "max"], &[])]);
 

@@ -1,7 +1,7 @@
 //! The key `units`.
 
 use crate::source::faults::Faults;
-use crate::source::field::{Keys, Kind, needed};
+use crate::source::field::{Keys, Kind, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::units::Units;
@@ -9,22 +9,13 @@ use crate::value::text;
 use slipgap_problem::problem::Problem;
 
 /// The keys of `units`.
-pub(crate) const KEYS: Keys = Keys::new(&[
-    needed(
-        "length",
-        Kind::Like(NAME),
-        "name of the unit of length, as in mm: 1 to 16 letters, digits and µ, first a letter or µ",
-    ),
-    needed(
-        "force",
-        Kind::Like(NAME),
-        "name of the unit of force, as in kN",
-    ),
-    needed(
-        "time",
-        Kind::Like(NAME),
-        "name of the unit of time, as in ms",
-    ),
+pub(crate) const KEYS: Keys = Keys::new(&fields![
+    /// name of the unit of length, as in mm: 1 to 16 letters, digits and µ, first a letter or µ
+    needed("length", Kind::Like(NAME)),
+    /// name of the unit of force, as in kN
+    needed("force", Kind::Like(NAME)),
+    /// name of the unit of time, as in ms
+    needed("time", Kind::Like(NAME)),
 ]);
 
 /// The name of a unit.

@@ -5,7 +5,7 @@ use super::extent;
 use super::keys::{FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
 use super::values::DecodedValue;
 use crate::faults::Faults;
-use crate::field::{ANY, Keys, Kind, needed};
+use crate::field::{ANY, Keys, Kind, fields, needed};
 use crate::object::Object;
 use crate::scope::{Scope, names};
 use crate::tree::{Node, Tree};
@@ -196,13 +196,11 @@ fn numbers(node: &Node, path: &str, what: &str, faults: &mut Faults) -> Option<V
 }
 
 /// The keys of `marks`.
-pub(crate) const MARKS: Keys = Keys::new(&[
-    needed("label", Kind::Text, "text in the legend"),
-    needed(
-        "at",
-        Kind::List(&Kind::List(&Kind::Number(Range::Any), [2, 2]), [0, ANY]),
-        "points, each [x, y]; expressions are allowed",
-    ),
+pub(crate) const MARKS: Keys = Keys::new(&fields![
+    /// text in the legend
+    needed("label", Kind::Text),
+    /// points, each [x, y]; expressions are allowed
+    needed("at", Kind::List(&Kind::List(&Kind::Number(Range::Any), [2, 2]), [0, ANY])),
 ]);
 
 fn marks(node: &Node, path: &str, faults: &mut Faults) -> Option<Marks> {

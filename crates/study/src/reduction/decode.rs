@@ -17,11 +17,8 @@ const FORM: &str =
     "\"WORD METRIC over PARAMETER, PARAMETER ...\", as in \"least rms_error over alpha\"";
 
 /// The key with its meaning.
-pub(crate) const KEY: Field = field(
-    "reductions",
-    Kind::List(&Kind::Shared("reduction"), [0, ANY]),
-    "metrics reduced over parameters, each a text such as \"least rms_error over alpha\"; figures and checks use it like a metric",
-);
+pub(crate) const KEY: Field = field("reductions", Kind::List(&Kind::Shared("reduction"), [0, ANY]))
+    .means("metrics reduced over parameters, each a text such as \"least rms_error over alpha\"; figures and checks use it like a metric");
 
 /// The parts of the text of a reduction.
 pub(crate) struct Parts<'a> {

@@ -101,21 +101,29 @@ pub enum Rule {
 }
 
 /// A key that may be left out.
-pub const fn field(key: &'static str, kind: Kind, meaning: &'static str) -> Field {
+pub const fn field(key: &'static str, kind: Kind) -> Field {
     Field {
         key,
         kind,
         needed: false,
-        meaning,
+        meaning: "",
     }
 }
 
 /// A key that is needed.
-pub const fn needed(key: &'static str, kind: Kind, meaning: &'static str) -> Field {
-    field(key, kind, meaning).needed()
+pub const fn needed(key: &'static str, kind: Kind) -> Field {
+    field(key, kind).needed()
 }
 
 impl Field {
+    /// The same key with this meaning.
+    pub const fn means(self, meaning: &'static str) -> Field {
+        Field {
+            meaning: meaning.trim_ascii(),
+            ..self
+        }
+    }
+
     /// The same key where it is needed.
     pub const fn needed(self) -> Field {
         Field {
@@ -124,6 +132,14 @@ impl Field {
         }
     }
 }
+
+/// Keys, each with its meaning as the documentation before it.
+macro_rules! fields {
+    ($($(#[doc = $meaning:literal])? $field:ident $(($($argument:tt)*))?),* $(,)?) => {
+        [$($field $(($($argument)*))? $(.means($meaning))?),*]
+    };
+}
+pub(crate) use fields;
 
 impl Keys {
     /// These keys.

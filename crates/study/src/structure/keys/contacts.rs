@@ -1,7 +1,7 @@
 //! The keys of contacts and of their laws.
 
 use super::kinds::{ANY_NUMBERS, BETWEEN_KIND, FUNCTION_OF_TIME};
-use crate::source::field::{ANY, Field, Keys, Kind, Rule, field, needed};
+use crate::source::field::{ANY, Field, Keys, Kind, Rule, field, fields, needed};
 use slipgap_contact::contact::number::Number;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::parts::contacts::{NAMES, NUMBERS, meaning};
@@ -23,17 +23,22 @@ pub(crate) static CONTACT: LazyLock<Keys> = LazyLock::new(|| {
 
 /// A law in a list of laws.
 pub(crate) static PART: LazyLock<Keys> = LazyLock::new(|| {
-    let keys = Keys::new(const { &[LAW, field("gap", NUMBER, "r at rest of this law")] });
-    keys.and(numbers()).and(&INNER_LISTS).rules(&OF_LAWS)
+    Keys::new(OF_LAW)
+        .and(numbers())
+        .and(&INNER_LISTS)
+        .rules(&OF_LAWS)
 });
+
+const OF_LAW: &[Field] = &fields![
+    LAW,
+    /// r at rest of this law
+    field("gap", NUMBER),
+];
 
 const NUMBER: Kind = Kind::Number(Range::Any);
 
-const LAW: Field = field(
-    "law",
-    Kind::OneOf(&[Kind::Meant(|| NAMES), Kind::Text]),
-    "law of the contact, or a parameter that chooses it",
-);
+const LAW: Field = field("law", Kind::OneOf(&[Kind::Meant(|| NAMES), Kind::Text]))
+    .means("law of the contact, or a parameter that chooses it");
 
 /// What the numbers of laws need of each other.
 const OF_LAWS: [Rule; 3] = [
@@ -43,65 +48,39 @@ const OF_LAWS: [Rule; 3] = [
 ];
 
 /// The keys that contacts of all laws may have.
-pub(crate) const OF_CONTACT: &[Field] = &[
+const OF_CONTACT: &[Field] = &fields![
     LAW,
-    field(
-        "between",
-        BETWEEN_KIND,
-        "nodes I and J; r = u_J - u_I + gap",
-    ),
-    field(
-        "along",
-        Kind::Factors,
-        "instead of between: nodes with factors, whose sum with u, plus the gap, is r",
-    ),
-    field(
-        "pairs",
-        Kind::Text,
-        "instead of between: CSV file with lines of a name and cells dof:factor, one for each contact NAME.LINE",
-    ),
-    field(
-        "plane",
-        Kind::List(&BETWEEN_KIND, [2, 2]),
-        "instead of between: nodes I and J of each of two directions, of friction in a plane; [\"ground\", \"ground\"] holds one",
-    ),
-    field(
-        "directions",
-        Kind::Directions,
-        "two of x, y and z: with between, friction in a plane between nodes with both directions, as a.x and a.y",
-    ),
-    field("gap", NUMBER, "r at rest"),
+    /// nodes I and J; r = u_J - u_I + gap
+    field("between", BETWEEN_KIND),
+    /// instead of between: nodes with factors, whose sum with u, plus the gap, is r
+    field("along", Kind::Factors),
+    /// instead of between: CSV file with lines of a name and cells dof:factor, one for each contact NAME.LINE
+    field("pairs", Kind::Text),
+    /// instead of between: nodes I and J of each of two directions, of friction in a plane; ["ground", "ground"] holds one
+    field("plane", Kind::List(&BETWEEN_KIND, [2, 2])),
+    /// two of x, y and z: with between, friction in a plane between nodes with both directions, as a.x and a.y
+    field("directions", Kind::Directions),
+    /// r at rest
+    field("gap", NUMBER),
 ];
 
 /// A list of laws.
 const LAWS: Kind = Kind::List(&Kind::Shared("part"), [2, ANY]);
 
 /// The keys of lists of laws.
-pub(crate) const LISTS: [Field; 2] = [
-    field(
-        "series",
-        LAWS,
-        "instead of law: laws one behind the other, NAME.1, NAME.2, .., with nodes without mass NAME.node1, ..",
-    ),
-    field(
-        "parallel",
-        LAWS,
-        "instead of law: laws side by side, NAME.1, NAME.2, ..",
-    ),
+pub(crate) const LISTS: [Field; 2] = fields![
+    /// instead of law: laws one behind the other, NAME.1, NAME.2, .., with nodes without mass NAME.node1, ..
+    field("series", LAWS),
+    /// instead of law: laws side by side, NAME.1, NAME.2, ..
+    field("parallel", LAWS),
 ];
 
 /// The same in a list.
-const INNER_LISTS: [Field; 2] = [
-    field(
-        LISTS[0].key,
-        LAWS,
-        "in parallel, instead of law: laws one behind the other, NAME.i.1, .., with nodes NAME.i.node1, ..",
-    ),
-    field(
-        LISTS[1].key,
-        LAWS,
-        "in series, instead of law: laws side by side, NAME.i.1, ..; they are laws only",
-    ),
+const INNER_LISTS: [Field; 2] = fields![
+    /// in parallel, instead of law: laws one behind the other, NAME.i.1, .., with nodes NAME.i.node1, ..
+    field(LISTS[0].key, LAWS),
+    /// in series, instead of law: laws side by side, NAME.i.1, ..; they are laws only
+    field(LISTS[1].key, LAWS),
 ];
 
 /// The numbers of the laws; the normal force and the table are more than a number.
@@ -113,7 +92,7 @@ fn numbers() -> &'static [Field] {
                 "table" => Kind::Object(&LAW_TABLE),
                 _ => Kind::Number(number.range),
             };
-            field(number.key, kind, meaning(number).leak())
+            field(number.key, kind).means(meaning(number).leak())
         };
         NUMBERS.iter().map(one).collect()
     });
@@ -129,34 +108,31 @@ const NORMAL_FORCE: Kind = Kind::OneOf(&[
 ]);
 
 /// A table of normal forces.
-pub(crate) const NORMAL_TABLE: Keys = Keys::new(&[
-    needed("t", ANY_NUMBERS, "times"),
-    needed("N", ANY_NUMBERS, "forces at these times"),
+pub(crate) const NORMAL_TABLE: Keys = Keys::new(&fields![
+    /// times
+    needed("t", ANY_NUMBERS),
+    /// forces at these times
+    needed("N", ANY_NUMBERS),
 ]);
 
 /// The table of a law.
-pub(crate) const LAW_TABLE: Keys = Keys::new(&[
-    needed("r", ANY_NUMBERS, "deflections"),
-    needed("S", ANY_NUMBERS, "forces at these deflections"),
+pub(crate) const LAW_TABLE: Keys = Keys::new(&fields![
+    /// deflections
+    needed("r", ANY_NUMBERS),
+    /// forces at these deflections
+    needed("S", ANY_NUMBERS),
 ]);
 
 /// A weight under vertical acceleration.
-pub(crate) const WEIGHT: Keys = Keys::new(&[
-    needed(
-        "weight",
-        Kind::Number(Range::Positive),
-        "W; N = W (1 + a/g)",
-    ),
-    needed(
-        "vertical",
-        FUNCTION_OF_TIME,
-        "vertical acceleration a of the ground",
-    ),
+pub(crate) const WEIGHT: Keys = Keys::new(&fields![
+    /// W; N = W (1 + a/g)
+    needed("weight", Kind::Number(Range::Positive)),
+    /// vertical acceleration a of the ground
+    needed("vertical", FUNCTION_OF_TIME),
 ]);
 
 /// A normal force that other parts have.
-pub(crate) const PRESSING: Keys = Keys::new(&[needed(
-    "contact",
-    Kind::Several(&Kind::Text, [1, ANY]),
-    "name of an impact contact or of a spring, or a list of names: N is the sum of max(-S, 0), with their S at the end of each step",
-)]);
+pub(crate) const PRESSING: Keys = Keys::new(&fields![
+    /// name of an impact contact or of a spring, or a list of names: N is the sum of max(-S, 0), with their S at the end of each step
+    needed("contact", Kind::Several(&Kind::Text, [1, ANY])),
+]);

@@ -1,7 +1,7 @@
 //! Values that several objects of a structure have.
 
 use crate::source::field::Kind::{self, List, Number, Object, OneOf, Shared, Text, Words};
-use crate::source::field::{ANY, Keys, field, needed};
+use crate::source::field::{ANY, Keys, field, fields, needed};
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_system::system::loads::Unit;
 use slipgap_system::system::structure::Baseline;
@@ -35,11 +35,9 @@ pub(super) const BASELINE: Kind = Words(
 pub(super) const COLUMN_KIND: Kind = OneOf(&[Text, Object(&COLUMN)]);
 
 /// A column with its unit.
-pub(crate) const COLUMN: Keys = Keys::new(&[
-    needed("column", Text, "its name in the file"),
-    field(
-        "unit",
-        Text,
-        "its unit, such as mm, kip, g or mm/s; if left out, that of the study",
-    ),
+pub(crate) const COLUMN: Keys = Keys::new(&fields![
+    /// its name in the file
+    needed("column", Text),
+    /// its unit, such as mm, kip, g or mm/s; if left out, that of the study
+    field("unit", Text),
 ]);

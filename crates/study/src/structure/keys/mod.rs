@@ -27,7 +27,7 @@ pub(crate) use spectra::{
 use crate::source::field::Kind::{
     List, Named, Number, Object, OneOf, Parts, Several, Shared, Text, Words,
 };
-use crate::source::field::{ANY, Field, Keys, Usual, field};
+use crate::source::field::{ANY, Field, Keys, Usual, field, fields};
 use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative};
 
 /// The reference of the softened laws.
@@ -37,86 +37,41 @@ pub(crate) const SOFTENED: &str = "softened";
 pub(crate) const MODAL_DAMPING: &str = "modal_damping";
 
 /// A structure.
-pub(crate) const STRUCTURE: Keys = Keys::new(&[
-    field(
-        "units",
-        Text,
-        "units of mass, force, length and time, such as \"t, kN, m, s\"; only records are converted",
-    ),
-    field(
-        "masses",
-        Parts(&OneOf(&[Number(NotNegative), Object(&MASS)])),
-        "lumped masses: a node for each name, \"a|b\" two alike; a mass of 0 is held by springs or contacts",
-    ),
-    field(
-        "bars",
-        Parts(&Object(&BAR)),
-        "bars of n elements, with the nodes NAME.left, NAME.1, .., NAME.right; \"a|b|c\" is three alike",
-    ),
-    field(
-        "matrices",
-        Parts(&Object(&MATRICES)),
-        "M, K and C in Matrix Market files, with the nodes NAME.NODE.DIRECTION",
-    ),
-    field(
-        "springs",
-        List(&Object(&SPRING), [0, ANY]),
-        "springs with dashpots; \"ground\" is a node, too",
-    ),
-    field(
-        "rayleigh",
-        Object(&RAYLEIGH),
-        "C += mass M + stiffness K, with the factors or with damping ratios of two modes",
-    ),
-    field(
-        MODAL_DAMPING,
-        Several(&Number(NotNegative), [0, ANY]),
-        "damping ratio in every mode of M and K, or a list with one for each mode from the longest period on; further modes have none",
-    ),
-    field(
-        "damping_stiffness",
-        Words(
-            "stiffness",
-            || vec!["without-contacts", "initial"],
-            Some(Usual),
-        ),
-        "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with elastic contacts",
-    ),
-    field("contacts", Parts(&Shared("contact")), "contacts by name"),
-    field(
-        "loads",
-        List(&Object(&LOAD), [0, ANY]),
-        "forces on nodes, on each node of a bar, or of matrices in a direction, as tower.x",
-    ),
-    field(
-        "ground",
-        OneOf(&[Shared("function"), Object(&GROUND)]),
-        "acceleration of the ground in x, or an object with those in x, y and z; u is then relative to the ground",
-    ),
-    field(
-        "supports",
-        Parts(&Object(&SUPPORT)),
-        "supports with motions of their own: nodes NAME, NAME.x, NAME.y, NAME.z; u is then absolute",
-    ),
-    field(
-        "static",
-        Shared("static"),
-        "loads that act before t = 0 and stay; the structure starts in equilibrium with them",
-    ),
-    Field {
-        meaning: "acceleration of all masses from t = 0 on, as under `static`, but without an equilibrium at the start: bodies fall",
-        ..GRAVITY
-    },
-    field(
-        "start",
-        Named(&Object(&START)),
-        "displacement and velocity at t = 0 of nodes, bars, or matrices in a direction",
-    ),
-    field(
-        "contacts_reference",
-        Words("reference", || vec![SOFTENED, "rigid"], None),
-        "the exact motion in histories, figures and errors: \"softened\" or \"rigid\" laws",
-    ),
+pub(crate) const STRUCTURE: Keys = Keys::new(&fields![
+    /// units of mass, force, length and time, such as "t, kN, m, s"; only records are converted
+    field("units", Text),
+    /// lumped masses: a node for each name, "a|b" two alike; a mass of 0 is held by springs or contacts
+    field("masses", Parts(&OneOf(&[Number(NotNegative), Object(&MASS),
+]))),
+    /// bars of n elements, with the nodes NAME.left, NAME.1, .., NAME.right; "a|b|c" is three alike
+    field("bars", Parts(&Object(&BAR))),
+    /// M, K and C in Matrix Market files, with the nodes NAME.NODE.DIRECTION
+    field("matrices", Parts(&Object(&MATRICES))),
+    /// springs with dashpots; "ground" is a node, too
+    field("springs", List(&Object(&SPRING), [0, ANY])),
+    /// C += mass M + stiffness K, with the factors or with damping ratios of two modes
+    field("rayleigh", Object(&RAYLEIGH)),
+    /// damping ratio in every mode of M and K, or a list with one for each mode from the longest period on; further modes have none
+    field(MODAL_DAMPING, Several(&Number(NotNegative), [0, ANY])),
+    /// K of rayleigh and modal_damping: "without-contacts" (if left out), or "initial" with elastic contacts
+    field("damping_stiffness", Words("stiffness", || vec!["without-contacts", "initial"], Some(Usual))),
+    /// contacts by name
+    field("contacts", Parts(&Shared("contact"))),
+    /// forces on nodes, on each node of a bar, or of matrices in a direction, as tower.x
+    field("loads", List(&Object(&LOAD), [0, ANY])),
+    /// acceleration of the ground in x, or an object with those in x, y and z; u is then relative to the ground
+    field("ground", OneOf(&[Shared("function"), Object(&GROUND),
+])),
+    /// supports with motions of their own: nodes NAME, NAME.x, NAME.y, NAME.z; u is then absolute
+    field("supports", Parts(&Object(&SUPPORT))),
+    /// loads that act before t = 0 and stay; the structure starts in equilibrium with them
+    field("static", Shared("static")),
+    /// acceleration of all masses from t = 0 on, as under `static`, but without an equilibrium at the start: bodies fall
+    GRAVITY,
+    /// displacement and velocity at t = 0 of nodes, bars, or matrices in a direction
+    field("start", Named(&Object(&START))),
+    /// the exact motion in histories, figures and errors: "softened" or "rigid" laws
+    field("contacts_reference", Words("reference", || vec![SOFTENED, "rigid"], None)),
 ]);
 
 /// Static loads besides names.
@@ -126,11 +81,15 @@ pub(crate) const STATIC: Keys = Keys::new(&[GRAVITY]);
 pub(crate) const GRAVITY: Field = field(
     "gravity",
     OneOf(&[Number(Range::Any), Object(&ACCELERATIONS)]),
+)
+.means(
     "acceleration of all masses: a number in y, or an object with x, y and z; -9.81 in y is weight",
 );
 
 /// A start.
-pub(crate) const START: Keys = Keys::new(&[
-    field("u", Number(Range::Any), "displacement"),
-    field("v", Number(Range::Any), "velocity"),
+pub(crate) const START: Keys = Keys::new(&fields![
+    /// displacement
+    field("u", Number(Range::Any)),
+    /// velocity
+    field("v", Number(Range::Any)),
 ]);

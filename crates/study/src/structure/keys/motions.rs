@@ -4,16 +4,19 @@ use super::functions::{FUNCTIONS, OF_FUNCTION, OF_KINDS, SINE};
 use super::kinds::{ANY_NUMBER, ANY_NUMBERS, BASELINE, COLUMN_KIND, FUNCTION_OF_TIME};
 use super::spectra::OF_GROUND;
 use crate::source::field::Kind::{self, Number, Object, OneOf, Text, Words};
-use crate::source::field::{Field, Keys, Rule, field, needed};
+use crate::source::field::{Field, Keys, Rule, field, fields, needed};
 use slipgap_problem::problem::numbers::parameter::Range::NotNegative;
 use slipgap_problem::problem::structure::given::supports::Line;
 
 /// The directions x, y and z with these values.
 const fn directions(kind: Kind) -> [Field; 3] {
-    [
-        field("x", kind, "acceleration in x"),
-        field("y", kind, "acceleration in y"),
-        field("z", kind, "acceleration in z"),
+    fields![
+        /// acceleration in x
+        field("x", kind),
+        /// acceleration in y
+        field("y", kind),
+        /// acceleration in z
+        field("z", kind),
     ]
 }
 
@@ -32,78 +35,51 @@ pub(crate) const GROUND: Keys = Keys::new(&directions(FUNCTION_OF_TIME))
     ]);
 
 /// Imposed displacements.
-pub(crate) const IMPOSED: Keys = Keys::new(&[
-    needed("t", ANY_NUMBERS, "times, rising"),
-    needed("u", ANY_NUMBERS, "displacements, the first one 0"),
+pub(crate) const IMPOSED: Keys = Keys::new(&fields![
+    /// times, rising
+    needed("t", ANY_NUMBERS),
+    /// displacements, the first one 0
+    needed("u", ANY_NUMBERS),
     BETWEEN,
 ]);
 
 /// The line between two points.
-const BETWEEN: Field = field(
-    "between",
-    Words("line", || Line::ALL.map(Line::name).to_vec(), None),
-    "\"cubic\" (if left out), which turns only at points, or \"straight\", whose velocity jumps at points",
-);
+const BETWEEN: Field = field("between", Words("line", || Line::ALL.map(Line::name).to_vec(), None))
+    .means("\"cubic\" (if left out), which turns only at points, or \"straight\", whose velocity jumps at points");
 
 /// An imposed displacement that is a sine.
-pub(crate) const IMPOSED_SINE: Keys = Keys::new(&[needed(
-    "sine",
-    Object(&SINE),
-    "amplitude (sin(omega t + phase) - sin(phase)), without drift",
-)]);
+pub(crate) const IMPOSED_SINE: Keys = Keys::new(&fields![
+    /// amplitude (sin(omega t + phase) - sin(phase)), without drift
+    needed("sine", Object(&SINE)),
+]);
 
 /// Imposed displacements of a file: three keys that only these have, and the line.
-pub(crate) const IMPOSED_BY_FILE: Keys = Keys::new(&[
-    needed(
-        "file",
-        Text,
-        "CSV file as of `measured`, or a parameter that chooses it",
-    ),
-    needed(
-        "time",
-        COLUMN_KIND,
-        "name of the column of times, or an object with its unit",
-    ),
-    needed(
-        "column",
-        COLUMN_KIND,
-        "name of the column of displacements, or an object with its unit; u is the column less its first number",
-    ),
+pub(crate) const IMPOSED_BY_FILE: Keys = Keys::new(&fields![
+    /// CSV file as of `measured`, or a parameter that chooses it
+    needed("file", Text),
+    /// name of the column of times, or an object with its unit
+    needed("time", COLUMN_KIND),
+    /// name of the column of displacements, or an object with its unit; u is the column less its first number
+    needed("column", COLUMN_KIND),
     BETWEEN,
 ]);
 
 /// The key of imposed displacements.
-pub(crate) const DISPLACEMENT: Field = field(
-    "displacement",
-    OneOf(&[
-        Object(&IMPOSED),
-        Object(&IMPOSED_BY_FILE),
-        Object(&IMPOSED_SINE),
-    ]),
-    "instead of an acceleration, here or under a direction: points t, u, of a file or here, or a sine",
-);
+pub(crate) const DISPLACEMENT: Field = field("displacement", OneOf(&[Object(&IMPOSED), Object(&IMPOSED_BY_FILE), Object(&IMPOSED_SINE)]))
+    .means("instead of an acceleration, here or under a direction: points t, u, of a file or here, or a sine");
 
 /// The key of the velocity at the start.
-pub(crate) const VELOCITY: Field = field(
-    "velocity",
-    ANY_NUMBER,
-    "velocity at t = 0, here or under a direction, in addition to an acceleration; without one it is constant",
-);
+pub(crate) const VELOCITY: Field = field("velocity", ANY_NUMBER)
+    .means("velocity at t = 0, here or under a direction, in addition to an acceleration; without one it is constant");
 
 /// The keys of a support besides those of a function and the directions.
-pub(crate) const OF_SUPPORT: &[Field] = &[
+pub(crate) const OF_SUPPORT: &[Field] = &fields![
     DISPLACEMENT,
     VELOCITY,
-    field(
-        "delay",
-        Number(NotNegative),
-        "time by which all is later; at rest before",
-    ),
-    field(
-        "baseline",
-        BASELINE,
-        "as of a function; with \"linear\" the support rests after the end",
-    ),
+    /// time by which all is later; at rest before
+    field("delay", Number(NotNegative)),
+    /// as of a function; with "linear" the support rests after the end
+    field("baseline", BASELINE),
 ];
 
 /// A support.

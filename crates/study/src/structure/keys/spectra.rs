@@ -2,7 +2,7 @@
 
 use super::kinds::{ANY_NUMBERS, UNIT};
 use crate::source::field::Kind::{self, List, Number, Object, Several, Whole, Words};
-use crate::source::field::{ANY, Field, Keys, Rule as KeyRule, field, needed};
+use crate::source::field::{ANY, Field, Keys, Rule as KeyRule, field, fields, needed};
 use slipgap_problem::problem::numbers::parameter::Range::{NotNegative, Positive, UpToOne};
 use slipgap_problem::problem::structure::given::set::Statistic;
 use slipgap_system::system::loads::pair::Component;
@@ -13,11 +13,8 @@ pub(crate) const SCALE_TO: Keys =
     Keys::new(&scale_to(Words("component", || vec!["each"], None))).rules(&OF_SCALE_TO);
 
 /// The strength that both horizontal motions get together.
-pub(crate) const OF_GROUND: Field = field(
-    "scale_to",
-    Object(&TOGETHER),
-    "strength that x and y get together, by one factor, which z gets, too",
-);
+pub(crate) const OF_GROUND: Field = field("scale_to", Object(&TOGETHER))
+    .means("strength that x and y get together, by one factor, which z gets, too");
 
 /// The same.
 pub(crate) const TOGETHER: Keys = Keys::new(&scale_to(COMPONENT)).rules(&OF_SCALE_TO);
@@ -30,55 +27,31 @@ const COMPONENT: Kind = Words(
 );
 
 const fn scale_to(component: Kind) -> [Field; 12] {
-    [
-        field("pga", Number(Positive), "largest acceleration"),
-        field(
-            "Sa",
-            Number(Positive),
-            "pseudo-acceleration of an oscillator",
-        ),
-        field(
-            "spectrum",
-            Object(&TARGET),
-            "target spectrum, by least squares at 101 periods from \"from\" to \"to\"",
-        ),
-        field(
-            "factor",
-            Number(Positive),
-            "factor of each motion of a set, such as a parameter zipped with the record",
-        ),
-        field("T", Number(Positive), "period of the oscillator of \"Sa\""),
-        field(
-            "from",
-            Number(Positive),
-            "the shorter period of \"spectrum\"",
-        ),
-        field("to", Number(Positive), "the longer period of \"spectrum\""),
-        field(
-            "fit",
-            Words("fit", || Fit::ALL.map(Fit::name).to_vec(), None),
-            "least squares of \"spectrum\": \"linear\" (if left out), of the ordinates at evenly spaced periods; \"logarithmic\", of their logarithms at periods with evenly spaced logarithms, as PEER does",
-        ),
-        field(
-            "component",
-            component,
-            "of \"scale_to\" of a ground in x and y, which gives x, y and z one factor: \"geometric-mean\", \"srss\", \"rotd50\" or \"rotd100\" (Boore 2010, 180 angles) of x and y; of one in each direction: \"each\", a factor for each, and no note about it",
-        ),
-        field(
-            "ratio",
-            Number(UpToOne),
-            "damping ratio of \"Sa\", \"spectrum\" and \"set\"; 0.05 if left out",
-        ),
-        field(
-            "unit",
-            UNIT,
-            "unit of the accelerations, as of a record; that of the study if left out",
-        ),
-        field(
-            "set",
-            Object(&SET),
-            "one factor on top for all motions of the axis of records, or of seeds",
-        ),
+    fields![
+        /// largest acceleration
+        field("pga", Number(Positive)),
+        /// pseudo-acceleration of an oscillator
+        field("Sa", Number(Positive)),
+        /// target spectrum, by least squares at 101 periods from "from" to "to"
+        field("spectrum", Object(&TARGET)),
+        /// factor of each motion of a set, such as a parameter zipped with the record
+        field("factor", Number(Positive)),
+        /// period of the oscillator of "Sa"
+        field("T", Number(Positive)),
+        /// the shorter period of "spectrum"
+        field("from", Number(Positive)),
+        /// the longer period of "spectrum"
+        field("to", Number(Positive)),
+        /// least squares of "spectrum": "linear" (if left out), of the ordinates at evenly spaced periods; "logarithmic", of their logarithms at periods with evenly spaced logarithms, as PEER does
+        field("fit", Words("fit", || Fit::ALL.map(Fit::name).to_vec(), None)),
+        /// of "scale_to" of a ground in x and y, which gives x, y and z one factor: "geometric-mean", "srss", "rotd50" or "rotd100" (Boore 2010, 180 angles) of x and y; of one in each direction: "each", a factor for each, and no note about it
+        field("component", component),
+        /// damping ratio of "Sa", "spectrum" and "set"; 0.05 if left out
+        field("ratio", Number(UpToOne)),
+        /// unit of the accelerations, as of a record; that of the study if left out
+        field("unit", UNIT),
+        /// one factor on top for all motions of the axis of records, or of seeds
+        field("set", Object(&SET)),
     ]
 }
 
@@ -102,30 +75,48 @@ const OF_SCALE_TO: [KeyRule; 7] = [
 ];
 
 /// A set of motions.
-pub(crate) const SET: Keys = Keys::new(&[
-    field("rule", Words("rule", || RULES.map(|rule| rule.name).to_vec(), None), "rule of a code, whose numbers the other keys replace"),
-    field("period", Several(&Number(Positive), [1, ANY]), "period of the structure, or a list of them: the rule begins at its share of the least one and ends at that of the largest one"),
-    field("from", Number(Positive), "first period, if not by \"rule\" and \"period\""),
-    field("to", Number(Positive), "last period"),
-    field("statistic", Words("statistic", || STATISTICS.map(|row| row.0).to_vec(), None), "\"mean\" (if left out) or \"envelope\" of the spectra at each of 101 periods with evenly spaced logarithms"),
-    field("component", COMPONENT, "of a ground in x and y; if left out, that of the rule, or of \"scale_to\""),
-    field("least", Number(Positive), "least ratio to the target, such as 0.9"),
-    field("least_at_zero", Number(Positive), "least ratio of the largest accelerations to the target at T = 0"),
-    field("spectrum", Object(&TARGET), "target spectrum; if left out, that of \"scale_to\""),
-    field("factor", Number(Positive), "factor of the set; if left out, the one with which the least ratio is the one asked for"),
+pub(crate) const SET: Keys = Keys::new(&fields![
+    /// rule of a code, whose numbers the other keys replace
+    field("rule", Words("rule", || RULES.map(|rule| rule.name).to_vec(), None)),
+    /// period of the structure, or a list of them: the rule begins at its share of the least one and ends at that of the largest one
+    field("period", Several(&Number(Positive), [1, ANY])),
+    /// first period, if not by "rule" and "period"
+    field("from", Number(Positive)),
+    /// last period
+    field("to", Number(Positive)),
+    /// "mean" (if left out) or "envelope" of the spectra at each of 101 periods with evenly spaced logarithms
+    field("statistic", Words("statistic", || STATISTICS.map(|row| row.0).to_vec(), None)),
+    /// of a ground in x and y; if left out, that of the rule, or of "scale_to"
+    field("component", COMPONENT),
+    /// least ratio to the target, such as 0.9
+    field("least", Number(Positive)),
+    /// least ratio of the largest accelerations to the target at T = 0
+    field("least_at_zero", Number(Positive)),
+    /// target spectrum; if left out, that of "scale_to"
+    field("spectrum", Object(&TARGET)),
+    /// factor of the set; if left out, the one with which the least ratio is the one asked for
+    field("factor", Number(Positive)),
 ])
 .rules(&[KeyRule::With(&["period"], &[KeyRule::Has(&["rule"])])]);
 
 /// A choice among files.
-pub(crate) const CHOOSE: Keys = Keys::new(&[
-    needed("n", Whole([2, 10_000]), "number of records"),
-    needed("T", List(&Number(Positive), [1, ANY]), "periods, rising"),
-    needed("median", List(&Number(Positive), [1, ANY]), "median of the target at these periods"),
-    needed("sigma", List(&Number(NotNegative), [1, ANY]), "standard deviations of the logarithms there, such as those of a conditional spectrum"),
-    needed("unit", UNIT, "unit of \"median\": g, m/s2, cm/s2 or mm/s2"),
-    field("at", Number(Positive), "period in \"T\" at which all records are scaled to the median first, as \"scale_to\" then does; if left out, none is scaled"),
-    field("factor", Number(Positive), "with \"at\": largest factor, and one over the smallest; if left out, any"),
-    field("ratio", Number(UpToOne), "damping ratio; 0.05 if left out"),
+pub(crate) const CHOOSE: Keys = Keys::new(&fields![
+    /// number of records
+    needed("n", Whole([2, 10_000])),
+    /// periods, rising
+    needed("T", List(&Number(Positive), [1, ANY])),
+    /// median of the target at these periods
+    needed("median", List(&Number(Positive), [1, ANY])),
+    /// standard deviations of the logarithms there, such as those of a conditional spectrum
+    needed("sigma", List(&Number(NotNegative), [1, ANY])),
+    /// unit of "median": g, m/s2, cm/s2 or mm/s2
+    needed("unit", UNIT),
+    /// period in "T" at which all records are scaled to the median first, as "scale_to" then does; if left out, none is scaled
+    field("at", Number(Positive)),
+    /// with "at": largest factor, and one over the smallest; if left out, any
+    field("factor", Number(Positive)),
+    /// damping ratio; 0.05 if left out
+    field("ratio", Number(UpToOne)),
 ])
 .rules(&[KeyRule::With(&["factor"], &[KeyRule::Has(&["at"])])]);
 
@@ -183,54 +174,46 @@ pub(crate) const STATISTICS: [(&str, Statistic); 2] =
     [("mean", Statistic::Mean), ("envelope", Statistic::Envelope)];
 
 /// The spectra of codes.
-pub(crate) const SPECTRUM: Keys = Keys::new(&[
-    field(
-        "EN 1998-1",
-        Object(&EN_1998),
-        "elastic response spectrum of EN 1998-1:2004, (3.2) to (3.6)",
-    ),
-    field(
-        "ASCE 7",
-        Object(&ASCE_7),
-        "design response spectrum of ASCE 7-16, 11.4.6",
-    ),
+pub(crate) const SPECTRUM: Keys = Keys::new(&fields![
+    /// elastic response spectrum of EN 1998-1:2004, (3.2) to (3.6)
+    field("EN 1998-1", Object(&EN_1998)),
+    /// design response spectrum of ASCE 7-16, 11.4.6
+    field("ASCE 7", Object(&ASCE_7)),
 ]);
 
 /// A target spectrum as a table.
 pub(crate) const TARGET_TABLE: Keys = Keys::new(POINTS);
 
-const POINTS: &[Field] = &[
-    field("T", ANY_NUMBERS, "periods, rising"),
-    field(
-        "Sa",
-        ANY_NUMBERS,
-        "ordinates, straight between, constant beyond",
-    ),
+const POINTS: &[Field] = &fields![
+    /// periods, rising
+    field("T", ANY_NUMBERS),
+    /// ordinates, straight between, constant beyond
+    field("Sa", ANY_NUMBERS),
 ];
 
 /// A target spectrum: one of a code, or a table.
 pub(crate) const TARGET: Keys = SPECTRUM.and(POINTS);
 
 /// The spectrum of EN 1998-1.
-pub(crate) const EN_1998: Keys = Keys::new(&[
-    needed(
-        "ag",
-        Number(Positive),
-        "design ground acceleration on type A ground",
-    ),
-    needed("S", Number(Positive), "soil factor"),
-    needed("TB", Number(Positive), "start of the plateau"),
-    needed("TC", Number(Positive), "end of the plateau"),
-    needed("TD", Number(Positive), "start of constant displacement"),
+pub(crate) const EN_1998: Keys = Keys::new(&fields![
+    /// design ground acceleration on type A ground
+    needed("ag", Number(Positive)),
+    /// soil factor
+    needed("S", Number(Positive)),
+    /// start of the plateau
+    needed("TB", Number(Positive)),
+    /// end of the plateau
+    needed("TC", Number(Positive)),
+    /// start of constant displacement
+    needed("TD", Number(Positive)),
 ]);
 
 /// The spectrum of ASCE 7.
-pub(crate) const ASCE_7: Keys = Keys::new(&[
-    needed(
-        "SDS",
-        Number(Positive),
-        "design acceleration at short periods",
-    ),
-    needed("SD1", Number(Positive), "design acceleration at 1 s"),
-    needed("TL", Number(Positive), "long-period transition"),
+pub(crate) const ASCE_7: Keys = Keys::new(&fields![
+    /// design acceleration at short periods
+    needed("SDS", Number(Positive)),
+    /// design acceleration at 1 s
+    needed("SD1", Number(Positive)),
+    /// long-period transition
+    needed("TL", Number(Positive)),
 ]);
