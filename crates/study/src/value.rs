@@ -15,20 +15,16 @@ const NUMBER: &str = "a number or an expression in quotes such as \"8*pi\"";
 
 /// A string.
 pub fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
-    match &node.tree {
-        Tree::Text(text) => match unprintable(text) {
-            None => Some(text.clone()),
-            Some(c) => {
-                let message = format!("must be a string of printable characters, got {c}");
-                faults.add(node.at, path, message);
-                None
-            }
-        },
-        Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            faults.must_be(node, path, "a string");
-            None
-        }
+    let Some(text) = node.text() else {
+        faults.must_be(node, path, "a string");
+        return None;
+    };
+    if let Some(c) = unprintable(text) {
+        let message = format!("must be a string of printable characters, got {c}");
+        faults.add(node.at, path, message);
+        return None;
     }
+    Some(text.to_owned())
 }
 
 /// A number in `range`, plain or as an expression.
@@ -60,12 +56,12 @@ pub fn name(
     allowed: &[&str],
     faults: &mut Faults,
 ) -> Option<usize> {
-    let Tree::Text(name) = &node.tree else {
+    let Some(name) = node.text() else {
         let names = format!("a name in quotes, one of {}", any_of(allowed));
         faults.must_be(node, path, &names);
         return None;
     };
-    let found = allowed.iter().position(|known| known == name);
+    let found = allowed.iter().position(|known| *known == name);
     if found.is_none() {
         faults.add(node.at, path, unknown(what, name, allowed));
     }

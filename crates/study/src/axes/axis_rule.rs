@@ -6,7 +6,7 @@ use super::powers::Powers;
 use crate::source::faults::{Faults, join};
 use crate::source::field::{self, Keys, field, fields};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::value::within;
 use rayon::prelude::*;
 use slipgap_cases::axis::values::Values;
@@ -63,17 +63,9 @@ pub(crate) fn values(
         .into_iter()
         .zip(RULES.rows())
         .find(|(_, row)| row.0 == member.key)?;
-    let three = match &member.node.tree {
-        Tree::List(items) if items.len() == 3 => items,
-        Tree::Object(_)
-        | Tree::List(_)
-        | Tree::Text(_)
-        | Tree::Number(_)
-        | Tree::Bool(_)
-        | Tree::Null => {
-            faults.must_be(&member.node, &path, row.1);
-            return None;
-        }
+    let Some(three) = member.node.list().filter(|items| items.len() == 3) else {
+        faults.must_be(&member.node, &path, row.1);
+        return None;
     };
     let item = |i: usize, faults: &mut Faults| {
         let path = format!("{path}[{i}]");

@@ -4,7 +4,7 @@ use crate::Scale;
 use crate::source::faults::{Faults, join};
 use crate::source::field::{self, Keys, Rule, field, fields};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::value::within;
 use slipgap_cases::axis::values::Distribution;
 use slipgap_problem::problem::numbers::allowed::value_of;
@@ -32,12 +32,8 @@ pub(crate) struct Interval {
 impl Interval {
     /// Whether `node` is an object with the key of an interval.
     pub fn is_interval(node: &Node) -> bool {
-        let Tree::Object(members) = &node.tree else {
-            return false;
-        };
-        members
-            .iter()
-            .any(|member| INTERVALS.get(&member.key).is_some())
+        let mut members = node.object().unwrap_or_default().iter();
+        members.any(|member| INTERVALS.get(&member.key).is_some())
     }
 
     /// Decodes an interval. Both ends must be valid values of the parameter.
@@ -50,17 +46,9 @@ impl Interval {
         let object = Object::open(node, path, &INTERVALS, faults)?;
         let member = object.one_of(&INTERVALS.names(), faults)?;
         let path = join(path, &member.key);
-        let ends = match &member.node.tree {
-            Tree::List(items) if items.len() == 2 => items,
-            Tree::Object(_)
-            | Tree::List(_)
-            | Tree::Text(_)
-            | Tree::Number(_)
-            | Tree::Bool(_)
-            | Tree::Null => {
-                faults.must_be(&member.node, &path, "[a, b]");
-                return None;
-            }
+        let Some(ends) = member.node.list().filter(|items| items.len() == 2) else {
+            faults.must_be(&member.node, &path, "[a, b]");
+            return None;
         };
         if let Kind::Choice(_) = parameter.kind {
             faults.must_be(node, &path, "a name or a list of names");

@@ -8,7 +8,7 @@ use crate::computed::sources::{MINIMISE, items, members};
 use crate::source::faults::{Faults, any_of, join, quoted, unknown};
 use crate::source::field::{self, ANY, Keys, MOST_SEED, field, fields, needed};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::value::{name, text};
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter};
 
@@ -133,29 +133,17 @@ fn varies(
         .iter()
         .map(|parameter| &*table[parameter.parameter].name)
         .collect();
-    let each = match &node.tree {
-        Tree::List(items) => &items[..],
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            std::slice::from_ref(node)
-        }
-    };
     let row = |one: &Node| {
         let index = name(one, &path, "free parameter", &names, faults)?;
         Some(free[index].parameter)
     };
-    each.iter().filter_map(row).collect()
+    node.items().iter().filter_map(row).collect()
 }
 
 /// Row of the parameter that chooses the file of measurements.
 fn file(measured: &Node, names: &[&str]) -> Option<usize> {
-    let Tree::Object(members) = &measured.tree else {
-        return None;
-    };
-    let file = members.iter().find(|member| member.key == "file")?;
-    match &file.node.tree {
-        Tree::Text(text) => names.iter().position(|name| name == text),
-        Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
-    }
+    let file = measured.get("file")?.text()?;
+    names.iter().position(|name| *name == file)
 }
 
 /// Reports figures with the name of one of a calibration.
@@ -179,7 +167,7 @@ pub(crate) fn refuse_figures(root: &Object, figures: &[Figure], faults: &mut Fau
             .find_map(|(drawn, path)| {
                 let mut members = members(drawn);
                 let name = members.find(|member| member.key == "name")?;
-                let is_it = matches!(&name.node.tree, Tree::Text(text) if *text == figure.name);
+                let is_it = name.node.text() == Some(&*figure.name);
                 is_it.then(|| (name.node.at, join(&path, "name")))
             });
         let (at, path) = figure_at.unwrap_or((node.at, "figures".to_owned()));

@@ -54,7 +54,7 @@ impl FreeRange {
         faults: &mut Faults,
     ) -> Option<FreeRange> {
         let (ends, path, log) = match &node.tree {
-            Tree::List(items) => (items, path.to_owned(), false),
+            Tree::List(items) => (&items[..], path.to_owned(), false),
             Tree::Object(_) => {
                 let before = faults.count();
                 let object = Object::open(node, path, &LOG, faults)?;
@@ -63,24 +63,18 @@ impl FreeRange {
                     return None;
                 }
                 let (log, path) = object.given("log", faults)?;
-                match &log.tree {
-                    Tree::List(items) => (items, path, true),
-                    Tree::Object(_)
-                    | Tree::Text(_)
-                    | Tree::Number(_)
-                    | Tree::Bool(_)
-                    | Tree::Null => {
-                        faults.must_be(log, &path, "[a, b]");
-                        return None;
-                    }
-                }
+                let Some(items) = log.list() else {
+                    faults.must_be(log, &path, "[a, b]");
+                    return None;
+                };
+                (items, path, true)
             }
             Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
                 faults.must_be(node, path, FORM);
                 return None;
             }
         };
-        let [first, last] = &ends[..] else {
+        let [first, last] = ends else {
             let message = format!("must be {FORM}, got a list of {}", ends.len());
             faults.add(node.at, &path, message);
             return None;

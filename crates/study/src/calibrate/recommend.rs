@@ -2,7 +2,7 @@
 
 use super::Free;
 use super::decode::{free, measure};
-use crate::cases::ensemble::{item, refuse_constant};
+use crate::cases::ensemble::refuse_constant;
 use crate::cases::scope::{Scope, names};
 use crate::computed::sources::WITHIN;
 use crate::source::faults::Faults;
@@ -52,7 +52,7 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
         let alike = |row: usize| [0, scope.blocks.len()].contains(&count(row));
         for (i, row) in rows.iter().enumerate() {
             if !scope.blocks.is_empty() && alike(*row) {
-                refuse_constant(scope, *row, "a choice", item(node, &path, i), faults);
+                refuse_constant(scope, *row, "a choice", node.item(&path, i), faults);
             }
         }
         Some(rows)

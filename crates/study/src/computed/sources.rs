@@ -6,7 +6,7 @@ use crate::reduction::decode;
 use crate::source::faults::join;
 use crate::source::field::{Keys, Kind, field, fields, needed};
 use crate::source::object::Object;
-use crate::source::tree::{Member, Node, Tree};
+use crate::source::tree::{Member, Node};
 use slipgap_problem::problem::expression::FUNCTIONS;
 use slipgap_problem::problem::structure::metrics::window::begins_with_limit;
 
@@ -62,12 +62,9 @@ impl Source<'_> {
 }
 
 fn source<'a>(node: &'a Node, path: String, name: Option<&'a Member>) -> Option<Source<'a>> {
-    let Tree::Text(text) = &node.tree else {
-        return None;
-    };
     Some(Source {
         name,
-        text,
+        text: node.text()?,
         at: node.at,
         path,
     })
@@ -75,26 +72,16 @@ fn source<'a>(node: &'a Node, path: String, name: Option<&'a Member>) -> Option<
 
 /// The items of a list with their paths; an object instead of the list is its one item.
 pub fn items<'a>(node: &'a Node, path: &str) -> Vec<(&'a Node, String)> {
-    match &node.tree {
-        Tree::List(items) => {
-            let items = items.iter().enumerate();
-            items
-                .map(|(i, item)| (item, format!("{path}[{i}]")))
-                .collect()
-        }
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            vec![(node, path.to_owned())]
-        }
-    }
+    let numbered = node.items().iter().enumerate();
+    numbered
+        .map(|(i, item)| (item, node.item(path, i).1))
+        .collect()
 }
 
 /// The members of an object but remarks.
 pub fn members(node: &Node) -> impl Iterator<Item = &Member> {
-    let members = match &node.tree {
-        Tree::Object(members) => &members[..],
-        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => &[],
-    };
-    members.iter().filter(|member| member.key != "//")
+    let members = node.object().unwrap_or_default().iter();
+    members.filter(|member| member.key != "//")
 }
 
 /// The texts under `metrics`.
@@ -185,9 +172,7 @@ pub fn shown<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
 /// Whether metrics stand under a key of a figure.
 fn takes_metric(figure: &Node, key: &str) -> bool {
     let of_kind = |name: &str| {
-        let is = |member: &Member| {
-            member.key == "kind" && matches!(&member.node.tree, Tree::Text(text) if text == name)
-        };
+        let is = |member: &Member| member.key == "kind" && member.node.text() == Some(name);
         members(figure).any(is)
     };
     let mut kinds = KINDS.iter().filter(|kind| of_kind(kind.name));

@@ -166,12 +166,7 @@ fn ratios(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
     let Some(i) = ratios.iter().position(|ratio| *ratio >= 1.0) else {
         return Some(ratios);
     };
-    let (at, path) = match &node.tree {
-        Tree::List(items) => (items[i].at, format!("{path}[{i}]")),
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            (node.at, path.to_owned())
-        }
-    };
+    let (at, path) = node.item(path, i);
     let ratio = parameter::shortest(ratios[i]);
     faults.add(at, &path, format!("must be less than 1, got {ratio}"));
     None
@@ -179,7 +174,7 @@ fn ratios(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
 
 /// One or several numbers that are not negative; `what` is allowed.
 fn numbers(node: &Node, path: &str, what: &str, faults: &mut Faults) -> Option<Vec<f64>> {
-    let Tree::List(items) = &node.tree else {
+    let Some(items) = node.list() else {
         return number(node, path, Range::NotNegative, faults).map(|one| vec![one]);
     };
     if items.is_empty() {
@@ -217,14 +212,10 @@ fn marks(node: &Node, path: &str, faults: &mut Faults) -> Option<Marks> {
 /// Points of a hazard curve: values rise, and their annual frequencies fall.
 fn hazard(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<[f64; 2]>> {
     let what = "a list of at least two points [x, annual frequency]";
-    let Tree::List(items) = &node.tree else {
+    let Some(items) = node.list().filter(|items| items.len() > 1) else {
         faults.must_be(node, path, what);
         return None;
     };
-    if items.len() < 2 {
-        faults.must_be(node, path, what);
-        return None;
-    }
     let item_path = |i: usize| format!("{path}[{i}]");
     let point = |(i, item): (usize, &Node)| {
         pair(
@@ -255,11 +246,7 @@ fn pair(
     range: Range,
     faults: &mut Faults,
 ) -> Option<[f64; 2]> {
-    let Tree::List(items) = &node.tree else {
-        faults.must_be(node, path, what);
-        return None;
-    };
-    let [x, y] = items.as_slice() else {
+    let Some([x, y]) = node.list() else {
         faults.must_be(node, path, what);
         return None;
     };

@@ -82,11 +82,30 @@ impl Node {
         }
     }
 
+    /// The first value of an object under `key`.
+    pub fn get(&self, key: &str) -> Option<&Node> {
+        let mut members = self.object()?.iter();
+        Some(&members.find(|member| member.key == key)?.node)
+    }
+
     /// The items of a list; `None` for another value.
     pub fn list(&self) -> Option<&[Node]> {
         match &self.tree {
             Tree::List(items) => Some(items),
             Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
+        }
+    }
+
+    /// The items of a list; another value is its only one.
+    pub fn items(&self) -> &[Node] {
+        self.list().unwrap_or(std::slice::from_ref(self))
+    }
+
+    /// The offset and path of item `i` of a list; those of the value itself without such an item.
+    pub fn item(&self, path: &str, i: usize) -> (usize, String) {
+        match self.list().and_then(|items| items.get(i)) {
+            Some(item) => (item.at, format!("{path}[{i}]")),
+            None => (self.at, path.to_owned()),
         }
     }
 

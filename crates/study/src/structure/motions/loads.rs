@@ -5,7 +5,7 @@ use super::shape::shape;
 use super::table::table;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::keys::{FUNCTION, FUNCTIONS, LOAD, PULSE, SINE, SYNTHETIC, TABLE};
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
@@ -146,13 +146,13 @@ fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Optio
 
 /// A seed, plain or in an object with the frequency of the ground filter.
 fn synthetic(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
-    let Tree::Object(_) = &node.tree else {
+    if node.object().is_none() {
         let seed = reader.amount(node, path, SYNTHETIC.range("seed"), faults);
         return Some(Kind::Synthetic {
             seed: whole(seed?, faults)?,
             omega: None,
         });
-    };
+    }
     let object = Object::open(node, path, &SYNTHETIC, faults)?;
     let before = faults.count();
     let amount = reader.number(&object, "seed", faults);

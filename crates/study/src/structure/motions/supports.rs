@@ -10,7 +10,6 @@ use crate::structure::keys::{
     IN_DIRECTION, OF_SUPPORT, SUPPORT, VELOCITY,
 };
 use crate::structure::measured::{column, test};
-use crate::structure::reading::given::member;
 use crate::structure::reading::reader::{Part, Reader};
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::channels::measured::Test;
@@ -175,7 +174,7 @@ fn course(
         return None;
     }
     let path = object.path(DISPLACEMENT.key);
-    let has = |keys: &[&str]| keys.iter().any(|key| member(node, key).is_some());
+    let has = |keys: &[&str]| keys.iter().any(|key| node.get(key).is_some());
     let points = if has(&["sine"]) {
         let object = Object::open(node, &path, &IMPOSED_SINE, faults)?;
         let (numbers, phase) = sine_of(&object.object("sine", faults)?, reader, faults)?;

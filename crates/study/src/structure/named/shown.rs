@@ -3,7 +3,6 @@
 use crate::source::faults::Faults;
 use crate::source::field::{Field, Kind, field};
 use crate::source::object::Object;
-use crate::source::tree::Tree;
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
 use slipgap_problem::problem::structure::channels::channel::Channel;
@@ -49,7 +48,7 @@ pub(in crate::structure) fn shown(
         known.extend(records.iter().map(|record| record.0.clone()));
         known.extend(names.channels());
         // Channels of all nodes, and sums, are too many for a list.
-        if let Tree::Object(members) = &node.tree {
+        if let Some(members) = node.object() {
             let keys = members.iter().map(|member| &member.key);
             known.extend(
                 keys.filter(|key| of(key, (parameters, names), &records).is_some())
@@ -63,17 +62,14 @@ pub(in crate::structure) fn shown(
             let Some(of) = of(&own.key, (parameters, names), &records) else {
                 continue;
             };
-            let items = match &own.node.tree {
-                Tree::List(items) if (1..=of.most_texts()).contains(&items.len()) => items,
-                Tree::Object(_)
-                | Tree::List(_)
-                | Tree::Text(_)
-                | Tree::Number(_)
-                | Tree::Bool(_)
-                | Tree::Null => {
-                    faults.must_be(&own.node, &path, of.form());
-                    continue;
-                }
+            let counts = 1..=of.most_texts();
+            let given = own
+                .node
+                .list()
+                .filter(|items| counts.contains(&items.len()));
+            let Some(items) = given else {
+                faults.must_be(&own.node, &path, of.form());
+                continue;
             };
             let numbered = items.iter().enumerate();
             let read = numbered.map(|(i, item)| text(item, &format!("{path}[{i}]"), faults));

@@ -5,10 +5,9 @@ pub(super) mod springs;
 
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::contacts::plane;
 use crate::structure::keys::{ACCELERATIONS, BAR, GRAVITY, MASS, START};
-use crate::structure::reading::given::member;
 use crate::structure::reading::reader::{Part, Reader, take_name};
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::Amount;
@@ -23,7 +22,7 @@ pub(in crate::structure) fn in_directions<'a>(
 ) -> Vec<Part<'a>> {
     let mut expanded = Vec::new();
     for (name, node, path) in parts {
-        let listed = member(node, "direction").filter(|given| matches!(given.tree, Tree::List(_)));
+        let listed = node.get("direction").filter(|given| given.list().is_some());
         let Some(listed) = listed else {
             expanded.push((name, node, path));
             continue;
@@ -46,8 +45,8 @@ pub(in crate::structure) fn masses(
     faults: &mut Faults,
 ) -> Vec<Mass> {
     let mass = |(name, node, path): &Part| {
-        let (mass, direction) = match &node.tree {
-            Tree::Object(_) => {
+        let (mass, direction) = match node.object() {
+            Some(_) => {
                 let object = Object::open(node, path, &MASS, faults)?;
                 let mass = reader.number(&object, "mass", faults);
                 let direction = match name.split_once('.') {
@@ -56,7 +55,7 @@ pub(in crate::structure) fn masses(
                 };
                 (mass, direction)
             }
-            Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
+            None => {
                 let mass = reader.amount(node, path, MASS.range("mass"), faults);
                 (mass, Some(Direction::X))
             }
@@ -98,12 +97,10 @@ pub(in crate::structure) fn check_spring_names(
     taken: &mut HashSet<String>,
     faults: &mut Faults,
 ) {
-    let Some(Tree::List(springs)) = object.get("springs").map(|node| &node.tree) else {
-        return;
-    };
-    for (i, spring) in springs.iter().enumerate() {
-        if let Some(node) = member(spring, "name")
-            && let Tree::Text(name) = &node.tree
+    let springs = object.get("springs").and_then(Node::list);
+    for (i, spring) in springs.unwrap_or_default().iter().enumerate() {
+        if let Some(node) = spring.get("name")
+            && let Some(name) = node.text()
         {
             let path = format!("{}[{i}].name", object.path("springs"));
             take_name(name, "spring", (node.at, &path), taken, faults);
@@ -121,7 +118,7 @@ pub(in crate::structure) fn static_loads(
         return Vec::new();
     };
     let path = object.path("static");
-    let Tree::Object(members) = &node.tree else {
+    let Some(members) = node.object() else {
         faults.must_be(
             node,
             &path,
@@ -158,7 +155,7 @@ pub(in crate::structure) fn falling(
     let path = object.path(GRAVITY.key);
     if let Some(at_rest) = object
         .get("static")
-        .and_then(|loads| member(loads, GRAVITY.key))
+        .and_then(|loads| loads.get(GRAVITY.key))
     {
         let message =
             "give it here or under \"static\", which makes the equilibrium at the start, not both";
@@ -185,13 +182,13 @@ fn accelerations(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Vec<(Direction, Amount)> {
-    let Tree::Object(_) = &node.tree else {
+    if node.object().is_none() {
         let amount = reader.amount(node, path, Range::Any, faults);
         return amount
             .map(|amount| (Direction::Y, amount))
             .into_iter()
             .collect();
-    };
+    }
     let Some(object) = Object::open(node, path, &ACCELERATIONS, faults) else {
         return Vec::new();
     };
@@ -216,7 +213,7 @@ pub(in crate::structure) fn start(
     };
     let path = object.path("start");
     let has_static = object.get("static").is_some();
-    let Tree::Object(members) = &node.tree else {
+    let Some(members) = node.object() else {
         faults.must_be(node, &path, "an object with a key for each node or bar");
         return Vec::new();
     };

@@ -205,7 +205,7 @@ pub(in crate::structure) fn named<'a>(
     taken: &mut HashSet<String>,
     faults: &mut Faults,
 ) -> Vec<(String, &'a Node, String)> {
-    let Tree::Object(members) = &node.tree else {
+    let Some(members) = node.object() else {
         faults.must_be(node, path, &format!("an object with a key for each {what}"));
         return Vec::new();
     };

@@ -9,7 +9,7 @@ use crate::source::folder::Folder;
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use crate::structure::keys::{FILES, KEY};
-use crate::structure::reading::given::{member, members, texts};
+use crate::structure::reading::given::{members, texts};
 use crate::value::text;
 
 /// The key of measurements, and the parameter of their files.
@@ -27,7 +27,7 @@ pub(crate) fn expand(root: &mut Node, folder: &Folder, faults: &mut Faults) {
     take(structure, "", "structure", &mut named);
     if let Some(measured) = root.member(MEASURED) {
         // Tests that are compared as a sample are no axis.
-        let way = member(measured, "compare").map(texts).unwrap_or_default();
+        let way = measured.get("compare").map(texts).unwrap_or_default();
         let is_sample = way.contains(&"distribution");
         if let Some(file) = measured.member("file").filter(|node| has_files(node)) {
             let path = join(MEASURED, "file");
@@ -62,7 +62,7 @@ pub(crate) fn expand(root: &mut Node, folder: &Folder, faults: &mut Faults) {
                 None => join(&path, &given.key),
             };
             if let Some(files) = files(&given.node, &path, folder, faults) {
-                if member(&given.node, "choose").is_some() {
+                if given.node.get("choose").is_some() {
                     leader = Some(found.len());
                 }
                 found.push((given.key.clone(), given.node.at, path, files));
@@ -129,7 +129,7 @@ fn replaced(node: &mut Node, key: String) -> Member {
 
 /// The study, or its blocks, each with its path.
 pub(in crate::structure) fn blocks(root: &mut Node) -> Vec<(String, &mut Node)> {
-    if member(root, "blocks").is_none() {
+    if root.get("blocks").is_none() {
         return vec![(String::new(), root)];
     }
     match root.member("blocks").map(|node| &mut node.tree) {
@@ -164,7 +164,8 @@ fn files(node: &Node, path: &str, folder: &Folder, faults: &mut Faults) -> Optio
 /// Puts the lists of a block in place. Those that are in no `zip` of the study become one: the files for which `*` is the same go
 /// together.
 fn go_together(block: &mut Node, mut found: Vec<Listed>, faults: &mut Faults) {
-    let zipped: Vec<String> = member(block, "zip")
+    let zipped: Vec<String> = block
+        .get("zip")
         .map(|node| texts(node).into_iter().map(str::to_owned).collect())
         .unwrap_or_default();
     let free: Vec<usize> = (0..found.len())
