@@ -106,7 +106,7 @@ pub fn listed<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
 
 /// The metrics of `reductions`.
 pub fn reduced<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
-    let Some(node) = root.get(decode::KEY.key) else {
+    let Some(node) = root.get(decode::KEY.name) else {
         return Vec::new();
     };
     let of = |(item, path): (&'a Node, String)| {
@@ -119,7 +119,7 @@ pub fn reduced<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
             ..source_of_text
         })
     };
-    items(node, decode::KEY.key)
+    items(node, decode::KEY.name)
         .into_iter()
         .filter_map(of)
         .collect()
@@ -179,7 +179,7 @@ fn takes_metric(figure: &Node, key: &str) -> bool {
     kinds.any(|kind| {
         kind.keys.iter().any(|key_kind| {
             use Takes::{Column, Columns, Metric, Metrics};
-            key_kind.name == key && matches!(key_kind.takes, Metric | Metrics | Column | Columns)
+            key_kind.name == key && matches!(key_kind.kind, Metric | Metrics | Column | Columns)
         })
     })
 }

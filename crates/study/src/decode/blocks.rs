@@ -41,7 +41,7 @@ pub(crate) fn blocks(
         drafts.extend(draft(object, node, problem, faults));
     }
     if one.is_none() {
-        for key in BLOCK_KEYS.iter().map(|field| field.key) {
+        for key in BLOCK_KEYS.iter().map(|field| field.name) {
             if let Some(node) = object.get(key) {
                 let message = "must be inside a block, next to its \"parameters\"";
                 faults.add(node.at, key, message);

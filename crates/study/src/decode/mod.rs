@@ -249,8 +249,8 @@ fn problem(
     if row.is_some() && !of_structure {
         for (key, what) in [
             ("structure", "has this key"),
-            (MEASURED.key, "compares with measurements"),
-            (SHOWN.key, "names its parameters"),
+            (MEASURED.name, "compares with measurements"),
+            (SHOWN.name, "names its parameters"),
         ] {
             if let Some(node) = object.get(key) {
                 let message = format!("only a study with \"problem\": \"{NAME}\" {what}");

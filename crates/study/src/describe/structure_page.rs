@@ -45,7 +45,9 @@ pub(super) fn reference() -> String {
         let items = rows.iter().map(|(name, keys)| object(name, &keys.rows()));
         format!("{title}\n\n{}", items.collect::<Vec<_>>().join("\n"))
     };
-    let forms = PULSE.fields().map(|form| (format!("`{}`", form.key), form));
+    let forms = PULSE
+        .fields()
+        .map(|form| (format!("`{}`", form.name), form));
     let forms: Vec<(String, &Field)> = forms.collect();
     let numbers = forms.iter();
     let numbers = numbers.filter_map(|(name, form)| Some((&**name, form.kind.keys()?)));

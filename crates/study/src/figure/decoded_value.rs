@@ -26,7 +26,7 @@ pub(crate) fn take(
     faults: &mut Faults,
 ) -> Option<DecodedValue> {
     let parameters = scope.problem.parameters();
-    let rows = match key.takes {
+    let rows = match key.kind {
         Takes::FileName => {
             let name = text(node, path, faults)?;
             let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
@@ -82,7 +82,7 @@ pub(crate) fn take(
             let named = rows.iter().map(|row| &*parameters[*row].name);
             let offered: Vec<&str> = named.chain(scope.metrics()).collect();
             let what = "parameter or metric";
-            let places = match key.takes == Takes::Columns {
+            let places = match key.kind == Takes::Columns {
                 true => names(node, path, what, &offered, faults)?,
                 false => vec![name(node, path, what, &offered, faults)?],
             };

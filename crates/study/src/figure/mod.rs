@@ -64,8 +64,8 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
     if let (Some(kind), Some(node)) = (kind, object.get("kind")) {
         taken.push(("kind", node, DecodedValue::Text(kind.name.to_owned())));
     }
-    for key in keys.filter(|key| key.takes != Takes::Kind) {
-        let found = match key.required {
+    for key in keys.filter(|key| key.kind != Takes::Kind) {
+        let found = match key.needed {
             true => object.need(key.name, key.meaning, faults),
             false => object.get(key.name),
         };

@@ -57,7 +57,7 @@ pub(crate) fn measures(
     blocks: &[Block],
     faults: &mut Faults,
 ) -> Vec<Measure> {
-    let texts = object.items(KEY.key, faults, |node, path, faults| {
+    let texts = object.items(KEY.name, faults, |node, path, faults| {
         Some((node.clone(), path.to_owned(), text(node, path, faults)?))
     });
     let mut found: Vec<Measure> = Vec::new();

@@ -4,11 +4,11 @@ use slipgap_problem::problem::numbers::parameter::Range;
 
 /// A key of an object.
 #[derive(Debug, Clone, Copy)]
-pub struct Field {
+pub struct Field<K = Kind> {
     /// The key.
-    pub key: &'static str,
+    pub name: &'static str,
     /// What its value is.
-    pub kind: Kind,
+    pub kind: K,
     /// Whether the object must have it.
     pub needed: bool,
     /// One sentence for messages, schema and pages.
@@ -101,9 +101,9 @@ pub enum Rule {
 }
 
 /// A key that may be left out.
-pub const fn field(key: &'static str, kind: Kind) -> Field {
+pub const fn field<K: Copy>(name: &'static str, kind: K) -> Field<K> {
     Field {
-        key,
+        name,
         kind,
         needed: false,
         meaning: "",
@@ -111,13 +111,13 @@ pub const fn field(key: &'static str, kind: Kind) -> Field {
 }
 
 /// A key that is needed.
-pub const fn needed(key: &'static str, kind: Kind) -> Field {
-    field(key, kind).needed()
+pub const fn needed<K: Copy>(name: &'static str, kind: K) -> Field<K> {
+    field(name, kind).needed()
 }
 
-impl Field {
+impl<K: Copy> Field<K> {
     /// The same key with this meaning.
-    pub const fn means(self, meaning: &'static str) -> Field {
+    pub const fn means(self, meaning: &'static str) -> Field<K> {
         Field {
             meaning: meaning.trim_ascii(),
             ..self
@@ -125,7 +125,7 @@ impl Field {
     }
 
     /// The same key where it is needed.
-    pub const fn needed(self) -> Field {
+    pub const fn needed(self) -> Field<K> {
         Field {
             needed: true,
             ..self
@@ -172,19 +172,19 @@ impl Keys {
 
     /// The names of the keys.
     pub fn names(&self) -> Vec<&'static str> {
-        self.fields().map(|field| field.key).collect()
+        self.fields().map(|field| field.name).collect()
     }
 
     /// The keys with their meanings, for pages.
     pub fn rows(&self) -> Vec<(&'static str, &'static str)> {
         self.fields()
-            .map(|field| (field.key, field.meaning))
+            .map(|field| (field.name, field.meaning))
             .collect()
     }
 
     /// The key of this name.
     pub fn get(&self, key: &str) -> Option<&'static Field> {
-        self.fields().filter(|field| field.key == key).last()
+        self.fields().filter(|field| field.name == key).last()
     }
 
     /// The range of the numbers under a key.

@@ -209,7 +209,7 @@ pub(super) fn problem(
     let mut notes = crate::structure::motions::records::notes(&reader);
     notes.extend(crate::structure::reading::files::early_note(&reader));
     notes.extend(doubts::notes(&template, &reader.names, node));
-    let given = root.get(keys::KEY.key).zip(template.measured.as_ref());
+    let given = root.get(keys::KEY.name).zip(template.measured.as_ref());
     let of_measured = given.map(|(node, measured)| (node, measured.delays));
     let set = template.set().map(|set| set.1);
     let identity = identity::identity(node, (of_measured, set), &reader.records.borrow());

@@ -12,7 +12,7 @@ pub(super) type Shared<'a> = &'a dyn Fn(&str) -> Json;
 /// An object with these keys and no others.
 pub(super) fn object(keys: &Keys, shared: Shared) -> Json {
     let needed = keys.fields().filter(|field| field.needed);
-    let needed: Vec<&str> = needed.map(|field| field.key).collect();
+    let needed: Vec<&str> = needed.map(|field| field.name).collect();
     let mut schema = values::object(properties(keys.fields(), shared), &needed);
     add(&mut schema, keys.rules);
     schema
@@ -26,7 +26,7 @@ pub(super) fn properties(
     let one = |field: &Field| {
         let mut schema = value(&field.kind, shared);
         schema["description"] = field.meaning.into();
-        (field.key.to_owned(), schema)
+        (field.name.to_owned(), schema)
     };
     fields.map(one).collect()
 }

@@ -21,10 +21,10 @@ pub(super) fn rules(kind: &Kind, suits: bool, named: &Named) -> Json {
     let mut properties = Map::new();
     let mut required = Vec::new();
     for key in COMMON.iter().chain(kind.keys) {
-        let mut schema = taken(key.takes, named);
+        let mut schema = taken(key.kind, named);
         schema["description"] = key.meaning.into();
         properties.insert(key.name.into(), schema);
-        if key.required {
+        if key.needed {
             required.push(key.name);
         }
     }

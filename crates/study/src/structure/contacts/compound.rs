@@ -34,11 +34,11 @@ pub(super) fn list<'a>(object: &Object<'a>) -> Option<&'a Member> {
 }
 
 fn is_list(member: &Member) -> bool {
-    LISTS.iter().any(|list| list.key == member.key)
+    LISTS.iter().any(|list| list.name == member.key)
 }
 
 fn is_series(list: &Member) -> bool {
-    list.key == LISTS[0].key
+    list.key == LISTS[0].name
 }
 
 /// The nodes between laws in series, as masses of 0: NAME.node1, NAME.node2, ..

@@ -78,9 +78,9 @@ pub(crate) const LISTS: [Field; 2] = fields![
 /// The same in a list.
 const INNER_LISTS: [Field; 2] = fields![
     /// in parallel, instead of law: laws one behind the other, NAME.i.1, .., with nodes NAME.i.node1, ..
-    field(LISTS[0].key, LAWS),
+    field(LISTS[0].name, LAWS),
     /// in series, instead of law: laws side by side, NAME.i.1, ..; they are laws only
-    field(LISTS[1].key, LAWS),
+    field(LISTS[1].name, LAWS),
 ];
 
 /// The numbers of the laws; the normal force and the table are more than a number.

@@ -109,7 +109,7 @@ pub(crate) const SUPPORT: Keys = Keys::new(OF_FUNCTION)
 /// How a support moves.
 const COURSES: [&str; 6] = {
     let [a, b, c, d, e] = FUNCTIONS;
-    [a, b, c, d, e, DISPLACEMENT.key]
+    [a, b, c, d, e, DISPLACEMENT.name]
 };
 
 /// A direction of a support.

@@ -44,8 +44,8 @@ pub(in crate::structure) fn report_not_measured(
                 .join(", ");
             let message =
                 format!("no metric of the study is of a measured channel and one of {names}");
-            let at = root.get(KEY.key).map_or(0, |node| node.at);
-            faults.add(at, KEY.key, message);
+            let at = root.get(KEY.name).map_or(0, |node| node.at);
+            faults.add(at, KEY.name, message);
         }
     }
     let needs = metrics.iter().filter(|metric| metric.measured);
@@ -57,11 +57,11 @@ pub(in crate::structure) fn report_not_measured(
             if sample.is_some() {
                 let message = format!(
                     "{name} compares point by point, \"{}\" as a distribution",
-                    KEY.key
+                    KEY.name
                 );
                 faults.add(*at, path, message);
-            } else if root.get(KEY.key).is_none() {
-                let message = format!("{name} needs the key \"{}\" of the study", KEY.key);
+            } else if root.get(KEY.name).is_none() {
+                let message = format!("{name} needs the key \"{}\" of the study", KEY.name);
                 faults.add(*at, path, message);
             }
             continue;
@@ -78,7 +78,7 @@ pub(in crate::structure) fn report_not_measured(
                 };
                 let message = format!(
                     "{name}: {channel} is not among the columns of \"{}\"; there are {}",
-                    KEY.key,
+                    KEY.name,
                     known.join(", ")
                 );
                 faults.add(*at, path, message);

@@ -40,7 +40,7 @@ pub(super) fn decode(
     drawn: &mut Vec<Drawn>,
     faults: &mut Faults,
 ) -> Option<Given> {
-    let object = Object::open(root.get(KEY.key)?, KEY.key, &MEASURED, faults)?;
+    let object = Object::open(root.get(KEY.name)?, KEY.name, &MEASURED, faults)?;
     let before = faults.count();
     let [file, given_time, given_columns] =
         ["file", "time", "columns"].map(|key| object.given(key, faults));

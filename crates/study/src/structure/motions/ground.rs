@@ -37,7 +37,7 @@ pub(in crate::structure) fn ground(
     reader.used.replace(others.union(&used).copied().collect());
     match pair {
         Some((scale_to, node)) => {
-            let path = format!("{path}.{}", OF_GROUND.key);
+            let path = format!("{path}.{}", OF_GROUND.name);
             together(&mut ground, scale_to, &used, (node, &path), reader, faults);
         }
         None => alone(&mut ground, &used, (node, &path), reader, faults),
@@ -69,7 +69,7 @@ fn decoded<'a>(
         Some((direction, known(node, &path, reader, faults)))
     };
     let ground = Vec::from_iter(Direction::TRANSLATIONS.into_iter().filter_map(one));
-    let given = object.given(OF_GROUND.key, faults);
+    let given = object.given(OF_GROUND.name, faults);
     let pair = given.and_then(|(node, path)| Some((of_pair(node, &path, reader, faults)?, node)));
     (ground, pair)
 }

@@ -137,7 +137,7 @@ fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Optio
     let fields = form.keys().fields();
     // Each number with a fault is reported.
     let read: Vec<Option<Amount>> = fields
-        .map(|field| reader.number(&form, field.key, faults))
+        .map(|field| reader.number(&form, field.name, faults))
         .collect();
     let numbers: Option<Vec<Amount>> = read.into_iter().collect();
     let pulse = PULSES.iter().find(|pulse| pulse.name == member.key)?;

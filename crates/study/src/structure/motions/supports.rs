@@ -136,7 +136,7 @@ fn support(
 
 /// Whether a key is one of a support, besides those of a function.
 fn is_of_support(key: &str) -> bool {
-    OF_SUPPORT.iter().any(|field| field.key == key)
+    OF_SUPPORT.iter().any(|field| field.name == key)
 }
 
 /// Why a support with a velocity at t = 0 has no delay.
@@ -150,11 +150,11 @@ fn course(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<(Course, Option<Amount>)> {
-    let velocity = reader.number(object, VELOCITY.key, faults);
+    let velocity = reader.number(object, VELOCITY.name, faults);
     if let (Some(_), Some(delay)) = (&velocity, object.get("delay")) {
         faults.add(delay.at, &object.path("delay"), MOVING);
     }
-    let Some(node) = object.get(DISPLACEMENT.key) else {
+    let Some(node) = object.get(DISPLACEMENT.name) else {
         let mut kinds = FUNCTIONS.iter();
         if velocity.is_some() && kinds.all(|kind| object.get(kind).is_none()) {
             return Some((Course::Uniform, velocity));
@@ -173,7 +173,7 @@ fn course(
         faults.add(other.at, &join(path, &other.key), message);
         return None;
     }
-    let path = object.path(DISPLACEMENT.key);
+    let path = object.path(DISPLACEMENT.name);
     let has = |keys: &[&str]| keys.iter().any(|key| node.get(key).is_some());
     let points = if has(&["sine"]) {
         let object = Object::open(node, &path, &IMPOSED_SINE, faults)?;

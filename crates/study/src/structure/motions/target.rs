@@ -18,7 +18,7 @@ pub(super) fn target(
 ) -> Option<TargetSpectrum> {
     let object = Object::open(node, path, &TARGET, faults)?;
     let mut codes = SPECTRUM.fields();
-    let code = codes.find(|code| object.get(code.key).is_some());
+    let code = codes.find(|code| object.get(code.name).is_some());
     let Some(code) = code else {
         let table = table(node, path, &TARGET_TABLE, reader, faults);
         return table.map(TargetSpectrum::Table);
@@ -28,11 +28,11 @@ pub(super) fn target(
         object.fault(message, faults);
         return None;
     }
-    let of_code = object.object(code.key, faults)?;
+    let of_code = object.object(code.name, faults)?;
     let fields = of_code.keys().fields();
     // All are read, so that every fault is reported.
     let read: Vec<Option<Amount>> = fields
-        .map(|field| reader.number(&of_code, field.key, faults))
+        .map(|field| reader.number(&of_code, field.name, faults))
         .collect();
     let numbers = read.into_iter().collect::<Option<Vec<Amount>>>()?;
     match <[Amount; 5]>::try_from(numbers) {

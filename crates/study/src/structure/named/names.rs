@@ -18,7 +18,7 @@ use slipgap_problem::problem::structure::tables::schema::{FIXED, Named, of_metho
 use slipgap_system::system::loads::Unit;
 
 /// The key of measurements.
-const MEASURED: &str = KEY.key;
+const MEASURED: &str = KEY.name;
 
 /// The key of the unit of a record.
 const UNIT: &str = "unit";

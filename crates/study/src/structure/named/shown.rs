@@ -39,7 +39,7 @@ pub(in crate::structure) fn shown(
         .map(|(file, heading)| (file.clone(), heading.words()))
         .collect::<Vec<_>>();
     let mut records = record_names(&headings);
-    if let Some(node) = root.get(SHOWN.key) {
+    if let Some(node) = root.get(SHOWN.name) {
         let mut known: Vec<String> = parameters
             .iter()
             .map(|parameter| parameter.name.clone())
@@ -56,9 +56,9 @@ pub(in crate::structure) fn shown(
             );
         }
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
-        let object = Object::of_keys(node, SHOWN.key, &known, faults);
+        let object = Object::of_keys(node, SHOWN.name, &known, faults);
         for own in object.iter().flat_map(|object| &object.members) {
-            let path = format!("{}.{}", SHOWN.key, own.key);
+            let path = format!("{}.{}", SHOWN.name, own.key);
             let Some(of) = of(&own.key, (parameters, names), &records) else {
                 continue;
             };

@@ -129,7 +129,7 @@ pub(in crate::structure) fn static_loads(
     let mut loads = Vec::new();
     for member in members.iter().filter(|member| member.key != "//") {
         let path = join(&path, &member.key);
-        if member.key == GRAVITY.key {
+        if member.key == GRAVITY.name {
             loads.extend(gravity(&member.node, &path, reader, faults));
             continue;
         }
@@ -149,19 +149,19 @@ pub(in crate::structure) fn falling(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Vec<(Direction, Amount)> {
-    let Some(node) = object.get(GRAVITY.key) else {
+    let Some(node) = object.get(GRAVITY.name) else {
         return Vec::new();
     };
-    let path = object.path(GRAVITY.key);
+    let path = object.path(GRAVITY.name);
     if let Some(at_rest) = object
         .get("static")
-        .and_then(|loads| loads.get(GRAVITY.key))
+        .and_then(|loads| loads.get(GRAVITY.name))
     {
         let message =
             "give it here or under \"static\", which makes the equilibrium at the start, not both";
         faults.add(
             at_rest.at,
-            &join(&object.path("static"), GRAVITY.key),
+            &join(&object.path("static"), GRAVITY.name),
             message,
         );
     }

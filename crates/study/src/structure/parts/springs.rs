@@ -36,9 +36,9 @@ pub(in crate::structure) fn springs(
     let directions = plane::directions(node, &object.path("directions"), faults);
     let numbers_of_both = SPRING.fields();
     for field in numbers_of_both.filter(|field| matches!(field.kind, Kind::Several(..))) {
-        let items = object.get(field.key).and_then(Node::list);
+        let items = object.get(field.name).and_then(Node::list);
         if items.is_some_and(|items| items.len() != 2) {
-            let message = format!("{} has a number for each direction, 2", field.key);
+            let message = format!("{} has a number for each direction, 2", field.name);
             object.fault(message, faults);
             return None;
         }

@@ -13,7 +13,7 @@ use crate::structure::reading::given::{members, texts};
 use crate::value::text;
 
 /// The key of measurements, and the parameter of their files.
-const MEASURED: &str = KEY.key;
+const MEASURED: &str = KEY.name;
 
 /// The name of a parameter, the offset and path of its files, and these.
 type Listed = (String, usize, String, Found);

@@ -1,10 +1,11 @@
 //! Quantiles of metrics over ensembles, over a parameter.
 
 use crate::Scale;
+use crate::field::{field, fields};
 use crate::figure::checker::Checker;
 use crate::figure::ensembles;
 use crate::figure::keys::{
-    BY_OUTSIDE, COLOUR, MARKERS, METRICS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
+    BY_OUTSIDE, COLOUR, MARKERS, METRICS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE,
 };
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use slipgap_problem::problem::Problem;
@@ -17,16 +18,12 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "quantiles",
     needs: Needs::Ensemble,
     meaning: "metrics over a parameter, each as the median of the ensemble and a band between two quantiles",
-    keys: &[
+    keys: &fields![
         X,
         METRICS,
         BY_OUTSIDE,
-        key(
-            "band",
-            Takes::Probabilities,
-            false,
-            "probabilities at its edges; if left out, [0.16, 0.84]",
-        ),
+        /// probabilities at its edges; if left out, [0.16, 0.84]
+        field("band", Takes::Probabilities),
         X_SCALE,
         Y_SCALE,
         X_RANGE,
