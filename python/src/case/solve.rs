@@ -124,7 +124,7 @@ fn solved(
     number: u64,
     solve: impl FnOnce() -> Result<problem::Solution, Unsolvable> + Send + 'static,
 ) -> PyResult<problem::Solution> {
-    let solution = match problem.work(case) < LONG {
+    let solution = match problem.work(case, &[]).steps < LONG {
         true => py.detach(solve),
         false => worker::wait(py, 1, || Ok(solve()), || (), |_| Ok(()))?,
     };

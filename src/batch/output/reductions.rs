@@ -1,6 +1,6 @@
 //! reductions.csv: the value of every reduction for every group of cases.
 
-use super::tables::cell;
+use super::failures_and_histories::cell;
 use crate::batch::PartResult;
 use slipgap_study::error::Error;
 use slipgap_study::{Groups, Reduced, Reduction, Study};

@@ -5,11 +5,11 @@ mod progress;
 
 pub use progress::{Progress, State};
 
+use super::chunks::chunk::{self, Part};
+use super::chunks::queue::PartQueue;
+use super::chunks::shard::{Shard, shard_of};
 use super::files::heartbeat;
 use super::files::place::is_object;
-use super::parts::chunk::{self, Part};
-use super::parts::queue::PartQueue;
-use super::parts::shard::{Shard, shard_of};
 use super::store::key::{Difference, Key};
 use super::store::{Miss, STORE, all_in, failures};
 use rayon::prelude::*;

@@ -10,7 +10,7 @@ use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
 use super::key::{CaseHash, Difference, Key};
 use super::numbers;
 use super::rows::Rows;
-use crate::batch::parts::chunk::MOST_ROWS;
+use crate::batch::chunks::chunk::MOST_ROWS;
 use slipgap_motion::solve::{MetricTable, Unsolvable, Warnings};
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::{ColumnRule, Kind, Parameter, Value, real};
@@ -165,10 +165,8 @@ fn values(
 /// The key of a part.
 fn stored_key<R: ChunkReader + 'static>(file: &SerializedFileReader<R>) -> Key {
     let metadata = file.metadata().file_metadata();
-    let pairs = metadata
-        .key_value_metadata()
-        .map(Vec::as_slice)
-        .unwrap_or_default();
+    let known = metadata.key_value_metadata();
+    let pairs = known.map(Vec::as_slice).unwrap_or_default();
     let value = |key: &str| {
         let key = format!("slipgap.{key}");
         let pair = pairs.iter().find(|pair| pair.key == key);
@@ -210,10 +208,8 @@ fn metrics(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> R
         width = width.max(metric + 1);
     }
     // By their places: a parameter may have the same name.
-    let first_text = group
-        .num_columns()
-        .checked_sub(OWN_TEXTS)
-        .ok_or_else(|| general("a column is missing"))?;
+    let numeric = group.num_columns().checked_sub(OWN_TEXTS);
+    let first_text = numeric.ok_or_else(|| general("a column is missing"))?;
     let texts = |column: usize| match group.get_column_reader(column)? {
         ColumnReader::ByteArrayColumnReader(reader) => filled(reader, count),
         _ => Err(general("a column is not text")),

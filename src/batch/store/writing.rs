@@ -21,7 +21,7 @@ use rayon::prelude::*;
 use super::constant_columns::{ConstantColumns, EncodedColumn};
 use super::key::Key;
 use super::numbers;
-use super::schema::{metadata, properties, schema};
+use super::parquet_columns::{metadata, properties, schema};
 use slipgap_motion::solve::MetricTable;
 use slipgap_problem::problem::numbers::parameter::{Kind, Range, Value};
 use slipgap_problem::problem::table::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
@@ -67,26 +67,18 @@ pub fn encode(
         properties: Arc::new(properties()),
     };
     let table = study.problem.parameters();
-    let parameters = study
-        .parameter_columns()
-        .into_iter()
-        .map(|row| Source::Parameter(table[row].kind, &cases.columns()[row]));
+    let rows = study.parameter_columns().into_iter();
+    let parameters = rows.map(|row| Source::Parameter(table[row].kind, &cases.columns()[row]));
     let numbers = |metric: &usize| metrics.numbers(*metric).unwrap_or_default();
-    let values = study
-        .metrics
-        .iter()
-        .map(|metric| Source::Metric(numbers(metric)));
-    let mut sources: Vec<Source> = once(Source::Cases)
-        .chain(parameters)
-        .chain(values)
-        .collect();
+    let metric = |metric| Source::Metric(numbers(metric));
+    let values = study.metrics.iter().map(metric);
+    let both = parameters.chain(values);
+    let mut sources: Vec<Source> = once(Source::Cases).chain(both).collect();
     sources.extend([Source::Failures, Source::Warnings]);
-    let columns = sources
-        .par_iter()
-        .enumerate()
-        .map_init(Vec::new, |memory, (index, source)| {
-            encoder.column(index, source, memory)
-        });
+    let numbered = sources.par_iter().enumerate();
+    let columns = numbered.map_init(Vec::new, |memory, (index, source)| {
+        encoder.column(index, source, memory)
+    });
     encoder.file(metadata(study, key), columns.collect::<Result<_>>()?)
 }
 
@@ -102,17 +94,17 @@ impl Encoder<'_> {
             let column = column.into_builder().set_data_page_offset(data);
             column.set_dictionary_page_offset(dictionary).build()
         };
-        let placed = columns
+        let placed = columns.iter().map(place_column);
+        let placed_columns = placed.collect::<Result<Vec<_>>>()?;
+        let sizes = placed_columns
             .iter()
-            .map(place_column)
-            .collect::<Result<Vec<_>>>()?;
-        let sizes = placed.iter().map(ColumnChunkMetaData::uncompressed_size);
+            .map(ColumnChunkMetaData::uncompressed_size);
         let group = RowGroupMetaData::builder(self.schema.clone())
             .set_num_rows(rows)
             .set_total_byte_size(sizes.sum())
             .set_file_offset(MAGIC.len() as i64)
             .set_ordinal(0)
-            .set_column_metadata(placed)
+            .set_column_metadata(placed_columns)
             .build()?;
         let version = self.properties.writer_version().as_num();
         let program = Some(self.properties.created_by().to_owned());

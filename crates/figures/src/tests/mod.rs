@@ -44,7 +44,7 @@ fn drawn_by(
         .iter()
         .map(|c| problem.solve(c, &[]).unwrap())
         .collect();
-    let times = figure.kind.snapshot_times(&**problem, &cases[0]);
+    let times = figure.kind.snapshot_times(&cases[0]);
     let snapshots: Vec<_> = cases
         .iter()
         .map(|c| {

@@ -1,8 +1,9 @@
 //! The keys of a study, and the names that they take.
 
 use super::blocks::BLOCK_KEYS;
+use super::spread::SHARED;
 use crate::reduction::decode::KEY as REDUCTIONS;
-use crate::source::field::{ANY, Keys, Kind, field, fields, needed};
+use crate::source::field::{ANY, Keys, Kind, Rule, field, fields, needed};
 use crate::structure::keys::KEY as MEASURED;
 use crate::structure::named::shown::SHOWN;
 use slipgap_problem::problem;
@@ -22,6 +23,7 @@ pub(crate) const OF_STUDY: Keys = Keys::new(&fields![
     MEASURED,
     /// several sets of parameters instead of one; their cases follow one another
     field("blocks", LIST),
+    SHARED,
     /// metrics in addition to the default ones, each a column of results.csv: a name, arithmetic such as "max(a3 - a2)/h", a ratio such as "peak(gap.S) relative to gamma = 1", or an object that names one, such as {"drift": "max(a3 - a2)/h"}
     field("metrics", Kind::Shared("metrics")),
     REDUCTIONS,
@@ -43,7 +45,10 @@ pub(crate) const OF_STUDY: Keys = Keys::new(&fields![
 ]);
 
 /// The keys of a study, and those of its only block.
-pub(crate) const KEYS: Keys = OF_STUDY.and(BLOCK_KEYS);
+pub(crate) const KEYS: Keys = OF_STUDY.and(BLOCK_KEYS).rules(&[
+    Rule::One(&["parameters", "blocks"], &[]),
+    Rule::With(&["shared"], &[Rule::Has(&["blocks"])]),
+]);
 
 /// A list that its problem describes.
 const LIST: Kind = Kind::List(&Kind::Any, [0, ANY]);

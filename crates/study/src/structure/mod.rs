@@ -10,7 +10,7 @@ pub(super) mod measured;
 mod motions;
 pub(super) mod named;
 mod parts;
-mod reading;
+pub(super) mod reading;
 pub(super) mod recorded;
 #[cfg(test)]
 mod tests;
@@ -26,8 +26,8 @@ use measured::Given;
 use parts::{damping, springs};
 use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::structure::StructureProblem;
+use slipgap_problem::problem::structure::channels::channel_words::{Shown, Words};
 use slipgap_problem::problem::structure::channels::names::Names;
-use slipgap_problem::problem::structure::channels::words::{Shown, Words};
 use slipgap_problem::problem::structure::metrics::unit_consistency;
 use slipgap_problem::problem::structure::parts::template::{DampingStiffness, Reference, Template};
 use slipgap_problem::problem::structure::tables::schema::{self, Named};

@@ -1,6 +1,6 @@
 //! two_samples.csv: whether the distributions of a metric differ between the values of a parameter.
 
-use super::pairs::Pair;
+use super::compared_ensembles::Pair;
 use super::{EnsembleMetrics, text};
 use rayon::prelude::*;
 use slipgap_problem::problem::numbers::parameter::{Value, real};

@@ -1,14 +1,14 @@
 //! fragility.csv: the points of every fragility figure, with the function of their curve. fragility_members.csv: what each
 //! member of the ensemble adds to the mean annual frequency.
 
-mod numbers;
+mod curve_columns;
 
 use super::Folder;
+use super::failures_and_histories::cell;
 use super::names::{FRAGILITY, MEMBERS};
-use super::tables::cell;
 use crate::batch::groups::fragility::FragilityCurve;
 use crate::batch::groups::point::FragilityPoint;
-use numbers::Numbers;
+use curve_columns::Numbers;
 use slipgap_problem::problem::numbers::parameter::{Kind, Value};
 use slipgap_study::error::Error;
 use slipgap_study::kinds::Fragility;

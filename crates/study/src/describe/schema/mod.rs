@@ -48,7 +48,6 @@ fn whole() -> Json {
     let mut schema = fields::object(&decode::KEYS, &shared);
     schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
     schema["title"] = "slipgap study".into();
-    schema["oneOf"] = json!([{ "required": ["parameters"] }, { "required": ["blocks"] }]);
     schema["allOf"] = each.into();
     schema["definitions"] = definitions.into();
     schema
@@ -125,6 +124,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
         "then": { "properties": {
             "problem": { "description": problem.schema().meaning },
             "parameters": parameters,
+            "shared": parameters,
             "blocks": { "minItems": 1, "items": block },
             "metrics": listed_metrics(&metric),
             "ensemble": several(parameter_names(problem, false)),

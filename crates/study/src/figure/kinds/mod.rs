@@ -156,9 +156,9 @@ impl FigureKind {
     }
 
     /// The times at which it draws quantities along the structure of a case; none for kinds without them.
-    pub fn snapshot_times(&self, problem: &dyn Problem, case: &Case) -> Vec<f64> {
-        let end = case.at(problem.schema().duration).unwrap_or(0.0);
-        self.decoded().snapshot_times(end, problem.steps(case))
+    pub fn snapshot_times(&self, case: &Case) -> Vec<f64> {
+        let end = case.at(case.schema.duration).unwrap_or(0.0);
+        self.decoded().snapshot_times(end, case.steps())
     }
 }
 

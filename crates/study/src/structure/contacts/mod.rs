@@ -19,9 +19,9 @@ use crate::structure::reading::reader::Reader;
 use crate::value::text;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
-use slipgap_problem::problem::structure::given::loads::{Kind, Source};
 use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_problem::problem::structure::parts::contacts::{NAMES, NUMBERS, law_named};
+use slipgap_problem::problem::structure::given::source::{Kind, Source};
+use slipgap_problem::problem::structure::parts::contact_law::{NAMES, NUMBERS, law_named};
 use slipgap_problem::problem::structure::{
     given::chosen::Chosen,
     parts::{

@@ -4,7 +4,7 @@ use super::kinds::{ANY_NUMBERS, BETWEEN_KIND, FUNCTION_OF_TIME};
 use crate::source::field::{ANY, Field, Keys, Kind, Rule, field, fields, needed};
 use slipgap_contact::contact::number::Number;
 use slipgap_problem::problem::numbers::parameter::Range;
-use slipgap_problem::problem::structure::parts::contacts::{NAMES, NUMBERS, meaning};
+use slipgap_problem::problem::structure::parts::contact_law::{NAMES, NUMBERS, meaning};
 use std::sync::LazyLock;
 
 /// A contact: the keys of all, the numbers of the laws, and lists of laws.

@@ -5,7 +5,7 @@ use super::spectra::{CHOOSE, SCALE_TO};
 use crate::source::field::Kind::{self, Count, Number, Object, OneOf, Shared, Text, Whole, Words};
 use crate::source::field::{Field, Keys, Rule, field, fields, needed};
 use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative, Positive};
-use slipgap_problem::problem::structure::given::loads::LARGEST_SEED;
+use slipgap_problem::problem::structure::given::source::LARGEST_SEED;
 use slipgap_system::system::loads::pulse::{PULSES, Pulse};
 use slipgap_system::system::loads::record::Mean;
 use std::sync::LazyLock;

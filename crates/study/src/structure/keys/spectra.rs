@@ -1,10 +1,10 @@
 //! The keys of motions that are scaled to a spectrum, and the rules of codes for sets of them.
 
 use super::kinds::{ANY_NUMBERS, UNIT};
-use crate::source::field::Kind::{self, List, Number, Object, Several, Whole, Words};
+use crate::source::field::Kind::{self, List, Number, Object, Several, Text, Whole, Words};
 use crate::source::field::{ANY, Field, Keys, Rule as KeyRule, field, fields, needed};
 use slipgap_problem::problem::numbers::parameter::Range::{NotNegative, Positive, UpToOne};
-use slipgap_problem::problem::structure::given::set::Statistic;
+use slipgap_problem::problem::structure::given::motion_set::Statistic;
 use slipgap_system::system::loads::pair::Component;
 use slipgap_system::system::loads::target::Fit;
 
@@ -117,8 +117,16 @@ pub(crate) const CHOOSE: Keys = Keys::new(&fields![
     field("factor", Number(Positive)),
     /// damping ratio; 0.05 if left out
     field("ratio", Number(UpToOne)),
+    /// pattern of the files in the other direction: those with the same text for * are chosen as pairs
+    field("pair", Text),
+    /// with "pair": of what of a pair the spectrum is
+    field("component", COMPONENT),
 ])
-.rules(&[KeyRule::With(&["factor"], &[KeyRule::Has(&["at"])])]);
+.rules(&[
+    KeyRule::With(&["factor"], &[KeyRule::Has(&["at"])]),
+    KeyRule::With(&["pair"], &[KeyRule::Has(&["component"])]),
+    KeyRule::With(&["component"], &[KeyRule::Has(&["pair"])]),
+]);
 
 /// A rule of a code for a set of motions.
 pub(crate) struct Rule {
@@ -133,10 +141,12 @@ pub(crate) struct Rule {
     pub times: [f64; 2],
     /// The smallest number of motions.
     pub motions: usize,
+    /// Whether the periods are those of the upper and the lower bound properties of an isolation.
+    pub of_bounds: bool,
 }
 
 /// The rules, as they are generally quoted.
-pub(crate) const RULES: [Rule; 3] = [
+pub(crate) const RULES: [Rule; 4] = [
     Rule {
         name: "EN 1998-1",
         meaning: "EN 1998-1:2004, 3.2.3.1.2: mean at least 0.9 of the target from 0.2 T to 2 T, and mean of the largest accelerations at least the target at T = 0; at least 3 motions; \"component\" is needed for pairs",
@@ -146,16 +156,18 @@ pub(crate) const RULES: [Rule; 3] = [
         at_zero: Some(1.0),
         times: [0.2, 2.0],
         motions: 3,
+        of_bounds: false,
     },
     Rule {
         name: "EN 1998-2",
-        meaning: "EN 1998-2:2005, 3.2.3: mean of the SRSS of pairs at least 1.3 of the target from 0.2 T to 1.5 T; at least 3",
+        meaning: "EN 1998-2:2005, 3.2.3: mean of the SRSS of pairs at least 1.3 of the target from 0.2 T to 1.5 T; with isolation (7), T are the effective periods with the upper and the lower bound properties; at least 3",
         statistic: Statistic::Mean,
         component: Some(Component::Srss),
         least: 1.3,
         at_zero: None,
         times: [0.2, 1.5],
         motions: 3,
+        of_bounds: false,
     },
     Rule {
         name: "ASCE 7-16",
@@ -166,6 +178,18 @@ pub(crate) const RULES: [Rule; 3] = [
         at_zero: None,
         times: [0.2, 2.0],
         motions: 11,
+        of_bounds: false,
+    },
+    Rule {
+        name: "ASCE 7-16 isolation",
+        meaning: "ASCE 7-16, 17.3.3: mean of the SRSS of pairs at least the target from 0.2 of the least to 1.25 times the largest period; \"period\" has two, with the upper and the lower bound properties of the isolation; at least 7",
+        statistic: Statistic::Mean,
+        component: Some(Component::Srss),
+        least: 1.0,
+        at_zero: None,
+        times: [0.2, 1.25],
+        motions: 7,
+        of_bounds: true,
     },
 ];
 
@@ -192,7 +216,10 @@ const POINTS: &[Field] = &fields![
 ];
 
 /// A target spectrum: one of a code, or a table.
-pub(crate) const TARGET: Keys = SPECTRUM.and(POINTS);
+pub(crate) const TARGET: Keys = SPECTRUM.and(POINTS).rules(&[
+    KeyRule::One(&["EN 1998-1", "ASCE 7"], &[&[KeyRule::Has(&["T", "Sa"])]]),
+    KeyRule::With(&["T", "Sa"], &[KeyRule::Has(&["T", "Sa"])]),
+]);
 
 /// The spectrum of EN 1998-1.
 pub(crate) const EN_1998: Keys = Keys::new(&fields![

@@ -10,7 +10,7 @@ use crate::structure::keys::{FUNCTION, FUNCTIONS, LOAD, PULSE, SINE, SYNTHETIC, 
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
-use slipgap_problem::problem::structure::given::loads::{Kind, LARGEST_SEED, Source};
+use slipgap_problem::problem::structure::given::source::{Kind, LARGEST_SEED, Source};
 use slipgap_problem::problem::structure::{given::shape::Scaled, parts::template::Load};
 use slipgap_system::system::loads::pulse::PULSES;
 

@@ -8,8 +8,8 @@ use crate::structure::keys::{RULES, Rule, SET, STATISTICS};
 use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
+use slipgap_problem::problem::structure::given::motion_set::{Set, Statistic};
 use slipgap_problem::problem::structure::given::scale_to::Goal;
-use slipgap_problem::problem::structure::given::set::{Set, Statistic};
 use slipgap_system::system::loads::pair::Component;
 
 /// The set under a key, without its motions.
@@ -87,6 +87,12 @@ fn between(
     });
     if let (Some(node), None) = (object.get("period"), rule) {
         faults.add(node.at, &path, "needs a rule");
+    }
+    if let (Some(node), Some(rule), Some([_])) = (object.get("period"), rule, periods.as_deref())
+        && rule.of_bounds
+    {
+        let message = "must have two periods: with the upper and with the lower bound properties";
+        faults.add(node.at, &path, message);
     }
     let ends = ["from", "to"].map(|key| object.get(key).is_some());
     let mut end = |index: usize| {

@@ -7,7 +7,7 @@ use crate::source::tree::{Member, Node, Tree};
 pub(in crate::structure) type Choices = &'static [(&'static str, &'static str)];
 
 /// The members of an object; none of another value.
-pub(in crate::structure) fn members(node: &Node) -> &[Member] {
+pub(crate) fn members(node: &Node) -> &[Member] {
     node.object().unwrap_or_default()
 }
 
@@ -39,7 +39,7 @@ pub(in crate::structure) fn given(root: &Node) -> Vec<(&Member, String)> {
 }
 
 /// The texts of a value: of one text, or of a list.
-pub(in crate::structure) fn texts(node: &Node) -> Vec<&str> {
+pub(crate) fn texts(node: &Node) -> Vec<&str> {
     match &node.tree {
         Tree::Text(text) => vec![text],
         Tree::List(items) => items.iter().flat_map(texts).collect(),

@@ -398,7 +398,8 @@ fn measurements_need_no_exact_motion_and_change_only_their_own_identity() {
     assert_eq!(
         compared
             .problem
-            .reference_work(&compared.case(0).unwrap(), &[]),
+            .work(&compared.case(0).unwrap(), &[])
+            .references,
         0
     );
     assert!(compared.problem.schema().budgets.is_empty());

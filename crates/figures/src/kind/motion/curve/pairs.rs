@@ -1,11 +1,11 @@
 //! The curves of two quantities: computed, measured and exact.
 
 use super::super::history::curves::sizes;
-use super::super::history::measured::Measured;
+use super::super::history::measured_curves::Measured;
 use crate::DrawnCase;
 use slipgap_drawing::layout::sheet::Series;
 use slipgap_motion::history::History;
-use slipgap_problem::problem::{Quantity, Solution};
+use slipgap_problem::problem::{Jumps, Quantity, Solution};
 use slipgap_study::Study;
 
 /// Fewest and most points of an exact curve, and points for each step between them.
@@ -115,7 +115,9 @@ impl Pairs<'_> {
         let count = (FOR_EACH_STEP * time.len()).clamp(fewest, most);
         let time = |i| end * i as f64 / count as f64;
         let times: Vec<f64> = (0..=count).map(time).collect();
-        self.study.problem.exact(&shown.case(), &times)
+        self.study
+            .problem
+            .exact(&shown.case(), &times, Jumps::BothSides)
     }
 }
 

@@ -1,9 +1,9 @@
 //! What a study does to the function of a motion: a part of it, its baseline, its strength and its delay, in this order.
 
 use super::amount::Amount;
-use super::loads::Source;
 use super::scale_to::ScaleTo;
 use super::signal_cache::SignalCache;
+use super::source::Source;
 use super::strength::Strengths;
 use crate::problem::{Case, Violation};
 use crate::system::loads::STANDARD_GRAVITY;

@@ -7,7 +7,7 @@ use serde_json::{Map, Value as Json, json};
 use slipgap_contact::contact::LAWS;
 use slipgap_contact::contact::number::{Number, Usual};
 use slipgap_contact::contact::offer::{Offered, Place};
-use slipgap_problem::problem::structure::parts::contacts::NUMBERS;
+use slipgap_problem::problem::structure::parts::contact_law::NUMBERS;
 
 /// A contact.
 pub(super) fn contact(shared: Shared) -> Json {

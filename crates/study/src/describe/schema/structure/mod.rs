@@ -38,6 +38,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
             "measured": object(&keys::MEASURED, &shared),
             "problem": { "description": MEANING },
             "parameters": parameters,
+            "shared": parameters,
             "blocks": { "minItems": 1, "items": block },
             "structure": structure,
             "metrics": listed_metrics(&metric),

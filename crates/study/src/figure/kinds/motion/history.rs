@@ -175,7 +175,7 @@ fn check_curves(checker: &mut Checker, panels: Option<usize>) {
         let panel = panels.and_then(|row| case.values[row]);
         let count = counts.entry(panel.map(Value::identity)).or_default();
         *count += 1;
-        steps = steps.saturating_add(checker.scope.problem.steps(&case));
+        steps = steps.saturating_add(case.steps());
         let most = if *count > MOST_CURVES {
             format!("{MOST_CURVES} cases in one panel")
         } else if steps > MOST_DRAWN {
