@@ -44,7 +44,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        37_700,
+        36_600,
     ),
     (
         "drawing, figures",

@@ -52,7 +52,7 @@ pub(crate) const MATRICES: Keys = Keys::new(&fields![
 /// A reduction of matrices.
 pub(crate) const REDUCE: Keys = Keys::new(&fields![
     /// number of modes; all if there are fewer
-    field("modes", Kind::Number(NotNegative)),
+    field("modes", Kind::Whole([0, u32::MAX as u64])),
     /// the modes up to this frequency in cycles per unit of time
     field("up_to", Kind::Number(Positive)),
 ])
@@ -124,7 +124,7 @@ pub(crate) const RAYLEIGH: Keys = Keys::new(&fields![
     /// instead: two damping ratios, from which both factors follow
     field("ratios", Kind::List(&Kind::Number(NotNegative), [2, 2])),
     /// the two modes with these ratios: numbers from 1 by rising frequency, without rigid-body modes
-    field("modes", Kind::List(&Kind::Number(Positive), [2, 2])),
+    field("modes", Kind::List(&Kind::Whole([1, u32::MAX as u64]), [2, 2])),
     /// or their natural periods
     field("periods", Kind::List(&Kind::Number(Positive), [2, 2])),
 ])
