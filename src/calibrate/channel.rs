@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 use slipgap_problem::metrics::measured::at_times;
+use slipgap_problem::problem::structure::metrics::window::Window;
 use slipgap_problem::problem::{Case, Jumps, MeasuredChannel, Solution};
 use slipgap_study::{PointCases, Study};
 
@@ -31,20 +32,30 @@ pub fn tests(study: &Study, cases: &PointCases, values: &[f64]) -> Vec<Test> {
         Test {
             solution: solved.ok().filter(|_| solvable),
             why,
-            measured: study.measured(&case),
+            measured: measured_of(study, &case),
             case,
         }
     };
     each.into_par_iter().map(test).collect()
 }
 
-/// The channel of `rms_error(CHANNEL, measured)`, if the study minimises it alone.
+/// What was measured of a case, with the points that the minimised metric compares.
+pub fn measured_of(study: &Study, case: &Case) -> Vec<MeasuredChannel> {
+    let structure = study.problem.as_structure();
+    match structure.zip(study.minimised_metric()) {
+        Some((structure, metric)) => structure.measured_by(case, metric),
+        None => study.measured(case),
+    }
+}
+
+/// The channel of `rms_error(CHANNEL, measured)`, perhaps of a window, if the study minimises it alone.
 pub fn channel(study: &Study) -> Option<&str> {
     let metric = study.minimised_metric()?;
     let name = study.problem.metrics()[metric].name.trim();
     let rest = name.strip_prefix("rms_error")?.trim_start();
     let inside = rest.strip_prefix('(')?.strip_suffix(')')?;
-    let (channel, against) = inside.rsplit_once(',')?;
+    let (compared, _) = Window::split(inside).ok()?;
+    let (channel, against) = compared.rsplit_once(',')?;
     (against.trim() == "measured").then(|| channel.trim())
 }
 

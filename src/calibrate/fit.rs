@@ -135,10 +135,8 @@ impl Search<'_> {
             true => Vec::new(),
             false => alternative.each_test().collect(),
         };
-        let each = tests
-            .into_iter()
-            .map(|test| self.fit(test))
-            .collect::<Result<Vec<Fit>, Stopped>>()?;
+        let fits = tests.into_iter().map(|test| self.fit(test));
+        let each = fits.collect::<Result<Vec<Fit>, Stopped>>()?;
         Ok(Fit {
             each,
             ..self.fit(alternative)?
@@ -238,7 +236,7 @@ impl Search<'_> {
         let middle_cases = cases.cases(&[middle]);
         let mut shown = middle_cases.shown();
         let count = |row: usize| {
-            let measured = self.study.measured(shown.at(row));
+            let measured = channel::measured_of(self.study, shown.at(row));
             measured
                 .first()
                 .map_or(0.0, |measured| measured.compared.len() as f64)

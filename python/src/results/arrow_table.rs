@@ -92,10 +92,8 @@ impl Table {
 
     /// A column: an array of shape (cases,) with NaN for null, or for names a list of str and None.
     fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let column = self
-            .schema
-            .index_of(name)
-            .map_err(|_| PyKeyError::new_err(name.to_owned()))?;
+        let index = self.schema.index_of(name);
+        let column = index.map_err(|_| PyKeyError::new_err(name.to_owned()))?;
         let arrays = self.batches.iter().map(|batch| batch.column(column));
         let field = self.schema.field(column);
         let kind = field.data_type();
@@ -104,23 +102,17 @@ impl Table {
             return Ok(PyList::new(py, names.collect::<Vec<_>>())?.into_any());
         }
         if *kind != DataType::Int64 {
-            let values: Vec<f64> = arrays
-                .flat_map(|array| array.as_primitive::<Float64Type>().iter())
-                .map(|x| x.unwrap_or(f64::NAN))
-                .collect();
+            let cells = arrays.flat_map(|array| array.as_primitive::<Float64Type>().iter());
+            let values: Vec<f64> = cells.map(|x| x.unwrap_or(f64::NAN)).collect();
             return arrays::numbers(py, values.into_iter());
         }
         if arrays.clone().any(|array| array.null_count() > 0) {
-            let values: Vec<f64> = arrays
-                .flat_map(|array| array.as_primitive::<Int64Type>().iter())
-                .map(|n| n.map_or(f64::NAN, |n| n as f64))
-                .collect();
+            let cells = arrays.flat_map(|array| array.as_primitive::<Int64Type>().iter());
+            let values: Vec<f64> = cells.map(|n| n.map_or(f64::NAN, |n| n as f64)).collect();
             return arrays::numbers(py, values.into_iter());
         }
-        let values: Vec<i64> = arrays
-            .flat_map(|array| array.as_primitive::<Int64Type>().values())
-            .copied()
-            .collect();
+        let cells = arrays.flat_map(|array| array.as_primitive::<Int64Type>().values());
+        let values: Vec<i64> = cells.copied().collect();
         arrays::whole(py, values.into_iter())
     }
 }

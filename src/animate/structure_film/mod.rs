@@ -70,10 +70,8 @@ pub fn film<'a>(
     });
     let places = motion.moves.len();
     let supports = scheme.links.iter().flat_map(|link| &link.supports);
-    let support = supports
-        .flatten()
-        .next()
-        .map(|name| (name.clone(), motion.values(&format!("{name}.a"))));
+    let first = supports.flatten().next();
+    let support = first.map(|name| (name.clone(), motion.values(&format!("{name}.a"))));
     for link in scene.links.iter_mut().filter(|link| link.kind == "impact") {
         let column = motion.column(&format!("{}.r", link.name.0));
         link.opening = column.map(|column| motion.add(column));

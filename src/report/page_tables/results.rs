@@ -58,10 +58,8 @@ impl<'a> Results<'a> {
     pub fn add(&mut self, outcome: &Outcome) {
         let study = self.study;
         let table = study.problem.parameters();
-        let parameters = self
-            .parameters
-            .iter()
-            .map(|row| number(table[*row].kind, outcome.case.values[*row]));
+        let rows = self.parameters.iter();
+        let parameters = rows.map(|row| number(table[*row].kind, outcome.case.values[*row]));
         let metrics = study
             .columns
             .iter()

@@ -2,12 +2,14 @@
 
 mod contents;
 mod ensembles;
+mod envelope;
 mod extent;
 mod front;
 mod guides;
 mod limits;
 mod looks;
 mod measured;
+mod response;
 mod samples;
 mod structures;
 

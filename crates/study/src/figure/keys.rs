@@ -56,6 +56,8 @@ pub(crate) enum Takes {
     Ridge,
     /// How a fragility function is found.
     Fit,
+    /// What is drawn of each cycle.
+    Each,
     /// Whether axes are in the units of the study.
     InUnits,
     /// `true` or `false`.
@@ -90,6 +92,9 @@ pub(crate) const SCALES: [&str; 2] = ["linear", "log"];
 /// Names of the ways to find a fragility function, as `Fit` has them.
 pub(crate) const FITS: [&str; 3] = ["likelihood", "incremental", "cloud"];
 
+/// Names of what is drawn of each cycle, as `Each` has them.
+pub(crate) const EACH: [&str; 4] = ["peak", "max", "min", "start"];
+
 /// Names of the lines along a map, as `Ridge` has them.
 pub(crate) const RIDGES: [&str; 3] = ["least", "greatest", "nearest to 1"];
 
@@ -121,6 +126,11 @@ pub(super) const BY: Key = field("by", Takes::Parameter)
     .means("parameter with one line style for each value; if left out, all that vary");
 pub(super) const BY_OUTSIDE: Key = field("by", Takes::Parameter)
     .means("parameter with one line style for each value; if left out, all outside of the ensemble that vary");
+/// The probabilities of the edges of a band if the study gives none: those of one standard deviation of a normal
+/// distribution.
+pub(super) const USUAL: [f64; 2] = [0.16, 0.84];
+pub(super) const BAND: Key = field("band", Takes::Probabilities)
+    .means("probabilities at the edges of the band; if left out, [0.16, 0.84]");
 pub(super) const PANELS: Key =
     field("panels", Takes::Parameter).means("parameter with one panel for each value");
 pub(super) const X_SCALE: Key =

@@ -61,7 +61,7 @@ pub(super) fn problem(
     let masses = parts::in_directions(all_of("masses", "mass", faults), faults);
     let bars = all_of("bars", "bar", faults);
     let of_matrices = all_of("matrices", "model", faults);
-    let of_contacts = all_of("contacts", "contact", faults);
+    let of_contacts = contacts::with_pressing(all_of("contacts", "contact", faults));
     let of_supports = all_of("supports", "support", faults);
     parts::check_spring_names(&object, &mut taken, faults);
     crate::structure::motions::supports::refuse_ground(&object, faults);
@@ -155,7 +155,7 @@ pub(super) fn problem(
     let part = |name: &str| {
         contacts
             .iter()
-            .any(|contact| contact.split('.').next() == Some(name))
+            .any(|contact| contact.split('.').next() == name.split('.').next())
     };
     let unread = of_contacts.iter().filter(|(name, ..)| !part(name));
     let faulty: Vec<String> = unread.map(|(name, ..)| name.clone()).collect();

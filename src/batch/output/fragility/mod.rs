@@ -138,10 +138,8 @@ impl<'a> FragilityTable<'a> {
             }
             for share in curve.annual.iter().flat_map(|annual| &annual.shares) {
                 let values = self.values(figure, curve, "");
-                let member = share
-                    .member
-                    .iter()
-                    .map(|value| value.map(|v| v.cell()).unwrap_or_default());
+                let of_member = share.member.iter();
+                let member = of_member.map(|value| value.map(|v| v.cell()).unwrap_or_default());
                 let [low, high] = share.capacity;
                 let numbers = [low, high, share.frequency, share.share]
                     .map(Some)

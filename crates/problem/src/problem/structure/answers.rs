@@ -2,7 +2,7 @@
 
 use super::described::ground_motion::GroundMotion;
 use super::described::scheme::picture::Scheme;
-use super::described::{describe, ground_motion, participation, scheme};
+use super::described::{describe, excitation, ground_motion, participation, scheme};
 use super::given::motion_set::SetSpectra;
 use super::given::signal_cache;
 use super::metrics::unit_names::UnitNames;
@@ -17,6 +17,7 @@ use super::warn;
 use crate::history::History;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::{Case, HistoryColumn, MeasuredChannel, Samples};
+use crate::system::loads::cycles::Cycles;
 use crate::system::structure::Structure;
 
 impl StructureProblem {
@@ -79,6 +80,16 @@ impl StructureProblem {
         ground_motion::ground_motion(&self.template, case, duration)
     }
 
+    /// The whole cycles of the loads and motions of a completed case.
+    ///
+    /// # Errors
+    /// Why they are not known: there are none, or several.
+    pub fn cycles(&self, case: &Case) -> Result<Vec<Cycles>, String> {
+        let times = [self.schema.step, self.schema.duration];
+        let times = times.map(|row| case.at(row).unwrap_or(f64::NAN));
+        excitation::cycles(&self.template, case, times)
+    }
+
     /// The spectra of this set in a completed case at these periods, and the units of length and time; `None` without a set.
     pub fn set_spectra(&self, case: &Case, periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {
         let spectra = ground_motion::set_spectra(&self.template, case, periods)?;
@@ -116,6 +127,20 @@ impl StructureProblem {
             Ok(compared) => compared.channels(),
             Err(_) => Vec::new(),
         }
+    }
+
+    /// The same, with the points that this metric compares.
+    pub fn measured_by(&self, case: &Case, metric: usize) -> Vec<MeasuredChannel> {
+        let window = &self.metrics[metric].window;
+        let mut channels = self.measured(case);
+        for channel in &mut channels {
+            let compared = channel.compared.clone();
+            let points = window.points(case, &channel.time[compared.clone()]);
+            let inside =
+                points.map(|points| compared.start + points.start..compared.start + points.end);
+            channel.compared = inside.unwrap_or(compared.start..compared.start);
+        }
+        channels
     }
 
     /// What identifies the sampled signals of a completed case.

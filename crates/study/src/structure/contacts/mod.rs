@@ -5,6 +5,7 @@ pub(in crate::structure) mod plane;
 mod pressing;
 
 pub(in crate::structure) use compound::inner_nodes;
+pub(in crate::structure) use pressing::with_pressing;
 
 use crate::source::faults::Faults;
 use crate::source::field::Keys;
@@ -60,7 +61,7 @@ fn contact(
     if let Some(list) = compound::list(&object) {
         return compound::contacts((name, node, path), &object, list, reader, faults);
     }
-    let relation = relation(&object, reader, faults);
+    let relation = relation(&object, Some(name), reader, faults);
     let origin = (node.at, path.to_owned());
     if plane::is_given(&object) {
         let places = plane::places(name, &object, reader, faults);
@@ -109,8 +110,13 @@ impl Relation {
     }
 }
 
-/// The law of an object with its gap and numbers.
-fn relation(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Relation> {
+/// The law of an object with its gap and numbers; the object is the contact of this name, or in a list.
+fn relation(
+    object: &Object,
+    name: Option<&str>,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Relation> {
     let law = law(object, reader, faults);
     if let Some(Chosen::Name(law)) = law {
         unsuitable(object, law, faults);
@@ -124,7 +130,7 @@ fn relation(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Rel
     let given = plain.filter_map(|row| Some((row.key, reader.number(object, row.key, faults)?)));
     let numbers: Vec<_> = given.collect();
     let given_normal = object.given("N", faults);
-    let normal = given_normal.and_then(|(node, path)| normal(node, &path, reader, faults));
+    let normal = given_normal.and_then(|(node, path)| normal(node, &path, name, reader, faults));
     let given_table = object.given("table", faults);
     let points =
         given_table.and_then(|(node, path)| table(node, &path, &LAW_TABLE, reader, faults));
@@ -238,11 +244,20 @@ fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
     }
 }
 
-fn normal(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Normal> {
+fn normal(
+    node: &Node,
+    path: &str,
+    name: Option<&str>,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Normal> {
     let Some(members) = node.object() else {
         let force = reader.amount(node, path, Range::Any, faults)?;
         return Some(Normal::Constant(force));
     };
+    if pressing::is_contact(node) {
+        return pressing::by_contact(name, (node.at, path), faults).map(Normal::Parts);
+    }
     let has = |keys: &Keys| members.iter().any(|member| keys.names()[0] == member.key);
     if has(&PRESSING) {
         return pressing::parts(node, path, faults).map(Normal::Parts);

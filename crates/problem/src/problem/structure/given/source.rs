@@ -5,6 +5,7 @@ use super::chosen::{self, Chosen};
 use super::signal_cache::SignalCache;
 use crate::problem::numbers::parameter::{Value, shortest};
 use crate::problem::{Case, Violation};
+use crate::system::loads::cycles::Cycles;
 use crate::system::loads::pulse::{Pulse, PulseFault};
 use crate::system::loads::synthetic;
 use crate::system::structure::{Signal, Table};
@@ -104,6 +105,18 @@ impl Source {
             self.make(&numbers, metre).map(Arc::new)
         };
         cell.get_or_init(make).clone()
+    }
+
+    /// The whole cycles of the function in a case; none for one that does not oscillate in a known way.
+    pub fn cycles(&self, case: &Case) -> Result<Vec<Cycles>, Violation> {
+        let numbers = self.numbers(case)?;
+        Ok(match (&self.kind, &numbers[..]) {
+            (Kind::Sine { .. }, &[_, omega, phase]) => {
+                Cycles::of_sine(omega, phase).into_iter().collect()
+            }
+            (Kind::Pulse(pulse, _), numbers) => pulse.cycles(numbers),
+            _ => Vec::new(),
+        })
     }
 
     /// What identifies the signal in a case among those of the function.

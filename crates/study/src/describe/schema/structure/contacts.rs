@@ -12,7 +12,12 @@ use slipgap_problem::problem::structure::parts::contact_law::NUMBERS;
 /// A contact.
 pub(super) fn contact(shared: Shared) -> Json {
     let nodes = Rule::One(&["between", "along", "pairs", "plane"], &[]);
-    with_law(&CONTACT, Some(nodes), shared)
+    let mut schema = with_law(&CONTACT, Some(nodes), shared);
+    // Its normal force may be a contact.
+    if let Some(forms) = schema["properties"]["N"]["anyOf"].as_array_mut() {
+        forms.push(shared("contact"));
+    }
+    schema
 }
 
 /// A law in a list of laws.

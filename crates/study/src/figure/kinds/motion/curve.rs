@@ -1,6 +1,6 @@
 //! A quantity over another.
 
-use super::history;
+use super::{history, response};
 use crate::Scale;
 use crate::field::{field, fields, needed};
 use crate::figure::checker::Checker;
@@ -21,6 +21,8 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
         IN_UNITS,
         /// first and last time; the whole motion if left out
         field("time_range", Takes::Range),
+        /// true: instead of the curve the points at the start of each cycle of the excitation, where it rises through 0 (Poincare section)
+        field("section", Takes::Switch),
         X_RANGE,
         Y_RANGE,
         COLOUR,
@@ -34,6 +36,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             panels: values.row("panels"),
             in_units: values.switch("in_units"),
             times: values.range("time_range"),
+            section: values.switch("section"),
         }))
     },
 };
@@ -53,6 +56,8 @@ pub struct Curve {
     pub in_units: bool,
     /// First and last time, in the unit of the axes, if the study gives them.
     pub times: Option<[f64; 2]>,
+    /// Whether only the points at the start of each cycle of the excitation are shown.
+    pub section: bool,
 }
 
 impl Decoded for Curve {
@@ -69,6 +74,9 @@ impl Decoded for Curve {
     fn check_cases(&self, checker: &mut Checker) {
         history::check(checker, self.by, self.panels, self.y.len(), KIND.name);
         history::check_times(checker, "time_range", self.times, self.in_units);
+        if self.section {
+            response::check_cycles(checker, "section");
+        }
     }
 
     fn draws_histories(&self) -> bool {

@@ -15,7 +15,7 @@ use std::collections::HashMap;
 const MOST_CURVES: usize = 8;
 
 /// Most steps of all histories in one figure: the histories of all its cases are held at once.
-const MOST_DRAWN: u64 = 10_000_000;
+pub(super) const MOST_DRAWN: u64 = 10_000_000;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "history",

@@ -31,6 +31,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             panels: values.row("panels"),
             in_units: values.switch("in_units"),
             times: values.range("time_range"),
+            section: false,
         })))
     },
 };
