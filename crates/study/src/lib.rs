@@ -24,7 +24,7 @@ pub use cases::scope;
 pub use computed::reference_case;
 pub use figure::reduced;
 pub use slipgap_cases::alike;
-pub use source::{faults, input, object, place, search, tree};
+pub use source::{faults, field, input, object, place, search, tree};
 
 pub use calibrate::Calibrate;
 pub use calibrate::Free;

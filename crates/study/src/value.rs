@@ -1,32 +1,30 @@
 //! A value of the study file as a number, a string, a name or a value of a parameter.
 
 use super::source::faults::{Faults, any_of, in_words, quoted, shown, unknown};
+use super::source::field::Kind;
 use super::source::hint::{nearest, unit};
+use super::source::object::Object;
 use super::source::tree::{Node, Tree};
 use slipgap_problem::problem::PROBLEMS;
 use slipgap_problem::problem::expression::unprintable;
 use slipgap_problem::problem::expression::{ExpressionFault, Formula};
-use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, Value, shortest};
+use slipgap_problem::problem::numbers::parameter::{self, Parameter, Range, Value, shortest};
 
 /// What a number may be written as.
 const NUMBER: &str = "a number or an expression in quotes such as \"8*pi\"";
 
 /// A string.
 pub fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
-    match &node.tree {
-        Tree::Text(text) => match unprintable(text) {
-            None => Some(text.clone()),
-            Some(c) => {
-                let message = format!("must be a string of printable characters, got {c}");
-                faults.add(node.at, path, message);
-                None
-            }
-        },
-        Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            faults.must_be(node, path, "a string");
-            None
-        }
+    let Some(text) = node.text() else {
+        faults.must_be(node, path, "a string");
+        return None;
+    };
+    if let Some(c) = unprintable(text) {
+        let message = format!("must be a string of printable characters, got {c}");
+        faults.add(node.at, path, message);
+        return None;
     }
+    Some(text.to_owned())
 }
 
 /// A number in `range`, plain or as an expression.
@@ -58,34 +56,81 @@ pub fn name(
     allowed: &[&str],
     faults: &mut Faults,
 ) -> Option<usize> {
-    let Tree::Text(name) = &node.tree else {
+    let Some(name) = node.text() else {
         let names = format!("a name in quotes, one of {}", any_of(allowed));
         faults.must_be(node, path, &names);
         return None;
     };
-    let found = allowed.iter().position(|known| known == name);
+    let found = allowed.iter().position(|known| *known == name);
     if found.is_none() {
         faults.add(node.at, path, unknown(what, name, allowed));
     }
     found
 }
 
+/// The values of keys as their declarations say. A key that is missing but needed is a fault.
+impl Object<'_> {
+    /// The string under `key`.
+    pub fn text(&self, key: &str, faults: &mut Faults) -> Option<String> {
+        let (node, path) = self.given(key, faults)?;
+        text(node, &path, faults)
+    }
+
+    /// The index of the name under `key` among those allowed.
+    pub fn word(&self, key: &str, faults: &mut Faults) -> Option<usize> {
+        let (node, path) = self.given(key, faults)?;
+        let (what, names) = self.field(key)?.kind.words()?;
+        name(node, &path, what.unwrap_or(key), &names, faults)
+    }
+
+    /// The value of these that the name under `key` has, in the order of the names.
+    pub fn choice<T: Copy>(&self, key: &str, values: &[T], faults: &mut Faults) -> Option<T> {
+        let index = self.word(key, faults)?;
+        values.get(index).copied()
+    }
+
+    /// The number under `key`.
+    pub fn number(&self, key: &str, faults: &mut Faults) -> Option<f64> {
+        let (node, path) = self.given(key, faults)?;
+        number(node, &path, self.range(key), faults)
+    }
+
+    /// The whole number under `key`.
+    pub fn whole(&self, key: &str, faults: &mut Faults) -> Option<u64> {
+        let (node, path) = self.given(key, faults)?;
+        let Kind::Whole(limits) = self.field(key)?.kind else {
+            return None;
+        };
+        whole(node, &path, limits, None, faults)
+    }
+}
+
+fn whole(
+    node: &Node,
+    path: &str,
+    [min, max]: [u64; 2],
+    of: Option<&Parameter>,
+    faults: &mut Faults,
+) -> Option<u64> {
+    let x = finite(node, path, of, faults)?;
+    if x.fract() == 0.0 && x >= min as f64 && x <= max as f64 {
+        return Some(x as u64);
+    }
+    let range = format!("a whole number from {min} to {max}");
+    out_of_range(node, path, x, &range, faults);
+    None
+}
+
 /// A value of `parameter`, by its kind.
 pub fn value(node: &Node, path: &str, parameter: &Parameter, faults: &mut Faults) -> Option<Value> {
     match parameter.kind {
-        Kind::Number(range) => {
+        parameter::Kind::Number(range) => {
             within(node, path, range, Some(parameter), faults).map(Value::Number)
         }
-        Kind::Whole { min, max } => {
-            let x = finite(node, path, Some(parameter), faults)?;
-            if x.fract() == 0.0 && x >= min as f64 && x <= max as f64 {
-                return Some(Value::Whole(x as u64));
-            }
-            let range = format!("a whole number from {min} to {max}");
-            out_of_range(node, path, x, &range, faults);
-            None
+        parameter::Kind::Whole { min, max } => {
+            whole(node, path, [min, max], Some(parameter), faults).map(Value::Whole)
         }
-        Kind::Choice(choices) => {
+        parameter::Kind::Choice(choices) => {
             let names: Vec<&str> = choices.iter().map(|choice| choice.0).collect();
             let chosen = name(node, path, &parameter.name, &names, faults)?;
             Some(Value::Name(choices[chosen].0))

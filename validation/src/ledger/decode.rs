@@ -38,7 +38,7 @@ pub fn read(file: &Path) -> Result<Ledger, Error> {
 }
 
 fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger>, Error> {
-    let Some(object) = Object::open(root, "", &["paper", "studies", "claims"], faults) else {
+    let Some(object) = Object::of_keys(root, "", &["paper", "studies", "claims"], faults) else {
         return Ok(None);
     };
     let mut string = |key: &str, what: &str| {
@@ -152,7 +152,7 @@ fn claim(
     reading: &dyn Fn(&Node, &str, &mut Faults) -> Option<Reading>,
 ) -> Option<Claim> {
     let before = faults.count();
-    let object = Object::open(node, path, &CLAIM, faults)?;
+    let object = Object::of_keys(node, path, &CLAIM, faults)?;
     let mut string = |key: &str, what: &str| {
         let node = object.need(key, what, faults)?;
         markdown(node, &object.path(key), faults)
@@ -215,7 +215,7 @@ fn reading(
     scope: &dyn Fn(usize) -> (Scope, Vec<String>, Vec<usize>),
 ) -> Option<Reading> {
     let before = faults.count();
-    let object = Object::open(node, path, &READING, faults)?;
+    let object = Object::of_keys(node, path, &READING, faults)?;
     let assumed = object
         .need("reading", "what is assumed", faults)
         .and_then(|node| markdown(node, &object.path("reading"), faults));

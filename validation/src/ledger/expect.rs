@@ -28,7 +28,7 @@ pub(super) fn expect(
     faults: &mut Faults,
 ) -> Option<Expect> {
     let before = faults.count();
-    let object = Object::open(node, path, &EXPECT, faults)?;
+    let object = Object::of_keys(node, path, &EXPECT, faults)?;
     let filter = match object.get("where") {
         Some(node) => scope.filter(node, &object.path("where"), faults),
         None => Some(Filter::default()),

@@ -4,8 +4,9 @@
 use super::exact::{Even, Ratios};
 use super::powers::Powers;
 use crate::source::faults::{Faults, join};
+use crate::source::field::{self, Keys, field, fields};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::value::within;
 use rayon::prelude::*;
 use slipgap_cases::axis::values::Values;
@@ -14,20 +15,17 @@ use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, Value
 use std::sync::Arc;
 
 /// The rules, each with the meaning of its three numbers.
-pub(crate) const RULES: [(&str, &str); 3] = [
-    (
-        "linspace",
-        "[a, b, n]: n numbers from a to b, evenly spaced",
-    ),
-    (
-        "geomspace",
-        "[a, b, n]: n numbers from a to b, with the same ratio between neighbours",
-    ),
-    (
-        "range",
-        "[a, b, step]: a, a + step, ... up to b; b is included if it is a whole number of steps from a",
-    ),
-];
+pub(crate) const RULES: Keys = Keys::new(&fields![
+    /// [a, b, n]: n numbers from a to b, evenly spaced
+    field("linspace", THREE),
+    /// [a, b, n]: n numbers from a to b, with the same ratio between neighbours
+    field("geomspace", THREE),
+    /// [a, b, step]: a, a + step, ... up to b; b is included if it is a whole number of steps from a
+    field("range", THREE),
+])
+.rules(&[field::Rule::One(&["linspace", "geomspace", "range"], &[])]);
+
+const THREE: field::Kind = field::Kind::List(&field::Kind::Number(Range::Any), [3, 3]);
 
 /// A rule, in the order of [`RULES`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,31 +51,21 @@ pub(crate) fn values(
     parameter: &Parameter,
     faults: &mut Faults,
 ) -> Option<Values> {
-    let names = RULES.map(|rule| rule.0);
     let before = faults.count();
-    let object = Object::open(node, path, &names, faults)?;
-    let [member] = object.members[..] else {
-        // An unknown key is reported already.
-        if faults.count() == before {
-            let what = format!("must have exactly one of {}", names.join(", "));
-            object.fault(what, faults);
-        }
+    let object = Object::open(node, path, &RULES, faults)?;
+    // An unknown key is reported already.
+    if object.members.len() != 1 && faults.count() > before {
         return None;
-    };
+    }
+    let member = object.one_of(&RULES.names(), faults)?;
     let path = join(path, &member.key);
-    let index = names.iter().position(|name| *name == member.key)?;
-    let rule = ALL[index];
-    let three = match &member.node.tree {
-        Tree::List(items) if items.len() == 3 => items,
-        Tree::Object(_)
-        | Tree::List(_)
-        | Tree::Text(_)
-        | Tree::Number(_)
-        | Tree::Bool(_)
-        | Tree::Null => {
-            faults.must_be(&member.node, &path, RULES[index].1);
-            return None;
-        }
+    let (rule, row) = ALL
+        .into_iter()
+        .zip(RULES.rows())
+        .find(|(_, row)| row.0 == member.key)?;
+    let Some(three) = member.node.list().filter(|items| items.len() == 3) else {
+        faults.must_be(&member.node, &path, row.1);
+        return None;
     };
     let item = |i: usize, faults: &mut Faults| {
         let path = format!("{path}[{i}]");

@@ -3,25 +3,22 @@
 use super::draft::{BlockDraft, ParameterDraft};
 use super::interval::Interval;
 use crate::source::faults::Faults;
+use crate::source::field::{Keys, Kind, MOST_SEED, field, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::Node;
-use crate::value::{name, number};
 use slipgap_cases::axis::design::{Design, Sampling};
 use slipgap_cases::axis::values::Sampled;
-use slipgap_problem::problem::numbers::parameter::{Parameter, Range, shortest};
+use slipgap_problem::problem::numbers::parameter::Parameter;
 
 /// The keys of a design, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 3] = [
-    ("kind", "how the points are chosen"),
-    (
-        "n",
-        "number of points; saltelli: base points; a power of 2 is best for Sobol' sequences",
-    ),
-    (
-        "seed",
-        "a whole number that selects the sequence of random numbers; if left out, 0",
-    ),
-];
+pub(crate) const KEYS: Keys = Keys::new(&fields![
+    /// how the points are chosen
+    needed("kind", Kind::Meant(|| &KINDS)),
+    /// number of points; saltelli: base points; a power of 2 is best for Sobol' sequences
+    needed("n", Kind::Whole([2, 1_000_000])),
+    /// a whole number that selects the sequence of random numbers; if left out, 0
+    field("seed", Kind::Whole([0, MOST_SEED])),
+]);
 
 /// The kinds of design, in the order of [`Sampling`].
 pub(crate) const KINDS: [(&str, &str); 3] = [
@@ -35,12 +32,6 @@ pub(crate) const KINDS: [(&str, &str); 3] = [
         "n (k + 2) points from which Sobol' indices of every metric are estimated",
     ),
 ];
-
-/// Most points of a design.
-const MOST: f64 = 1e6;
-
-/// Largest seed: every whole number up to it is a double.
-const LARGEST_SEED: f64 = 9_007_199_254_740_992.0;
 
 impl BlockDraft {
     /// Decodes the design of the block, and finds the parameters that it samples.
@@ -106,31 +97,10 @@ impl BlockDraft {
 /// Decodes a design, without the parameters that it samples.
 fn decode(node: &Node, path: &str, faults: &mut Faults) -> Option<Design> {
     let before = faults.count();
-    let object = Object::open(node, path, &KEYS.map(|key| key.0), faults)?;
-    let names = KINDS.map(|kind| kind.0);
-    let kind = object
-        .need("kind", &format!("one of {}", names.join(", ")), faults)
-        .and_then(|node| name(node, &object.path("kind"), "kind", &names, faults));
-    let mut whole = |key: &str, min: f64, max: f64| {
-        let node = object.get(key)?;
-        let path = object.path(key);
-        let x = number(node, &path, Range::Any, faults)?;
-        if x.fract() == 0.0 && (min..=max).contains(&x) {
-            return Some(x as u64);
-        }
-        let allowed = format!("a whole number from {min} to {max}");
-        faults.add(
-            node.at,
-            &path,
-            format!("must be {allowed}, got {}", shortest(x)),
-        );
-        None
-    };
-    let n = whole("n", 2.0, MOST);
-    let seed = whole("seed", 0.0, LARGEST_SEED).unwrap_or(0);
-    if object.get("n").is_none() {
-        object.missing("n", "the number of points", faults);
-    }
+    let object = Object::open(node, path, &KEYS, faults)?;
+    let kind = object.word("kind", faults);
+    let n = object.whole("n", faults);
+    let seed = object.whole("seed", faults).unwrap_or(0);
     let sampling = [
         Sampling::LatinHypercube,
         Sampling::Sobol,

@@ -2,21 +2,24 @@
 
 use crate::Scale;
 use crate::source::faults::{Faults, join};
+use crate::source::field::{self, Keys, Rule, field, fields};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::value::within;
 use slipgap_cases::axis::values::Distribution;
 use slipgap_problem::problem::numbers::allowed::value_of;
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, shortest};
 
 /// The distributions, each with the meaning of its two numbers.
-pub(crate) const INTERVALS: [(&str, &str); 2] = [
-    ("uniform", "[a, b]: uniform distribution from a to b"),
-    (
-        "loguniform",
-        "[a, b]: uniform distribution of the logarithm from a to b",
-    ),
-];
+pub(crate) const INTERVALS: Keys = Keys::new(&fields![
+    /// [a, b]: uniform distribution from a to b
+    field("uniform", ENDS),
+    /// [a, b]: uniform distribution of the logarithm from a to b
+    field("loguniform", ENDS),
+])
+.rules(&[Rule::One(&["uniform", "loguniform"], &[])]);
+
+const ENDS: field::Kind = field::Kind::List(&field::Kind::Number(Range::Any), [2, 2]);
 
 /// A range and its distribution.
 #[derive(Debug, Clone, Copy)]
@@ -29,11 +32,8 @@ pub(crate) struct Interval {
 impl Interval {
     /// Whether `node` is an object with the key of an interval.
     pub fn is_interval(node: &Node) -> bool {
-        let Tree::Object(members) = &node.tree else {
-            return false;
-        };
-        let known = |key: &str| INTERVALS.iter().any(|interval| interval.0 == key);
-        members.iter().any(|member| known(&member.key))
+        let mut members = node.object().unwrap_or_default().iter();
+        members.any(|member| INTERVALS.get(&member.key).is_some())
     }
 
     /// Decodes an interval. Both ends must be valid values of the parameter.
@@ -43,27 +43,12 @@ impl Interval {
         parameter: &Parameter,
         faults: &mut Faults,
     ) -> Option<Interval> {
-        let names = INTERVALS.map(|interval| interval.0);
-        let object = Object::open(node, path, &names, faults)?;
-        let [member] = object.members[..] else {
-            object.fault(
-                format!("must have exactly one of {}", names.join(", ")),
-                faults,
-            );
-            return None;
-        };
+        let object = Object::open(node, path, &INTERVALS, faults)?;
+        let member = object.one_of(&INTERVALS.names(), faults)?;
         let path = join(path, &member.key);
-        let ends = match &member.node.tree {
-            Tree::List(items) if items.len() == 2 => items,
-            Tree::Object(_)
-            | Tree::List(_)
-            | Tree::Text(_)
-            | Tree::Number(_)
-            | Tree::Bool(_)
-            | Tree::Null => {
-                faults.must_be(&member.node, &path, "[a, b]");
-                return None;
-            }
+        let Some(ends) = member.node.list().filter(|items| items.len() == 2) else {
+            faults.must_be(&member.node, &path, "[a, b]");
+            return None;
         };
         if let Kind::Choice(_) = parameter.kind {
             faults.must_be(node, &path, "a name or a list of names");
@@ -81,7 +66,7 @@ impl Interval {
         };
         let (low, high) = (end(0), end(1));
         let (low, high) = (low?, high?);
-        let log = member.key == INTERVALS[1].0;
+        let log = member.key == "loguniform";
         let message = match log {
             _ if low >= high => "must be greater than a",
             true if low <= 0.0 => "needs ends > 0",

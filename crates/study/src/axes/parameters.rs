@@ -58,7 +58,7 @@ fn gather(
             allowed.push(key);
         }
     }
-    let object = Object::open(node, path, &allowed, faults)?;
+    let object = Object::of_keys(node, path, &allowed, faults)?;
     for member in &object.members {
         let path = join(path, &member.key);
         let name = format!("{prefix}{}", member.key);

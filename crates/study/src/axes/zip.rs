@@ -2,7 +2,7 @@
 
 use super::draft::BlockDraft;
 use crate::source::faults::{Faults, quoted, unknown};
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::value::text;
 use slipgap_problem::problem::numbers::parameter::Parameter;
 
@@ -15,12 +15,12 @@ pub(crate) fn zip(
     faults: &mut Faults,
 ) {
     const WHAT: &str = "a list of lists of parameters, as in [[\"alpha\", \"dT\"]]";
-    let Tree::List(groups) = &node.tree else {
+    let Some(groups) = node.list() else {
         return faults.must_be(node, path, WHAT);
     };
     for (i, group) in groups.iter().enumerate() {
         let path = format!("{path}[{i}]");
-        let Tree::List(items) = &group.tree else {
+        let Some(items) = group.list() else {
             faults.must_be(group, &path, WHAT);
             continue;
         };

@@ -6,27 +6,23 @@ use crate::Figure;
 use crate::cases::scope::Scope;
 use crate::computed::sources::{MINIMISE, items, members};
 use crate::source::faults::{Faults, any_of, join, quoted, unknown};
+use crate::source::field::{self, ANY, Keys, MOST_SEED, field, fields, needed};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
-use crate::value::{name, number, text};
-use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, shortest};
+use crate::source::tree::Node;
+use crate::value::{name, text};
+use slipgap_problem::problem::numbers::parameter::{Kind, Parameter};
 
 /// The keys besides the names of free parameters, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 4] = [
-    (
-        MINIMISE,
-        "the metric that the best values make smallest, such as \"rms_error(deck.u, measured)\"; arithmetic, too",
-    ),
-    ("seed", "seed of the search; 1 if left out"),
-    (
-        "cases",
-        "cases for each alternative, of which the search takes three quarters and profiles the rest; 20000 if left out",
-    ),
-    (
-        "varies",
-        "free parameters that vary from test to test, of which mean and scatter are found; each test is fitted alone, too",
-    ),
-];
+pub(crate) const KEYS: Keys = Keys::new(&fields![
+    /// the metric that the best values make smallest, such as "rms_error(deck.u, measured)"; arithmetic, too
+    needed(MINIMISE, field::Kind::Text),
+    /// seed of the search; 1 if left out
+    field("seed", field::Kind::Whole([0, MOST_SEED])),
+    /// cases for each alternative, of which the search takes three quarters and profiles the rest; 20000 if left out
+    field("cases", field::Kind::Whole(LIMITS)),
+    /// free parameters that vary from test to test, of which mean and scatter are found; each test is fitted alone, too
+    field("varies", field::Kind::Several(&field::Kind::Text, [1, ANY])),
+]);
 
 /// Names of the figures of a calibration, in the folder of those of the study.
 pub const FIGURES: [&str; 2] = ["misfit", "measured"];
@@ -40,9 +36,6 @@ pub(crate) const LIMITS: [u64; 2] = [100, 1_000_000_000];
 /// Most combinations of a study: each alternative has a search of its own.
 const MOST: u64 = 1000;
 
-/// Largest seed: doubles count so far.
-const MOST_SEED: u64 = 1 << 53;
-
 /// Decodes the key; `None` without it or with a fault.
 pub(crate) fn calibrate(root: &Object, scope: &Scope, faults: &mut Faults) -> Option<Calibrate> {
     let node = root.get("calibrate")?;
@@ -53,9 +46,9 @@ pub(crate) fn calibrate(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
         return None;
     }
     let names = scope.parameters();
-    let keys = KEYS.map(|key| key.0);
-    let allowed: Vec<&str> = names.iter().copied().chain(keys).collect();
-    let object = Object::open(node, &path, &allowed, faults)?;
+    let keys = KEYS.names();
+    let allowed = [&names[..], &keys].concat();
+    let object = Object::of_keys(node, &path, &allowed, faults)?.with(&KEYS);
     let free = free(&object, &keys, scope, faults);
     if free.is_empty() && faults.count() == before {
         let message = format!(
@@ -73,12 +66,11 @@ pub(crate) fn calibrate(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
         faults.add(node.at, &path, message);
     }
     let minimise = minimise(&object, scope, faults);
-    let mut whole = |key: &str, [least, most]: [u64; 2], usual: u64| match object.get(key) {
-        Some(node) => whole(node, &object.path(key), [least, most], faults),
+    let mut whole = |key: &str, usual: u64| match object.get(key) {
+        Some(_) => object.whole(key, faults),
         None => Some(usual),
     };
-    let seed = whole(KEYS[1].0, [0, MOST_SEED], 1);
-    let cases = whole(KEYS[2].0, LIMITS, CASES);
+    let (seed, cases) = (whole("seed", 1), whole("cases", CASES));
     let tests = root.get("measured").and_then(|node| file(node, &names));
     let varies = varies(&object, (&free, tests), scope, faults);
     (faults.count() == before).then_some(Calibrate {
@@ -127,10 +119,10 @@ fn varies(
     scope: &Scope,
     faults: &mut Faults,
 ) -> Vec<usize> {
-    let Some(node) = object.get(KEYS[3].0) else {
+    let Some(node) = object.get("varies") else {
         return Vec::new();
     };
-    let path = object.path(KEYS[3].0);
+    let path = object.path("varies");
     if tests.is_none() {
         let message = "needs several tests: \"file\" of \"measured\" as an axis, such as {\"files\": \"tests/*.csv\"}";
         faults.add(node.at, &path, message);
@@ -141,29 +133,17 @@ fn varies(
         .iter()
         .map(|parameter| &*table[parameter.parameter].name)
         .collect();
-    let each = match &node.tree {
-        Tree::List(items) => &items[..],
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            std::slice::from_ref(node)
-        }
-    };
     let row = |one: &Node| {
         let index = name(one, &path, "free parameter", &names, faults)?;
         Some(free[index].parameter)
     };
-    each.iter().filter_map(row).collect()
+    node.items().iter().filter_map(row).collect()
 }
 
 /// Row of the parameter that chooses the file of measurements.
 fn file(measured: &Node, names: &[&str]) -> Option<usize> {
-    let Tree::Object(members) = &measured.tree else {
-        return None;
-    };
-    let file = members.iter().find(|member| member.key == "file")?;
-    match &file.node.tree {
-        Tree::Text(text) => names.iter().position(|name| name == text),
-        Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
-    }
+    let file = measured.get("file")?.text()?;
+    names.iter().position(|name| *name == file)
 }
 
 /// Reports figures with the name of one of a calibration.
@@ -187,7 +167,7 @@ pub(crate) fn refuse_figures(root: &Object, figures: &[Figure], faults: &mut Fau
             .find_map(|(drawn, path)| {
                 let mut members = members(drawn);
                 let name = members.find(|member| member.key == "name")?;
-                let is_it = matches!(&name.node.tree, Tree::Text(text) if *text == figure.name);
+                let is_it = name.node.text() == Some(&*figure.name);
                 is_it.then(|| (name.node.at, join(&path, "name")))
             });
         let (at, path) = figure_at.unwrap_or((node.at, "figures".to_owned()));
@@ -242,9 +222,7 @@ fn unsuitable(scope: &Scope, row: usize) -> Option<String> {
 
 /// Row of the measure under `minimise`.
 fn minimise(object: &Object, scope: &Scope, faults: &mut Faults) -> Option<usize> {
-    let key = KEYS[0];
-    let node = object.need(key.0, key.1, faults)?;
-    let path = object.path(key.0);
+    let (node, path) = object.given(MINIMISE, faults)?;
     let text = text(node, &path, faults)?;
     measure(&text, (node.at, &path), "minimise", scope, faults)
 }
@@ -276,18 +254,4 @@ pub(super) fn measure(
         return None;
     }
     Some(row)
-}
-
-/// A whole number within limits.
-fn whole(node: &Node, path: &str, [least, most]: [u64; 2], faults: &mut Faults) -> Option<u64> {
-    let x = number(node, path, Range::Any, faults)?;
-    if x.fract() == 0.0 && x >= least as f64 && x <= most as f64 {
-        return Some(x as u64);
-    }
-    let message = format!(
-        "must be a whole number from {least} to {most}, got {}",
-        shortest(x)
-    );
-    faults.add(node.at, path, message);
-    None
 }

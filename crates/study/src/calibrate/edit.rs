@@ -8,7 +8,7 @@ use crate::source::faults::Faults;
 use crate::source::input::Input;
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
-use crate::structure::keys::REFERENCES;
+use crate::structure::keys::SOFTENED;
 
 /// The key of the exact motion.
 const REFERENCE: &str = "contacts_reference";
@@ -68,7 +68,7 @@ impl Input {
             );
             if let Some(structure) = root.member("structure") {
                 remove(structure, &[REFERENCE]);
-                put(structure, REFERENCE, text(&REFERENCES[0].to_owned()));
+                put(structure, REFERENCE, text(&SOFTENED.to_owned()));
             }
         })
     }

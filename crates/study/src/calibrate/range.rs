@@ -1,6 +1,7 @@
 //! The range of a free parameter.
 
-use crate::source::faults::{Faults, join, quoted};
+use crate::source::faults::{Faults, quoted};
+use crate::source::field::{Keys, Kind, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::within;
@@ -8,10 +9,10 @@ use slipgap_problem::problem::numbers::allowed::value_of;
 use slipgap_problem::problem::numbers::parameter::{Parameter, Range, shortest};
 
 /// The key of a range whose logarithm is searched.
-pub(crate) const LOG: (&str, &str) = (
-    "log",
-    "[a, b]: range from a to b of which the logarithm is searched, for numbers over several powers of ten",
-);
+pub(crate) const LOG: Keys = Keys::new(&fields![
+    /// [a, b]: range from a to b of which the logarithm is searched, for numbers over several powers of ten
+    needed("log", Kind::List(&Kind::Number(Range::Any), [2, 2])),
+]);
 
 /// What a range looks like.
 const FORM: &str = "a range [a, b] or {\"log\": [a, b]}";
@@ -53,34 +54,27 @@ impl FreeRange {
         faults: &mut Faults,
     ) -> Option<FreeRange> {
         let (ends, path, log) = match &node.tree {
-            Tree::List(items) => (items, path.to_owned(), false),
+            Tree::List(items) => (&items[..], path.to_owned(), false),
             Tree::Object(_) => {
                 let before = faults.count();
-                let object = Object::open(node, path, &[LOG.0], faults)?;
+                let object = Object::open(node, path, &LOG, faults)?;
                 if faults.count() > before {
                     // An unknown key is most often this one.
                     return None;
                 }
-                let log = object.need(LOG.0, LOG.1, faults)?;
-                let path = join(path, LOG.0);
-                match &log.tree {
-                    Tree::List(items) => (items, path, true),
-                    Tree::Object(_)
-                    | Tree::Text(_)
-                    | Tree::Number(_)
-                    | Tree::Bool(_)
-                    | Tree::Null => {
-                        faults.must_be(log, &path, "[a, b]");
-                        return None;
-                    }
-                }
+                let (log, path) = object.given("log", faults)?;
+                let Some(items) = log.list() else {
+                    faults.must_be(log, &path, "[a, b]");
+                    return None;
+                };
+                (items, path, true)
             }
             Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
                 faults.must_be(node, path, FORM);
                 return None;
             }
         };
-        let [first, last] = &ends[..] else {
+        let [first, last] = ends else {
             let message = format!("must be {FORM}, got a list of {}", ends.len());
             faults.add(node.at, &path, message);
             return None;

@@ -2,29 +2,27 @@
 
 use super::Free;
 use super::decode::{free, measure};
-use crate::cases::ensemble::{item, refuse_constant};
+use crate::cases::ensemble::refuse_constant;
 use crate::cases::scope::{Scope, names};
 use crate::computed::sources::WITHIN;
 use crate::source::faults::Faults;
+use crate::source::field::{ANY, Keys, Kind, field, fields, needed};
 use crate::source::object::Object;
 use crate::value::number;
-use slipgap_problem::problem::numbers::parameter::{Kind, Range};
+use slipgap_problem::problem::numbers::parameter::{self, Range};
 
 /// The keys besides the names of free parameters, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 3] = [
-    (
-        "over",
-        "the parameters to choose, such as [\"law\", \"dt\", \"n\"]; cases that differ only in these, and in what changes with them, are candidates for the same physical case",
-    ),
-    (
-        WITHIN,
-        "the metrics to keep, each with its tolerance, as in {\"peak(gap.S)\": 0.02}: an error such as rms_error(a) is at most this, any other metric differs by at most this part from that of the exact or finest motion",
-    ),
-    (
-        "neighbours",
-        "numbers among those in over whose next smaller and next larger values must keep the metrics, too",
-    ),
-];
+pub(crate) const KEYS: Keys = Keys::new(&fields![
+    /// the parameters to choose, such as ["law", "dt", "n"]; cases that differ only in these, and in what changes with them, are candidates for the same physical case
+    needed("over", NAMES),
+    /// the metrics to keep, each with its tolerance, as in {"peak(gap.S)": 0.02}: an error such as rms_error(a) is at most this, any other metric differs by at most this part from that of the exact or finest motion
+    needed(WITHIN, Kind::Shared("tolerances")),
+    /// numbers among those in over whose next smaller and next larger values must keep the metrics, too
+    field("neighbours", NAMES),
+]);
+
+/// One name, or a list of names.
+const NAMES: Kind = Kind::Several(&Kind::Text, [1, ANY]);
 
 /// The parameters of a study to choose, and the metrics that a choice must keep in every physical case.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,34 +42,30 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
     let node = root.get("recommend")?;
     let (path, before) = (root.path("recommend"), faults.count());
     let parameters = scope.parameters();
-    let keys = KEYS.map(|key| key.0);
-    let allowed: Vec<&str> = keys.iter().chain(&parameters).copied().collect();
-    let object = Object::open(node, &path, &allowed, faults)?;
-    let over = object.need(keys[0], KEYS[0].1, faults).and_then(|node| {
-        let path = object.path(keys[0]);
+    let keys = KEYS.names();
+    let allowed = [&keys[..], &parameters].concat();
+    let object = Object::of_keys(node, &path, &allowed, faults)?.with(&KEYS);
+    let over = object.given("over", faults).and_then(|(node, path)| {
         let rows = names(node, &path, "parameter", &parameters, faults)?;
         // A parameter of one law has its values in the blocks of this law.
         let count = |row: usize| scope.blocks.iter().filter(|block| block.gives(row)).count();
         let alike = |row: usize| [0, scope.blocks.len()].contains(&count(row));
         for (i, row) in rows.iter().enumerate() {
             if !scope.blocks.is_empty() && alike(*row) {
-                refuse_constant(scope, *row, "a choice", item(node, &path, i), faults);
+                refuse_constant(scope, *row, "a choice", node.item(&path, i), faults);
             }
         }
         Some(rows)
     });
     let free = free(&object, &keys, scope, faults);
-    let neighbours = object.get(KEYS[2].0).map(|node| {
+    let neighbours = object.given("neighbours", faults).map(|(node, path)| {
         let rows = over.iter().flatten();
         let chosen: Vec<usize> = rows.copied().filter(|row| is_number(scope, *row)).collect();
         let allowed: Vec<&str> = chosen.iter().map(|row| parameters[*row]).collect();
-        let path = object.path(KEYS[2].0);
         let places = names(node, &path, "number in over", &allowed, faults);
         places.map(|places| places.into_iter().map(|index| chosen[index]).collect())
     });
-    let within_node = object.need(WITHIN, KEYS[1].1, faults);
-    let within = within_node.map(|node| {
-        let path = object.path(WITHIN);
+    let within = object.given(WITHIN, faults).map(|(node, path)| {
         let mut rows = Vec::new();
         let Some(metrics) = Object::of_any_keys(node, &path, faults) else {
             return rows;
@@ -97,5 +91,8 @@ pub(crate) fn recommend(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
 
 /// Whether the values of a parameter are numbers.
 fn is_number(scope: &Scope, row: usize) -> bool {
-    !matches!(scope.problem.parameters()[row].kind, Kind::Choice(_))
+    !matches!(
+        scope.problem.parameters()[row].kind,
+        parameter::Kind::Choice(_)
+    )
 }

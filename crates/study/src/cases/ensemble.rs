@@ -3,7 +3,6 @@
 use super::scope::Scope;
 use crate::Study;
 use crate::source::faults::Faults;
-use crate::source::tree::{Node, Tree};
 use slipgap_cases::alike::unaffected;
 use slipgap_cases::{Block, Filter};
 use slipgap_problem::problem::Problem;
@@ -90,19 +89,6 @@ fn differs_at_ends(scope: &Scope, row: usize) -> bool {
             .zip(last)
             .is_some_and(|(first, last)| !Value::identical(Some(first), Some(last)))
     })
-}
-
-/// The offset and path of name `i`, which may be given without a list.
-pub(crate) fn item(node: &Node, path: &str, i: usize) -> (usize, String) {
-    match &node.tree {
-        Tree::List(items) if i < items.len() => (items[i].at, format!("{path}[{i}]")),
-        Tree::Object(_)
-        | Tree::List(_)
-        | Tree::Text(_)
-        | Tree::Number(_)
-        | Tree::Bool(_)
-        | Tree::Null => (node.at, path.to_owned()),
-    }
 }
 
 #[cfg(test)]

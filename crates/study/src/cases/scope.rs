@@ -3,7 +3,7 @@
 use crate::Measure;
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
-use crate::source::tree::{Member, Node, Tree};
+use crate::source::tree::{Member, Node};
 use crate::value::{name, value};
 use slipgap_cases::{Block, Enumeration, Filter, distinct};
 use slipgap_problem::problem::numbers::parameter::{Default, Value};
@@ -79,14 +79,14 @@ impl Scope {
     pub fn filter(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<Filter> {
         let table = self.problem.parameters();
         let before = faults.count();
-        let object = Object::open(node, path, &self.parameters(), faults)?;
+        let object = Object::of_keys(node, path, &self.parameters(), faults)?;
         let mut terms = Vec::new();
         for member in &object.members {
             let Some(row) = table.iter().position(|p| p.name == member.key) else {
                 continue;
             };
             let path = object.path(&member.key);
-            if let Tree::Object(inner) = &member.node.tree {
+            if let Some(inner) = member.node.object() {
                 let dotted = |inner: &Member| format!("{}.{}", member.key, inner.key);
                 let known = |key: &String| self.parameters().contains(&key.as_str());
                 if let Some(key) = inner.iter().map(dotted).find(known) {
@@ -138,7 +138,7 @@ impl Scope {
         faults: &mut Faults,
     ) -> Option<Vec<Value>> {
         let parameter = &self.problem.parameters()[row];
-        let Tree::List(items) = &node.tree else {
+        let Some(items) = node.list() else {
             return value(node, path, parameter, faults).map(|value| vec![value]);
         };
         if items.is_empty() {
@@ -263,7 +263,7 @@ pub fn names(
     allowed: &[&str],
     faults: &mut Faults,
 ) -> Option<Vec<usize>> {
-    let Tree::List(items) = &node.tree else {
+    let Some(items) = node.list() else {
         return name(node, path, what, allowed, faults).map(|row| vec![row]);
     };
     if items.is_empty() {

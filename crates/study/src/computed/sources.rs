@@ -4,8 +4,9 @@ use crate::figure::keys::Takes;
 use crate::figure::kinds::KINDS;
 use crate::reduction::decode;
 use crate::source::faults::join;
+use crate::source::field::{Keys, Kind, field, fields, needed};
 use crate::source::object::Object;
-use crate::source::tree::{Member, Node, Tree};
+use crate::source::tree::{Member, Node};
 use slipgap_problem::problem::expression::FUNCTIONS;
 use slipgap_problem::problem::structure::metrics::window::begins_with_limit;
 
@@ -19,11 +20,14 @@ pub const MINIMISE: &str = "minimise";
 pub const WITHIN: &str = "within";
 
 /// The keys of a metric with a name, each with its meaning.
-pub(crate) const NAMED: [(&str, &str); 3] = [
-    ("value", "the metric, arithmetic of metrics, or a ratio"),
-    ("unit", "its unit, for figures; none if left out"),
-    ("title", "its title in figures; the name if left out"),
-];
+pub(crate) const NAMED: Keys = Keys::new(&fields![
+    /// the metric, arithmetic of metrics, or a ratio
+    needed("value", Kind::Text),
+    /// its unit, for figures; none if left out
+    field("unit", Kind::Text),
+    /// its title in figures; the name if left out
+    field("title", Kind::Text),
+]);
 
 /// A text that names a metric.
 #[derive(Debug, Clone)]
@@ -58,12 +62,9 @@ impl Source<'_> {
 }
 
 fn source<'a>(node: &'a Node, path: String, name: Option<&'a Member>) -> Option<Source<'a>> {
-    let Tree::Text(text) = &node.tree else {
-        return None;
-    };
     Some(Source {
         name,
-        text,
+        text: node.text()?,
         at: node.at,
         path,
     })
@@ -71,26 +72,16 @@ fn source<'a>(node: &'a Node, path: String, name: Option<&'a Member>) -> Option<
 
 /// The items of a list with their paths; an object instead of the list is its one item.
 pub fn items<'a>(node: &'a Node, path: &str) -> Vec<(&'a Node, String)> {
-    match &node.tree {
-        Tree::List(items) => {
-            let items = items.iter().enumerate();
-            items
-                .map(|(i, item)| (item, format!("{path}[{i}]")))
-                .collect()
-        }
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            vec![(node, path.to_owned())]
-        }
-    }
+    let numbered = node.items().iter().enumerate();
+    numbered
+        .map(|(i, item)| (item, node.item(path, i).1))
+        .collect()
 }
 
 /// The members of an object but remarks.
 pub fn members(node: &Node) -> impl Iterator<Item = &Member> {
-    let members = match &node.tree {
-        Tree::Object(members) => &members[..],
-        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => &[],
-    };
-    members.iter().filter(|member| member.key != "//")
+    let members = node.object().unwrap_or_default().iter();
+    members.filter(|member| member.key != "//")
 }
 
 /// The texts under `metrics`.
@@ -103,7 +94,7 @@ pub fn listed<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
         found.extend(source(item, path.clone(), None));
         for member in members(item) {
             let path = join(&path, &member.key);
-            let value = members(&member.node).find(|inner| inner.key == NAMED[0].0);
+            let value = members(&member.node).find(|inner| inner.key == "value");
             found.extend(match value {
                 Some(inner) => source(&inner.node, join(&path, &inner.key), Some(member)),
                 None => source(&member.node, path, Some(member)),
@@ -115,7 +106,7 @@ pub fn listed<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
 
 /// The metrics of `reductions`.
 pub fn reduced<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
-    let Some(node) = root.get(decode::KEY.0) else {
+    let Some(node) = root.get(decode::KEY.name) else {
         return Vec::new();
     };
     let of = |(item, path): (&'a Node, String)| {
@@ -128,7 +119,7 @@ pub fn reduced<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
             ..source_of_text
         })
     };
-    items(node, decode::KEY.0)
+    items(node, decode::KEY.name)
         .into_iter()
         .filter_map(of)
         .collect()
@@ -181,16 +172,14 @@ pub fn shown<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
 /// Whether metrics stand under a key of a figure.
 fn takes_metric(figure: &Node, key: &str) -> bool {
     let of_kind = |name: &str| {
-        let is = |member: &Member| {
-            member.key == "kind" && matches!(&member.node.tree, Tree::Text(text) if text == name)
-        };
+        let is = |member: &Member| member.key == "kind" && member.node.text() == Some(name);
         members(figure).any(is)
     };
     let mut kinds = KINDS.iter().filter(|kind| of_kind(kind.name));
     kinds.any(|kind| {
         kind.keys.iter().any(|key_kind| {
             use Takes::{Column, Columns, Metric, Metrics};
-            key_kind.name == key && matches!(key_kind.takes, Metric | Metrics | Column | Columns)
+            key_kind.name == key && matches!(key_kind.kind, Metric | Metrics | Column | Columns)
         })
     })
 }

@@ -4,10 +4,12 @@ use super::resolve::resolve;
 use super::spread::SHARED;
 use super::validate::{has_good_case, validate, within_limit};
 use crate::Block;
+use crate::axes::design;
 use crate::axes::draft::BlockDraft;
 use crate::axes::parameters::parameters;
 use crate::axes::zip::zip;
 use crate::source::faults::{Faults, in_words, quoted};
+use crate::source::field::{ANY, Field, Keys, Kind, field, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
@@ -34,8 +36,12 @@ pub(crate) fn blocks(
         }
         (Some(_), None) | (None, Some(_)) => {}
     }
-    if let Some(node) = object.get(SHARED.0) {
-        faults.add(node.at, SHARED.0, "must be an object, next to \"blocks\"");
+    if let Some(node) = object.get(SHARED.name) {
+        faults.add(
+            node.at,
+            SHARED.name,
+            "must be an object, next to \"blocks\"",
+        );
     }
     // Both are decoded, so that every fault is reported.
     let mut drafts = Vec::new();
@@ -43,7 +49,7 @@ pub(crate) fn blocks(
         drafts.extend(draft(object, node, problem, faults));
     }
     if one.is_none() {
-        for key in BLOCK_KEYS.map(|key| key.0) {
+        for key in BLOCK_KEYS.iter().map(|field| field.name) {
             if let Some(node) = object.get(key) {
                 let message = "must be inside a block, next to its \"parameters\"";
                 faults.add(node.at, key, message);
@@ -51,11 +57,8 @@ pub(crate) fn blocks(
         }
     }
     drafts.extend(object.items("blocks", faults, |node, path, faults| {
-        let keys: Vec<&str> = std::iter::once("parameters")
-            .chain(BLOCK_KEYS.map(|k| k.0))
-            .collect();
-        let object = Object::open(node, path, &keys, faults)?;
-        let node = object.need("parameters", "the parameters of the block", faults)?;
+        let object = Object::open(node, path, &BLOCK, faults)?;
+        let (node, _) = object.given("parameters", faults)?;
         draft(&object, node, problem?, faults)
     }));
     if let (None, Some(node)) = (one, several)
@@ -97,20 +100,21 @@ pub(crate) fn blocks(
 }
 
 /// The keys of a block in addition to `parameters`, each with its meaning.
-pub(crate) const BLOCK_KEYS: [(&str, &str); 3] = [
-    (
-        "zip",
-        "groups of axes that advance together: one case for each position, not for each combination",
-    ),
-    (
-        "when",
-        "a condition, as in \"dt <= 0.5/n\"; only combinations that meet it become cases; names are written in single quotes",
-    ),
-    (
-        "design",
-        "points that fill the ranges of all parameters given as uniform or loguniform",
-    ),
+pub(crate) const BLOCK_KEYS: &[Field] = &fields![
+    /// groups of axes that advance together: one case for each position, not for each combination
+    field("zip", Kind::List(&Kind::List(&Kind::Text, [2, ANY]), [0, ANY])),
+    /// a condition, as in "dt <= 0.5/n"; only combinations that meet it become cases; names are written in single quotes
+    field("when", Kind::Text),
+    /// points that fill the ranges of all parameters given as uniform or loguniform
+    field("design", Kind::Object(&design::KEYS)),
 ];
+
+/// A block.
+const BLOCK: Keys = Keys::new(&fields![
+    /// the parameters of the block
+    needed("parameters", Kind::Any),
+])
+.and(BLOCK_KEYS);
 
 /// The draft of a block: the parameters at `node` and the other keys of `object`.
 fn draft(

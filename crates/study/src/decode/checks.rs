@@ -2,27 +2,30 @@
 
 use crate::cases::scope::Scope;
 use crate::source::faults::{Faults, any_of};
+use crate::source::field::{Keys, Kind, Rule, field, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::Node;
-use crate::value::{name, number};
+use crate::value::name;
 use crate::{Check, Filter};
-use slipgap_problem::problem::numbers::parameter::{Range, shortest};
+use slipgap_problem::problem::numbers::parameter::shortest;
 
 /// The keys of a check.
-pub(crate) const KEYS: [(&str, &str); 4] = [
-    ("metric", "the metric to check"),
-    (
-        "where",
-        "which cases to check: a value or a list for parameters",
-    ),
-    ("min", "smallest value allowed"),
-    ("max", "largest value allowed"),
-];
+pub(crate) const KEYS: Keys = Keys::new(&fields![
+    /// the metric to check
+    needed("metric", Kind::Shared("column")),
+    /// which cases to check: a value or a list for parameters
+    field("where", Kind::Shared("where")),
+    /// smallest value allowed
+    field("min", Kind::Constant),
+    /// largest value allowed
+    field("max", Kind::Constant),
+])
+.rules(&[Rule::Any(&["min", "max"], &[])]);
 
 /// Decodes a check; `None` if it has a fault.
 pub(crate) fn check(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option<Check> {
     let before = faults.count();
-    let object = Object::open(node, path, &KEYS.map(|key| key.0), faults)?;
+    let object = Object::open(node, path, &KEYS, faults)?;
     let metrics = scope.metrics();
     let metric = object
         .need("metric", &format!("one of {}", any_of(&metrics)), faults)
@@ -33,7 +36,7 @@ pub(crate) fn check(node: &Node, path: &str, scope: &Scope, faults: &mut Faults)
     };
     let mut limit = |key: &str| {
         let node = object.get(key)?;
-        number(node, &object.path(key), Range::Any, faults).map(|x| (x, node))
+        object.number(key, faults).map(|x| (x, node))
     };
     let (min, max) = (limit("min"), limit("max"));
     if object.get("min").is_none() && object.get("max").is_none() {

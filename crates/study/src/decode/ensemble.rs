@@ -1,6 +1,6 @@
 //! The key `ensemble` of a study.
 
-use crate::cases::ensemble::{item, refuse_constant};
+use crate::cases::ensemble::refuse_constant;
 use crate::cases::scope::{Scope, names};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
@@ -21,7 +21,7 @@ pub(super) fn ensemble(object: &Object, scope: &Scope, faults: &mut Faults) -> O
         faults.add(node.at, &path, message);
     } else if !scope.blocks.is_empty() {
         for (i, row) in rows.iter().enumerate() {
-            refuse_constant(scope, *row, "an ensemble", item(node, &path, i), faults);
+            refuse_constant(scope, *row, "an ensemble", node.item(&path, i), faults);
         }
     }
     Some(if faults.count() > before {

@@ -1,58 +1,54 @@
 //! The keys of a study, and the names that they take.
 
+use super::blocks::BLOCK_KEYS;
 use super::spread::SHARED;
-use crate::reduction;
+use crate::reduction::decode::KEY as REDUCTIONS;
+use crate::source::field::{ANY, Keys, Kind, Rule, field, fields, needed};
 use crate::structure::keys::KEY as MEASURED;
 use crate::structure::named::shown::SHOWN;
+use slipgap_problem::problem;
 
 /// The keys of a study, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 18] = [
-    (
-        "$schema",
-        "location of the schema, for editors; slipgap ignores it",
-    ),
-    ("title", "what the study shows, in one line"),
-    ("problem", "the problem to solve"),
-    ("parameters", "parameters of the cases; a list is an axis"),
-    (
-        "structure",
-        "masses, bars, springs, contacts and loads of a study of structures",
-    ),
+pub(crate) const OF_STUDY: Keys = Keys::new(&fields![
+    /// location of the schema, for editors; slipgap ignores it
+    field("$schema", Kind::Text),
+    /// what the study shows, in one line
+    field("title", Kind::Text),
+    /// the problem to solve
+    needed("problem", Kind::Words("problem", || problem::names().collect(), None)),
+    /// parameters of the cases; a list is an axis
+    field("parameters", Kind::Shared("parameters")),
+    /// masses, bars, springs, contacts and loads of a study of structures
+    field("structure", Kind::Any),
     MEASURED,
-    (
-        "blocks",
-        "several sets of parameters instead of one; their cases follow one another",
-    ),
+    /// several sets of parameters instead of one; their cases follow one another
+    field("blocks", LIST),
     SHARED,
-    (
-        "metrics",
-        "metrics in addition to the default ones, each a column of results.csv: a name, arithmetic such as \"max(a3 - a2)/h\", a ratio such as \"peak(gap.S) relative to gamma = 1\", or an object that names one, such as {\"drift\": \"max(a3 - a2)/h\"}",
-    ),
-    reduction::decode::KEY,
-    (
-        "ensemble",
-        "a parameter or a list of parameters over which the cases are an ensemble",
-    ),
-    (
-        "units",
-        "units of the parameters, for results in them; nothing is converted",
-    ),
+    /// metrics in addition to the default ones, each a column of results.csv: a name, arithmetic such as "max(a3 - a2)/h", a ratio such as "peak(gap.S) relative to gamma = 1", or an object that names one, such as {"drift": "max(a3 - a2)/h"}
+    field("metrics", Kind::Shared("metrics")),
+    REDUCTIONS,
+    /// a parameter or a list of parameters over which the cases are an ensemble
+    field("ensemble", Kind::Any),
+    /// units of the parameters, for results in them; nothing is converted
+    field("units", Kind::Any),
     SHOWN,
-    (
-        "iteration",
-        "converged (if left out), or once: each step is solved once with the matrices of the papers",
-    ),
-    (
-        "calibrate",
-        "free parameters with their ranges and the metric to minimise, for `slipgap calibrate`",
-    ),
-    (
-        "recommend",
-        "the parameters to choose and the metrics to keep within tolerances, for `slipgap recommend`",
-    ),
-    ("figures", "figures to draw"),
-    ("checks", "limits that `slipgap check` tests"),
-];
+    /// converged (if left out), or once: each step is solved once with the matrices of the papers
+    field("iteration", Kind::Words("iteration", || vec!["converged", "once"], None)),
+    /// free parameters with their ranges and the metric to minimise, for `slipgap calibrate`
+    field("calibrate", Kind::Any),
+    /// the parameters to choose and the metrics to keep within tolerances, for `slipgap recommend`
+    field("recommend", Kind::Shared("recommend")),
+    /// figures to draw
+    field("figures", LIST),
+    /// limits that `slipgap check` tests
+    field("checks", LIST),
+]);
 
-/// Names of the ways to solve a step.
-pub(crate) const ITERATIONS: [&str; 2] = ["converged", "once"];
+/// The keys of a study, and those of its only block.
+pub(crate) const KEYS: Keys = OF_STUDY.and(BLOCK_KEYS).rules(&[
+    Rule::One(&["parameters", "blocks"], &[]),
+    Rule::With(&["shared"], &[Rule::Has(&["blocks"])]),
+]);
+
+/// A list that its problem describes.
+const LIST: Kind = Kind::List(&Kind::Any, [0, ANY]);

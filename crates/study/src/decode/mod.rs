@@ -13,8 +13,7 @@ mod tests;
 pub(super) mod units;
 pub(super) mod validate;
 
-pub(crate) use keys::{ITERATIONS, KEYS};
-pub(crate) use spread::SHARED;
+pub(crate) use keys::{KEYS, OF_STUDY};
 use std::path::Path;
 
 use crate::cases::scope::Scope;
@@ -37,9 +36,9 @@ use crate::structure::{
     recorded::{own_records, record_axis},
 };
 use crate::units::Units;
-use crate::value::{self, name};
+use crate::value::name;
 use crate::{Study, calibrate, computed, reduction};
-use blocks::{BLOCK_KEYS, blocks};
+use blocks::blocks;
 use checks::check;
 use columns::columns;
 use ensemble::ensemble;
@@ -170,14 +169,9 @@ pub(crate) fn study(
     (set, whole): (Vec<[String; 2]>, bool),
     faults: &mut Faults,
 ) -> Option<Study> {
-    let keys: Vec<&str> = KEYS.iter().chain(&BLOCK_KEYS).map(|key| key.0).collect();
-    let object = Object::open(root, "", &keys, faults)?;
-    let mut string = |key: &str| {
-        let node = object.get(key)?;
-        value::text(node, &object.path(key), faults)
-    };
-    string("$schema");
-    let title = string("title").unwrap_or_default();
+    let object = Object::open(root, "", &KEYS, faults)?;
+    object.text("$schema", faults);
+    let title = object.text("title", faults).unwrap_or_default();
     let problem = problem(&object, (root, whole), folder, faults)
         .map(|problem| with_free_names(problem, (root, whole), faults));
     let blocks = blocks(&object, problem.as_deref(), limit, faults);
@@ -191,10 +185,7 @@ pub(crate) fn study(
         .as_textbook()
         .and_then(|textbook| textbook.in_units(&size))
         .unwrap_or(problem);
-    let once = object
-        .get("iteration")
-        .and_then(|node| name(node, "iteration", "iteration", &ITERATIONS, faults))
-        == Some(1);
+    let once = object.word("iteration", faults) == Some(1);
     if let (true, Some(node)) = (once && problem.schema().described, object.get("iteration")) {
         let message = "a structure has no un-iterated form; allowed: converged";
         faults.add(node.at, "iteration", message);
@@ -261,8 +252,8 @@ fn problem(
     if row.is_some() && !of_structure {
         for (key, what) in [
             ("structure", "has this key"),
-            (MEASURED.0, "compares with measurements"),
-            (SHOWN.0, "names its parameters"),
+            (MEASURED.name, "compares with measurements"),
+            (SHOWN.name, "names its parameters"),
         ] {
             if let Some(node) = object.get(key) {
                 let message = format!("only a study with \"problem\": \"{NAME}\" {what}");

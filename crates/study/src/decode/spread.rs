@@ -1,21 +1,22 @@
 //! Blocks that a study writes in short: parameters that all blocks share, and lists with expressions of other parameters. What is
 //! decoded has blocks alone.
 
+use crate::source::field::{Field, Kind, field};
 use crate::source::tree::{Member, Node, Tree};
 use crate::structure::named::free_names::free_number;
-use crate::structure::reading::given::{member, members, texts};
+use crate::structure::reading::given::{members, texts};
 use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::numbers::parameter::Parameter;
 
 /// The key of parameters of all blocks, with its meaning.
-pub(crate) const SHARED: (&str, &str) = (
-    "shared",
-    "parameters of every block, next to \"blocks\"; one that a block gives itself is that of the block",
-);
+pub(super) const SHARED: Field = field("shared", Kind::Shared("parameters"))
+    .means("parameters of every block, next to \"blocks\"; one that a block gives itself is that of the block");
 
 /// Puts the shared parameters into each block. Without blocks they stay, which is a fault.
 pub(super) fn share(root: &mut Node) {
-    let shared = member(root, SHARED.0).map(|node| (node.at, members(node).to_vec()));
+    let shared = root
+        .get(SHARED.name)
+        .map(|node| (node.at, members(node).to_vec()));
     let (Some((at, shared)), Some(blocks)) = (shared, blocks(root)) else {
         return;
     };
@@ -37,7 +38,7 @@ pub(super) fn share(root: &mut Node) {
         }
     }
     if let Tree::Object(keys) = &mut root.tree {
-        keys.retain(|key| key.key != SHARED.0);
+        keys.retain(|key| key.key != SHARED.name);
     }
 }
 
@@ -91,22 +92,19 @@ fn spread_block(block: Node) -> Vec<Node> {
 /// The first list with expressions of other parameters of a block, with those that advance together with it, and the number of items.
 /// Lists of other lengths are a fault, so that they stay.
 fn listed(block: &Node) -> Option<(Vec<String>, usize)> {
-    let given = members(member(block, "parameters")?);
+    let given = members(block.get("parameters")?);
     let names = given.iter().map(|parameter| &*parameter.key);
     let table: Vec<Parameter> = names.map(free_number).collect();
     let first = given
         .iter()
         .find(|given| has_expressions(&given.node, &table))?;
-    let zips = match member(block, "zip").map(|node| &node.tree) {
-        Some(Tree::List(groups)) => &groups[..],
-        Some(_) | None => &[],
-    };
+    let zips = block.get("zip").and_then(Node::list).unwrap_or_default();
     let mut groups = zips.iter().map(zipped);
     let of_zip = groups.find(|group| group.contains(&first.key));
     let together = of_zip.unwrap_or_else(|| vec![first.key.clone()]);
-    let length = |name: &String| match &given.iter().find(|given| given.key == *name)?.node.tree {
-        Tree::List(items) => Some(items.len()),
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
+    let length = |name: &String| {
+        let parameter = given.iter().find(|given| given.key == *name)?;
+        parameter.node.list().map(<[Node]>::len)
     };
     let count = length(&first.key)?;
     let all_alike = together.iter().all(|name| length(name) == Some(count));
@@ -115,16 +113,13 @@ fn listed(block: &Node) -> Option<(Vec<String>, usize)> {
 
 /// Whether a value is a list with an expression of one of these parameters.
 fn has_expressions(node: &Node, table: &[Parameter]) -> bool {
-    let Tree::List(items) = &node.tree else {
-        return false;
-    };
-    let uses = |item: &Node| match &item.tree {
-        Tree::Text(text) => {
-            Formula::number(text, table).is_ok_and(|found| !found.uses().is_empty())
-        }
-        Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
-    };
-    items.iter().any(uses)
+    let uses = |text: &str| Formula::number(text, table).is_ok_and(|one| !one.uses().is_empty());
+    let mut texts = node
+        .list()
+        .unwrap_or_default()
+        .iter()
+        .filter_map(Node::text);
+    texts.any(uses)
 }
 
 /// The names of a group of a `zip`.

@@ -1,6 +1,7 @@
 //! The key `units`.
 
 use crate::source::faults::Faults;
+use crate::source::field::{Keys, Kind, fields, needed};
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::units::Units;
@@ -8,14 +9,17 @@ use crate::value::text;
 use slipgap_problem::problem::Problem;
 
 /// The keys of `units`.
-pub(crate) const KEYS: [(&str, &str); 3] = [
-    (
-        "length",
-        "name of the unit of length, as in mm: 1 to 16 letters, digits and µ, first a letter or µ",
-    ),
-    ("force", "name of the unit of force, as in kN"),
-    ("time", "name of the unit of time, as in ms"),
-];
+pub(crate) const KEYS: Keys = Keys::new(&fields![
+    /// name of the unit of length, as in mm: 1 to 16 letters, digits and µ, first a letter or µ
+    needed("length", Kind::Like(NAME)),
+    /// name of the unit of force, as in kN
+    needed("force", Kind::Like(NAME)),
+    /// name of the unit of time, as in ms
+    needed("time", Kind::Like(NAME)),
+]);
+
+/// The name of a unit.
+pub(crate) const NAME: &str = "^[A-Za-zµ][A-Za-z0-9µ]{0,15}$";
 
 /// Longest name of a unit, in characters.
 const LONGEST: usize = 16;
@@ -40,12 +44,11 @@ impl Units {
             faults.add(node.at, path, message);
             return None;
         }
-        let object = Object::open(node, path, &KEYS.map(|key| key.0), faults)?;
-        let mut label = |(key, what): (&str, &str)| {
-            let node = object.need(key, what, faults)?;
-            label(node, &object.path(key), faults)
-        };
-        let [length, force, time] = KEYS.map(&mut label);
+        let object = Object::open(node, path, &KEYS, faults)?;
+        let [length, force, time] = ["length", "force", "time"].map(|key| {
+            let (node, path) = object.given(key, faults)?;
+            label(node, &path, faults)
+        });
         Some(Units {
             length: length?,
             force: force?,

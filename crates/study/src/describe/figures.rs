@@ -50,7 +50,7 @@ fn shared() -> Vec<(&'static Key, Vec<&'static str>)> {
 
 /// Whether a key is the scale of an axis; the page describes all of these in one line.
 fn is_scale(key: &Key) -> bool {
-    matches!(key.takes, Takes::Scale | Takes::ScaleOrLog)
+    matches!(key.kind, Takes::Scale | Takes::ScaleOrLog)
 }
 
 fn same(a: &Key, b: &Key) -> bool {
@@ -70,15 +70,12 @@ fn without_axis(meaning: &str) -> String {
 
 /// A kind as an item of a list: what it shows, and its own keys.
 fn section(kind: &Kind, shared: &[(&Key, Vec<&str>)]) -> String {
-    let name = |key: &Key| match key.required {
+    let name = |key: &Key| match key.needed {
         true => format!("**`{}`**", key.name),
         false => format!("`{}`", key.name),
     };
     let is_above = |key: &Key| is_scale(key) || shared.iter().any(|(other, _)| same(other, key));
-    let shown = kind
-        .keys
-        .iter()
-        .filter(|key| key.required || !is_above(key));
+    let shown = kind.keys.iter().filter(|key| key.needed || !is_above(key));
     let described = shown.map(|key| match is_above(key) {
         true => name(key),
         false => format!("{} ({})", name(key), without_axis(key.meaning)),

@@ -11,6 +11,7 @@ use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
 use crate::figure::reduced;
 use crate::reduction::OPERATORS;
+use crate::source::field::Keys;
 use slipgap_problem::problem::PROBLEMS;
 use slipgap_problem::problem::expression::{CONSTANTS, FUNCTIONS};
 
@@ -33,22 +34,22 @@ pub fn problem_reference(name: &str) -> Option<String> {
 pub fn reference() -> String {
     let functions = FUNCTIONS.map(|function| function.0);
     include_str!("reference.md")
-        .replace("{{study}}", &list(&decode::KEYS))
-        .replace("{{units}}", &list(&units::KEYS))
-        .replace("{{rules}}", &list(&RULES))
+        .replace("{{study}}", &list(&decode::OF_STUDY.rows()))
+        .replace("{{units}}", &list(&units::KEYS.rows()))
+        .replace("{{rules}}", &list(&RULES.rows()))
         .replace("{{constants}}", &code(&CONSTANTS))
         .replace("{{functions}}", &code(&functions))
-        .replace("{{beside}}", &list(&BLOCK_KEYS))
-        .replace("{{intervals}}", &list(&INTERVALS))
+        .replace("{{beside}}", &list(&Keys::new(BLOCK_KEYS).rows()))
+        .replace("{{intervals}}", &list(&INTERVALS.rows()))
         .replace("{{designs}}", &list(&design::KINDS))
-        .replace("{{design}}", &list(&design::KEYS))
+        .replace("{{design}}", &list(&design::KEYS.rows()))
         .replace("{{methods}}", &methods())
-        .replace("{{named}}", &list(&NAMED))
+        .replace("{{named}}", &list(&NAMED.rows()))
         .replace("{{figures}}", &figures::reference())
         .replace("{{words}}", &list(&OPERATORS))
         .replace("{{reduced}}", &code(&reduced::KINDS))
-        .replace("{{calibrate}}", &list(&calibrate::decode::KEYS))
-        .replace("{{recommend}}", &list(&calibrate::recommend::KEYS))
-        .replace("{{checks}}", &list(&checks::KEYS))
+        .replace("{{calibrate}}", &list(&calibrate::decode::KEYS.rows()))
+        .replace("{{recommend}}", &list(&calibrate::recommend::KEYS.rows()))
+        .replace("{{checks}}", &list(&checks::KEYS.rows()))
         .replace("{{warnings}}", &warnings())
 }

@@ -1,7 +1,8 @@
 //! The reference page of studies of structures, whose parameters, channels and metrics have free names.
 
 use super::reference::{code, list, object};
-use crate::structure::keys;
+use crate::source::field::{Field, Keys};
+use crate::structure::keys::{self, PULSE};
 use slipgap_problem::problem::structure::channels::channel::{
     OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
 };
@@ -10,7 +11,6 @@ use slipgap_problem::problem::structure::metrics::against_measured::of_measured;
 use slipgap_problem::problem::structure::metrics::reduction::REDUCTIONS;
 use slipgap_problem::problem::structure::parts::contact_law::NAMES;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
-use slipgap_system::system::loads::pulse::PULSES;
 
 /// Name of the page.
 pub(super) const PAGE: &str = NAME;
@@ -40,32 +40,33 @@ fn in_words() -> String {
 pub(super) fn reference() -> String {
     let laws: Vec<&str> = NAMES.iter().map(|law| law.0).collect();
     let keys = |title: &str, keys: &[(&str, &str)]| format!("{title}\n\n{}", list(keys));
-    let objects = |title: &str, rows: &[(&str, &[(&str, &str)])]| {
-        let items: Vec<String> = rows.iter().map(|(name, keys)| object(name, keys)).collect();
-        format!("{title}\n\n{}", items.join("\n"))
+    let table = |title: &str, table: &Keys| keys(title, &table.rows());
+    let objects = |title: &str, rows: &[(&str, &Keys)]| {
+        let items = rows.iter().map(|(name, keys)| object(name, &keys.rows()));
+        format!("{title}\n\n{}", items.collect::<Vec<_>>().join("\n"))
     };
-    let pulses = PULSES.map(|pulse| (pulse.name, pulse.meaning));
-    let forms = PULSES.map(|pulse| format!("`{}`", pulse.name));
-    let mut in_functions: Vec<(&str, &[(&str, &str)])> = vec![
-        ("`sine`", keys::SINE),
-        ("`table`", keys::TABLE),
-        ("`synthetic`", keys::SYNTHETIC),
-        ("`pulse`, one of", &pulses),
+    let forms = PULSE
+        .fields()
+        .map(|form| (format!("`{}`", form.name), form));
+    let forms: Vec<(String, &Field)> = forms.collect();
+    let numbers = forms.iter();
+    let numbers = numbers.filter_map(|(name, form)| Some((&**name, form.kind.keys()?)));
+    let of_ground = Keys::new(&[keys::OF_GROUND]);
+    let mut in_functions = vec![
+        ("`sine`", &keys::SINE),
+        ("`table`", &keys::TABLE),
+        ("`synthetic`", &keys::SYNTHETIC),
+        ("`pulse`, one of", &*PULSE),
     ];
-    in_functions.extend(
-        forms
-            .iter()
-            .zip(&PULSES)
-            .map(|(name, pulse)| (&**name, pulse.numbers)),
-    );
+    in_functions.extend(numbers);
     in_functions.extend([
-        ("`scale_to`, one of the first four, and", keys::SCALE_TO),
-        ("its `spectrum`, one of", keys::SPECTRUM),
-        ("`EN 1998-1`", keys::EN_1998),
-        ("`ASCE 7`", keys::ASCE_7),
-        ("or a `spectrum` as a table", keys::TARGET_TABLE),
-        ("`ground` has, besides `x`, `y` and `z`", &[keys::OF_GROUND]),
-        ("its `set`", keys::SET),
+        ("`scale_to`, one of the first four, and", &keys::SCALE_TO),
+        ("its `spectrum`, one of", &keys::SPECTRUM),
+        ("`EN 1998-1`", &keys::EN_1998),
+        ("`ASCE 7`", &keys::ASCE_7),
+        ("or a `spectrum` as a table", &keys::TARGET_TABLE),
+        ("`ground` has, besides `x`, `y` and `z`", &of_ground),
+        ("its `set`", &keys::SET),
     ]);
     let sections = [
         format!(
@@ -78,73 +79,73 @@ pub(super) fn reference() -> String {
              expression of parameters; `law`, `record` and the files of `matrices` may be the name of one with names as values.",
             &FIXED,
         ),
-        keys("## The keys of `structure`", keys::STRUCTURE),
-        keys("A bar:", keys::BAR),
-        keys("A spring:", keys::SPRING),
-        keys("A model of `matrices`:", keys::MATRICES),
+        table("## The keys of `structure`", &keys::STRUCTURE),
+        table("A bar:", &keys::BAR),
+        table("A spring:", &keys::SPRING),
+        table("A model of `matrices`:", &keys::MATRICES),
         objects(
             "Smaller objects:",
             &[
-                ("`rayleigh`", keys::RAYLEIGH),
-                ("`reduce`, one of", keys::REDUCE),
+                ("`rayleigh`", &keys::RAYLEIGH),
+                ("`reduce`, one of", &keys::REDUCE),
                 (
                     "`static`: forces by nodes, bars, or matrices in a direction, and",
-                    keys::STATIC,
+                    &keys::STATIC,
                 ),
-                ("`start`, of a node or bar", keys::START),
+                ("`start`, of a node or bar", &keys::START),
             ],
         ),
         "## Contacts".into(),
         format!("The laws are {}.", code(&laws)),
-        keys("A contact has:", &keys::CONTACT),
+        table("A contact has:", &keys::CONTACT),
         objects(
             "`N` may be one of:",
             &[
-                ("a table", keys::NORMAL_TABLE),
-                ("a weight", keys::WEIGHT),
-                ("the force of contacts and springs", keys::PRESSING),
+                ("a table", &keys::NORMAL_TABLE),
+                ("a weight", &keys::WEIGHT),
+                ("the force of contacts and springs", &keys::PRESSING),
             ],
         ),
         "## Motions and loads".into(),
-        keys(
+        table(
             "A function of time has one of the first five keys. A load also has `at`, the node.",
-            keys::FUNCTION,
+            &keys::FUNCTION,
         ),
         objects("The objects in it:", &in_functions),
         keys(
             "The rules of a `set`, as the codes are generally quoted:",
             &keys::RULES.map(|rule| (rule.name, rule.meaning)),
         ),
-        keys(
+        table(
             "Files as an axis, under `record`, `file` of `measured`, or a parameter that chooses one of these; those with the same text for `*` \
              go together:",
-            keys::FILES,
+            &keys::FILES,
         ),
-        keys(
+        table(
             "`choose`: the `n` records whose logarithms have together the least squared errors of mean and standard deviation, by a greedy \
              search (Baker and Lee 2018). Spectra are kept in the user's cache by the content of the files. Its keys:",
-            keys::CHOOSE,
+            &keys::CHOOSE,
         ),
-        keys(
+        table(
             "A support has the keys of a function of time, its acceleration in x, or `x`, `y` and `z`, each with them, and:",
-            keys::SUPPORT,
+            &Keys::new(keys::OF_SUPPORT),
         ),
         objects(
             "Its `displacement` is one of:",
             &[
-                ("points", keys::IMPOSED),
-                ("a file", keys::IMPOSED_BY_FILE),
-                ("a sine", keys::IMPOSED_SINE),
+                ("points", &keys::IMPOSED),
+                ("a file", &keys::IMPOSED_BY_FILE),
+                ("a sine", &keys::IMPOSED_SINE),
             ],
         ),
         "## Measurements".into(),
-        keys(
+        table(
             "The key `measured` of the study, beside `structure` ([calibrate.md](calibrate.md)):",
-            keys::MEASURED,
+            &keys::MEASURED,
         ),
         objects(
             "With a unit:",
-            &[("a column, for `time` and in `columns`", keys::COLUMN)],
+            &[("a column, for `time` and in `columns`", &keys::COLUMN)],
         ),
         "## Channels".into(),
         keys(

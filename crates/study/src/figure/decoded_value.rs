@@ -5,6 +5,7 @@ use super::extent;
 use super::keys::{EACH, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
 use super::values::DecodedValue;
 use crate::faults::Faults;
+use crate::field::{ANY, Keys, Kind, fields, needed};
 use crate::object::Object;
 use crate::scope::{Scope, names};
 use crate::tree::{Node, Tree};
@@ -25,7 +26,7 @@ pub(crate) fn take(
     faults: &mut Faults,
 ) -> Option<DecodedValue> {
     let parameters = scope.problem.parameters();
-    let rows = match key.takes {
+    let rows = match key.kind {
         Takes::FileName => {
             let name = text(node, path, faults)?;
             let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
@@ -85,7 +86,7 @@ pub(crate) fn take(
             let named = rows.iter().map(|row| &*parameters[*row].name);
             let offered: Vec<&str> = named.chain(scope.metrics()).collect();
             let what = "parameter or metric";
-            let places = match key.takes == Takes::Columns {
+            let places = match key.kind == Takes::Columns {
                 true => names(node, path, what, &offered, faults)?,
                 false => vec![name(node, path, what, &offered, faults)?],
             };
@@ -169,12 +170,7 @@ fn ratios(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
     let Some(i) = ratios.iter().position(|ratio| *ratio >= 1.0) else {
         return Some(ratios);
     };
-    let (at, path) = match &node.tree {
-        Tree::List(items) => (items[i].at, format!("{path}[{i}]")),
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            (node.at, path.to_owned())
-        }
-    };
+    let (at, path) = node.item(path, i);
     let ratio = parameter::shortest(ratios[i]);
     faults.add(at, &path, format!("must be less than 1, got {ratio}"));
     None
@@ -182,7 +178,7 @@ fn ratios(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
 
 /// One or several numbers that are not negative; `what` is allowed.
 fn numbers(node: &Node, path: &str, what: &str, faults: &mut Faults) -> Option<Vec<f64>> {
-    let Tree::List(items) = &node.tree else {
+    let Some(items) = node.list() else {
         return number(node, path, Range::NotNegative, faults).map(|one| vec![one]);
     };
     if items.is_empty() {
@@ -199,35 +195,31 @@ fn numbers(node: &Node, path: &str, what: &str, faults: &mut Faults) -> Option<V
 }
 
 /// The keys of `marks`.
-pub(crate) const MARKS: [(&str, &str); 2] = [
-    ("label", "text in the legend"),
-    ("at", "points, each [x, y]; expressions are allowed"),
-];
+pub(crate) const MARKS: Keys = Keys::new(&fields![
+    /// text in the legend
+    needed("label", Kind::Text),
+    /// points, each [x, y]; expressions are allowed
+    needed("at", Kind::List(&Kind::List(&Kind::Number(Range::Any), [2, 2]), [0, ANY])),
+]);
 
 fn marks(node: &Node, path: &str, faults: &mut Faults) -> Option<Marks> {
     let before = faults.count();
-    let object = Object::open(node, path, &MARKS.map(|key| key.0), faults)?;
-    let label = object
-        .need("label", MARKS[0].1, faults)
-        .and_then(|node| text(node, &object.path("label"), faults));
+    let object = Object::open(node, path, &MARKS, faults)?;
+    let label = object.text("label", faults);
     let at = object.items("at", faults, |node, path, faults| {
         pair(node, path, "a place [x, y]", Range::Any, faults)
     });
-    object.need("at", MARKS[1].1, faults)?;
+    object.given("at", faults)?;
     (faults.count() == before).then_some(Marks { label: label?, at })
 }
 
 /// Points of a hazard curve: values rise, and their annual frequencies fall.
 fn hazard(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<[f64; 2]>> {
     let what = "a list of at least two points [x, annual frequency]";
-    let Tree::List(items) = &node.tree else {
+    let Some(items) = node.list().filter(|items| items.len() > 1) else {
         faults.must_be(node, path, what);
         return None;
     };
-    if items.len() < 2 {
-        faults.must_be(node, path, what);
-        return None;
-    }
     let item_path = |i: usize| format!("{path}[{i}]");
     let point = |(i, item): (usize, &Node)| {
         pair(
@@ -258,11 +250,7 @@ fn pair(
     range: Range,
     faults: &mut Faults,
 ) -> Option<[f64; 2]> {
-    let Tree::List(items) = &node.tree else {
-        faults.must_be(node, path, what);
-        return None;
-    };
-    let [x, y] = items.as_slice() else {
+    let Some([x, y]) = node.list() else {
         faults.must_be(node, path, what);
         return None;
     };

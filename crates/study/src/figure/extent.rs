@@ -1,7 +1,7 @@
 //! The width of a figure and the limits of its axes, as a study gives them.
 
 use crate::faults::Faults;
-use crate::tree::{Node, Tree};
+use crate::tree::Node;
 use crate::value::number;
 use slipgap_problem::problem::numbers::parameter::{Range, shortest};
 
@@ -25,11 +25,7 @@ pub(super) fn width(node: &Node, path: &str, faults: &mut Faults) -> Option<f64>
 
 /// The first and last value of an axis.
 pub(super) fn range(node: &Node, path: &str, faults: &mut Faults) -> Option<[f64; 2]> {
-    let items = match &node.tree {
-        Tree::List(items) => items.as_slice(),
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => &[],
-    };
-    let [first, last] = items else {
+    let Some([first, last]) = node.list() else {
         faults.must_be(
             node,
             path,

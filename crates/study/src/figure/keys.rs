@@ -1,12 +1,9 @@
 //! The keys of figures, and the types of their values.
 
+use crate::field::{Field, field, fields, needed};
+
 /// One key of a figure.
-pub(crate) struct Key {
-    pub name: &'static str,
-    pub takes: Takes,
-    pub required: bool,
-    pub meaning: &'static str,
-}
+pub(crate) type Key = Field<Takes>;
 
 /// The type of the value of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,130 +98,50 @@ pub(crate) const EACH: [&str; 4] = ["peak", "max", "min", "start"];
 /// Names of the lines along a map, as `Ridge` has them.
 pub(crate) const RIDGES: [&str; 3] = ["least", "greatest", "nearest to 1"];
 
-pub(super) const fn key(
-    name: &'static str,
-    takes: Takes,
-    required: bool,
-    meaning: &'static str,
-) -> Key {
-    Key {
-        name,
-        takes,
-        required,
-        meaning,
-    }
-}
-
 /// The keys of every figure.
-pub(crate) static COMMON: [Key; 6] = [
-    key(
-        "name",
-        Takes::FileName,
-        true,
-        "file name without extension: letters, digits, - and _",
-    ),
-    key("kind", Takes::Kind, true, "what is drawn"),
-    key("title", Takes::Text, false, "heading"),
-    key(
-        "note",
-        Takes::Text,
-        false,
-        "remark in small type under the panels",
-    ),
-    key(
-        "width",
-        Takes::Width,
-        false,
-        "width in mm, 70 to 400, such as 90 for a column and 190 for a page; letters keep their size",
-    ),
-    key(
-        "where",
-        Takes::Filter,
-        false,
-        "which cases to show: a value or a list for parameters",
-    ),
+pub(crate) static COMMON: [Key; 6] = fields![
+    /// file name without extension: letters, digits, - and _
+    needed("name", Takes::FileName),
+    /// what is drawn
+    needed("kind", Takes::Kind),
+    /// heading
+    field("title", Takes::Text),
+    /// remark in small type under the panels
+    field("note", Takes::Text),
+    /// width in mm, 70 to 400, such as 90 for a column and 190 for a page; letters keep their size
+    field("width", Takes::Width),
+    /// which cases to show: a value or a list for parameters
+    field("where", Takes::Filter),
 ];
 
 /// Keys of several kinds.
-pub(super) const X: Key = key(
-    "x",
-    Takes::NumericParameter,
-    true,
-    "parameter along the horizontal axis",
-);
-pub(super) const METRICS: Key = key("y", Takes::Metrics, true, "metrics, one panel each");
-pub(super) const BY_OTHERS: Key = key(
-    "by",
-    Takes::Parameter,
-    false,
-    "parameter with one line style for each value; if left out, all others that vary",
-);
-pub(super) const IN_UNITS: Key = key(
-    "in_units",
-    Takes::InUnits,
-    false,
-    "true: axes in the units of the study",
-);
-pub(super) const BY: Key = key(
-    "by",
-    Takes::Parameter,
-    false,
-    "parameter with one line style for each value; if left out, all that vary",
-);
-pub(super) const BY_OUTSIDE: Key = key(
-    "by",
-    Takes::Parameter,
-    false,
-    "parameter with one line style for each value; if left out, all outside of the ensemble that vary",
-);
+pub(super) const X: Key =
+    needed("x", Takes::NumericParameter).means("parameter along the horizontal axis");
+pub(super) const METRICS: Key = needed("y", Takes::Metrics).means("metrics, one panel each");
+pub(super) const BY_OTHERS: Key = field("by", Takes::Parameter)
+    .means("parameter with one line style for each value; if left out, all others that vary");
+pub(super) const IN_UNITS: Key =
+    field("in_units", Takes::InUnits).means("true: axes in the units of the study");
+pub(super) const BY: Key = field("by", Takes::Parameter)
+    .means("parameter with one line style for each value; if left out, all that vary");
+pub(super) const BY_OUTSIDE: Key = field("by", Takes::Parameter)
+    .means("parameter with one line style for each value; if left out, all outside of the ensemble that vary");
 /// The probabilities of the edges of a band if the study gives none: those of one standard deviation of a normal
 /// distribution.
 pub(super) const USUAL: [f64; 2] = [0.16, 0.84];
-pub(super) const BAND: Key = key(
-    "band",
-    Takes::Probabilities,
-    false,
-    "probabilities at the edges of the band; if left out, [0.16, 0.84]",
-);
-pub(super) const PANELS: Key = key(
-    "panels",
-    Takes::Parameter,
-    false,
-    "parameter with one panel for each value",
-);
-pub(super) const X_SCALE: Key = key(
-    "x_scale",
-    Takes::Scale,
-    false,
-    "horizontal scale; if left out, linear",
-);
-pub(super) const Y_SCALE: Key = key(
-    "y_scale",
-    Takes::Scale,
-    false,
-    "vertical scale; if left out, linear",
-);
-pub(super) const X_RANGE: Key = key(
-    "x_range",
-    Takes::Range,
-    false,
-    "first and last value of the horizontal axis, as in [0, 10]",
-);
-pub(super) const Y_RANGE: Key = key(
-    "y_range",
-    Takes::Range,
-    false,
-    "first and last value of the vertical axis, for one quantity in y",
-);
-pub(super) const COLOUR: Key = key(
-    "colour",
-    Takes::Switch,
-    false,
-    "false: black curves with dashes and markers, and hatched bands; if left out, unbroken curves in colours for any colour vision",
-);
-pub(super) const MARKERS: Key = key(
-    "markers",
-    Takes::Switch,
-    false,
-    "true: curves in colour have markers, too",
-);
+pub(super) const BAND: Key = field("band", Takes::Probabilities)
+    .means("probabilities at the edges of the band; if left out, [0.16, 0.84]");
+pub(super) const PANELS: Key =
+    field("panels", Takes::Parameter).means("parameter with one panel for each value");
+pub(super) const X_SCALE: Key =
+    field("x_scale", Takes::Scale).means("horizontal scale; if left out, linear");
+pub(super) const Y_SCALE: Key =
+    field("y_scale", Takes::Scale).means("vertical scale; if left out, linear");
+pub(super) const X_RANGE: Key = field("x_range", Takes::Range)
+    .means("first and last value of the horizontal axis, as in [0, 10]");
+pub(super) const Y_RANGE: Key = field("y_range", Takes::Range)
+    .means("first and last value of the vertical axis, for one quantity in y");
+pub(super) const COLOUR: Key = field("colour", Takes::Switch)
+    .means("false: black curves with dashes and markers, and hatched bands; if left out, unbroken curves in colours for any colour vision");
+pub(super) const MARKERS: Key =
+    field("markers", Takes::Switch).means("true: curves in colour have markers, too");

@@ -50,7 +50,7 @@ pub(crate) fn figures(object: &Object, scope: &Scope, faults: &mut Faults) -> Ve
 /// Decodes one figure, with the place of its name; `None` if it has a fault.
 fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option<(Figure, usize)> {
     let before = faults.count();
-    let object = Object::open(node, path, &kinds::all_keys(), faults)?;
+    let object = Object::of_keys(node, path, &kinds::all_keys(), faults)?;
     let kind_names = kinds::names();
     let kind = object
         .need("kind", &format!("one of {}", kind_names.join(", ")), faults)
@@ -64,8 +64,8 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
     if let (Some(kind), Some(node)) = (kind, object.get("kind")) {
         taken.push(("kind", node, DecodedValue::Text(kind.name.to_owned())));
     }
-    for key in keys.filter(|key| key.takes != Takes::Kind) {
-        let found = match key.required {
+    for key in keys.filter(|key| key.kind != Takes::Kind) {
+        let found = match key.needed {
             true => object.need(key.name, key.meaning, faults),
             false => object.get(key.name),
         };

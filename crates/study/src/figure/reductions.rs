@@ -61,7 +61,7 @@ pub(super) fn check<'a>(
 fn metrics(keys: &'static [Key], values: &Values) -> Vec<(&'static str, usize, usize)> {
     let mut found = Vec::new();
     for key in keys {
-        match key.takes {
+        match key.kind {
             Takes::Metric | Takes::Metrics => {
                 let rows = values.rows(key.name).unwrap_or_default();
                 found.extend(rows.iter().enumerate().map(|(i, row)| (key.name, i, *row)));

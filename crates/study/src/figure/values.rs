@@ -2,7 +2,7 @@
 
 use super::choice::{Each, Fit, Marks, Ridge};
 use crate::faults::join;
-use crate::tree::{Node, Tree};
+use crate::tree::Node;
 use crate::{ColumnRef, Filter, Scale};
 
 /// The decoded value of one key.
@@ -136,9 +136,6 @@ impl Values<'_> {
     pub fn item(&self, key: &str, i: usize) -> (usize, String) {
         let path = join(self.path, key);
         let found = self.taken.iter().find(|taken| taken.0 == key);
-        match found.map(|taken| &taken.1.tree) {
-            Some(Tree::List(items)) if i < items.len() => (items[i].at, format!("{path}[{i}]")),
-            _ => (self.at(key), path),
-        }
+        found.map_or((self.node.at, path.clone()), |taken| taken.1.item(&path, i))
     }
 }

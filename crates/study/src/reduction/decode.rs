@@ -2,6 +2,7 @@
 
 use super::{OPERATORS, Operator, Reduction};
 use crate::faults::{Faults, quoted, unknown};
+use crate::field::{ANY, Field, Kind, field};
 use crate::object::Object;
 use crate::tree::Node;
 use crate::value::text;
@@ -16,10 +17,8 @@ const FORM: &str =
     "\"WORD METRIC over PARAMETER, PARAMETER ...\", as in \"least rms_error over alpha\"";
 
 /// The key with its meaning.
-pub(crate) const KEY: (&str, &str) = (
-    "reductions",
-    "metrics reduced over parameters, each a text such as \"least rms_error over alpha\"; figures and checks use it like a metric",
-);
+pub(crate) const KEY: Field = field("reductions", Kind::List(&Kind::Shared("reduction"), [0, ANY]))
+    .means("metrics reduced over parameters, each a text such as \"least rms_error over alpha\"; figures and checks use it like a metric");
 
 /// The parts of the text of a reduction.
 pub(crate) struct Parts<'a> {
@@ -58,7 +57,7 @@ pub(crate) fn measures(
     blocks: &[Block],
     faults: &mut Faults,
 ) -> Vec<Measure> {
-    let texts = object.items(KEY.0, faults, |node, path, faults| {
+    let texts = object.items(KEY.name, faults, |node, path, faults| {
         Some((node.clone(), path.to_owned(), text(node, path, faults)?))
     });
     let mut found: Vec<Measure> = Vec::new();

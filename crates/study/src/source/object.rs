@@ -1,20 +1,33 @@
 //! An object of the study file with its keys checked against those allowed.
 
 use super::faults::{Faults, join, quoted, unknown};
-use super::tree::{Member, Node, Tree};
+use super::field::{Field, Keys};
+use super::tree::{Member, Node};
+use slipgap_problem::problem::numbers::parameter::Range;
 
 /// The members of an object whose keys are allowed, in file order.
 pub struct Object<'a> {
     at: usize,
     path: String,
+    keys: Keys,
     /// The keys with their values.
     pub members: Vec<&'a Member>,
 }
 
 impl<'a> Object<'a> {
-    /// The members of `node`, which must be an object with the keys `allowed`. Every other key except `//` is a fault, and so is
-    /// a repeated key.
+    /// The members of `node`, which must be an object with these keys. Every other key except `//` is a fault, and so is a
+    /// repeated key.
     pub fn open(
+        node: &'a Node,
+        path: &str,
+        keys: &Keys,
+        faults: &mut Faults,
+    ) -> Option<Object<'a>> {
+        Some(Object::of_keys(node, path, &keys.names(), faults)?.with(keys))
+    }
+
+    /// The same with keys that are names of something.
+    pub fn of_keys(
         node: &'a Node,
         path: &str,
         allowed: &[&str],
@@ -28,13 +41,21 @@ impl<'a> Object<'a> {
         Object::checked(node, path, None, faults)
     }
 
+    /// With the declarations of its keys.
+    pub fn with(self, keys: &Keys) -> Object<'a> {
+        Object {
+            keys: *keys,
+            ..self
+        }
+    }
+
     fn checked(
         node: &'a Node,
         path: &str,
         allowed: Option<&[&str]>,
         faults: &mut Faults,
     ) -> Option<Object<'a>> {
-        let Tree::Object(listed) = &node.tree else {
+        let Some(listed) = node.object() else {
             let keys = allowed.map(|keys| format!("an object with keys from {}", keys.join(", ")));
             faults.must_be(node, path, keys.as_deref().unwrap_or("an object"));
             return None;
@@ -58,6 +79,7 @@ impl<'a> Object<'a> {
         Some(Object {
             at: node.at,
             path: path.to_owned(),
+            keys: Keys::new(&[]),
             members,
         })
     }
@@ -68,6 +90,60 @@ impl<'a> Object<'a> {
             .iter()
             .find(|m| m.key == key)
             .map(|member| &member.node)
+    }
+
+    /// Its keys.
+    pub fn keys(&self) -> &Keys {
+        &self.keys
+    }
+
+    /// The declaration of a key.
+    pub fn field(&self, key: &str) -> Option<&'static Field> {
+        self.keys.get(key)
+    }
+
+    /// The range of the numbers under `key`.
+    pub fn range(&self, key: &str) -> Range {
+        self.keys.range(key)
+    }
+
+    /// The value of `key` with its path, if it is given. If it is missing but needed, that is a fault.
+    pub fn given(&self, key: &str, faults: &mut Faults) -> Option<(&'a Node, String)> {
+        let node = self.get(key).or_else(|| {
+            self.field(key)
+                .filter(|field| field.needed)
+                .and_then(|_| self.needed(key, faults))
+        })?;
+        Some((node, self.path(key)))
+    }
+
+    /// The value of `key`. If it is missing, that is a fault with the meaning of the key.
+    pub fn needed(&self, key: &str, faults: &mut Faults) -> Option<&'a Node> {
+        let what = self
+            .field(key)
+            .map_or(String::new(), |field| match field.kind.words() {
+                Some((None, names)) => format!("one of {}", names.join(", ")),
+                _ => field.meaning.to_owned(),
+            });
+        self.need(key, &what, faults)
+    }
+
+    /// The object under `key`, with the keys of its declaration.
+    pub fn object(&self, key: &str, faults: &mut Faults) -> Option<Object<'a>> {
+        let (node, path) = self.given(key, faults)?;
+        Object::open(node, &path, self.field(key)?.kind.keys()?, faults)
+    }
+
+    /// The only member with one of these keys. Another number of them is a fault.
+    pub fn one_of(&self, keys: &[&str], faults: &mut Faults) -> Option<&'a Member> {
+        let given = self.members.iter().copied();
+        let given: Vec<_> = given.filter(|one| keys.contains(&&*one.key)).collect();
+        let [member] = given[..] else {
+            let message = format!("must have exactly one of {}", keys.join(", "));
+            self.fault(message, faults);
+            return None;
+        };
+        Some(member)
     }
 
     /// The value of `key`. If it is missing, that is a fault; `what` says what the key needs.
@@ -87,19 +163,17 @@ impl<'a> Object<'a> {
         decode: impl Fn(&Node, &str, &mut Faults) -> Option<T>,
     ) -> Vec<T> {
         let path = self.path(key);
-        match self.get(key).map(|node| (node, &node.tree)) {
-            None => Vec::new(),
-            Some((_, Tree::List(items))) => {
-                let items = items.iter().enumerate();
-                items
-                    .filter_map(|(i, item)| decode(item, &format!("{path}[{i}]"), faults))
-                    .collect()
-            }
-            Some((node, _)) => {
-                faults.must_be(node, &path, "a list");
-                Vec::new()
-            }
-        }
+        let Some(node) = self.get(key) else {
+            return Vec::new();
+        };
+        let Some(items) = node.list() else {
+            faults.must_be(node, &path, "a list");
+            return Vec::new();
+        };
+        let items = items.iter().enumerate();
+        items
+            .filter_map(|(i, item)| decode(item, &format!("{path}[{i}]"), faults))
+            .collect()
     }
 
     /// Adds that `key` is missing, at the opening brace.

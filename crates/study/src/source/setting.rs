@@ -133,8 +133,8 @@ fn put(root: &mut Node, setting: &Setting, value: &Node, start: usize, faults: &
 
 /// Whether the study describes its system, so that its parameters have free names without keys.
 fn is_described(root: &mut Node) -> bool {
-    let problem = root.member("problem").map(|node| &node.tree);
-    matches!(problem, Some(Tree::Text(name)) if problem::is_described(name))
+    let name = root.get("problem").and_then(Node::text);
+    name.is_some_and(problem::is_described)
 }
 
 /// The `parameters` of a study that are objects, each with its path. Decoding reports the others.
@@ -164,12 +164,8 @@ fn gives(node: &Node, names: &[&str]) -> bool {
     let Some((first, rest)) = names.split_first() else {
         return true;
     };
-    match &node.tree {
-        Tree::Object(members) => members
-            .iter()
-            .any(|member| member.key == *first && gives(&member.node, rest)),
-        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
-    }
+    let mut members = node.object().unwrap_or_default().iter();
+    members.any(|member| member.key == *first && gives(&member.node, rest))
 }
 
 fn insert(

@@ -66,12 +66,54 @@ impl Node {
 
     /// The first value of an object under `key`.
     pub fn member(&mut self, key: &str) -> Option<&mut Node> {
-        match &mut self.tree {
-            Tree::Object(members) => members
-                .iter_mut()
-                .find(|member| member.key == key)
-                .map(|member| &mut member.node),
+        let Tree::Object(members) = &mut self.tree else {
+            return None;
+        };
+        let mut members = members.iter_mut();
+        let member = members.find(|member| member.key == key)?;
+        Some(&mut member.node)
+    }
+
+    /// The members of an object; `None` for another value.
+    pub fn object(&self) -> Option<&[Member]> {
+        match &self.tree {
+            Tree::Object(members) => Some(members),
             Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
+        }
+    }
+
+    /// The first value of an object under `key`.
+    pub fn get(&self, key: &str) -> Option<&Node> {
+        let mut members = self.object()?.iter();
+        Some(&members.find(|member| member.key == key)?.node)
+    }
+
+    /// The items of a list; `None` for another value.
+    pub fn list(&self) -> Option<&[Node]> {
+        match &self.tree {
+            Tree::List(items) => Some(items),
+            Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
+        }
+    }
+
+    /// The items of a list; another value is its only one.
+    pub fn items(&self) -> &[Node] {
+        self.list().unwrap_or(std::slice::from_ref(self))
+    }
+
+    /// The offset and path of item `i` of a list; those of the value itself without such an item.
+    pub fn item(&self, path: &str, i: usize) -> (usize, String) {
+        match self.list().and_then(|items| items.get(i)) {
+            Some(item) => (item.at, format!("{path}[{i}]")),
+            None => (self.at, path.to_owned()),
+        }
+    }
+
+    /// A string; `None` for another value.
+    pub fn text(&self) -> Option<&str> {
+        match &self.tree {
+            Tree::Text(text) => Some(text),
+            Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::axes::draft::BlockDraft;
 use crate::axes::parameters::parameters;
 use crate::source::faults::Faults;
 use crate::source::tree::{Node, Tree};
-use crate::structure::reading::given::{member, members};
+use crate::structure::reading::given::members;
 use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::numbers::parameter::{Parameter, Value};
 use slipgap_problem::problem::structure::channels::measured_channels::Measured;
@@ -37,14 +37,9 @@ fn joined(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 /// The parameters of every block. Their faults are reported where cases are made.
 fn blocks(root: &Node, table: &[Parameter]) -> Vec<BlockDraft> {
-    let first = [root].into_iter();
-    let more = match member(root, "blocks").map(|node| &node.tree) {
-        Some(Tree::List(blocks)) => &blocks[..],
-        _ => &[],
-    };
-    let nodes = first
-        .chain(more)
-        .filter_map(|node| member(node, "parameters"));
+    let blocks = root.get("blocks").and_then(Node::list);
+    let holders = [root].into_iter().chain(blocks.unwrap_or_default());
+    let nodes = holders.filter_map(|node| node.get("parameters"));
     let draft = |node: &Node| parameters(node, "", table, &mut Faults::default());
     nodes.filter_map(draft).collect()
 }
@@ -54,7 +49,7 @@ struct Free(Vec<(usize, [f64; 2])>);
 
 impl Free {
     fn of(root: &Node, table: &[Parameter]) -> Free {
-        let calibrated = member(root, "calibrate").map_or(&[][..], members).iter();
+        let calibrated = root.get("calibrate").map_or(&[][..], members).iter();
         let range = calibrated.filter_map(|entry| {
             let row = table.iter().position(|known| known.name == entry.key)?;
             // With a scale, the ends are the value of its key.
@@ -62,15 +57,10 @@ impl Free {
                 [scale] => &scale.node,
                 _ => &entry.node,
             };
-            match &ends.tree {
-                Tree::List(ends) => match &ends[..] {
-                    [from, to] => Some((row, [number(from)?, number(to)?])),
-                    _ => None,
-                },
-                Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-                    None
-                }
-            }
+            let [from, to] = ends.list()? else {
+                return None;
+            };
+            Some((row, [number(from)?, number(to)?]))
         });
         Free(range.collect())
     }

@@ -42,15 +42,17 @@ pub(super) fn notes(template: &Template, names: &Names, structure: &Node) -> Vec
 
 /// A ground or a support whose motions in x and y get each a factor of its own, though it is not said.
 fn scaled_apart(structure: &Node) -> Option<String> {
-    let members = given::member(structure, "supports").map(given::members);
+    let members = structure.get("supports").map(given::members);
     let listed = members.unwrap_or_default().iter();
     let supports = listed.map(|support| (format!("support {}", support.key), &support.node));
-    let ground = given::member(structure, "ground").map(|motion| ("ground".to_owned(), motion));
+    let ground = structure
+        .get("ground")
+        .map(|motion| ("ground".to_owned(), motion));
     let is_apart = |part: &(String, &Node)| {
         ["x", "y"].iter().all(|key| {
-            let motion = given::member(part.1, key);
-            let scale_to = motion.and_then(|node| given::member(node, "scale_to"));
-            scale_to.is_some_and(|node| given::member(node, "component").is_none())
+            let motion = part.1.get(key);
+            let scale_to = motion.and_then(|node| node.get("scale_to"));
+            scale_to.is_some_and(|node| node.get("component").is_none())
         })
     };
     let (name, _) = ground.into_iter().chain(supports).find(is_apart)?;

@@ -20,8 +20,8 @@ use super::source::folder::Folder;
 use super::source::object::Object;
 use super::source::tree::Node;
 use super::value;
-use crate::structure::reading::reader::{Reader, named, open};
-use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE};
+use crate::structure::reading::reader::{Reader, named};
+use keys::STRUCTURE;
 use measured::Given;
 use parts::{damping, springs};
 use slipgap_problem::problem::Problem;
@@ -52,7 +52,7 @@ pub(super) fn problem(
         shown: &not_shown,
     };
     let first = schema::schema(&parameters, &[], &[], ("", no_words));
-    let object = open(node, "structure", STRUCTURE, faults)?;
+    let object = Object::open(node, "structure", &STRUCTURE, faults)?;
     let mut taken = HashSet::new();
     let mut all_of = |key: &str, what: &str, faults: &mut Faults| match object.get(key) {
         Some(node) => named(node, &object.path(key), what, &mut taken, faults),
@@ -131,7 +131,9 @@ pub(super) fn problem(
         matrices: imported,
         rayleigh: damping::rayleigh(&object, &reader, faults).unwrap_or_default(),
         modal_damping: damping::modal_damping(&object, &reader, faults),
-        damping_stiffness: damping_stiffness(&object, faults).unwrap_or_default(),
+        damping_stiffness: object
+            .choice("damping_stiffness", &STIFFNESSES, faults)
+            .unwrap_or_default(),
         contacts: contacts::contacts(&of_contacts, &springs, &reader, faults),
         springs,
         loads: object.items("loads", faults, |node, path, faults| {
@@ -142,7 +144,7 @@ pub(super) fn problem(
         at_rest: parts::static_loads(&object, &reader, faults),
         gravity: parts::falling(&object, &reader, faults),
         start: parts::start(&object, &reader, faults),
-        reference: reference(&object, faults),
+        reference: object.choice("contacts_reference", &REFERENCES, faults),
         measured: None,
         sample: None,
         observed: false,
@@ -207,7 +209,7 @@ pub(super) fn problem(
     let mut notes = crate::structure::motions::records::notes(&reader);
     notes.extend(crate::structure::reading::files::early_note(&reader));
     notes.extend(doubts::notes(&template, &reader.names, node));
-    let given = root.get(keys::KEY.0).zip(template.measured.as_ref());
+    let given = root.get(keys::KEY.name).zip(template.measured.as_ref());
     let of_measured = given.map(|(node, measured)| (node, measured.delays));
     let set = template.set().map(|set| set.1);
     let identity = identity::identity(node, (of_measured, set), &reader.records.borrow());
@@ -260,20 +262,7 @@ fn units(object: &Object, structure: &Node, faults: &mut Faults) -> (String, f64
     (text, metre.unwrap_or(1.0))
 }
 
-fn reference(object: &Object, faults: &mut Faults) -> Option<Reference> {
-    let node = object.get("contacts_reference")?;
-    let path = object.path("contacts_reference");
-    match value::name(node, &path, "reference", &REFERENCES, faults)? {
-        0 => Some(Reference::Softened),
-        _ => Some(Reference::Rigid),
-    }
-}
+const REFERENCES: [Reference; 2] = [Reference::Softened, Reference::Rigid];
 
-fn damping_stiffness(object: &Object, faults: &mut Faults) -> Option<DampingStiffness> {
-    let node = object.get("damping_stiffness")?;
-    let path = object.path("damping_stiffness");
-    match value::name(node, &path, "stiffness", &DAMPING_STIFFNESSES, faults)? {
-        0 => Some(DampingStiffness::WithoutContacts),
-        _ => Some(DampingStiffness::Initial),
-    }
-}
+const STIFFNESSES: [DampingStiffness; 2] =
+    [DampingStiffness::WithoutContacts, DampingStiffness::Initial];

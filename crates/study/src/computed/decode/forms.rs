@@ -39,10 +39,10 @@ fn check_entry(node: &Node, path: &str, faults: &mut Faults) {
             text(node, path, faults);
         }
         Tree::Object(_) => {
-            let Some(object) = Object::open(node, path, &NAMED.map(|key| key.0), faults) else {
+            let Some(object) = Object::open(node, path, &NAMED, faults) else {
                 return;
             };
-            object.need(NAMED[0].0, NAMED[0].1, faults);
+            object.given("value", faults);
             for member in &object.members {
                 text(&member.node, &object.path(&member.key), faults);
             }

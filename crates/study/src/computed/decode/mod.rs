@@ -3,7 +3,7 @@
 mod forms;
 mod rules;
 
-use super::sources::{self, NAMED, Source, is_arithmetic, members};
+use super::sources::{self, Source, is_arithmetic, members};
 use super::{Computed, Rule};
 use crate::Measure;
 use crate::cases::scope::Scope;
@@ -188,11 +188,11 @@ impl Decoder<'_, '_> {
             }
         };
         if let Some(decoded) = &mut decoded {
-            decoded.symbol = match given(NAMED[2].0) {
+            decoded.symbol = match given("title") {
                 Some(title) => escape(&title),
                 None => symbol(name),
             };
-            decoded.unit = given(NAMED[1].0).unwrap_or(decoded.unit.clone());
+            decoded.unit = given("unit").unwrap_or(decoded.unit.clone());
         }
         let row = self.push(name.to_owned(), source.text, decoded);
         self.names[index].state = State::Done(row);

@@ -3,8 +3,8 @@
 use super::parts::{pair, several, width};
 use serde_json::{Map, Value as Json, json};
 
-use super::values::{constant, names, number, object, ratio, refer, value};
-use crate::decode::checks;
+use super::fields;
+use super::values::{names, number, object, ratio, refer, value};
 use crate::figure::decoded_value::MARKS;
 use crate::figure::keys::{COMMON, EACH, FITS, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::Kind;
@@ -21,10 +21,10 @@ pub(super) fn rules(kind: &Kind, suits: bool, named: &Named) -> Json {
     let mut properties = Map::new();
     let mut required = Vec::new();
     for key in COMMON.iter().chain(kind.keys) {
-        let mut schema = taken(key.takes, named);
+        let mut schema = taken(key.kind, named);
         schema["description"] = key.meaning.into();
         properties.insert(key.name.into(), schema);
-        if key.required {
+        if key.needed {
             required.push(key.name);
         }
     }
@@ -74,7 +74,7 @@ impl Named {
             profile: names(schema.profiles.iter().map(|p| (&*p.name, &*p.title))),
             metric,
             budget: names(schema.budgets.iter().map(|b| (&*b.name, &*b.title))),
-            marks: marks(),
+            marks: fields::object(&MARKS, &refer),
             number: number(Range::Any),
             has_units: !schema.units.is_empty(),
         }
@@ -125,21 +125,6 @@ fn taken(takes: Takes, named: &Named) -> Json {
     }
 }
 
-fn marks() -> Json {
-    let coordinates = pair();
-    let mut properties = Map::new();
-    for (key, meaning) in MARKS {
-        properties.insert(
-            key.into(),
-            match key {
-                "at" => json!({ "type": "array", "items": coordinates, "description": meaning }),
-                _ => json!({ "type": "string", "description": meaning }),
-            },
-        );
-    }
-    object(properties, &MARKS.map(|key| key.0))
-}
-
 /// A `where`: values of parameters, one or several of each.
 pub(super) fn filter(problem: &dyn Problem) -> Json {
     let table = problem.parameters().iter();
@@ -149,20 +134,4 @@ pub(super) fn filter(problem: &dyn Problem) -> Json {
         (p.name.to_string(), schema)
     };
     object(table.map(term).collect(), &[])
-}
-
-pub(super) fn check(problem: &dyn Problem) -> Json {
-    let mut properties = Map::new();
-    for (key, meaning) in checks::KEYS {
-        let mut schema = match key {
-            "metric" => refer(&name_of(problem, "column")),
-            "where" => refer(&name_of(problem, key)),
-            _ => constant(),
-        };
-        schema["description"] = meaning.into();
-        properties.insert(key.into(), schema);
-    }
-    let mut schema = object(properties, &["metric"]);
-    schema["anyOf"] = json!([{ "required": ["min"] }, { "required": ["max"] }]);
-    schema
 }

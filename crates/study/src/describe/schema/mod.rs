@@ -2,25 +2,26 @@
 //!
 //! It is draft 7, which most editors support. Rules across parameters are tested only by `read`.
 
+mod fields;
 mod figures;
 mod parts;
 mod share;
 mod structure;
 pub(super) mod values;
 
+use crate::axes::axis_rule::RULES;
+use crate::axes::interval::INTERVALS;
 use crate::decode::blocks::BLOCK_KEYS;
-use crate::decode::{self, SHARED, units};
+use crate::decode::{self, checks, units};
 use crate::figure::kinds::KINDS;
-use crate::structure::named::shown::SHOWN;
+use crate::source::field::{Keys, Kind};
 use crate::units::IN;
-use figures::{Named, check, filter, name_of, parameter_names};
-use parts::{block_keys, computed, listed_metrics, recommend, reduction, several};
+use figures::{Named, filter, name_of, parameter_names};
+use parts::{computed, listed_metrics, recommend, reduction, several};
 use serde_json::{Map, Value as Json, json};
-use slipgap_problem::problem::{self, Metric, PROBLEMS, Problem};
+use slipgap_problem::problem::{Metric, PROBLEMS, Problem};
 use std::sync::Arc;
-use values::{
-    EXPRESSION, INTERVAL, RULE, expression, interval, names, object, parameters, refer, rule,
-};
+use values::{EXPRESSION, INTERVAL, RULE, expression, names, object, parameters, refer};
 
 /// The schema as indented JSON with a newline at its end.
 pub fn schema() -> String {
@@ -31,47 +32,54 @@ pub fn schema() -> String {
 
 /// The schema with parts that occur several times written out.
 fn whole() -> Json {
-    let mut properties = Map::new();
-    for (key, meaning) in decode::KEYS.into_iter().chain(BLOCK_KEYS) {
-        properties.insert(key.into(), json!({ "description": meaning }));
-    }
-    properties.extend(block_keys());
-    for (key, kind) in [
-        ("$schema", "string"),
-        ("title", "string"),
-        ("parameters", "object"),
-        (SHARED.0, "object"),
-    ] {
-        properties[key]["type"] = kind.into();
-    }
-    for key in ["blocks", "reductions", "figures", "checks"] {
-        properties[key]["type"] = "array".into();
-    }
-    let problems: Vec<&str> = problem::names().collect();
-    properties["metrics"]["type"] = json!(["array", "object"]);
-    properties["names"] = shown_names();
-    properties["reductions"]["items"] = reduction();
-    if let (Json::Object(object), Json::Object(keys)) = (&mut properties["recommend"], recommend())
-    {
-        object.extend(keys);
-    }
-    properties["problem"]["enum"] = json!(problems);
-    properties["iteration"]["enum"] = json!(decode::ITERATIONS);
     let mut definitions = Map::new();
     definitions.insert(EXPRESSION.into(), expression());
-    definitions.insert(RULE.into(), rule());
-    definitions.insert(INTERVAL.into(), interval());
+    definitions.insert(RULE.into(), one_of(&RULES, "a rule for the values of an axis; a whole-number parameter takes the nearest whole numbers"));
+    definitions.insert(
+        INTERVAL.into(),
+        one_of(
+            &INTERVALS,
+            "the distribution of a parameter that a design samples",
+        ),
+    );
     let rules = |problem: &Arc<dyn Problem>| of_problem(&**problem, &mut definitions);
     let mut each: Vec<Json> = PROBLEMS.iter().map(rules).collect();
     each.push(structure::rules(&mut definitions));
-    let mut schema = object(properties, &["problem"]);
+    let mut schema = fields::object(&decode::KEYS, &shared);
     schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
     schema["title"] = "slipgap study".into();
-    schema["oneOf"] = json!([{ "required": ["parameters"] }, { "required": ["blocks"] }]);
-    schema["dependencies"] = json!({ SHARED.0: ["blocks"] });
     schema["allOf"] = each.into();
     schema["definitions"] = definitions.into();
     schema
+}
+
+/// The parts of studies of all problems.
+fn shared(name: &str) -> Json {
+    match name {
+        "parameters" => json!({ "type": "object" }),
+        "metrics" => json!({ "type": ["array", "object"] }),
+        "names" => {
+            let text = Kind::List(&Kind::Text, [1, 2]);
+            json!({ "type": "object", "additionalProperties": fields::value(&text, &shared) })
+        }
+        "reduction" => reduction(),
+        "recommend" => recommend(),
+        definition => refer(definition),
+    }
+}
+
+/// An object with one of several keys.
+fn one_of(keys: &Keys, meaning: &str) -> Json {
+    let mut schema = fields::object(keys, &shared);
+    schema["description"] = meaning.into();
+    schema
+}
+
+/// The keys of a block.
+fn block(parameters: Json) -> Json {
+    let mut properties = fields::properties(BLOCK_KEYS.iter(), &shared);
+    properties.insert("parameters".into(), parameters);
+    object(properties, &["parameters"])
 }
 
 /// A value with one key or item in each line, without the spaces before it: they would be more than half of the schema.
@@ -98,9 +106,9 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
         json!({ "anyOf": [metric, reduction(), computed()] }),
     );
     define("where", filter(problem));
-    let mut block = block_keys();
-    block.insert("parameters".into(), parameters.clone());
+    let block = block(parameters.clone());
     let named = Named::of(problem);
+    let of_this = |name: &str| refer(&name_of(problem, name));
     let figures: Vec<Json> = KINDS
         .iter()
         .map(|kind| figures::rules(kind, kind.suits(problem), &named))
@@ -117,13 +125,13 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
             "problem": { "description": problem.schema().meaning },
             "parameters": parameters,
             "shared": parameters,
-            "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
+            "blocks": { "minItems": 1, "items": block },
             "metrics": listed_metrics(&metric),
             "ensemble": several(parameter_names(problem, false)),
             "calibrate": false,
-            "units": if problem.schema().units.is_empty() { json!(false) } else { units() },
+            "units": if problem.schema().units.is_empty() { json!(false) } else { fields::object(&units::KEYS, &shared) },
             "figures": { "items": figure },
-            "checks": { "items": check(problem) },
+            "checks": { "items": fields::object(&checks::KEYS, &of_this) },
         } },
     })
 }
@@ -143,47 +151,24 @@ fn metric(problem: &dyn Problem) -> Json {
     if of_unit.is_empty() {
         return scaled;
     }
+    let unit = units::NAME.trim_matches(['^', '$']);
     let in_units = json!({
         "type": "string",
-        "pattern": format!("^({}){}{UNIT}(_per_{UNIT})?$", of_unit.join("|"), IN),
+        "pattern": format!("^({}){}{unit}(_per_{unit})?$", of_unit.join("|"), IN),
         "description": "a metric in the units of the study",
     });
     json!({ "anyOf": [scaled, in_units] })
 }
 
-/// Names and units of parameters for figures.
-fn shown_names() -> Json {
-    let pair =
-        json!({ "type": "array", "minItems": 1, "maxItems": 2, "items": { "type": "string" } });
-    json!({ "type": "object", "additionalProperties": pair, "description": SHOWN.1 })
-}
-
-/// A name of a unit, as a regular expression.
-const UNIT: &str = "[A-Za-zµ][A-Za-z0-9µ]{0,15}";
-
-/// The key `units`.
-fn units() -> Json {
-    let one = |(key, meaning): (&str, &str)| {
-        let schema =
-            json!({ "type": "string", "pattern": format!("^{UNIT}$"), "description": meaning });
-        (key.to_owned(), schema)
-    };
-    object(
-        units::KEYS.into_iter().map(one).collect(),
-        &units::KEYS.map(|key| key.0),
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::decode::checks;
 
     #[test]
     fn every_key_of_every_table_is_described() {
         let text = schema();
         let schema: Json = serde_json::from_str(&text).unwrap_or_default();
-        for (key, _) in decode::KEYS {
+        for (key, _) in decode::KEYS.rows() {
             assert!(
                 schema["properties"][key]["description"].is_string(),
                 "{key}"
@@ -202,7 +187,7 @@ mod tests {
                     parameter.name
                 );
             }
-            for key in checks::KEYS {
+            for key in checks::KEYS.rows() {
                 assert!(
                     properties["checks"]["items"]["properties"][key.0].is_object(),
                     "{}",

@@ -2,8 +2,6 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::axes::axis_rule::RULES;
-use crate::axes::interval::INTERVALS;
 use slipgap_problem::problem::expression::{CONSTANTS, FUNCTIONS};
 use slipgap_problem::problem::numbers::parameter::{
     Condition, Default, Kind, Parameter, Range, Value,
@@ -172,38 +170,8 @@ pub(super) const EXPRESSION: &str = "expression";
 /// Name of the definition of axes by rule.
 pub(super) const RULE: &str = "rule";
 
-/// An axis by rule.
-pub(super) fn rule() -> Json {
-    let meaning = "a rule for the values of an axis; a whole-number parameter takes the nearest whole numbers";
-    one_of(&RULES, 3, meaning)
-}
-
 /// Name of the definition of intervals.
 pub(super) const INTERVAL: &str = "interval";
-
-/// What a design samples.
-pub(super) fn interval() -> Json {
-    one_of(
-        &INTERVALS,
-        2,
-        "the distribution of a parameter that a design samples",
-    )
-}
-
-/// An object with exactly one of several keys, each with a list of `count` numbers.
-fn one_of(keys: &[(&str, &str)], count: usize, meaning: &str) -> Json {
-    let list = json!({ "type": "array", "minItems": count, "maxItems": count, "items": number(Range::Any) });
-    let properties = keys.iter().map(|(name, meaning)| {
-        let mut schema = list.clone();
-        schema["description"] = (*meaning).into();
-        ((*name).to_owned(), schema)
-    });
-    let mut schema = object(properties.collect(), &[]);
-    schema["description"] = meaning.into();
-    let one = |(name, _): &(&str, &str)| json!({ "required": [name] });
-    schema["oneOf"] = keys.iter().map(one).collect();
-    schema
-}
 
 /// A damping ratio.
 pub(super) fn ratio() -> Json {

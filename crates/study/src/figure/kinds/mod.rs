@@ -285,7 +285,7 @@ mod tests {
             );
             let metrics = kind.keys.iter().any(|key| {
                 use Takes::{Budgets, Column, Metric, Metrics};
-                matches!(key.takes, Metric | Metrics | Column | Budgets)
+                matches!(key.kind, Metric | Metrics | Column | Budgets)
             });
             let problem = &*studies[0].problem;
             let measures = figure.kind.decoded().measures(problem);

@@ -151,9 +151,9 @@ mod tests {
     #[test]
     fn a_misspelt_name_has_the_intended_one_as_hint_or_none() {
         let (friction, bars) = (&names(0)[..], &names(1)[..]);
-        let rules = &RULES.map(|rule| rule.0)[..];
+        let rules = &RULES.names()[..];
         let laws = &["displacement-control", "velocity-control"][..];
-        let keys = &crate::decode::KEYS.map(|key| key.0)[..];
+        let keys = &crate::decode::KEYS.names()[..];
         let metrics = &["peak_force", "peak_error", "rms_error", "rms_error_law"][..];
         for (misspelt, allowed, intended) in [
             // Wrong, missing, added, exchanged.

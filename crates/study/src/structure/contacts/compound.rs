@@ -3,10 +3,9 @@
 use super::{Relation, relation};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
-use crate::source::tree::{Member, Node, Tree};
+use crate::source::tree::{Member, Node};
 use crate::structure::keys::{LISTS, PART};
-use crate::structure::reading::reader::Part;
-use crate::structure::reading::reader::{Reader, open};
+use crate::structure::reading::reader::{Part, Reader};
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
 use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
@@ -35,11 +34,11 @@ pub(super) fn list<'a>(object: &Object<'a>) -> Option<&'a Member> {
 }
 
 fn is_list(member: &Member) -> bool {
-    LISTS.iter().any(|list| list.0 == member.key)
+    LISTS.iter().any(|list| list.name == member.key)
 }
 
 fn is_series(list: &Member) -> bool {
-    list.key == LISTS[0].0
+    list.key == LISTS[0].name
 }
 
 /// The nodes between laws in series, as masses of 0: NAME.node1, NAME.node2, ..
@@ -52,13 +51,9 @@ pub(in crate::structure) fn inner_nodes(parts: &[Part]) -> Vec<Mass> {
 }
 
 fn add_inner_nodes(name: &str, node: &Node, (at, path): Place, nodes: &mut Vec<Mass>) {
-    let Tree::Object(members) = &node.tree else {
-        return;
-    };
-    for list in members.iter().filter(|member| is_list(member)) {
-        let Tree::List(items) = &list.node.tree else {
-            continue;
-        };
+    let members = node.object().unwrap_or_default().iter();
+    for list in members.filter(|member| is_list(member)) {
+        let items = list.node.list().unwrap_or_default();
         if is_series(list) {
             nodes.extend((1..items.len()).map(|i| Mass {
                 name: inner_node(name, i),
@@ -120,22 +115,14 @@ fn laws(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Laws> {
-    let items = match &list.node.tree {
-        Tree::List(items) if items.len() > 1 => items,
-        Tree::Object(_)
-        | Tree::List(_)
-        | Tree::Text(_)
-        | Tree::Number(_)
-        | Tree::Bool(_)
-        | Tree::Null => {
-            faults.must_be(&list.node, path, "a list of two laws or more");
-            return None;
-        }
+    let Some(items) = list.node.list().filter(|items| items.len() > 1) else {
+        faults.must_be(&list.node, path, "a list of two laws or more");
+        return None;
     };
     let is_series = is_series(list);
     let within = [within, &[is_series]].concat();
     let decoded = items.iter().enumerate().map(|(i, item)| {
-        let part = open(item, &format!("{path}[{i}]"), &PART, faults)?;
+        let part = Object::open(item, &format!("{path}[{i}]"), &PART, faults)?;
         match self::list(&part) {
             None => Some(Item::Law(Box::new(relation(&part, None, reader, faults)?))),
             Some(inner) => {

@@ -8,15 +8,16 @@ pub(in crate::structure) use compound::inner_nodes;
 pub(in crate::structure) use pressing::with_pressing;
 
 use crate::source::faults::Faults;
+use crate::source::field::Keys;
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::keys::{CONTACT, LAW_TABLE, NORMAL_TABLE, PRESSING, WEIGHT};
 use crate::structure::motions::loads::scaled;
 use crate::structure::motions::table::table;
 use crate::structure::reading::files;
 use crate::structure::reading::reader::Part;
-use crate::structure::reading::reader::{Reader, open};
-use crate::value::{name, text};
+use crate::structure::reading::reader::Reader;
+use crate::value::text;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
 use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
@@ -56,7 +57,7 @@ fn contact(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Vec<Contact>> {
-    let object = open(node, path, &CONTACT, faults)?;
+    let object = Object::open(node, path, &CONTACT, faults)?;
     if let Some(list) = compound::list(&object) {
         return compound::contacts((name, node, path), &object, list, reader, faults);
     }
@@ -121,27 +122,18 @@ fn relation(
         unsuitable(object, law, faults);
     }
     let before = faults.count();
-    let mut optional = |key: &str, range| reader.optional(object, key, range, faults);
-    let gap = optional("gap", Range::Any);
+    let gap = reader.number(object, "gap", faults);
     // The normal force and the table are more than a number.
-    let numbers = NUMBERS
+    let plain = NUMBERS
         .iter()
         .filter(|number| !["N", "table"].contains(&number.key));
-    let given =
-        numbers.filter_map(|number| Some((number.key, optional(number.key, number.range)?)));
+    let given = plain.filter_map(|row| Some((row.key, reader.number(object, row.key, faults)?)));
     let numbers: Vec<_> = given.collect();
-    let normal = object
-        .get("N")
-        .and_then(|node| normal(node, &object.path("N"), name, reader, faults));
-    let points = object.get("table").and_then(|node| {
-        table(
-            node,
-            &object.path("table"),
-            (LAW_TABLE, ["r", "S"]),
-            reader,
-            faults,
-        )
-    });
+    let given_normal = object.given("N", faults);
+    let normal = given_normal.and_then(|(node, path)| normal(node, &path, name, reader, faults));
+    let given_table = object.given("table", faults);
+    let points =
+        given_table.and_then(|(node, path)| table(node, &path, &LAW_TABLE, reader, faults));
     let relation = Relation {
         law: law?,
         gap,
@@ -209,15 +201,11 @@ fn pairs(
 
 /// The law by its name, or the parameter that chooses it.
 fn law(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Chosen> {
-    let names: Vec<&str> = NAMES.iter().map(|law| law.0).collect();
-    let node = object.need("law", &format!("one of {}", names.join(", ")), faults)?;
-    if let Tree::Text(text) = &node.tree
-        && let Some((row, _)) = reader.choices(text)
-    {
+    let node = object.needed("law", faults)?;
+    if let Some((row, _)) = node.text().and_then(|text| reader.choices(text)) {
         return Some(Chosen::Parameter(row));
     }
-    let law = name(node, &object.path("law"), "law", &names, faults)?;
-    Some(Chosen::Name(NAMES[law].0))
+    Some(Chosen::Name(NAMES[object.word("law", faults)?].0))
 }
 
 /// Reports keys of other laws.
@@ -231,16 +219,8 @@ fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
         .collect();
     for member in &object.members {
         let key = member.key.as_str();
-        let of_all = [
-            "law",
-            "between",
-            "along",
-            "pairs",
-            "gap",
-            "plane",
-            "directions",
-        ];
-        if !of_all.contains(&key) && !keys.contains(&key) {
+        let is_number = NUMBERS.iter().any(|number| number.key == key);
+        if is_number && !keys.contains(&key) {
             let message = format!(
                 "a contact with law {law} has no {key}; it has {}",
                 keys.join(", ")
@@ -271,27 +251,28 @@ fn normal(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Normal> {
-    let Tree::Object(members) = &node.tree else {
+    let Some(members) = node.object() else {
         let force = reader.amount(node, path, Range::Any, faults)?;
         return Some(Normal::Constant(force));
     };
     if pressing::is_contact(node) {
         return pressing::by_contact(name, (node.at, path), faults).map(Normal::Parts);
     }
-    if members.iter().any(|member| member.key == PRESSING[0].0) {
+    let has = |keys: &Keys| members.iter().any(|member| keys.names()[0] == member.key);
+    if has(&PRESSING) {
         return pressing::parts(node, path, faults).map(Normal::Parts);
     }
-    if members.iter().any(|member| member.key == "weight") {
-        let object = open(node, path, WEIGHT, faults)?;
-        let weight = reader.needed(&object, WEIGHT, "weight", faults);
-        let given = object.need("vertical", WEIGHT[1].1, faults)?;
-        let vertical = scaled(given, &object.path("vertical"), reader, faults);
+    if has(&WEIGHT) {
+        let object = Object::open(node, path, &WEIGHT, faults)?;
+        let weight = reader.number(&object, "weight", faults);
+        let (given, path) = object.given("vertical", faults)?;
+        let vertical = scaled(given, &path, reader, faults);
         return Some(Normal::Weight {
             weight: weight?,
             vertical: vertical?,
         });
     }
-    let [t, f] = table(node, path, (NORMAL_TABLE, ["t", "N"]), reader, faults)?;
+    let [t, f] = table(node, path, &NORMAL_TABLE, reader, faults)?;
     let source = Source::new(Kind::Table { t, f }, (node.at, path.to_owned()));
     Some(Normal::Table(source))
 }

@@ -2,7 +2,7 @@
 
 use crate::source::faults::Faults;
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
 use slipgap_problem::problem::structure::given::node::{GROUND, NodeRef};
@@ -70,10 +70,7 @@ pub(super) fn places(
 
 /// A list of two items.
 fn two<'a>(node: &'a Node, path: &str, what: &str, faults: &mut Faults) -> Option<&'a [Node; 2]> {
-    let items = match &node.tree {
-        Tree::List(items) => items.as_slice().try_into().ok(),
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
-    };
+    let items = node.list().and_then(|items| items.try_into().ok());
     if items.is_none() {
         faults.must_be(node, path, what);
     }

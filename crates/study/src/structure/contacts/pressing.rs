@@ -1,9 +1,10 @@
 //! Normal forces by other contacts and by springs.
 
 use crate::source::faults::{Faults, unknown};
-use crate::source::tree::{Node, Tree};
+use crate::source::object::Object;
+use crate::source::tree::Node;
 use crate::structure::keys::PRESSING;
-use crate::structure::reading::reader::{Part, open};
+use crate::structure::reading::reader::Part;
 use crate::value::text;
 use slipgap_problem::problem::structure::parts::{
     contact::{Contact, Normal, Pressing, PressingPart},
@@ -15,12 +16,8 @@ pub(in crate::structure) fn with_pressing(parts: Vec<Part>) -> Vec<Part> {
     let mut contacts = Vec::with_capacity(parts.len());
     for part in parts {
         let (name, node, path) = &part;
-        let pressing = match &node.tree {
-            Tree::Object(members) => members.iter().find(|member| member.key == "N"),
-            Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
-        };
-        let pressing = pressing.filter(|member| is_contact(&member.node));
-        let presses = pressing.map(|member| (by(name), &member.node, format!("{path}.N")));
+        let pressing = node.get("N").filter(|normal| is_contact(normal));
+        let presses = pressing.map(|normal| (by(name), normal, format!("{path}.N")));
         contacts.push(part);
         contacts.extend(presses);
     }
@@ -34,10 +31,7 @@ fn by(name: &str) -> String {
 
 /// Whether a normal force is a contact.
 pub(super) fn is_contact(node: &Node) -> bool {
-    match &node.tree {
-        Tree::Object(members) => members.iter().any(|member| member.key == "law"),
-        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
-    }
+    node.get("law").is_some()
 }
 
 /// The contact that the normal force of the contact of this name is; of a law in a list it has none.
@@ -60,10 +54,8 @@ pub(super) fn by_contact(
 
 /// The parts that a normal force names: one, or a list.
 pub(super) fn parts(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<PressingPart>> {
-    let object = open(node, path, PRESSING, faults)?;
-    let (key, meaning) = PRESSING[0];
-    let node = object.need(key, meaning, faults)?;
-    let path = object.path(key);
+    let object = Object::open(node, path, &PRESSING, faults)?;
+    let (node, path) = object.given("contact", faults)?;
     let part = |node: &Node, path: String, faults: &mut Faults| {
         Some(PressingPart {
             name: text(node, &path, faults)?,
@@ -71,7 +63,7 @@ pub(super) fn parts(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<
             place: (node.at, path),
         })
     };
-    let Tree::List(items) = &node.tree else {
+    let Some(items) = node.list() else {
         return Some(vec![part(node, path, faults)?]);
     };
     if items.is_empty() {

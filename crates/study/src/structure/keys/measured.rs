@@ -1,45 +1,28 @@
 //! The keys of measurements.
 
-use super::Keys;
+use super::functions::FILES;
+use super::kinds::COLUMN_KIND;
+use crate::source::field::{ANY, Field, Keys, Kind, Usual, field, fields, needed};
+use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::channels::sample::FEWEST_TESTS;
 
-/// Keys of `measured`.
-pub(crate) const MEASURED: Keys = &[
-    (
-        "file",
-        "CSV file with a line of names above its columns, its path relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis; of tests compared as a sample a list of files, or {\"files\": ...}",
-    ),
-    (
-        "time",
-        "name of the column of times, or an object with its unit",
-    ),
-    (
-        "columns",
-        "for each measured channel the name of its column, or an object with its unit",
-    ),
-    (
-        "delay",
-        "time of the file at t = 0 of the motion; 0 if left out",
-    ),
-    (
-        "compare",
-        "histories, point by point, if left out; or distribution: peak, last, min, max, rms, mean, residual and time_of_peak of each test, over all times of its file or a window of numbers, as a sample with those of each ensemble",
-    ),
-];
+/// What was measured.
+pub(crate) const MEASURED: Keys = Keys::new(&fields![
+    /// CSV file with a line of names above its columns, its path relative to the study; a parameter that chooses it; or {"files": ...} as an axis; of tests compared as a sample a list of files, or {"files": ...}
+    needed("file", Kind::OneOf(&[Kind::Text, TESTS, Kind::Object(&FILES)])),
+    /// name of the column of times, or an object with its unit
+    needed("time", COLUMN_KIND),
+    /// for each measured channel the name of its column, or an object with its unit
+    needed("columns", Kind::Named(&COLUMN_KIND)),
+    /// time of the file at t = 0 of the motion; 0 if left out
+    field("delay", Kind::Number(Range::Any)),
+    /// histories, point by point, if left out; or distribution: peak, last, min, max, rms, mean, residual and time_of_peak of each test, over all times of its file or a window of numbers, as a sample with those of each ensemble
+    field("compare", Kind::Words("way", || vec!["histories", "distribution"], Some(Usual))),
+]);
 
-/// How tests are compared, the usual way first.
-pub(crate) const COMPARE: [&str; 2] = ["histories", "distribution"];
+/// The files of tests that are compared as a sample.
+const TESTS: Kind = Kind::List(&Kind::Text, [FEWEST_TESTS, ANY]);
 
-/// Keys of a column of `measured`.
-pub(crate) const COLUMN: Keys = &[
-    ("column", "its name in the file"),
-    (
-        "unit",
-        "its unit, such as mm, kip, g or mm/s; if left out, that of the study",
-    ),
-];
-
-/// The key with its meaning.
-pub(crate) const KEY: (&str, &str) = (
-    "measured",
-    "measured channels of a study of structures, with which its metrics compare, as in rms_error(deck.u, measured)",
-);
+/// The key of a study.
+pub(crate) const KEY: Field = field("measured", Kind::Any)
+    .means("measured channels of a study of structures, with which its metrics compare, as in rms_error(deck.u, measured)");

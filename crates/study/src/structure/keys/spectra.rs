@@ -1,121 +1,132 @@
 //! The keys of motions that are scaled to a spectrum, and the rules of codes for sets of them.
 
-use super::Keys;
+use super::kinds::{ANY_NUMBERS, UNIT};
+use crate::source::field::Kind::{self, List, Number, Object, Several, Text, Whole, Words};
+use crate::source::field::{ANY, Field, Keys, Rule as KeyRule, field, fields, needed};
+use slipgap_problem::problem::numbers::parameter::Range::{NotNegative, Positive, UpToOne};
 use slipgap_problem::problem::structure::given::motion_set::Statistic;
 use slipgap_system::system::loads::pair::Component;
+use slipgap_system::system::loads::target::Fit;
 
-/// Keys of `scale_to`; one of the first four is given.
-pub(crate) const SCALE_TO: Keys = &[
-    ("pga", "largest acceleration"),
-    ("Sa", "pseudo-acceleration of an oscillator"),
-    (
-        "spectrum",
-        "target spectrum, by least squares at 101 periods from \"from\" to \"to\"",
-    ),
-    (
-        "factor",
-        "factor of each motion of a set, such as a parameter zipped with the record",
-    ),
-    ("T", "period of the oscillator of \"Sa\""),
-    ("from", "the shorter period of \"spectrum\""),
-    ("to", "the longer period of \"spectrum\""),
-    (
-        "fit",
-        "least squares of \"spectrum\": \"linear\" (if left out), of the ordinates at evenly spaced periods; \"logarithmic\", of their logarithms at periods with evenly spaced logarithms, as PEER does",
-    ),
-    (
-        "component",
-        "of \"scale_to\" of a ground in x and y, which gives x, y and z one factor: \"geometric-mean\", \"srss\", \"rotd50\" or \"rotd100\" (Boore 2010, 180 angles) of x and y; of one in each direction: \"each\", a factor for each, and no note about it",
-    ),
-    (
-        "ratio",
-        "damping ratio of \"Sa\", \"spectrum\" and \"set\"; 0.05 if left out",
-    ),
-    (
-        "unit",
-        "unit of the accelerations, as of a record; that of the study if left out",
-    ),
-    (
-        "set",
-        "one factor on top for all motions of the axis of records, or of seeds",
-    ),
-];
-
-/// Number of the keys of [`SCALE_TO`] of which one is needed.
-pub(crate) const GOALS: usize = 4;
+/// The strength of one motion.
+pub(crate) const SCALE_TO: Keys =
+    Keys::new(&scale_to(Words("component", || vec!["each"], None))).rules(&OF_SCALE_TO);
 
 /// The strength that both horizontal motions get together.
-pub(crate) const OF_GROUND: (&str, &str) = (
-    "scale_to",
-    "strength that x and y get together, by one factor, which z gets, too",
+pub(crate) const OF_GROUND: Field = field("scale_to", Object(&TOGETHER))
+    .means("strength that x and y get together, by one factor, which z gets, too");
+
+/// The same.
+pub(crate) const TOGETHER: Keys = Keys::new(&scale_to(COMPONENT)).rules(&OF_SCALE_TO);
+
+/// Of what of a pair.
+const COMPONENT: Kind = Words(
+    "component",
+    || Component::ALL.map(Component::name).to_vec(),
+    None,
 );
 
-/// `scale_to` of a motion that gets the factor of the ground.
-pub(crate) const AS_GROUND: &str = "ground";
+const fn scale_to(component: Kind) -> [Field; 12] {
+    fields![
+        /// largest acceleration
+        field("pga", Number(Positive)),
+        /// pseudo-acceleration of an oscillator
+        field("Sa", Number(Positive)),
+        /// target spectrum, by least squares at 101 periods from "from" to "to"
+        field("spectrum", Object(&TARGET)),
+        /// factor of each motion of a set, such as a parameter zipped with the record
+        field("factor", Number(Positive)),
+        /// period of the oscillator of "Sa"
+        field("T", Number(Positive)),
+        /// the shorter period of "spectrum"
+        field("from", Number(Positive)),
+        /// the longer period of "spectrum"
+        field("to", Number(Positive)),
+        /// least squares of "spectrum": "linear" (if left out), of the ordinates at evenly spaced periods; "logarithmic", of their logarithms at periods with evenly spaced logarithms, as PEER does
+        field("fit", Words("fit", || Fit::ALL.map(Fit::name).to_vec(), None)),
+        /// of "scale_to" of a ground in x and y, which gives x, y and z one factor: "geometric-mean", "srss", "rotd50" or "rotd100" (Boore 2010, 180 angles) of x and y; of one in each direction: "each", a factor for each, and no note about it
+        field("component", component),
+        /// damping ratio of "Sa", "spectrum" and "set"; 0.05 if left out
+        field("ratio", Number(UpToOne)),
+        /// unit of the accelerations, as of a record; that of the study if left out
+        field("unit", UNIT),
+        /// one factor on top for all motions of the axis of records, or of seeds
+        field("set", Object(&SET)),
+    ]
+}
 
-/// Keys of `set`.
-pub(crate) const SET: Keys = &[
-    (
-        "rule",
-        "rule of a code, whose numbers the other keys replace",
-    ),
-    (
-        "period",
-        "period of the structure, or a list of them: the rule begins at its share of the least one and ends at that of the largest one",
-    ),
-    ("from", "first period, if not by \"rule\" and \"period\""),
-    ("to", "last period"),
-    (
-        "statistic",
-        "\"mean\" (if left out) or \"envelope\" of the spectra at each of 101 periods with evenly spaced logarithms",
-    ),
-    (
-        "component",
-        "of a ground in x and y; if left out, that of the rule, or of \"scale_to\"",
-    ),
-    ("least", "least ratio to the target, such as 0.9"),
-    (
-        "least_at_zero",
-        "least ratio of the largest accelerations to the target at T = 0",
-    ),
-    (
-        "spectrum",
-        "target spectrum; if left out, that of \"scale_to\"",
-    ),
-    (
-        "factor",
-        "factor of the set; if left out, the one with which the least ratio is the one asked for",
+/// The keys of a strength of which one is given.
+pub(crate) const GOALS: [&str; 4] = ["pga", "Sa", "spectrum", "factor"];
+
+const OF_SCALE_TO: [KeyRule; 7] = [
+    KeyRule::One(&GOALS, &[]),
+    KeyRule::With(&["T"], &[KeyRule::Has(&["Sa"])]),
+    KeyRule::With(&["Sa"], &[KeyRule::Has(&["T"])]),
+    KeyRule::With(&["from", "to", "fit"], &[KeyRule::Has(&["spectrum"])]),
+    KeyRule::With(&["spectrum"], &[KeyRule::Has(&["from", "to"])]),
+    KeyRule::With(&["factor"], &[KeyRule::Has(&["set"])]),
+    KeyRule::With(
+        &["ratio"],
+        &[KeyRule::Any(
+            &[],
+            &[&[KeyRule::NotAll(&["pga"])], &[KeyRule::Has(&["set"])]],
+        )],
     ),
 ];
 
-/// Keys of `choose`.
-pub(crate) const CHOOSE: Keys = &[
-    ("n", "number of records"),
-    ("T", "periods, rising"),
-    ("median", "median of the target at these periods"),
-    (
-        "sigma",
-        "standard deviations of the logarithms there, such as those of a conditional spectrum",
-    ),
-    ("unit", "unit of \"median\": g, m/s2, cm/s2 or mm/s2"),
-    (
-        "at",
-        "period in \"T\" at which all records are scaled to the median first, as \"scale_to\" then does; if left out, none is scaled",
-    ),
-    (
-        "factor",
-        "with \"at\": largest factor, and one over the smallest; if left out, any",
-    ),
-    ("ratio", "damping ratio; 0.05 if left out"),
-    (
-        "pair",
-        "pattern of the files in the other direction: those with the same text for * are chosen as pairs",
-    ),
-    (
-        "component",
-        "with \"pair\": of what of a pair the spectrum is",
-    ),
-];
+/// A set of motions.
+pub(crate) const SET: Keys = Keys::new(&fields![
+    /// rule of a code, whose numbers the other keys replace
+    field("rule", Words("rule", || RULES.map(|rule| rule.name).to_vec(), None)),
+    /// period of the structure, or a list of them: the rule begins at its share of the least one and ends at that of the largest one
+    field("period", Several(&Number(Positive), [1, ANY])),
+    /// first period, if not by "rule" and "period"
+    field("from", Number(Positive)),
+    /// last period
+    field("to", Number(Positive)),
+    /// "mean" (if left out) or "envelope" of the spectra at each of 101 periods with evenly spaced logarithms
+    field("statistic", Words("statistic", || STATISTICS.map(|row| row.0).to_vec(), None)),
+    /// of a ground in x and y; if left out, that of the rule, or of "scale_to"
+    field("component", COMPONENT),
+    /// least ratio to the target, such as 0.9
+    field("least", Number(Positive)),
+    /// least ratio of the largest accelerations to the target at T = 0
+    field("least_at_zero", Number(Positive)),
+    /// target spectrum; if left out, that of "scale_to"
+    field("spectrum", Object(&TARGET)),
+    /// factor of the set; if left out, the one with which the least ratio is the one asked for
+    field("factor", Number(Positive)),
+])
+.rules(&[KeyRule::With(&["period"], &[KeyRule::Has(&["rule"])])]);
+
+/// A choice among files.
+pub(crate) const CHOOSE: Keys = Keys::new(&fields![
+    /// number of records
+    needed("n", Whole([2, 10_000])),
+    /// periods, rising
+    needed("T", List(&Number(Positive), [1, ANY])),
+    /// median of the target at these periods
+    needed("median", List(&Number(Positive), [1, ANY])),
+    /// standard deviations of the logarithms there, such as those of a conditional spectrum
+    needed("sigma", List(&Number(NotNegative), [1, ANY])),
+    /// unit of "median": g, m/s2, cm/s2 or mm/s2
+    needed("unit", UNIT),
+    /// period in "T" at which all records are scaled to the median first, as "scale_to" then does; if left out, none is scaled
+    field("at", Number(Positive)),
+    /// with "at": largest factor, and one over the smallest; if left out, any
+    field("factor", Number(Positive)),
+    /// damping ratio; 0.05 if left out
+    field("ratio", Number(UpToOne)),
+    /// pattern of the files in the other direction: those with the same text for * are chosen as pairs
+    field("pair", Text),
+    /// with "pair": of what of a pair the spectrum is
+    field("component", COMPONENT),
+])
+.rules(&[
+    KeyRule::With(&["factor"], &[KeyRule::Has(&["at"])]),
+    KeyRule::With(&["pair"], &[KeyRule::Has(&["component"])]),
+    KeyRule::With(&["component"], &[KeyRule::Has(&["pair"])]),
+]);
 
 /// A rule of a code for a set of motions.
 pub(crate) struct Rule {
@@ -186,33 +197,50 @@ pub(crate) const RULES: [Rule; 4] = [
 pub(crate) const STATISTICS: [(&str, Statistic); 2] =
     [("mean", Statistic::Mean), ("envelope", Statistic::Envelope)];
 
-/// Keys of a target spectrum: one of these, or those of a table.
-pub(crate) const SPECTRUM: Keys = &[
-    (
-        "EN 1998-1",
-        "elastic response spectrum of EN 1998-1:2004, (3.2) to (3.6)",
-    ),
-    ("ASCE 7", "design response spectrum of ASCE 7-16, 11.4.6"),
+/// The spectra of codes.
+pub(crate) const SPECTRUM: Keys = Keys::new(&fields![
+    /// elastic response spectrum of EN 1998-1:2004, (3.2) to (3.6)
+    field("EN 1998-1", Object(&EN_1998)),
+    /// design response spectrum of ASCE 7-16, 11.4.6
+    field("ASCE 7", Object(&ASCE_7)),
+]);
+
+/// A target spectrum as a table.
+pub(crate) const TARGET_TABLE: Keys = Keys::new(POINTS);
+
+const POINTS: &[Field] = &fields![
+    /// periods, rising
+    field("T", ANY_NUMBERS),
+    /// ordinates, straight between, constant beyond
+    field("Sa", ANY_NUMBERS),
 ];
 
-/// Keys of a target spectrum as a table.
-pub(crate) const TARGET_TABLE: Keys = &[
-    ("T", "periods, rising"),
-    ("Sa", "ordinates, straight between, constant beyond"),
-];
+/// A target spectrum: one of a code, or a table.
+pub(crate) const TARGET: Keys = SPECTRUM.and(POINTS).rules(&[
+    KeyRule::One(&["EN 1998-1", "ASCE 7"], &[&[KeyRule::Has(&["T", "Sa"])]]),
+    KeyRule::With(&["T", "Sa"], &[KeyRule::Has(&["T", "Sa"])]),
+]);
 
-/// Keys of the spectrum of EN 1998-1.
-pub(crate) const EN_1998: Keys = &[
-    ("ag", "design ground acceleration on type A ground"),
-    ("S", "soil factor"),
-    ("TB", "start of the plateau"),
-    ("TC", "end of the plateau"),
-    ("TD", "start of constant displacement"),
-];
+/// The spectrum of EN 1998-1.
+pub(crate) const EN_1998: Keys = Keys::new(&fields![
+    /// design ground acceleration on type A ground
+    needed("ag", Number(Positive)),
+    /// soil factor
+    needed("S", Number(Positive)),
+    /// start of the plateau
+    needed("TB", Number(Positive)),
+    /// end of the plateau
+    needed("TC", Number(Positive)),
+    /// start of constant displacement
+    needed("TD", Number(Positive)),
+]);
 
-/// Keys of the spectrum of ASCE 7.
-pub(crate) const ASCE_7: Keys = &[
-    ("SDS", "design acceleration at short periods"),
-    ("SD1", "design acceleration at 1 s"),
-    ("TL", "long-period transition"),
-];
+/// The spectrum of ASCE 7.
+pub(crate) const ASCE_7: Keys = Keys::new(&fields![
+    /// design acceleration at short periods
+    needed("SDS", Number(Positive)),
+    /// design acceleration at 1 s
+    needed("SD1", Number(Positive)),
+    /// long-period transition
+    needed("TL", Number(Positive)),
+]);

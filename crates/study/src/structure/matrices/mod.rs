@@ -1,14 +1,13 @@
 //! Matrices of other programs: the files of M, K and C, and the names of their rows.
 
 pub(super) mod rows;
-use super::keys::{MATRICES, REDUCE, range};
+use super::keys::{MATRICES, REDUCE};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
-use crate::source::tree::Tree;
 use crate::structure::matrices::rows::{LARGEST, inline, listed, supported, with_more};
 use crate::structure::reading::files;
 use crate::structure::reading::reader::Part;
-use crate::structure::reading::reader::{Reader, open};
+use crate::structure::reading::reader::Reader;
 use crate::value::text;
 use slipgap_problem::problem::interned;
 use slipgap_problem::problem::structure::channels::channel::Term;
@@ -30,7 +29,7 @@ use std::sync::Arc;
 /// The matrices, each with its name.
 pub(super) fn matrices(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Matrices> {
     let one = |(name, node, path): &Part| {
-        let object = open(node, path, MATRICES, faults)?;
+        let object = Object::open(node, path, &MATRICES, faults)?;
         let variants = variants(name, &object, reader, faults)?;
         let imported = variants.first()?.1.clone();
         let motion = |support: &str, direction| reader.names.motion(support, direction);
@@ -49,16 +48,12 @@ pub(super) fn matrices(parts: &[Part], reader: &Reader, faults: &mut Faults) -> 
 /// The modes that each of the matrices is reduced to; `None` without a reduction.
 pub(super) fn modes(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Option<Modes>> {
     let mut one = |(_, node, path): &Part| {
-        let object = open(node, path, MATRICES, faults)?;
-        let node = object.get("reduce")?;
-        let reduce = open(node, &object.path("reduce"), REDUCE, faults)?;
+        let object = Object::open(node, path, &MATRICES, faults)?;
+        let (node, path) = object.given("reduce", faults)?;
+        let reduce = Object::open(node, &path, &REDUCE, faults)?;
         match (reduce.get("modes"), reduce.get("up_to")) {
-            (Some(_), None) => reader
-                .optional(&reduce, "modes", range(REDUCE, "modes"), faults)
-                .map(Modes::Number),
-            (None, Some(_)) => reader
-                .optional(&reduce, "up_to", range(REDUCE, "up_to"), faults)
-                .map(Modes::UpTo),
+            (Some(_), None) => reader.number(&reduce, "modes", faults).map(Modes::Number),
+            (None, Some(_)) => reader.number(&reduce, "up_to", faults).map(Modes::UpTo),
             (Some(_), Some(_)) => {
                 reduce.fault("give modes or up_to, not both", faults);
                 None
@@ -148,15 +143,10 @@ fn variants(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Vec<Variant>> {
-    let meaning = |key: &str| {
-        let row = MATRICES.iter().find(|row| row.0 == key);
-        row.map_or("", |row| row.1)
-    };
-    let dofs_node = object.need("dofs", meaning("dofs"), faults);
-    let untied = dofs_node.and_then(|node| {
-        let path = object.path("dofs");
+    let given = object.given("dofs", faults);
+    let untied = given.and_then(|(node, path)| {
         let parse = |bytes: &[u8]| supported(Dofs::parse(bytes)?, reader);
-        if let Tree::List(rows) = &node.tree {
+        if let Some(rows) = node.list() {
             return inline(&listed(rows), (node, &path), faults, parse);
         }
         let file = text(node, &path, faults)?;
@@ -164,26 +154,22 @@ fn variants(
     });
     let mut with = |dofs: Option<Dofs>, key: &str, parse: fn(Dofs, &[u8]) -> Result<Dofs, _>| {
         let dofs = dofs?;
-        let Some(node) = object.get(key) else {
+        let Some((node, path)) = object.given(key, faults) else {
             return Some(dofs);
         };
-        let path = object.path(key);
         with_more((node, &path), reader, faults, |bytes| parse(dofs, bytes))
     };
     let tied = with(untied, "ties", Dofs::with_ties);
     let dofs = with(tied, "forces", Dofs::with_forces);
     let of_key = |key: &str, faults: &mut Faults| -> Option<Vec<File>> {
-        let node = object.need(key, meaning(key), faults)?;
-        let path = object.path(key);
+        let (node, path) = object.given(key, faults)?;
         let parse = |bytes: &[u8]| {
             let matrix = checked(Matrix::parse(bytes)?, name, key, dofs.as_ref())?;
             // A reduction eliminates all places that the file has.
             let keeps_zeros = object.get("reduce").is_some();
             Ok(matrix.packed(|value| keeps_zeros || value != 0.0))
         };
-        if let Tree::Text(content) = &node.tree
-            && content.starts_with(BEGINNING)
-        {
+        if let Some(content) = node.text().filter(|text| text.starts_with(BEGINNING)) {
             let matrix = inline(content, (node, &path), faults, parse)?;
             return Some(vec![(None, "", Arc::new(matrix))]);
         }

@@ -17,9 +17,7 @@ pub(in crate::structure) fn with_more(
     faults: &mut Faults,
     parse: impl FnOnce(&[u8]) -> Result<Dofs, ImportFault>,
 ) -> Option<Dofs> {
-    if let Tree::Text(content) = &node.tree
-        && content.contains('\n')
-    {
+    if let Some(content) = node.text().filter(|text| text.contains('\n')) {
         return inline(content, (node, path), faults, parse);
     }
     let file = text(node, path, faults)?;
@@ -33,15 +31,11 @@ pub(in crate::structure) fn listed(rows: &[Node]) -> String {
         Tree::Number(number) => number.clone(),
         Tree::Object(_) | Tree::List(_) | Tree::Bool(_) | Tree::Null => String::new(),
     };
-    let row = |node: &Node| match &node.tree {
-        Tree::List(cells) => cells.iter().map(cell).collect::<Vec<_>>().join(","),
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            String::new()
-        }
+    let row = |node: &Node| {
+        let cells = node.list().unwrap_or_default().iter().map(cell);
+        cells.collect::<Vec<_>>().join(",")
     };
-    let places = rows
-        .first()
-        .is_some_and(|first| matches!(&first.tree, Tree::List(cells) if cells.len() == 5));
+    let places = rows.first().is_some_and(|first| first.items().len() == 5);
     let header = if places {
         "node,direction,X,Y,Z"
     } else {

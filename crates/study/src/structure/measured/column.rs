@@ -2,8 +2,8 @@
 
 use super::super::keys::COLUMN;
 use crate::source::faults::{Faults, quoted};
-use crate::source::tree::{Node, Tree};
-use crate::structure::reading::reader::open;
+use crate::source::object::Object;
+use crate::source::tree::Node;
 use crate::value::text;
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::metrics::unit_consistency::{dimension_of, examples};
@@ -27,8 +27,8 @@ pub(in crate::structure) fn column<'a>(
     units: &str,
     faults: &mut Faults,
 ) -> Option<Column<'a>> {
-    let Tree::Object(_) = &node.tree else {
-        if !matches!(node.tree, Tree::Text(_)) {
+    if node.object().is_none() {
+        if node.text().is_none() {
             let wanted = "the name of a column, or an object with column and unit";
             faults.must_be(node, &path, wanted);
             return None;
@@ -38,12 +38,10 @@ pub(in crate::structure) fn column<'a>(
             factor: 1.0,
             place: (node, path),
         });
-    };
-    let object = open(node, &path, COLUMN, faults)?;
-    let (key, meaning) = COLUMN[0];
-    let name_node = object.need(key, meaning, faults)?;
-    let origin = (name_node, object.path(key));
-    let name = text(name_node, &origin.1, faults)?;
+    }
+    let object = Object::open(node, &path, &COLUMN, faults)?;
+    let origin = object.given("column", faults)?;
+    let name = text(origin.0, &origin.1, faults)?;
     let factor = match object.get("unit") {
         Some(node) => factor(node, &object.path("unit"), dimension, units, faults)?,
         None => 1.0,

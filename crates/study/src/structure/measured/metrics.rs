@@ -44,8 +44,8 @@ pub(in crate::structure) fn report_not_measured(
                 .join(", ");
             let message =
                 format!("no metric of the study is of a measured channel and one of {names}");
-            let at = root.get(KEY.0).map_or(0, |node| node.at);
-            faults.add(at, KEY.0, message);
+            let at = root.get(KEY.name).map_or(0, |node| node.at);
+            faults.add(at, KEY.name, message);
         }
     }
     let needs = metrics.iter().filter(|metric| metric.measured);
@@ -57,11 +57,11 @@ pub(in crate::structure) fn report_not_measured(
             if sample.is_some() {
                 let message = format!(
                     "{name} compares point by point, \"{}\" as a distribution",
-                    KEY.0
+                    KEY.name
                 );
                 faults.add(*at, path, message);
-            } else if root.get(KEY.0).is_none() {
-                let message = format!("{name} needs the key \"{}\" of the study", KEY.0);
+            } else if root.get(KEY.name).is_none() {
+                let message = format!("{name} needs the key \"{}\" of the study", KEY.name);
                 faults.add(*at, path, message);
             }
             continue;
@@ -78,7 +78,7 @@ pub(in crate::structure) fn report_not_measured(
                 };
                 let message = format!(
                     "{name}: {channel} is not among the columns of \"{}\"; there are {}",
-                    KEY.0,
+                    KEY.name,
                     known.join(", ")
                 );
                 faults.add(*at, path, message);

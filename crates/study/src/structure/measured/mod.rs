@@ -9,14 +9,13 @@ pub(super) use column::{Column, column};
 pub(super) use metrics::report_not_measured;
 pub(super) use table::test;
 
-use super::keys::{COMPARE, KEY, MEASURED};
+use super::keys::{KEY, MEASURED};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::named::named_metrics::hinted;
-use crate::structure::reading::reader::{Reader, open};
-use crate::value::name;
-use slipgap_problem::problem::numbers::parameter::{Range, shortest};
+use crate::structure::reading::reader::Reader;
+use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::channels::channel::Channel;
 use slipgap_problem::problem::structure::channels::measured_channels::{FEWEST, Measured, Test};
@@ -41,20 +40,16 @@ pub(super) fn decode(
     drawn: &mut Vec<Drawn>,
     faults: &mut Faults,
 ) -> Option<Given> {
-    let node = root.get(KEY.0)?;
-    let object = open(node, KEY.0, MEASURED, faults)?;
-    let need = |key: &str, faults: &mut Faults| {
-        let meaning = MEASURED.iter().find(|row| row.0 == key)?.1;
-        Some((object.need(key, meaning, faults)?, object.path(key)))
-    };
+    let object = Object::open(root.get(KEY.name)?, KEY.name, &MEASURED, faults)?;
     let before = faults.count();
-    let file = need("file", faults);
-    let time = need("time", faults);
-    let columns = need("columns", faults);
-    let time = time.and_then(|(node, path)| column(node, path, Dimension::Time, units, faults));
-    let columns = columns.and_then(|(node, path)| channels(node, &path, (names, units), faults));
+    let [file, given_time, given_columns] =
+        ["file", "time", "columns"].map(|key| object.given(key, faults));
+    let time =
+        given_time.and_then(|(node, path)| column(node, path, Dimension::Time, units, faults));
+    let columns =
+        given_columns.and_then(|(node, path)| channels(node, &path, (names, units), faults));
     let way = match object.get("compare") {
-        Some(node) => name(node, &object.path("compare"), "way", &COMPARE, faults),
+        Some(_) => object.word("compare", faults),
         None => Some(0),
     };
     if way? == 1 {
@@ -62,7 +57,7 @@ pub(super) fn decode(
         let sample = sample::sample((root, &object), file?, columns, reader, faults)?;
         return (faults.count() == before).then_some(Given::Sample(sample));
     }
-    let delay = reader.optional(&object, "delay", Range::Any, faults);
+    let delay = reader.number(&object, "delay", faults);
     let (node, path) = file?;
     let (chosen, files) = reader.files(node, &path, faults)?;
     let (time, columns) = (time?, columns?);
@@ -139,16 +134,13 @@ fn channels<'a>(
     (names, units): (&Names, &str),
     faults: &mut Faults,
 ) -> Option<Vec<(Channel, Column<'a>)>> {
-    let members = match &node.tree {
-        Tree::Object(members) => members.iter().filter(|member| member.key != "//"),
-        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            faults.must_be(node, path, "an object with a column for each channel");
-            return None;
-        }
+    let Some(members) = node.object() else {
+        faults.must_be(node, path, "an object with a column for each channel");
+        return None;
     };
     let before = faults.count();
     let mut found: Vec<(Channel, Column)> = Vec::new();
-    for member in members {
+    for member in members.iter().filter(|member| member.key != "//") {
         let path = join(path, &member.key);
         let channel = match Channel::parse(&member.key, names) {
             Ok(channel) => channel,

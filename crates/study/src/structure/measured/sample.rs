@@ -4,7 +4,7 @@ use super::column::Column;
 use super::long_test;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
 use slipgap_problem::problem::structure::channels::channel::Channel;
@@ -30,20 +30,11 @@ pub(super) fn sample(
         let message = "\"distribution\" needs the key \"ensemble\" of the study, with whose cases the tests are compared";
         faults.add(at, &path, message);
     }
-    let files = match &node.tree {
-        Tree::List(files) if files.len() >= FEWEST_TESTS => files,
-        Tree::Object(_)
-        | Tree::List(_)
-        | Tree::Text(_)
-        | Tree::Number(_)
-        | Tree::Bool(_)
-        | Tree::Null => {
-            let wanted = format!(
-                "a list of at least {FEWEST_TESTS} files, or {{\"files\": ...}} with as many"
-            );
-            faults.must_be(node, &path, &wanted);
-            return None;
-        }
+    let Some(files) = node.list().filter(|files| files.len() >= FEWEST_TESTS) else {
+        let wanted =
+            format!("a list of at least {FEWEST_TESTS} files, or {{\"files\": ...}} with as many");
+        faults.must_be(node, &path, &wanted);
+        return None;
     };
     let of_channels: Vec<&Column> = columns.iter().map(|column| &column.1).collect();
     // Results of cases do not depend on the tests: their bytes are no part of the identity.

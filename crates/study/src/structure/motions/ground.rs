@@ -6,8 +6,8 @@ use super::scale_to::of_pair;
 use super::set::give_component;
 use crate::source::faults::{Faults, any_of};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
-use crate::structure::keys::{GROUND, OF_GROUND, names};
+use crate::source::tree::Node;
+use crate::structure::keys::{DIRECTIONS, GROUND, OF_GROUND};
 use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::structure::given::pair::Pair;
 use slipgap_problem::problem::structure::given::scale_to::ScaleTo;
@@ -37,7 +37,7 @@ pub(in crate::structure) fn ground(
     reader.used.replace(others.union(&used).copied().collect());
     match pair {
         Some((scale_to, node)) => {
-            let path = format!("{path}.{}", OF_GROUND.0);
+            let path = format!("{path}.{}", OF_GROUND.name);
             together(&mut ground, scale_to, &used, (node, &path), reader, faults);
         }
         None => alone(&mut ground, &used, (node, &path), reader, faults),
@@ -52,33 +52,25 @@ fn decoded<'a>(
     reader: &Reader,
     faults: &mut Faults,
 ) -> (Vec<Directed>, Option<(ScaleTo, &'a Node)>) {
-    let mut keys = names(GROUND);
-    let by_directions = match &node.tree {
-        Tree::Object(members) => members
-            .iter()
-            .any(|member| keys.contains(&member.key.to_lowercase().as_str())),
-        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
-    };
+    let members = node.object().unwrap_or_default().iter();
+    let mut names = members.map(|member| member.key.to_lowercase());
+    let by_directions = names.any(|name| DIRECTIONS.contains(&&*name));
     if !by_directions {
         return (
             vec![(Direction::X, known(node, path, reader, faults))],
             None,
         );
     }
-    keys.push(OF_GROUND.0);
-    let Some(object) = Object::open(node, path, &keys, faults) else {
+    let Some(object) = Object::open(node, path, &GROUND, faults) else {
         return (Vec::new(), None);
     };
     let one = |direction: Direction| {
-        let node = object.get(direction.name())?;
-        let path = object.path(direction.name());
+        let (node, path) = object.given(direction.name(), faults)?;
         Some((direction, known(node, &path, reader, faults)))
     };
     let ground = Vec::from_iter(Direction::TRANSLATIONS.into_iter().filter_map(one));
-    let pair = object.get(OF_GROUND.0).and_then(|node| {
-        let scale_to = of_pair(node, &object.path(OF_GROUND.0), reader, faults)?;
-        Some((scale_to, node))
-    });
+    let given = object.given(OF_GROUND.name, faults);
+    let pair = given.and_then(|(node, path)| Some((of_pair(node, &path, reader, faults)?, node)));
     (ground, pair)
 }
 

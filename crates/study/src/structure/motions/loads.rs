@@ -5,13 +5,10 @@ use super::shape::shape;
 use super::table::table;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
-use crate::structure::keys::{
-    FUNCTION, FUNCTIONS, LOAD_AT, SINE, SYNTHETIC, TABLE, names, of_pulse, range,
-};
-use crate::structure::reading::reader::{Reader, open};
+use crate::source::tree::Node;
+use crate::structure::keys::{FUNCTION, FUNCTIONS, LOAD, PULSE, SINE, SYNTHETIC, TABLE};
+use crate::structure::reading::reader::Reader;
 use crate::value::text;
-use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
 use slipgap_problem::problem::structure::given::source::{Kind, LARGEST_SEED, Source};
 use slipgap_problem::problem::structure::{given::shape::Scaled, parts::template::Load};
@@ -24,14 +21,10 @@ pub(in crate::structure) fn load(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Load> {
-    let mut keys = vec![LOAD_AT.0];
-    keys.extend(names(FUNCTION));
-    let object = Object::open(node, path, &keys, faults)?;
-    let at_node = object.need(LOAD_AT.0, LOAD_AT.1, faults);
-    let at = at_node.and_then(|node| {
-        let path = object.path("at");
-        reader.moved(&text(node, &path, faults)?, node.at, &path, faults)
-    });
+    let object = Object::open(node, path, &LOAD, faults)?;
+    let at_node = object.given("at", faults);
+    let at = at_node
+        .and_then(|(node, path)| reader.moved(&text(node, &path, faults)?, node.at, &path, faults));
     if let Some(node) = object.get("scale_to") {
         let message = "only an acceleration is scaled to a strength";
         faults.add(node.at, &object.path("scale_to"), message);
@@ -50,7 +43,7 @@ pub(in crate::structure) fn scaled(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Scaled> {
-    let object = open(node, path, FUNCTION, faults)?;
+    let object = Object::open(node, path, &FUNCTION, faults)?;
     function(&object, node.at, path, reader, faults)
 }
 
@@ -90,31 +83,19 @@ pub(in crate::structure) fn function(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Scaled> {
-    let kinds = &FUNCTION[..FUNCTIONS];
-    let members = object.members.iter();
-    let given: Vec<_> = members
-        .filter(|member| kinds.iter().any(|kind| kind.0 == member.key))
-        .collect();
-    let [member] = given[..] else {
-        let names: Vec<&str> = kinds.iter().map(|kind| kind.0).collect();
-        object.fault(
-            format!("must have exactly one of {}", names.join(", ")),
-            faults,
-        );
-        return None;
-    };
+    let member = object.one_of(&FUNCTIONS, faults)?;
     for (key, message) in OF_RECORDS {
         if let (Some(node), false) = (object.get(key), member.key == "record") {
             faults.add(node.at, &object.path(key), message);
         }
     }
     let inner = join(path, &member.key);
-    let scale = reader.optional(object, "scale", Range::Any, faults);
+    let scale = reader.number(object, "scale", faults);
     let shape = shape(object, reader, faults);
     let kind = match member.key.as_str() {
         "sine" => sine(&member.node, &inner, reader, faults),
         "table" => {
-            let [t, f] = table(&member.node, &inner, (TABLE, ["t", "f"]), reader, faults)?;
+            let [t, f] = table(&member.node, &inner, &TABLE, reader, faults)?;
             Some(Kind::Table { t, f })
         }
         "record" => record(&member.node, &inner, object, reader, faults),
@@ -129,53 +110,54 @@ pub(in crate::structure) fn function(
 }
 
 fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
-    let object = open(node, path, SINE, faults)?;
-    let mut need = |key| reader.needed(&object, SINE, key, faults);
-    let (amplitude, omega) = (need("amplitude"), need("omega"));
+    let object = Object::open(node, path, &SINE, faults)?;
+    let ([amplitude, omega], phase) = sine_of(&object, reader, faults)?;
     Some(Kind::Sine {
-        amplitude: amplitude?,
-        omega: omega?,
-        phase: reader.optional(&object, "phase", Range::Any, faults),
+        amplitude,
+        omega,
+        phase,
     })
 }
 
+/// Amplitude and circular frequency of a sine, and its phase.
+pub(super) fn sine_of(
+    object: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<([Amount; 2], Option<Amount>)> {
+    let mut number = |key| reader.number(object, key, faults);
+    let (amplitude, omega, phase) = (number("amplitude"), number("omega"), number("phase"));
+    Some(([amplitude?, omega?], phase))
+}
+
 fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
-    let forms = PULSES.map(|pulse| pulse.name);
-    let object = Object::open(node, path, &forms, faults)?;
-    let [member] = object.members[..] else {
-        object.fault(
-            format!("must have exactly one of {}", forms.join(", ")),
-            faults,
-        );
-        return None;
-    };
-    let pulse = PULSES.iter().find(|pulse| pulse.name == member.key)?;
-    let keys = pulse.numbers;
-    let object = open(&member.node, &object.path(&member.key), keys, faults)?;
-    let given = keys.iter().map(|(key, meaning)| {
-        let node = object.need(key, meaning, faults)?;
-        reader.amount(node, &object.path(key), of_pulse(key), faults)
-    });
+    let forms = Object::open(node, path, &PULSE, faults)?;
+    let member = forms.one_of(&PULSE.names(), faults)?;
+    let form = forms.object(&member.key, faults)?;
+    let fields = form.keys().fields();
     // Each number with a fault is reported.
-    let read: Vec<Option<Amount>> = given.collect();
+    let read: Vec<Option<Amount>> = fields
+        .map(|field| reader.number(&form, field.name, faults))
+        .collect();
     let numbers: Option<Vec<Amount>> = read.into_iter().collect();
+    let pulse = PULSES.iter().find(|pulse| pulse.name == member.key)?;
     Some(Kind::Pulse(pulse, numbers?))
 }
 
 /// A seed, plain or in an object with the frequency of the ground filter.
 fn synthetic(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
-    let Tree::Object(_) = &node.tree else {
-        let seed = reader.amount(node, path, range(SYNTHETIC, "seed"), faults);
+    if node.object().is_none() {
+        let seed = reader.amount(node, path, SYNTHETIC.range("seed"), faults);
         return Some(Kind::Synthetic {
             seed: whole(seed?, faults)?,
             omega: None,
         });
-    };
-    let object = open(node, path, SYNTHETIC, faults)?;
+    }
+    let object = Object::open(node, path, &SYNTHETIC, faults)?;
     let before = faults.count();
-    let amount = reader.needed(&object, SYNTHETIC, "seed", faults);
+    let amount = reader.number(&object, "seed", faults);
     let seed = amount.and_then(|seed| whole(seed, faults));
-    let omega = reader.optional(&object, "omega", range(SYNTHETIC, "omega"), faults);
+    let omega = reader.number(&object, "omega", faults);
     let complete = faults.count() == before;
     Some(Kind::Synthetic { seed: seed?, omega }).filter(|_| complete)
 }

@@ -2,7 +2,7 @@
 
 use crate::source::faults::{Faults, quoted};
 use crate::source::tree::{Node, Tree};
-use crate::structure::reading::given::{given, member, texts};
+use crate::structure::reading::given::{given, texts};
 use crate::structure::reading::reader::Reader;
 use crate::value::number;
 use slipgap_problem::problem::expression::Formula;
@@ -34,22 +34,19 @@ pub(super) fn of_set(
     };
     let mut listed: Vec<Member> = Vec::new();
     for block in blocks(reader.root) {
-        let Some(parameters) = member(block, "parameters") else {
+        let Some(parameters) = block.get("parameters") else {
             continue;
         };
         let name = |row: usize| &*reader.table[row].name;
-        if member(parameters, name(*first)).is_none() {
+        if parameters.get(name(*first)).is_none() {
             continue;
         }
-        let zips = match member(block, "zip").map(|node| &node.tree) {
-            Some(Tree::List(groups)) => groups.iter().map(texts).collect(),
-            _ => Vec::new(),
-        };
+        let zips = zips(block);
         let found = zips.into_iter().find(|zip| zip.contains(&name(*first)));
         let zip = found.unwrap_or_else(|| vec![name(*first)]);
         let is_axis = |row: &&usize| {
-            let axis = member(parameters, name(**row));
-            axis.is_some_and(|node| matches!(&node.tree, Tree::List(items) if items.len() > 1))
+            let axis = parameters.get(name(**row));
+            axis.is_some_and(|node| node.items().len() > 1)
         };
         let apart = choosers.iter().filter(is_axis);
         if let Some(row) = apart.into_iter().find(|row| !zip.contains(&name(**row))) {
@@ -84,20 +81,17 @@ pub(super) fn of_set(
 pub(super) fn combinations(chosen: &[usize], reader: &Reader) -> Result<Vec<Member>, String> {
     let mut found: Vec<Member> = Vec::new();
     for block in blocks(reader.root) {
-        let Some(parameters) = member(block, "parameters") else {
+        let Some(parameters) = block.get("parameters") else {
             continue;
         };
         let name = |row: usize| &*reader.table[row].name;
         if chosen
             .iter()
-            .any(|row| member(parameters, name(*row)).is_none())
+            .any(|row| parameters.get(name(*row)).is_none())
         {
             continue;
         }
-        let zips = match member(block, "zip").map(|node| &node.tree) {
-            Some(Tree::List(groups)) => groups.iter().map(texts).collect(),
-            _ => Vec::new(),
-        };
+        let zips = zips(block);
         let mut combined: Vec<Member> = vec![Vec::new()];
         let mut left = chosen.to_vec();
         while let Some(first) = left.first().copied() {
@@ -141,10 +135,16 @@ fn choosers(function: &Scaled) -> Vec<usize> {
 
 /// The study, or its blocks.
 fn blocks(root: &Node) -> Vec<&Node> {
-    match member(root, "blocks").map(|node| &node.tree) {
-        Some(Tree::List(blocks)) => blocks.iter().collect(),
-        _ => vec![root],
+    match root.get("blocks").and_then(Node::list) {
+        Some(blocks) => blocks.iter().collect(),
+        None => vec![root],
     }
+}
+
+/// The groups of a `zip` of a block.
+fn zips(block: &Node) -> Vec<Vec<&str>> {
+    let groups = block.get("zip").and_then(Node::list);
+    groups.unwrap_or_default().iter().map(texts).collect()
 }
 
 /// The values of the parameters of a `zip`, one row for each place in their lists.
@@ -152,15 +152,10 @@ fn rows(parameters: &Node, zip: &[&str], reader: &Reader) -> Result<Vec<Member>,
     let mut combined: Vec<Member> = Vec::new();
     for name in zip {
         let row = reader.table.iter().position(|row| row.name == *name);
-        let Some((row, node)) = row.zip(member(parameters, name)) else {
+        let Some((row, node)) = row.zip(parameters.get(name)) else {
             continue;
         };
-        let one = std::slice::from_ref(node);
-        let items = match &node.tree {
-            Tree::List(items) => items,
-            Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => one,
-        };
-        let read = items.iter().map(|item| value(item, row, reader));
+        let read = node.items().iter().map(|item| value(item, row, reader));
         let values = read.collect::<Option<Vec<Value>>>().ok_or_else(|| {
             format!(
                 "{} must be a list of values, so that the motions are known",

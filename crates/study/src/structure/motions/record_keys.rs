@@ -2,11 +2,11 @@
 
 use crate::source::faults::{Faults, any_of, quoted};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
-use crate::structure::keys::{FUNCTION, range};
+use crate::source::tree::Node;
+use crate::structure::keys::{FUNCTION, MOST};
 use crate::structure::reading::reader::Reader;
-use crate::value::{name, number};
-use slipgap_problem::problem::numbers::parameter::{Kind, Range, Value, shortest};
+use crate::value::number;
+use slipgap_problem::problem::numbers::parameter::{Kind, Value, shortest};
 use slipgap_system::system::loads::Unit;
 use slipgap_system::system::loads::record::{Mean, Reading};
 
@@ -29,38 +29,30 @@ enum Given<T> {
     Chosen(usize),
 }
 
-/// Most columns and components.
-const MOST: f64 = 1e6;
-
 impl RecordKeys {
     /// The keys of a function.
     pub fn of(function: &Object, reader: &Reader, faults: &mut Faults) -> Option<RecordKeys> {
         let before = faults.count();
-        let mean = function.get("mean").and_then(|node| {
-            let names = Mean::ALL.map(Mean::name);
-            let index = name(node, &function.path("mean"), "mean", &names, faults)?;
-            Some(Mean::ALL[index])
-        });
-        let unit = function
-            .get("unit")
-            .map(|node| match chosen(node, true, reader) {
+        let mean = function.choice("mean", &Mean::ALL, faults);
+        let unit = match function.get("unit") {
+            None => Some(Given::Is(None)),
+            Some(node) => match chosen(node, true, reader) {
                 Some(row) => Some(Given::Chosen(row)),
                 None => {
-                    let names = Unit::ALL.map(Unit::name);
-                    let index = name(node, &function.path("unit"), "unit", &names, faults)?;
-                    Some(Given::Is(Some(Unit::ALL[index])))
+                    let unit = function.choice("unit", &Unit::ALL, faults);
+                    unit.map(|unit| Given::Is(Some(unit)))
                 }
-            });
+            },
+        };
         let mut numeric = |key: &'static str| {
-            let Some(node) = function.get(key) else {
+            let Some((node, path)) = function.given(key, faults) else {
                 return Some(Given::Is(None));
             };
             if let Some(row) = chosen(node, false, reader) {
                 reader.used.borrow_mut().insert(row);
                 return Some(Given::Chosen(row));
             }
-            let path = function.path(key);
-            let x = number(node, &path, allowed(key), faults)?;
+            let x = number(node, &path, FUNCTION.range(key), faults)?;
             match checked(key, x) {
                 Ok(x) => Some(Given::Is(Some(x))),
                 Err(why) => {
@@ -71,7 +63,7 @@ impl RecordKeys {
         };
         let [column, dt, component] = ["column", "dt", "component"].map(&mut numeric);
         let keys = RecordKeys {
-            unit: unit.unwrap_or(Some(Given::Is(None)))?,
+            unit: unit?,
             mean,
             column: column?,
             dt: dt?,
@@ -144,30 +136,21 @@ impl RecordKeys {
 
 /// The row of the parameter that a text names, of names or of numbers.
 fn chosen(node: &Node, of_names: bool, reader: &Reader) -> Option<usize> {
-    let Tree::Text(text) = &node.tree else {
-        return None;
-    };
-    let row = reader.table.iter().position(|row| row.name == *text)?;
+    let text = node.text()?;
+    let row = reader.table.iter().position(|row| row.name == text)?;
     (matches!(reader.table[row].kind, Kind::Choice(_)) == of_names).then_some(row)
-}
-
-/// The range of a key, of a column before it is whole.
-fn allowed(key: &str) -> Range {
-    match key {
-        "dt" => range(FUNCTION, key),
-        _ => Range::Positive,
-    }
 }
 
 /// A number of a key, if it is allowed.
 fn checked(key: &str, x: f64) -> Result<f64, String> {
-    let is_whole = key == "dt" || x.fract() == 0.0 && (1.0..=MOST).contains(&x);
-    match is_whole && allowed(key).contains(x) {
+    let range = FUNCTION.range(key);
+    let is_place = key != "dt";
+    match range.contains(x) && (!is_place || x.fract() == 0.0 && x <= MOST as f64) {
         true => Ok(x),
-        false if key == "dt" => Err(format!("must be {}, got {}", allowed(key), shortest(x))),
-        false => Err(format!(
+        false if is_place => Err(format!(
             "must be a whole number from 1 to {MOST}, got {}",
             shortest(x)
         )),
+        false => Err(format!("must be {range}, got {}", shortest(x))),
     }
 }

@@ -1,20 +1,17 @@
 //! The strength of a motion, or of the motions of a station together.
 
-use super::set::{component, set};
+use super::set::set;
 use super::target::target;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
-use crate::structure::keys::{AS_GROUND, GOALS, SCALE_TO, names, range};
-use crate::structure::reading::reader::{OfGround, Reader, open};
-use crate::value::name;
+use crate::source::tree::Node;
+use crate::structure::keys::{AS_GROUND, GOALS, SCALE_TO, TOGETHER};
+use crate::structure::reading::reader::{OfGround, Reader};
 use slipgap_problem::problem::structure::given::scale_to::{Goal, ScaleTo};
 use slipgap_system::system::loads::Unit;
+use slipgap_system::system::loads::pair::Component;
 use slipgap_system::system::loads::target::Fit;
 use std::sync::Arc;
-
-/// The component of a motion that has a factor of its own.
-const EACH: &str = "each";
 
 /// The strength of one motion: its own, or that of the ground.
 pub(super) fn of_motion(
@@ -23,9 +20,7 @@ pub(super) fn of_motion(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<OfGround> {
-    if let Tree::Text(text) = &node.tree
-        && text == AS_GROUND
-    {
+    if node.text() == Some(AS_GROUND) {
         let known = reader.of_ground.borrow().clone();
         if known.is_none() {
             let message = "the ground has no \"scale_to\" whose factor this motion could get";
@@ -33,21 +28,13 @@ pub(super) fn of_motion(
         }
         return known;
     }
-    let object = open(node, path, SCALE_TO, faults)?;
+    let object = Object::open(node, path, &SCALE_TO, faults)?;
     let before = faults.count();
     if let (Some(node), false) = (object.get("set"), path.starts_with("structure.ground")) {
         let message = "only the ground has a set; \"scale_to\": \"ground\" gives its factor";
         faults.add(node.at, &object.path("set"), message);
     }
-    if let Some(node) = object.get("component") {
-        name(
-            node,
-            &object.path("component"),
-            "component",
-            &[EACH],
-            faults,
-        );
-    }
+    object.word("component", faults);
     let scale_to = scale_to(&object, reader, faults)?;
     (faults.count() == before).then(|| (Arc::new(scale_to), None))
 }
@@ -59,18 +46,17 @@ pub(super) fn of_pair(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<ScaleTo> {
-    let object = open(node, path, SCALE_TO, faults)?;
+    let object = Object::open(node, path, &TOGETHER, faults)?;
     let before = faults.count();
     // With a factor, only the set has one.
-    let given = match object.get("factor") {
-        Some(_) => object.get("component"),
-        None => object.need(
+    if object.get("factor").is_none() {
+        object.need(
             "component",
             "geometric-mean, srss, rotd50 or rotd100",
             faults,
-        ),
-    };
-    let component = given.and_then(|node| component(node, &object.path("component"), faults));
+        );
+    }
+    let component = object.choice("component", &Component::ALL, faults);
     let scale_to = scale_to(&object, reader, faults)?;
     (faults.count() == before).then_some(ScaleTo {
         component,
@@ -79,19 +65,7 @@ pub(super) fn of_pair(
 }
 
 fn scale_to(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<ScaleTo> {
-    let goals = names(&SCALE_TO[..GOALS]);
-    let given: Vec<&str> = goals
-        .iter()
-        .copied()
-        .filter(|key| object.get(key).is_some())
-        .collect();
-    let [goal] = given[..] else {
-        object.fault(
-            format!("must have exactly one of {}", goals.join(", ")),
-            faults,
-        );
-        return None;
-    };
+    let goal = &*object.one_of(&GOALS, faults)?.key;
     // Keys that only some goals have.
     let of_goal: &[&str] = match goal {
         "Sa" => &["T", "ratio"],
@@ -110,13 +84,9 @@ fn scale_to(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Sca
     }
     let unit = match object.get("unit") {
         None => 1.0,
-        Some(node) => {
-            let names = Unit::ALL.map(Unit::name);
-            let index = name(node, &object.path("unit"), "unit", &names, faults)?;
-            Unit::ALL[index].in_m_s2() / reader.metre
-        }
+        Some(_) => object.choice("unit", &Unit::ALL, faults)?.in_m_s2() / reader.metre,
     };
-    let mut need = |key| reader.needed(object, SCALE_TO, key, faults);
+    let mut need = |key| reader.needed(object, key, faults);
     let goal = match goal {
         "pga" => need("pga").map(Goal::PeakAcceleration),
         "factor" => need("factor").map(Goal::Factor),
@@ -126,8 +96,8 @@ fn scale_to(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Sca
         }
         _ => {
             let between = need("from").zip(need("to"));
-            let node = object.get("spectrum")?;
-            let target = target(node, &object.path("spectrum"), reader, faults);
+            let (node, path) = object.given("spectrum", faults)?;
+            let target = target(node, &path, reader, faults);
             let both = target.zip(between);
             both.map(|(target, (from, to))| Goal::Spectrum {
                 target,
@@ -135,19 +105,15 @@ fn scale_to(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Sca
             })
         }
     };
-    let fit = object.get("fit").and_then(|node| {
-        let names = Fit::ALL.map(Fit::name);
-        let index = name(node, &object.path("fit"), "fit", &names, faults)?;
-        Some(Fit::ALL[index])
-    });
+    let fit = object.choice("fit", &Fit::ALL, faults);
     if let (Some(node), None) = (object.get("factor"), object.get("set")) {
         let message = "needs a \"set\"; \"scale\" beside \"scale_to\" is a factor";
         faults.add(node.at, &object.path("factor"), message);
     }
-    let ratio = reader.optional(object, "ratio", range(SCALE_TO, "ratio"), faults);
+    let ratio = reader.number(object, "ratio", faults);
     let goal = goal?;
-    let set = match object.get("set") {
-        Some(node) => Some(set(node, &object.path("set"), &goal, reader, faults)?),
+    let set = match object.given("set", faults) {
+        Some((node, path)) => Some(set(node, &path, &goal, reader, faults)?),
         None => None,
     };
     Some(ScaleTo {

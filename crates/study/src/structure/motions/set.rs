@@ -3,10 +3,9 @@
 use super::target::target;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
-use crate::structure::keys::{RULES, Rule, SET, STATISTICS, names, range};
-use crate::structure::reading::reader::{Reader, open};
-use crate::value::name;
+use crate::source::tree::Node;
+use crate::structure::keys::{RULES, Rule, SET, STATISTICS};
+use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
 use slipgap_problem::problem::structure::given::motion_set::{Set, Statistic};
@@ -21,34 +20,25 @@ pub(super) fn set(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Set> {
-    let object = open(node, path, SET, faults)?;
+    let object = Object::open(node, path, &SET, faults)?;
     let before = faults.count();
-    let rule = object.get("rule").and_then(|node| {
-        let names = RULES.map(|rule| rule.name);
-        let index = name(node, &object.path("rule"), "rule", &names, faults)?;
-        Some(&RULES[index])
-    });
+    let rule = object.word("rule", faults).map(|index| &RULES[index]);
     let fixed = |x: f64| Amount {
         source: Source::Number(x),
         range: Range::Any,
         at: node.at,
         path: path.to_owned(),
     };
-    let number =
-        |key: &str, faults: &mut Faults| reader.optional(&object, key, range(SET, key), faults);
-    let at_zero = number("least_at_zero", faults).or_else(|| Some(fixed(rule?.at_zero?)));
+    let given = reader.number(&object, "least_at_zero", faults);
+    let at_zero = given.or_else(|| Some(fixed(rule?.at_zero?)));
     let least = match (object.get("least"), rule) {
         (None, Some(rule)) => Some(fixed(rule.least)),
-        _ => reader.needed(&object, SET, "least", faults),
+        _ => reader.needed(&object, "least", faults),
     };
-    let statistic = object.get("statistic").and_then(|node| {
-        let names = STATISTICS.map(|row| row.0);
-        let index = name(node, &object.path("statistic"), "statistic", &names, faults)?;
-        Some(STATISTICS[index].1)
-    });
+    let statistics = STATISTICS.map(|row| row.1);
+    let statistic = object.choice("statistic", &statistics, faults);
     let by_rule = rule.map_or(Statistic::Mean, |rule| rule.statistic);
-    let component_node = object.get("component");
-    let given = component_node.and_then(|node| component(node, &object.path("component"), faults));
+    let component = object.choice("component", &Component::ALL, faults);
     let target = match (object.get("spectrum"), goal) {
         (Some(node), _) => target(node, &object.path("spectrum"), reader, faults),
         (None, Goal::Spectrum { target, .. }) => Some(target.clone()),
@@ -58,7 +48,7 @@ pub(super) fn set(
         }
     };
     let between = between(&object, rule, reader, faults);
-    let factor = number("factor", faults);
+    let factor = reader.number(&object, "factor", faults);
     if faults.count() > before {
         return None;
     }
@@ -66,7 +56,7 @@ pub(super) fn set(
         rule: rule.map(|rule| rule.name),
         members: Vec::new(),
         statistic: statistic.unwrap_or(by_rule),
-        component: given.or_else(|| rule?.component),
+        component: component.or_else(|| rule?.component),
         least: least?,
         at_zero,
         between: between?,
@@ -74,17 +64,6 @@ pub(super) fn set(
         factor,
         made: Default::default(),
     })
-}
-
-/// Of what of a pair.
-pub(in crate::structure) fn component(
-    node: &Node,
-    path: &str,
-    faults: &mut Faults,
-) -> Option<Component> {
-    let names = Component::ALL.map(Component::name);
-    let index = name(node, path, "component", &names, faults)?;
-    Some(Component::ALL[index])
 }
 
 /// The first and last period: by their keys, or by those of the structure and the rule.
@@ -96,20 +75,15 @@ fn between(
 ) -> Option<[(f64, Vec<Amount>); 2]> {
     let path = object.path("period");
     let amount = |node: &Node, path: &str, faults: &mut Faults| {
-        reader.amount(node, path, range(SET, "period"), faults)
+        reader.amount(node, path, object.range("period"), faults)
     };
-    let periods: Option<Vec<Amount>> = object.get("period").map(|node| match &node.tree {
-        Tree::List(items) if !items.is_empty() => {
+    let periods = object.get("period").map(|node| match node.list() {
+        Some(items) if !items.is_empty() => {
             let numbered = items.iter().enumerate();
             let amounts = numbered.map(|(i, item)| amount(item, &format!("{path}[{i}]"), faults));
-            amounts.flatten().collect()
+            amounts.flatten().collect::<Vec<Amount>>()
         }
-        Tree::Object(_)
-        | Tree::List(_)
-        | Tree::Text(_)
-        | Tree::Number(_)
-        | Tree::Bool(_)
-        | Tree::Null => amount(node, &path, faults).into_iter().collect(),
+        _ => amount(node, &path, faults).into_iter().collect(),
     });
     if let (Some(node), None) = (object.get("period"), rule) {
         faults.add(node.at, &path, "needs a rule");
@@ -122,7 +96,7 @@ fn between(
     }
     let ends = ["from", "to"].map(|key| object.get(key).is_some());
     let mut end = |index: usize| {
-        let key = names(&SET[2..4])[index];
+        let key = ["from", "to"][index];
         match (&periods, rule, ends[index]) {
             (Some(periods), Some(rule), false) => Some((rule.times[index], periods.clone())),
             (None, Some(_), false) if !ends[0] && !ends[1] => {
@@ -130,7 +104,7 @@ fn between(
                 None
             }
             _ => reader
-                .needed(object, SET, key, faults)
+                .needed(object, key, faults)
                 .map(|amount| (1.0, vec![amount])),
         }
     };

@@ -3,9 +3,7 @@
 use super::scale_to::of_motion;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
-use crate::structure::keys::{FUNCTION, range};
 use crate::structure::reading::reader::Reader;
-use crate::value::name;
 use slipgap_problem::problem::structure::given::shape::Shape;
 use slipgap_system::system::structure::Baseline;
 
@@ -16,24 +14,18 @@ pub(in crate::structure) fn shape(
     faults: &mut Faults,
 ) -> Option<Box<Shape>> {
     let before = faults.count();
-    let mut time = |key| reader.optional(object, key, range(FUNCTION, key), faults);
+    let mut time = |key| reader.number(object, key, faults);
     let mut shape = Box::<Shape>::default();
     shape.start = time("start");
     shape.end = time("end");
     shape.delay = time("delay");
-    shape.baseline = baseline(object, faults).unwrap_or_default();
-    if let Some(node) = object.get("scale_to")
-        && let Some((scale_to, pair)) = of_motion(node, &object.path("scale_to"), reader, faults)
+    shape.baseline = object
+        .choice("baseline", &Baseline::ALL, faults)
+        .unwrap_or_default();
+    if let Some((node, path)) = object.given("scale_to", faults)
+        && let Some((scale_to, pair)) = of_motion(node, &path, reader, faults)
     {
         (shape.scale_to, shape.pair) = (Some(scale_to), pair);
     }
     (faults.count() == before).then_some(shape)
-}
-
-/// The baseline of an object.
-pub(in crate::structure) fn baseline(object: &Object, faults: &mut Faults) -> Option<Baseline> {
-    let node = object.get("baseline")?;
-    let names = Baseline::ALL.map(Baseline::name);
-    let index = name(node, &object.path("baseline"), "baseline", &names, faults)?;
-    Some(Baseline::ALL[index])
 }

@@ -1,21 +1,16 @@
 //! Supports with motions of their own: an acceleration, or one in each direction, with a delay.
 
-use super::loads::function;
-use super::shape::baseline;
-use super::table::table;
+use super::loads::{function, sine_of};
+use super::table::lists;
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::keys::{
-    BETWEEN, DISPLACEMENT, FUNCTION, FUNCTIONS, GROUND, IMPOSED, IMPOSED_BY_FILE, IMPOSED_SINE,
-    SINE, SUPPORT, VELOCITY, names, range,
+    DIRECTIONS, DISPLACEMENT, FUNCTION, FUNCTIONS, IMPOSED, IMPOSED_BY_FILE, IMPOSED_SINE,
+    IN_DIRECTION, OF_SUPPORT, SUPPORT, VELOCITY,
 };
 use crate::structure::measured::{column, test};
-use crate::structure::reading::given::member;
-use crate::structure::reading::reader::Part;
-use crate::structure::reading::reader::{Reader, open};
-use crate::value::name;
-use slipgap_problem::problem::numbers::parameter::Range;
+use crate::structure::reading::reader::{Part, Reader};
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::channels::measured_channels::Test;
 use slipgap_problem::problem::structure::given::amount::Amount;
@@ -25,9 +20,7 @@ use std::sync::Arc;
 
 /// The directions x, y and z in which a support moves.
 pub(in crate::structure) fn directions(node: &Node) -> [bool; 3] {
-    let Tree::Object(members) = &node.tree else {
-        return [true, false, false];
-    };
+    let members = node.object().unwrap_or_default();
     let given = |direction: Direction| members.iter().any(|one| one.key == direction.name());
     match Direction::TRANSLATIONS.map(given) {
         [false, false, false] => [true, false, false],
@@ -57,12 +50,9 @@ pub(in crate::structure) fn refuse_ground(object: &Object, faults: &mut Faults) 
 
 /// A delay or a baseline of a support and of one of its directions, too.
 fn refuse_twice(support: &Object, direction: &Node, path: &str, faults: &mut Faults) {
-    let Tree::Object(members) = &direction.tree else {
-        return;
-    };
-    let twice = members.iter().filter(|member| {
-        SUPPORT.iter().any(|key| key.0 == member.key) && support.get(&member.key).is_some()
-    });
+    let members = direction.object().unwrap_or_default().iter();
+    let twice =
+        members.filter(|member| is_of_support(&member.key) && support.get(&member.key).is_some());
     for member in twice {
         let message = "give it for the support or for its directions, not both";
         faults.add(member.at, &join(path, &member.key), message);
@@ -74,21 +64,13 @@ fn support(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Vec<Support>> {
-    let mut keys = names(FUNCTION);
-    keys.extend(names(GROUND).into_iter().chain(names(SUPPORT)));
-    let object = Object::open(node, path, &keys, faults)?;
+    let object = Object::open(node, path, &SUPPORT, faults)?;
     let given = directions(node);
-    let members = object.members.iter();
-    let plain = members
-        .clone()
-        .filter(|member| {
-            [DISPLACEMENT.0, VELOCITY.0].contains(&&*member.key)
-                || !SUPPORT.iter().any(|key| key.0 == member.key)
-        })
-        .find(|member| is_course(&member.key));
-    let by_directions = members
-        .clone()
-        .any(|member| GROUND.iter().any(|key| key.0 == member.key));
+    let mut members = object.members.iter();
+    let plain = members.clone().find(|member| {
+        IN_DIRECTION.get(&member.key).is_some() && !["delay", "baseline"].contains(&&*member.key)
+    });
+    let by_directions = members.any(|member| DIRECTIONS.contains(&&*member.key));
     // The delay and the baseline of a function are those of the support, whose displacement follows from them. Its strength is that
     // without the baseline; to remove it once more changes nothing.
     let support = |direction, (mut course, velocity): (Course, Option<Amount>), delay| {
@@ -115,9 +97,7 @@ fn support(
     if !by_directions {
         let course = course(&object, node.at, path, reader, faults)?;
         let delay = match &course.0 {
-            Course::Displacement(..) | Course::Uniform => {
-                reader.optional(&object, "delay", range(SUPPORT, "delay"), faults)
-            }
+            Course::Displacement(..) | Course::Uniform => reader.number(&object, "delay", faults),
             Course::Acceleration(_) => None,
         };
         return Some(vec![support(Direction::X, course, delay)]);
@@ -127,15 +107,14 @@ fn support(
         faults.add(member.at, &join(path, &member.key), message);
         return None;
     }
-    let delay = reader.optional(&object, "delay", range(SUPPORT, "delay"), faults);
-    let baseline = baseline(&object, faults).unwrap_or_default();
+    let delay = reader.number(&object, "delay", faults);
+    let given_baseline = object.choice("baseline", &Baseline::ALL, faults);
+    let baseline = given_baseline.unwrap_or_default();
     let one = |(direction, given): (Direction, bool)| {
         let node = object.get(direction.name()).filter(|_| given)?;
         let path = object.path(direction.name());
         refuse_twice(&object, node, &path, faults);
-        let mut keys = names(FUNCTION);
-        keys.extend([DISPLACEMENT.0, VELOCITY.0]);
-        let object = Object::open(node, &path, &keys, faults)?;
+        let object = Object::open(node, &path, &IN_DIRECTION, faults)?;
         let mut course = course(&object, node.at, &path, reader, faults)?;
         if let (Some(_), Some(delay)) = (&course.1, &delay) {
             faults.add(delay.at, &delay.path, MOVING);
@@ -155,9 +134,9 @@ fn support(
     Some(supports)
 }
 
-/// Whether a key says how a support moves.
-fn is_course(key: &str) -> bool {
-    [DISPLACEMENT.0, VELOCITY.0].contains(&key) || FUNCTION.iter().any(|row| row.0 == key)
+/// Whether a key is one of a support, besides those of a function.
+fn is_of_support(key: &str) -> bool {
+    OF_SUPPORT.iter().any(|field| field.name == key)
 }
 
 /// Why a support with a velocity at t = 0 has no delay.
@@ -171,13 +150,13 @@ fn course(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<(Course, Option<Amount>)> {
-    let velocity = reader.optional(object, VELOCITY.0, Range::Any, faults);
+    let velocity = reader.number(object, VELOCITY.name, faults);
     if let (Some(_), Some(delay)) = (&velocity, object.get("delay")) {
         faults.add(delay.at, &object.path("delay"), MOVING);
     }
-    let Some(node) = object.get(DISPLACEMENT.0) else {
-        let mut kinds = FUNCTION[..FUNCTIONS].iter();
-        if velocity.is_some() && kinds.all(|kind| object.get(kind.0).is_none()) {
+    let Some(node) = object.get(DISPLACEMENT.name) else {
+        let mut kinds = FUNCTIONS.iter();
+        if velocity.is_some() && kinds.all(|kind| object.get(kind).is_none()) {
             return Some((Course::Uniform, velocity));
         }
         let acceleration = function(object, at, path, reader, faults)?;
@@ -188,60 +167,39 @@ fn course(
         faults.add(velocity.at, &velocity.path, message);
     }
     let mut others = object.members.iter().filter(|member| member.key != "delay");
-    let other = others.find(|member| FUNCTION.iter().any(|key| key.0 == member.key));
+    let other = others.find(|member| FUNCTION.get(&member.key).is_some());
     if let Some(other) = other {
         let message = format!("a support with displacements has no {}", other.key);
         faults.add(other.at, &join(path, &other.key), message);
         return None;
     }
-    let path = object.path(DISPLACEMENT.0);
-    let has = |keys: &[(&str, &str)]| keys.iter().any(|key| member(node, key.0).is_some());
-    let points = if has(IMPOSED_SINE) {
-        sine(node, &path, reader, faults)?
-    } else if has(&IMPOSED_BY_FILE[..3]) {
+    let path = object.path(DISPLACEMENT.name);
+    let has = |keys: &[&str]| keys.iter().any(|key| node.get(key).is_some());
+    let points = if has(&["sine"]) {
+        let object = Object::open(node, &path, &IMPOSED_SINE, faults)?;
+        let (numbers, phase) = sine_of(&object.object("sine", faults)?, reader, faults)?;
+        Points::Sine(numbers, phase)
+    } else if has(&["file", "time", "column"]) {
         file(node, &path, reader, faults)?
     } else {
-        let [t, u] = table(node, &path, (IMPOSED, ["t", "u"]), reader, faults)?;
-        Points::List([t, u], line(node, &path, faults)?)
+        let object = Object::open(node, &path, &IMPOSED, faults)?;
+        Points::List(lists(&object, reader, faults)?, line(&object, faults)?)
     };
     Some((Course::Displacement(points, (node.at, path)), None))
 }
 
 /// The line between points.
-fn line(node: &Node, path: &str, faults: &mut Faults) -> Option<Line> {
-    let Some(line) = member(node, BETWEEN.0) else {
-        return Some(Line::default());
-    };
-    let names = Line::ALL.map(Line::name);
-    let index = name(line, &join(path, BETWEEN.0), "line", &names, faults)?;
-    Some(Line::ALL[index])
-}
-
-/// A displacement that is a sine.
-fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Points> {
-    let object = open(node, path, IMPOSED_SINE, faults)?;
-    let (key, meaning) = IMPOSED_SINE[0];
-    let object = open(
-        object.need(key, meaning, faults)?,
-        &object.path(key),
-        SINE,
-        faults,
-    )?;
-    let mut need = |key| reader.needed(&object, SINE, key, faults);
-    let (amplitude, omega) = (need("amplitude"), need("omega"));
-    let phase = reader.optional(&object, "phase", Range::Any, faults);
-    Some(Points::Sine([amplitude?, omega?], phase))
+fn line(object: &Object, faults: &mut Faults) -> Option<Line> {
+    match object.get("between") {
+        Some(_) => object.choice("between", &Line::ALL, faults),
+        None => Some(Line::default()),
+    }
 }
 
 /// The displacements of a file.
 fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Points> {
-    let (file_node, file_path) = (node, path);
-    let object = open(node, path, IMPOSED_BY_FILE, faults)?;
-    let mut need = |index: usize| {
-        let (key, meaning) = IMPOSED_BY_FILE[index];
-        Some((object.need(key, meaning, faults)?, object.path(key)))
-    };
-    let (file, time, u) = (need(0), need(1), need(2));
+    let object = Object::open(node, path, &IMPOSED_BY_FILE, faults)?;
+    let [file, time, u] = ["file", "time", "column"].map(|key| object.given(key, faults));
     let ((node, path), time, u) = (file?, time?, u?);
     let mut column = |(node, path), dimension| column(node, path, dimension, &reader.units, faults);
     let (time, u) = (column(time, Dimension::Time), column(u, Dimension::Length));
@@ -270,9 +228,5 @@ fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
         let u = u.iter().map(|x| x - first).collect();
         points.push((file, Arc::new([time, u])));
     }
-    Some(Points::File(
-        chosen,
-        points,
-        line(file_node, file_path, faults)?,
-    ))
+    Some(Points::File(chosen, points, line(&object, faults)?))
 }

@@ -1,31 +1,42 @@
 //! Lists of one length, such as times and values.
 
 use crate::source::faults::Faults;
-use crate::source::tree::{Node, Tree};
-use crate::structure::keys::Keys;
-use crate::structure::reading::reader::{Reader, open};
-use slipgap_problem::problem::numbers::parameter::Range;
+use crate::source::field::Keys;
+use crate::source::object::Object;
+use crate::source::tree::Node;
+use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::structure::given::amount::Amount;
 
-/// Lists of one length under two keys, such as times and values.
+/// Lists of one length under the first two keys, such as times and values.
 pub(in crate::structure) fn table(
     node: &Node,
     path: &str,
-    (keys, [times, values]): (Keys, [&str; 2]),
+    keys: &Keys,
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<[Vec<Amount>; 2]> {
-    let object = open(node, path, keys, faults)?;
+    lists(&Object::open(node, path, keys, faults)?, reader, faults)
+}
+
+/// The lists of an object.
+pub(super) fn lists(
+    object: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<[Vec<Amount>; 2]> {
+    let [times, values, ..] = object.keys().names()[..] else {
+        return None;
+    };
     let mut list = |key: &str| {
         let node = object.need(key, "a list of numbers", faults)?;
         let path = object.path(key);
-        let Tree::List(items) = &node.tree else {
+        let Some(items) = node.list() else {
             faults.must_be(node, &path, "a list of numbers");
             return None;
         };
         let before = faults.count();
         let read = items.iter().enumerate().filter_map(|(i, item)| {
-            reader.amount(item, &format!("{path}[{i}]"), Range::Any, faults)
+            reader.amount(item, &format!("{path}[{i}]"), object.range(key), faults)
         });
         let amounts: Vec<Amount> = read.collect();
         (faults.count() == before).then_some(amounts)

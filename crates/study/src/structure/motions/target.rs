@@ -4,8 +4,8 @@ use super::table::table;
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::Node;
-use crate::structure::keys::{ASCE_7, EN_1998, Keys, SPECTRUM, TARGET_TABLE, names};
-use crate::structure::reading::reader::{Reader, open};
+use crate::structure::keys::{SPECTRUM, TARGET, TARGET_TABLE};
+use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::structure::given::amount::Amount;
 use slipgap_problem::problem::structure::given::target_spectrum::TargetSpectrum;
 
@@ -16,14 +16,11 @@ pub(super) fn target(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<TargetSpectrum> {
-    let mut keys = names(SPECTRUM);
-    keys.extend(names(TARGET_TABLE));
-    let object = Object::open(node, path, &keys, faults)?;
-    let code = names(SPECTRUM)
-        .into_iter()
-        .find(|key| object.get(key).is_some());
+    let object = Object::open(node, path, &TARGET, faults)?;
+    let mut codes = SPECTRUM.fields();
+    let code = codes.find(|code| object.get(code.name).is_some());
     let Some(code) = code else {
-        let table = table(node, path, (TARGET_TABLE, ["T", "Sa"]), reader, faults);
+        let table = table(node, path, &TARGET_TABLE, reader, faults);
         return table.map(TargetSpectrum::Table);
     };
     if object.members.len() > 1 {
@@ -31,20 +28,15 @@ pub(super) fn target(
         object.fault(message, faults);
         return None;
     }
-    let (node, path) = (object.get(code)?, object.path(code));
-    let numbers = |keys: Keys, faults: &mut Faults| {
-        let object = open(node, &path, keys, faults)?;
-        let read = keys
-            .iter()
-            .map(|key| reader.needed(&object, keys, key.0, faults));
-        // All are read, so that every fault is reported.
-        let values: Vec<Option<Amount>> = read.collect();
-        values.into_iter().collect::<Option<Vec<Amount>>>()
-    };
-    if code == SPECTRUM[0].0 {
-        let five = numbers(EN_1998, faults)?.try_into().ok()?;
-        return Some(TargetSpectrum::En1998(Box::new(five)));
+    let of_code = object.object(code.name, faults)?;
+    let fields = of_code.keys().fields();
+    // All are read, so that every fault is reported.
+    let read: Vec<Option<Amount>> = fields
+        .map(|field| reader.number(&of_code, field.name, faults))
+        .collect();
+    let numbers = read.into_iter().collect::<Option<Vec<Amount>>>()?;
+    match <[Amount; 5]>::try_from(numbers) {
+        Ok(five) => Some(TargetSpectrum::En1998(Box::new(five))),
+        Err(three) => Some(TargetSpectrum::Asce7(Box::new(three.try_into().ok()?))),
     }
-    let three = numbers(ASCE_7, faults)?.try_into().ok()?;
-    Some(TargetSpectrum::Asce7(Box::new(three)))
 }

@@ -2,7 +2,7 @@
 
 use super::names::name_fault;
 use crate::source::faults::Faults;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::reading::given::{given, under};
 use crate::structure::reading::reader::is_name;
 use slipgap_problem::problem::Problem;
@@ -36,10 +36,7 @@ pub(crate) fn with_free_names(
         known.is_some_and(|known| matches!(known.kind, Kind::Choice(_)))
     };
     let numbers = given.iter().filter(|(member, _)| !is_choice(&member.key));
-    let values = numbers.flat_map(|(member, _)| match &member.node.tree {
-        Tree::Text(text) => Some(text.as_str()),
-        Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
-    });
+    let values = numbers.flat_map(|(member, _)| member.node.text());
     let mut conditions = Vec::new();
     under(root, "when", &mut conditions);
     let values = values.filter_map(|text| Formula::number(text, &table).ok());

@@ -3,7 +3,7 @@
 use crate::source::faults::{Faults, quoted};
 use crate::source::tree::{Node, Tree};
 use crate::structure::reading::given::{
-    Choices, Choosing, given, interned_choices, member, members, texts,
+    Choices, Choosing, given, interned_choices, members, texts,
 };
 use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::expression::unprintable;
@@ -49,11 +49,7 @@ pub(in crate::structure) fn labels(structure: &Node, root: &Node) -> Vec<(String
 
 /// Whether a value is a text or a list of texts.
 fn is_text(node: &Node) -> bool {
-    match &node.tree {
-        Tree::Text(_) => true,
-        Tree::List(items) => items.iter().all(|item| matches!(item.tree, Tree::Text(_))),
-        Tree::Object(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
-    }
+    node.items().iter().all(|item| item.text().is_some())
 }
 
 /// Whether a text of a tree contains a name.
@@ -71,13 +67,10 @@ fn contains(node: &Node, name: &str) -> bool {
 
 /// Whether every list of values of a parameter is in a `zip` with a parameter that `used` accepts, and there is such a list.
 pub(in crate::structure) fn is_label(root: &Node, name: &str, used: &dyn Fn(&str) -> bool) -> bool {
-    let blocks = match member(root, "blocks").map(|node| &node.tree) {
-        Some(Tree::List(blocks)) => &blocks[..],
-        _ => &[],
-    };
+    let blocks = root.get("blocks").and_then(Node::list);
     let mut lists = 0;
-    for block in std::iter::once(root).chain(blocks) {
-        let Some(parameters) = member(block, "parameters") else {
+    for block in std::iter::once(root).chain(blocks.unwrap_or_default()) {
+        let Some(parameters) = block.get("parameters") else {
             continue;
         };
         let own = members(parameters).iter().find(|own| own.key == name);
@@ -85,10 +78,7 @@ pub(in crate::structure) fn is_label(root: &Node, name: &str, used: &dyn Fn(&str
             continue;
         }
         lists += 1;
-        let groups = match member(block, "zip").map(|node| &node.tree) {
-            Some(Tree::List(groups)) => &groups[..],
-            _ => &[],
-        };
+        let groups = block.get("zip").and_then(Node::list).unwrap_or_default();
         let zipped = groups.iter().map(texts).any(|group| {
             group.contains(&name) && group.iter().any(|other| *other != name && used(other))
         });

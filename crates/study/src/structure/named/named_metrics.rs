@@ -179,22 +179,16 @@ const KINDS: [(&str, &[&str]); 5] = [
 /// The channels that history figures and curves draw; `error(CHANNEL)` is the error of one.
 pub(in crate::structure) fn drawn(root: &Object, names: &Names, faults: &mut Faults) -> Vec<Drawn> {
     let mut all: Vec<Drawn> = Vec::new();
-    let Some(Tree::List(figures)) = root.get("figures").map(|node| &node.tree) else {
+    let Some(figures) = root.get("figures").and_then(Node::list) else {
         return all;
     };
     for (i, figure) in figures.iter().enumerate() {
-        let Tree::Object(members) = &figure.tree else {
+        let Some(members) = figure.object() else {
             continue;
         };
-        let mut kinds = members.iter().filter(|member| member.key == "kind");
-        let of_kind = kinds.find_map(|member| match &member.node.tree {
-            Tree::Text(kind) => KINDS
-                .iter()
-                .find(|known| known.0 == kind)
-                .map(|known| known.1),
-            Tree::Object(_) | Tree::List(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
-        });
-        let keys = of_kind.unwrap_or_default();
+        let kind = figure.get("kind").and_then(Node::text);
+        let of_kind = KINDS.iter().find(|known| Some(known.0) == kind);
+        let keys = of_kind.map(|known| known.1).unwrap_or_default();
         for member in members
             .iter()
             .filter(|member| keys.contains(&member.key.as_str()))

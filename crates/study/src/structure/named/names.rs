@@ -5,9 +5,7 @@ use crate::source::faults::{Faults, quoted};
 use crate::source::hint::nearest;
 use crate::source::tree::Node;
 use crate::structure::keys::KEY;
-use crate::structure::reading::given::{
-    Choices, Choosing, given, interned_choices, member, texts, under,
-};
+use crate::structure::reading::given::{Choices, Choosing, given, interned_choices, texts, under};
 use crate::structure::reading::reader::is_name;
 use slipgap_problem::problem::expression::FUNCTIONS;
 use slipgap_problem::problem::expression::Formula;
@@ -20,7 +18,7 @@ use slipgap_problem::problem::structure::tables::schema::{FIXED, Named, of_metho
 use slipgap_system::system::loads::Unit;
 
 /// The key of measurements.
-const MEASURED: &str = KEY.0;
+const MEASURED: &str = KEY.name;
 
 /// The key of the unit of a record.
 const UNIT: &str = "unit";
@@ -44,11 +42,11 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
     for key in ["law", "record", UNIT, "M", "K", "C", MEASURED] {
         let mut names = Vec::new();
         // A mass may have the name of a matrix.
-        match (key, member(structure, "matrices")) {
+        match (key, structure.get("matrices")) {
             (MEASURED, _) => {
-                let file = member(root, key).and_then(|node| member(node, "file"));
+                let file = root.get(key).and_then(|node| node.get("file"));
                 names.extend(file.into_iter().flat_map(texts));
-                if let Some(supports) = member(structure, "supports") {
+                if let Some(supports) = structure.get("supports") {
                     under(supports, "file", &mut names);
                 }
             }

@@ -1,8 +1,8 @@
 //! The key `names`: what figures write instead of parameters, contacts, channels and records.
 
 use crate::source::faults::Faults;
+use crate::source::field::{Field, Kind, field};
 use crate::source::object::Object;
-use crate::source::tree::Tree;
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
 use slipgap_problem::problem::structure::channels::channel::Channel;
@@ -12,10 +12,8 @@ use slipgap_problem::problem::structure::tables::schema::Named;
 use std::path::Path;
 
 /// The key of names for figures, with its meaning.
-pub(crate) const SHOWN: (&str, &str) = (
-    "names",
-    "names in figures, of a structure: of a parameter or channel with its unit, if wanted, as in {\"gap\": [\"width of the gap\", \"m\"], \"g1.right - p2\": [\"seat displacement\"]}; of a contact, for all its channels and metrics; of a record by its file, which without one has event, station and component of its header",
-);
+pub(crate) const SHOWN: Field = field("names", Kind::Shared("names"))
+    .means("names in figures, of a structure: of a parameter or channel with its unit, if wanted, as in {\"gap\": [\"width of the gap\", \"m\"], \"g1.right - p2\": [\"seat displacement\"]}; of a contact, for all its channels and metrics; of a record by its file, which without one has event, station and component of its header");
 
 /// What names are of.
 enum Of {
@@ -41,7 +39,7 @@ pub(in crate::structure) fn shown(
         .map(|(file, heading)| (file.clone(), heading.words()))
         .collect::<Vec<_>>();
     let mut records = record_names(&headings);
-    if let Some(node) = root.get(SHOWN.0) {
+    if let Some(node) = root.get(SHOWN.name) {
         let mut known: Vec<String> = parameters
             .iter()
             .map(|parameter| parameter.name.clone())
@@ -50,7 +48,7 @@ pub(in crate::structure) fn shown(
         known.extend(records.iter().map(|record| record.0.clone()));
         known.extend(names.channels());
         // Channels of all nodes, and sums, are too many for a list.
-        if let Tree::Object(members) = &node.tree {
+        if let Some(members) = node.object() {
             let keys = members.iter().map(|member| &member.key);
             known.extend(
                 keys.filter(|key| of(key, (parameters, names), &records).is_some())
@@ -58,23 +56,20 @@ pub(in crate::structure) fn shown(
             );
         }
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
-        let object = Object::open(node, SHOWN.0, &known, faults);
+        let object = Object::of_keys(node, SHOWN.name, &known, faults);
         for own in object.iter().flat_map(|object| &object.members) {
-            let path = format!("{}.{}", SHOWN.0, own.key);
+            let path = format!("{}.{}", SHOWN.name, own.key);
             let Some(of) = of(&own.key, (parameters, names), &records) else {
                 continue;
             };
-            let items = match &own.node.tree {
-                Tree::List(items) if (1..=of.most_texts()).contains(&items.len()) => items,
-                Tree::Object(_)
-                | Tree::List(_)
-                | Tree::Text(_)
-                | Tree::Number(_)
-                | Tree::Bool(_)
-                | Tree::Null => {
-                    faults.must_be(&own.node, &path, of.form());
-                    continue;
-                }
+            let counts = 1..=of.most_texts();
+            let given = own
+                .node
+                .list()
+                .filter(|items| counts.contains(&items.len()));
+            let Some(items) = given else {
+                faults.must_be(&own.node, &path, of.form());
+                continue;
             };
             let numbered = items.iter().enumerate();
             let read = numbered.map(|(i, item)| text(item, &format!("{path}[{i}]"), faults));

@@ -2,9 +2,8 @@
 
 use crate::source::faults::Faults;
 use crate::source::object::Object;
-use crate::source::tree::Tree;
-use crate::structure::keys::{MODAL_DAMPING, RAYLEIGH, STRUCTURE, names, range};
-use crate::structure::reading::reader::{Reader, open};
+use crate::structure::keys::{MODAL_DAMPING, RAYLEIGH};
+use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::structure::given::amount::Amount;
 use slipgap_problem::problem::structure::parts::damping::{ModalDamping, Pair, Rayleigh};
 
@@ -14,38 +13,32 @@ pub(in crate::structure) fn rayleigh(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Rayleigh> {
-    let node = object.get("rayleigh")?;
-    let object = open(node, &object.path("rayleigh"), RAYLEIGH, faults)?;
-    let [mass, stiffness, ratios, modes, periods] = names(RAYLEIGH)[..] else {
-        return None;
-    };
-    let factors = [mass, stiffness];
-    if let Some(alone) = [modes, periods]
-        .into_iter()
-        .find(|key| object.get(key).is_some())
-        && object.get(ratios).is_none()
-    {
-        faults.add(node.at, &object.path(alone), "needs \"ratios\"");
+    let (node, path) = object.given("rayleigh", faults)?;
+    let object = Object::open(node, &path, &RAYLEIGH, faults)?;
+    let given = |key: &&str| object.get(key).is_some();
+    let factors = ["mass", "stiffness"];
+    if !given(&"ratios") {
+        if let Some(alone) = ["modes", "periods"].iter().find(|key| given(key)) {
+            faults.add(node.at, &object.path(alone), "needs \"ratios\"");
+        }
+        let number = |key| reader.number(&object, key, faults);
+        return Some(Rayleigh::Factors(factors.map(number)));
     }
-    if object.get(ratios).is_none() {
-        let given = |key| reader.optional(&object, key, range(RAYLEIGH, key), faults);
-        return Some(Rayleigh::Factors(factors.map(given)));
-    }
-    if factors.iter().any(|key| object.get(key).is_some()) {
+    if factors.iter().any(given) {
         object.fault(
             "has ratios or the factors mass and stiffness, not both",
             faults,
         );
     }
-    let of = match (object.get(modes), object.get(periods)) {
-        (Some(_), None) => pair(&object, modes, reader, faults).map(Pair::Modes),
-        (None, Some(_)) => pair(&object, periods, reader, faults).map(Pair::Periods),
-        (None, None) | (Some(_), Some(_)) => {
+    let of = match (given(&"modes"), given(&"periods")) {
+        (true, false) => pair(&object, "modes", reader, faults).map(Pair::Modes),
+        (false, true) => pair(&object, "periods", reader, faults).map(Pair::Periods),
+        (false, false) | (true, true) => {
             object.fault("needs modes or periods beside ratios, one of them", faults);
             None
         }
     };
-    let ratios = pair(&object, ratios, reader, faults);
+    let ratios = pair(&object, "ratios", reader, faults);
     let (ratios, of) = ratios.zip(of)?;
     Some(Rayleigh::Ratios { ratios, of })
 }
@@ -54,7 +47,7 @@ pub(in crate::structure) fn rayleigh(
 fn pair(object: &Object, key: &str, reader: &Reader, faults: &mut Faults) -> Option<[Amount; 2]> {
     let before = faults.count();
     let numbers = object.items(key, faults, |node, path, faults| {
-        reader.amount(node, path, range(RAYLEIGH, key), faults)
+        reader.amount(node, path, object.range(key), faults)
     });
     let count = numbers.len();
     let pair: Option<[Amount; 2]> = numbers.try_into().ok();
@@ -73,17 +66,11 @@ pub(in crate::structure) fn modal_damping(
     faults: &mut Faults,
 ) -> Option<ModalDamping> {
     let key = MODAL_DAMPING;
-    let node = object.get(key)?;
-    match &node.tree {
-        Tree::List(_) => {
-            let ratios = object.items(key, faults, |node, path, faults| {
-                reader.amount(node, path, range(STRUCTURE, key), faults)
-            });
-            Some(ModalDamping::Each(ratios))
-        }
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-            let ratio = reader.optional(object, key, range(STRUCTURE, key), faults)?;
-            Some(ModalDamping::Every(ratio))
-        }
+    if object.get(key)?.list().is_none() {
+        return reader.number(object, key, faults).map(ModalDamping::Every);
     }
+    let ratios = object.items(key, faults, |node, path, faults| {
+        reader.amount(node, path, object.range(key), faults)
+    });
+    Some(ModalDamping::Each(ratios))
 }

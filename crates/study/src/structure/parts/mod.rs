@@ -5,11 +5,10 @@ pub(super) mod springs;
 
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::contacts::plane;
-use crate::structure::keys::{BAR, GRAVITY, GROUND, MASS, START, range};
-use crate::structure::reading::given::member;
-use crate::structure::reading::reader::{Part, Reader, open, take_name};
+use crate::structure::keys::{ACCELERATIONS, BAR, GRAVITY, MASS, START};
+use crate::structure::reading::reader::{Part, Reader, take_name};
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::Amount;
 use slipgap_problem::problem::structure::parts::template::{Bar, Mass, Moved, Start, StaticLoad};
@@ -23,7 +22,7 @@ pub(in crate::structure) fn in_directions<'a>(
 ) -> Vec<Part<'a>> {
     let mut expanded = Vec::new();
     for (name, node, path) in parts {
-        let listed = member(node, "direction").filter(|given| matches!(given.tree, Tree::List(_)));
+        let listed = node.get("direction").filter(|given| given.list().is_some());
         let Some(listed) = listed else {
             expanded.push((name, node, path));
             continue;
@@ -46,18 +45,18 @@ pub(in crate::structure) fn masses(
     faults: &mut Faults,
 ) -> Vec<Mass> {
     let mass = |(name, node, path): &Part| {
-        let (mass, direction) = match &node.tree {
-            Tree::Object(_) => {
-                let object = open(node, path, MASS, faults)?;
-                let mass = reader.needed(&object, MASS, "mass", faults);
+        let (mass, direction) = match node.object() {
+            Some(_) => {
+                let object = Object::open(node, path, &MASS, faults)?;
+                let mass = reader.number(&object, "mass", faults);
                 let direction = match name.split_once('.') {
                     Some((_, direction)) => Direction::named(direction),
                     None => reader.direction(&object, faults),
                 };
                 (mass, direction)
             }
-            Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
-                let mass = reader.amount(node, path, range(MASS, "mass"), faults);
+            None => {
+                let mass = reader.amount(node, path, MASS.range("mass"), faults);
                 (mass, Some(Direction::X))
             }
         };
@@ -73,12 +72,11 @@ pub(in crate::structure) fn masses(
 /// The bars.
 pub(in crate::structure) fn bars(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Bar> {
     let mut bar = |(name, node, path): &Part| {
-        let object = open(node, path, BAR, faults)?;
-        let mut need = |key| reader.needed(&object, BAR, key, faults);
-        let (length, stiffness) = (need("L"), need("EA"));
-        let (mass, elements) = (need("mass"), need("n"));
-        let damping = "stiffness_damping";
-        let stiffness_damping = reader.optional(&object, damping, range(BAR, damping), faults);
+        let object = Object::open(node, path, &BAR, faults)?;
+        let mut number = |key| reader.number(&object, key, faults);
+        let (length, stiffness) = (number("L"), number("EA"));
+        let (mass, elements) = (number("mass"), number("n"));
+        let stiffness_damping = number("stiffness_damping");
         let direction = reader.direction(&object, faults);
         Some(Bar {
             name: name.clone(),
@@ -99,12 +97,10 @@ pub(in crate::structure) fn check_spring_names(
     taken: &mut HashSet<String>,
     faults: &mut Faults,
 ) {
-    let Some(Tree::List(springs)) = object.get("springs").map(|node| &node.tree) else {
-        return;
-    };
-    for (i, spring) in springs.iter().enumerate() {
-        if let Some(node) = member(spring, "name")
-            && let Tree::Text(name) = &node.tree
+    let springs = object.get("springs").and_then(Node::list);
+    for (i, spring) in springs.unwrap_or_default().iter().enumerate() {
+        if let Some(node) = spring.get("name")
+            && let Some(name) = node.text()
         {
             let path = format!("{}[{i}].name", object.path("springs"));
             take_name(name, "spring", (node.at, &path), taken, faults);
@@ -122,7 +118,7 @@ pub(in crate::structure) fn static_loads(
         return Vec::new();
     };
     let path = object.path("static");
-    let Tree::Object(members) = &node.tree else {
+    let Some(members) = node.object() else {
         faults.must_be(
             node,
             &path,
@@ -133,7 +129,7 @@ pub(in crate::structure) fn static_loads(
     let mut loads = Vec::new();
     for member in members.iter().filter(|member| member.key != "//") {
         let path = join(&path, &member.key);
-        if member.key == GRAVITY.0 {
+        if member.key == GRAVITY.name {
             loads.extend(gravity(&member.node, &path, reader, faults));
             continue;
         }
@@ -153,19 +149,19 @@ pub(in crate::structure) fn falling(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Vec<(Direction, Amount)> {
-    let Some(node) = object.get(GRAVITY.0) else {
+    let Some(node) = object.get(GRAVITY.name) else {
         return Vec::new();
     };
-    let path = object.path(GRAVITY.0);
+    let path = object.path(GRAVITY.name);
     if let Some(at_rest) = object
         .get("static")
-        .and_then(|loads| member(loads, GRAVITY.0))
+        .and_then(|loads| loads.get(GRAVITY.name))
     {
         let message =
             "give it here or under \"static\", which makes the equilibrium at the start, not both";
         faults.add(
             at_rest.at,
-            &join(&object.path("static"), GRAVITY.0),
+            &join(&object.path("static"), GRAVITY.name),
             message,
         );
     }
@@ -186,18 +182,18 @@ fn accelerations(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Vec<(Direction, Amount)> {
-    let Tree::Object(_) = &node.tree else {
+    if node.object().is_none() {
         let amount = reader.amount(node, path, Range::Any, faults);
         return amount
             .map(|amount| (Direction::Y, amount))
             .into_iter()
             .collect();
-    };
-    let Some(object) = open(node, path, GROUND, faults) else {
+    }
+    let Some(object) = Object::open(node, path, &ACCELERATIONS, faults) else {
         return Vec::new();
     };
     let one = |direction: Direction| {
-        let amount = reader.optional(&object, direction.name(), Range::Any, faults)?;
+        let amount = reader.number(&object, direction.name(), faults)?;
         Some((direction, amount))
     };
     Direction::TRANSLATIONS
@@ -217,7 +213,7 @@ pub(in crate::structure) fn start(
     };
     let path = object.path("start");
     let has_static = object.get("static").is_some();
-    let Tree::Object(members) = &node.tree else {
+    let Some(members) = node.object() else {
         faults.must_be(node, &path, "an object with a key for each node or bar");
         return Vec::new();
     };
@@ -230,15 +226,15 @@ pub(in crate::structure) fn start(
             faults.add(member.at, &path, message);
             return None;
         }
-        let object = open(&member.node, &path, START, faults)?;
+        let object = Object::open(&member.node, &path, &START, faults)?;
         if let (true, Some(node)) = (has_static, object.get("u")) {
             let message = "the static loads give the displacements at t = 0; a start may give v";
             faults.add(node.at, &object.path("u"), message);
         }
         Some(Start {
             of,
-            u: reader.optional(&object, "u", Range::Any, faults),
-            v: reader.optional(&object, "v", Range::Any, faults),
+            u: reader.number(&object, "u", faults),
+            v: reader.number(&object, "v", faults),
         })
     };
     members.filter_map(one).collect()

@@ -1,17 +1,14 @@
 //! Springs and dashpots.
 
 use crate::source::faults::Faults;
+use crate::source::field::Kind;
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::structure::contacts::plane;
-use crate::structure::keys::{SPRING, range};
-use crate::structure::reading::reader::{Reader, open};
-use crate::value::text;
+use crate::structure::keys::SPRING;
+use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
 use slipgap_problem::problem::structure::parts::template::{Spring, SpringNumbers};
-
-/// The keys of numbers of which a spring in two directions may have two.
-const NUMBERS: [&str; 5] = ["k", "c", "mass", "period", "ratio"];
 
 /// A spring, or one in each of two directions.
 pub(in crate::structure) fn springs(
@@ -20,10 +17,8 @@ pub(in crate::structure) fn springs(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Vec<Spring>> {
-    let object = open(node, path, SPRING, faults)?;
-    let name_node = object.get("name");
-    let given = name_node.and_then(|node| text(node, &object.path("name"), faults));
-    let name = given.unwrap_or_default();
+    let object = Object::open(node, path, &SPRING, faults)?;
+    let name = object.text("name", faults).unwrap_or_default();
     let Some(node) = object.get("directions") else {
         let along = reader.along(&object, "a spring", faults);
         let numbers = numbers(&object, None, reader, faults);
@@ -39,11 +34,12 @@ pub(in crate::structure) fn springs(
         return None;
     }
     let directions = plane::directions(node, &object.path("directions"), faults);
-    for key in NUMBERS {
-        if let Some(Tree::List(items)) = object.get(key).map(|node| &node.tree)
-            && items.len() != 2
-        {
-            object.fault(format!("{key} has a number for each direction, 2"), faults);
+    let numbers_of_both = SPRING.fields();
+    for field in numbers_of_both.filter(|field| matches!(field.kind, Kind::Several(..))) {
+        let items = object.get(field.name).and_then(Node::list);
+        if items.is_some_and(|items| items.len() != 2) {
+            let message = format!("{} has a number for each direction, 2", field.name);
+            object.fault(message, faults);
             return None;
         }
     }
@@ -81,21 +77,15 @@ fn numbers(
         return None;
     }
     let optional = |key: &str, faults: &mut Faults| {
-        let range = range(SPRING, key);
-        let (node, path) = (object.get(key)?, object.path(key));
-        match (&node.tree, index) {
-            (Tree::List(items), Some(index)) => reader.amount(
-                items.get(index)?,
-                &format!("{path}[{index}]"),
-                range,
-                faults,
-            ),
-            _ => reader.amount(node, &path, range, faults),
-        }
+        let (node, path) = object.given(key, faults)?;
+        let (node, path) = match (node.list(), index) {
+            (Some(items), Some(index)) => (items.get(index)?, format!("{path}[{index}]")),
+            _ => (node, path),
+        };
+        reader.amount(node, &path, object.range(key), faults)
     };
     let needed = |key: &str, faults: &mut Faults| {
-        let what = SPRING.iter().find(|known| known.0 == key);
-        object.need(key, what.map_or("", |known| known.1), faults)?;
+        object.needed(key, faults)?;
         optional(key, faults)
     };
     if by_period {

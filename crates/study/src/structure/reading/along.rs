@@ -3,7 +3,7 @@
 use super::reader::Reader;
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::tree::Node;
 use crate::value::text;
 use slipgap_problem::problem::ParameterExpression;
 use slipgap_problem::problem::expression::Formula;
@@ -70,7 +70,7 @@ impl Reader<'_> {
         (what, direction): (&str, Option<Direction>),
         faults: &mut Faults,
     ) -> Option<Vec<Term>> {
-        let Tree::Object(members) = &node.tree else {
+        let Some(members) = node.object() else {
             faults.must_be(node, path, "an object with a factor for each node");
             return None;
         };
@@ -157,11 +157,7 @@ impl Reader<'_> {
         let wanted = "two nodes; or along, nodes with their factors";
         let node = object.need("between", wanted, faults)?;
         let path = object.path("between");
-        let Tree::List(items) = &node.tree else {
-            faults.must_be(node, &path, "a list of two nodes");
-            return None;
-        };
-        let [i, j] = &items[..] else {
+        let Some([i, j]) = node.list() else {
             faults.must_be(node, &path, "a list of two nodes");
             return None;
         };

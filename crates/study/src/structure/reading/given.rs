@@ -8,18 +8,7 @@ pub(in crate::structure) type Choices = &'static [(&'static str, &'static str)];
 
 /// The members of an object; none of another value.
 pub(crate) fn members(node: &Node) -> &[Member] {
-    match &node.tree {
-        Tree::Object(members) => members,
-        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => &[],
-    }
-}
-
-/// The value of a key of an object.
-pub(crate) fn member<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
-    let mut members = members(node).iter();
-    members
-        .find(|member| member.key == key)
-        .map(|member| &member.node)
+    node.object().unwrap_or_default()
 }
 
 /// The members of all `parameters` of a study, each with its path.
@@ -36,12 +25,12 @@ pub(in crate::structure) fn given(root: &Node) -> Vec<(&Member, String)> {
             found.push((&members(node)[i], path));
         }
     };
-    if let Some(node) = member(root, "parameters") {
+    if let Some(node) = root.get("parameters") {
         add(node, "parameters");
     }
-    if let Some(Tree::List(blocks)) = member(root, "blocks").map(|node| &node.tree) {
+    if let Some(blocks) = root.get("blocks").and_then(Node::list) {
         for (i, block) in blocks.iter().enumerate() {
-            if let Some(node) = member(block, "parameters") {
+            if let Some(node) = block.get("parameters") {
                 add(node, &format!("blocks[{i}].parameters"));
             }
         }

@@ -5,8 +5,7 @@ use crate::source::folder::Folder;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::identity::Records;
-use crate::structure::keys::{Keys, names, range};
-use crate::value::{name, number, with_unit};
+use crate::value::{number, with_unit};
 use slipgap_problem::problem::ParameterExpression;
 use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::numbers::parameter::{Parameter, Range};
@@ -95,29 +94,16 @@ impl Reader<'_> {
         })
     }
 
-    /// The number under `key`, if it is given.
-    pub fn optional(
-        &self,
-        object: &Object,
-        key: &str,
-        range: Range,
-        faults: &mut Faults,
-    ) -> Option<Amount> {
-        let node = object.get(key)?;
-        self.amount(node, &object.path(key), range, faults)
+    /// The number under `key`. If it is missing but needed, that is a fault.
+    pub fn number(&self, object: &Object, key: &str, faults: &mut Faults) -> Option<Amount> {
+        let (node, path) = object.given(key, faults)?;
+        self.amount(node, &path, object.range(key), faults)
     }
 
-    /// The number under `key` of these keys. If it is missing, that is a fault.
-    pub fn needed(
-        &self,
-        object: &Object,
-        keys: Keys,
-        key: &str,
-        faults: &mut Faults,
-    ) -> Option<Amount> {
-        let what = keys.iter().find(|known| known.0 == key);
-        let node = object.need(key, what.map_or("", |known| known.1), faults)?;
-        self.amount(node, &object.path(key), range(keys, key), faults)
+    /// The number under `key`, which other keys of the object need. If it is missing, that is a fault.
+    pub fn needed(&self, object: &Object, key: &str, faults: &mut Faults) -> Option<Amount> {
+        object.needed(key, faults)?;
+        self.number(object, key, faults)
     }
 
     /// The nodes of which the motion of a name at a place of the study is the sum, each with its factor.
@@ -198,23 +184,11 @@ impl Reader<'_> {
 
     /// The direction under `direction`; x without it.
     pub fn direction(&self, object: &Object, faults: &mut Faults) -> Option<Direction> {
-        let Some(node) = object.get("direction") else {
-            return Some(Direction::X);
-        };
-        let names = Direction::TRANSLATIONS.map(Direction::name);
-        let index = name(node, &object.path("direction"), "direction", &names, faults)?;
-        Some(Direction::TRANSLATIONS[index])
+        match object.get("direction") {
+            Some(_) => object.choice("direction", &Direction::TRANSLATIONS, faults),
+            None => Some(Direction::X),
+        }
     }
-}
-
-/// The object at a node with these keys.
-pub(in crate::structure) fn open<'a>(
-    node: &'a Node,
-    path: &str,
-    keys: Keys,
-    faults: &mut Faults,
-) -> Option<Object<'a>> {
-    Object::open(node, path, &names(keys), faults)
 }
 
 /// Whether a text is a name: letters, digits and _, not beginning with a digit.
@@ -231,7 +205,7 @@ pub(in crate::structure) fn named<'a>(
     taken: &mut HashSet<String>,
     faults: &mut Faults,
 ) -> Vec<(String, &'a Node, String)> {
-    let Tree::Object(members) = &node.tree else {
+    let Some(members) = node.object() else {
         faults.must_be(node, path, &format!("an object with a key for each {what}"));
         return Vec::new();
     };

@@ -7,16 +7,14 @@ use super::selection::{Moments, select};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::folder::Folder;
 use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
-use crate::structure::keys::{CHOOSE, Keys, names, range};
-use crate::structure::motions::set::component;
-use crate::structure::reading::given::member;
-use crate::value::{name, number, text};
+use crate::source::tree::Node;
+use crate::structure::keys::CHOOSE;
+use crate::value::{number, text};
 use libm::log;
 use rayon::prelude::*;
-use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_problem::problem::structure::given::scale_to::RATIO;
 use slipgap_system::system::loads::Unit;
+use slipgap_system::system::loads::pair::Component;
 
 /// Most faults of files that are reported.
 const MOST_FAULTS: usize = 5;
@@ -63,7 +61,7 @@ fn motions<'a>(
     faults: &mut Faults,
 ) -> Option<Vec<Vec<String>>> {
     let own = |file: &'a (String, String)| vec![file.1.clone()];
-    let Some(pattern) = member(node, "pair") else {
+    let Some(pattern) = node.get("pair") else {
         return Some(files.iter().map(own).collect());
     };
     let path = join(path, "pair");
@@ -89,28 +87,12 @@ fn motions<'a>(
 
 /// The choice under a key.
 fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
-    let object = Object::open(node, path, &names(CHOOSE), faults)?;
+    let object = Object::open(node, path, &CHOOSE, faults)?;
     let before = faults.count();
-    let n = one(&object, "n", faults);
-    if let (Some(n), Some(node)) = (n, object.get("n"))
-        && (n.fract() != 0.0 || !(2.0..=10_000.0).contains(&n))
-    {
-        let message = format!(
-            "must be a whole number from 2 to 10000, got {}",
-            shortest(n)
-        );
-        faults.add(node.at, &object.path("n"), message);
-    }
+    let n = object.whole("n", faults);
     let lists = ["T", "median", "sigma"].map(|key| list(&object, key, faults));
-    let unit_node = object.need("unit", meaning("unit"), faults);
-    let unit = unit_node.and_then(|node| {
-        let names = Unit::ALL.map(Unit::name);
-        let index = name(node, &object.path("unit"), "unit", &names, faults)?;
-        Some(Unit::ALL[index].in_m_s2())
-    });
-    let component = object
-        .get("component")
-        .and_then(|node| component(node, &object.path("component"), faults));
+    let unit = object.choice("unit", &Unit::ALL, faults).map(Unit::in_m_s2);
+    let component = object.choice("component", &Component::ALL, faults);
     match (object.get("pair"), object.get("component")) {
         (Some(_), None) => {
             object.need("component", "of what of a pair", faults);
@@ -118,10 +100,7 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
         (None, Some(node)) => faults.add(node.at, &object.path("component"), "needs \"pair\""),
         (Some(_), Some(_)) | (None, None) => {}
     }
-    let [at, factor, ratio] = ["at", "factor", "ratio"].map(|key| {
-        let node = object.get(key)?;
-        number(node, &object.path(key), range(CHOOSE, key), faults)
-    });
+    let [at, factor, ratio] = ["at", "factor", "ratio"].map(|key| object.number(key, faults));
     let [Some(periods), Some(median), Some(deviation)] = lists else {
         return None;
     };
@@ -160,29 +139,16 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
     })
 }
 
-/// The meaning of a key.
-fn meaning(key: &str) -> &'static str {
-    let keys: Keys = CHOOSE;
-    keys.iter().find(|row| row.0 == key).map_or("", |row| row.1)
-}
-
-/// A number that is needed.
-fn one(object: &Object, key: &str, faults: &mut Faults) -> Option<f64> {
-    let node = object.need(key, meaning(key), faults)?;
-    number(node, &object.path(key), range(CHOOSE, key), faults)
-}
-
 /// A list of numbers that is needed.
 fn list(object: &Object, key: &str, faults: &mut Faults) -> Option<Vec<f64>> {
-    let node = object.need(key, meaning(key), faults)?;
-    let path = object.path(key);
-    let Tree::List(items) = &node.tree else {
+    let (node, path) = object.given(key, faults)?;
+    let Some(items) = node.list() else {
         faults.must_be(node, &path, "a list of numbers");
         return None;
     };
     let items = items.iter().enumerate();
     let numbers =
-        items.map(|(i, item)| number(item, &format!("{path}[{i}]"), range(CHOOSE, key), faults));
+        items.map(|(i, item)| number(item, &format!("{path}[{i}]"), object.range(key), faults));
     // Collected first, so that every fault is reported.
     let read: Vec<Option<f64>> = numbers.collect();
     let values: Option<Vec<f64>> = read.into_iter().collect();

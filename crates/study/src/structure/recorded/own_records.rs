@@ -7,7 +7,7 @@
 use super::record_axis::{add_zip, blocks};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::tree::{Member, Node, Tree};
-use crate::structure::reading::given::{given, member, texts, under};
+use crate::structure::reading::given::{given, texts, under};
 use crate::structure::reading::reader::is_name;
 use slipgap_system::system::loads::synthetic::PEAK;
 
@@ -18,7 +18,7 @@ const UNIT: &str = "unit";
 
 /// The parameter whose values are the seeds of the motions that records can replace; `None` if there are no such motions.
 pub(crate) fn seed(root: &Node) -> Option<String> {
-    let structure = member(root, "structure")?;
+    let structure = root.get("structure")?;
     let mut seeds = Vec::new();
     under(structure, "seed", &mut seeds);
     let seed = seeds.into_iter().find(|seed| is_name(seed))?.to_owned();
@@ -37,7 +37,7 @@ pub(crate) fn seed(root: &Node) -> Option<String> {
 /// Whether a study has a parameter `record` of files, or motions that records can replace.
 pub(crate) fn takes_record(root: &Node) -> bool {
     let mut records = Vec::new();
-    if let Some(structure) = member(root, "structure") {
+    if let Some(structure) = root.get("structure") {
         under(structure, RECORD, &mut records);
     }
     records.contains(&RECORD) || seed(root).is_some()
@@ -98,7 +98,7 @@ fn named(node: &Node, names: &mut Vec<String>) {
 
 /// Numbers the records of a block by the seed; gives the keys of the motions that the command line has beside their files.
 fn number_records(block: &mut Node, seed: &str, path: &str, faults: &mut Faults) -> Vec<Member> {
-    let zipped = member(block, "zip").map(texts).unwrap_or_default();
+    let zipped = block.get("zip").map(texts).unwrap_or_default();
     let in_zip = zipped.contains(&seed);
     let Some(parameters) = block.member("parameters") else {
         return Vec::new();
@@ -111,11 +111,10 @@ fn number_records(block: &mut Node, seed: &str, path: &str, faults: &mut Faults)
     if !matches!(record.tree, Tree::List(_)) {
         record.tree = Tree::List(vec![record.clone()]);
     }
-    let count = match &record.tree {
-        Tree::List(records) => records.len(),
-        Tree::Object(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => 0,
-    };
-    let start = member(parameters, START).map(|start| matches!(start.tree, Tree::List(_)));
+    let count = record.items().len();
+    let start = parameters
+        .get(START)
+        .map(|start| matches!(start.tree, Tree::List(_)));
     if let Some(seeds) = parameters.member(seed) {
         if in_zip {
             let message = format!(
@@ -157,8 +156,9 @@ fn take(node: &mut Node, key: &str) -> Option<Member> {
 
 /// Makes records of the synthetic motions of this seed.
 fn replace_motions(node: &mut Node, seed: &str, keys: &[Member], of_motions: &mut Vec<String>) {
-    let is_motion = member(node, "synthetic")
-        .and_then(|motion| member(motion, "seed"))
+    let is_motion = node
+        .get("synthetic")
+        .and_then(|motion| motion.get("seed"))
         .is_some_and(|given| matches!(&given.tree, Tree::Text(name) if name == seed));
     match &mut node.tree {
         Tree::Object(members) if is_motion => {

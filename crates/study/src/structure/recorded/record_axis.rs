@@ -8,15 +8,12 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::folder::Folder;
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
-use crate::structure::keys::{COMPARE, FILES, KEY, names};
-use crate::structure::reading::given::{member, members, texts};
+use crate::structure::keys::{FILES, KEY};
+use crate::structure::reading::given::{members, texts};
 use crate::value::text;
 
 /// The key of measurements, and the parameter of their files.
-const MEASURED: &str = KEY.0;
-
-/// The key of the choice among the files.
-const CHOOSE: &str = FILES[1].0;
+const MEASURED: &str = KEY.name;
 
 /// The name of a parameter, the offset and path of its files, and these.
 type Listed = (String, usize, String, Found);
@@ -30,8 +27,8 @@ pub(crate) fn expand(root: &mut Node, folder: &Folder, faults: &mut Faults) {
     take(structure, "", "structure", &mut named);
     if let Some(measured) = root.member(MEASURED) {
         // Tests that are compared as a sample are no axis.
-        let way = member(measured, "compare").map(texts).unwrap_or_default();
-        let is_sample = way.contains(&COMPARE[1]);
+        let way = measured.get("compare").map(texts).unwrap_or_default();
+        let is_sample = way.contains(&"distribution");
         if let Some(file) = measured.member("file").filter(|node| has_files(node)) {
             let path = join(MEASURED, "file");
             match is_sample {
@@ -65,7 +62,7 @@ pub(crate) fn expand(root: &mut Node, folder: &Folder, faults: &mut Faults) {
                 None => join(&path, &given.key),
             };
             if let Some(files) = files(&given.node, &path, folder, faults) {
-                if member(&given.node, CHOOSE).is_some() {
+                if given.node.get("choose").is_some() {
                     leader = Some(found.len());
                 }
                 found.push((given.key.clone(), given.node.at, path, files));
@@ -91,7 +88,7 @@ fn follow(found: &mut [Listed], leader: usize) {
 
 /// Whether a value is an object with files.
 fn has_files(node: &Node) -> bool {
-    members(node).iter().any(|member| member.key == FILES[0].0)
+    members(node).iter().any(|member| member.key == "files")
 }
 
 /// Takes the files out of the structure: `record` becomes the name of a parameter.
@@ -132,7 +129,7 @@ fn replaced(node: &mut Node, key: String) -> Member {
 
 /// The study, or its blocks, each with its path.
 pub(in crate::structure) fn blocks(root: &mut Node) -> Vec<(String, &mut Node)> {
-    if member(root, "blocks").is_none() {
+    if root.get("blocks").is_none() {
         return vec![(String::new(), root)];
     }
     match root.member("blocks").map(|node| &mut node.tree) {
@@ -148,14 +145,13 @@ pub(in crate::structure) fn blocks(root: &mut Node) -> Vec<(String, &mut Node)> 
 
 /// The files of an object, in the order of their names.
 fn files(node: &Node, path: &str, folder: &Folder, faults: &mut Faults) -> Option<Found> {
-    let object = Object::open(node, path, &names(FILES), faults)?;
-    let node = object.need(FILES[0].0, FILES[0].1, faults)?;
-    let path = object.path(FILES[0].0);
+    let object = Object::open(node, path, &FILES, faults)?;
+    let (node, path) = object.given("files", faults)?;
     let pattern = text(node, &path, faults)?;
     let found = matching(&pattern, folder.path);
     match found {
-        Ok(found) => match object.get(CHOOSE) {
-            Some(node) => chosen(node, &object.path(CHOOSE), found, folder, faults),
+        Ok(found) => match object.given("choose", faults) {
+            Some((node, path)) => chosen(node, &path, found, folder, faults),
             None => Some(found),
         },
         Err(why) => {
@@ -168,7 +164,8 @@ fn files(node: &Node, path: &str, folder: &Folder, faults: &mut Faults) -> Optio
 /// Puts the lists of a block in place. Those that are in no `zip` of the study become one: the files for which `*` is the same go
 /// together.
 fn go_together(block: &mut Node, mut found: Vec<Listed>, faults: &mut Faults) {
-    let zipped: Vec<String> = member(block, "zip")
+    let zipped: Vec<String> = block
+        .get("zip")
         .map(|node| texts(node).into_iter().map(str::to_owned).collect())
         .unwrap_or_default();
     let free: Vec<usize> = (0..found.len())

@@ -1,11 +1,10 @@
 //! The schema of metrics, checks and figures of structures.
 
-use super::rules::{any, described};
-use crate::decode::checks;
 use crate::describe::schema::figures::{Named, rules};
-use crate::describe::schema::values::constant;
+use crate::describe::schema::values::number;
 use crate::figure::kinds::{Kind, Needs};
 use serde_json::{Value as Json, json};
+use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::metrics::ground_metric::PREFIX;
 use slipgap_problem::problem::structure::metrics::reduction::{REDUCTIONS, in_brackets};
 
@@ -36,17 +35,6 @@ pub(super) fn metric() -> Json {
     })
 }
 
-pub(super) fn check(metric: &Json) -> Json {
-    let value = |key: &str| match key {
-        "metric" => metric.clone(),
-        "where" => json!({ "type": "object" }),
-        _ => constant(),
-    };
-    let mut schema = described(&checks::KEYS, value, &["metric"]);
-    schema["anyOf"] = json!([{ "required": ["min"] }, { "required": ["max"] }]);
-    schema
-}
-
 /// The rules for figures of one kind, whose quantities and metrics have free names.
 pub(super) fn figure(kind: &Kind) -> Json {
     let text = || json!({ "type": "string" });
@@ -60,7 +48,7 @@ pub(super) fn figure(kind: &Kind) -> Json {
         metric: text(),
         budget: text(),
         marks: json!({ "type": "object" }),
-        number: any(),
+        number: number(Range::Any),
         has_units: false,
     };
     let suits = kind.needs != Needs::Profiles && kind.name != "law";

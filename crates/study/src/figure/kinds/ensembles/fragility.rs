@@ -1,9 +1,10 @@
 //! The probability that a metric exceeds a limit, over a parameter.
 
+use crate::field::{field, fields, needed};
 use crate::figure::checker::Checker;
 use crate::figure::choice::Fit;
 use crate::figure::ensembles;
-use crate::figure::keys::{BY_OUTSIDE, COLOUR, Takes, X_RANGE, X_SCALE, Y_RANGE, key};
+use crate::figure::keys::{BY_OUTSIDE, COLOUR, Takes, X_RANGE, X_SCALE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::{ColumnRef, Scale};
 use slipgap_problem::problem::Problem;
@@ -12,44 +13,21 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "fragility",
     needs: Needs::Ensemble,
     meaning: "part of the ensemble in which a metric exceeds a limit, over a parameter such as the scale of records, with 95 % intervals and a lognormal function; or, over a measure such as ground.Sa(T1), the function by incremental scaling or of a cloud",
-    keys: &[
-        key(
-            "x",
-            Takes::Column,
-            true,
-            "parameter along the horizontal axis, not of the ensemble; with the fit incremental or cloud also a metric, such as ground.Sa(1)",
-        ),
-        key("y", Takes::Metric, true, "metric"),
-        key(
-            "limit",
-            Takes::Number,
-            true,
-            "a case exceeds the limit if its metric is greater",
-        ),
-        key(
-            "fit",
-            Takes::Fit,
-            false,
-            "likelihood: of the parts that exceed at each x (if left out); incremental: of the x at which each member reaches the limit, straight between its cases; cloud: from a line through ln y over ln x",
-        ),
-        key(
-            "collapse",
-            Takes::Number,
-            false,
-            "value of y, at least the limit, from which on a case has collapsed, as has one without a value: it exceeds the limit by an unknown amount; if left out, cases without a value are left out",
-        ),
-        key(
-            "against",
-            Takes::Columns,
-            false,
-            "parameters or metrics, such as a magnitude: slope of the residuals over each and its p, with the fit incremental or cloud",
-        ),
-        key(
-            "hazard",
-            Takes::Hazard,
-            false,
-            "points [x, annual frequency of larger x] of a hazard curve, straight between their logarithms and beyond: mean annual frequency of exceeding the limit, and the share of each member of the ensemble",
-        ),
+    keys: &fields![
+        /// parameter along the horizontal axis, not of the ensemble; with the fit incremental or cloud also a metric, such as ground.Sa(1)
+        needed("x", Takes::Column),
+        /// metric
+        needed("y", Takes::Metric),
+        /// a case exceeds the limit if its metric is greater
+        needed("limit", Takes::Number),
+        /// likelihood: of the parts that exceed at each x (if left out); incremental: of the x at which each member reaches the limit, straight between its cases; cloud: from a line through ln y over ln x
+        field("fit", Takes::Fit),
+        /// value of y, at least the limit, from which on a case has collapsed, as has one without a value: it exceeds the limit by an unknown amount; if left out, cases without a value are left out
+        field("collapse", Takes::Number),
+        /// parameters or metrics, such as a magnitude: slope of the residuals over each and its p, with the fit incremental or cloud
+        field("against", Takes::Columns),
+        /// points [x, annual frequency of larger x] of a hazard curve, straight between their logarithms and beyond: mean annual frequency of exceeding the limit, and the share of each member of the ensemble
+        field("hazard", Takes::Hazard),
         BY_OUTSIDE,
         X_SCALE,
         X_RANGE,

@@ -1,7 +1,8 @@
 //! The parameters that a design samples, in pairs.
 
+use crate::field::{field, fields, needed};
 use crate::figure::checker::Checker;
-use crate::figure::keys::{Takes, key};
+use crate::figure::keys::Takes;
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::{limits, sampled};
 use crate::{ColumnRef, Scale};
@@ -11,19 +12,11 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "samples",
     needs: Needs::Nothing,
     meaning: "every pair of at most 8 parameters that a design samples, a dot for each case; a metric is the colour and the last row",
-    keys: &[
-        key(
-            "y",
-            Takes::Metric,
-            true,
-            "metric of the last row and of the colours",
-        ),
-        key(
-            "y_scale",
-            Takes::Scale,
-            false,
-            "scale of the metric; if left out, linear",
-        ),
+    keys: &fields![
+        /// metric of the last row and of the colours
+        needed("y", Takes::Metric),
+        /// scale of the metric; if left out, linear
+        field("y_scale", Takes::Scale),
     ],
     decode: |values, scope| {
         Some(FigureKind::Samples(Samples {

@@ -1,8 +1,9 @@
 //! The error and its parts over a parameter.
 
 use crate::Scale;
+use crate::field::{field, fields};
 use crate::figure::checker::Checker;
-use crate::figure::keys::{COLOUR, MARKERS, PANELS, Takes, X, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{COLOUR, MARKERS, PANELS, Takes, X, X_RANGE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::{sampled, vary};
 use slipgap_problem::problem::{self, Problem};
@@ -11,9 +12,10 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "budget",
     needs: Needs::Nothing,
     meaning: "the error and its parts over a parameter on logarithmic scales, with the slope where a curve is straight",
-    keys: &[
+    keys: &fields![
         X,
-        key("y", Takes::Budgets, false, "quantities; if left out, all"),
+        /// quantities; if left out, all
+        field("y", Takes::Budgets),
         PANELS,
         X_RANGE,
         Y_RANGE,

@@ -2,8 +2,9 @@
 
 use super::metric;
 use crate::Scale;
+use crate::field::{field, fields};
 use crate::figure::checker::Checker;
-use crate::figure::keys::{BY_OTHERS, COLOUR, MARKERS, METRICS, Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{BY_OTHERS, COLOUR, MARKERS, METRICS, Takes, X_RANGE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::sampled;
 use slipgap_problem::problem::Problem;
@@ -12,13 +13,9 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "convergence",
     needs: Needs::Nothing,
     meaning: "errors over the time step on logarithmic scales, with the observed order where a curve is straight",
-    keys: &[
-        key(
-            "x",
-            Takes::NumericParameter,
-            false,
-            "parameter along the horizontal axis; if left out, the time step",
-        ),
+    keys: &fields![
+        /// parameter along the horizontal axis; if left out, the time step
+        field("x", Takes::NumericParameter),
         METRICS,
         BY_OTHERS,
         X_RANGE,

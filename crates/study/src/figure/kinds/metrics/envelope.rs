@@ -1,8 +1,9 @@
 //! Metrics at positions along the structure, such as the largest drift of each storey.
 
 use crate::Scale;
+use crate::field::{field, fields, needed};
 use crate::figure::checker::Checker;
-use crate::figure::keys::{BAND, BY_OUTSIDE, COLOUR, MARKERS, Takes, USUAL, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{BAND, BY_OUTSIDE, COLOUR, MARKERS, Takes, USUAL, X_RANGE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::{ensembles, vary};
 use slipgap_problem::problem::Problem;
@@ -11,31 +12,15 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "envelope",
     needs: Needs::Nothing,
     meaning: "metrics at positions along the structure, upwards, such as the largest drift of each storey: a curve for each case, or of an ensemble the median and a band between two quantiles",
-    keys: &[
-        key(
-            "x",
-            Takes::Metrics,
-            true,
-            "metrics from the first position to the last one; several times as many are further curves, such as all max, then all min",
-        ),
-        key(
-            "at",
-            Takes::Times,
-            false,
-            "positions, rising; if left out, 1, 2, 3, ..",
-        ),
-        key(
-            "x_title",
-            Takes::Text,
-            false,
-            "title of the horizontal axis; if left out, what the titles of the metrics share",
-        ),
-        key(
-            "at_title",
-            Takes::Text,
-            false,
-            "title of the vertical axis; if left out, Position",
-        ),
+    keys: &fields![
+        /// metrics from the first position to the last one; several times as many are further curves, such as all max, then all min
+        needed("x", Takes::Metrics),
+        /// positions, rising; if left out, 1, 2, 3, ..
+        field("at", Takes::Times),
+        /// title of the horizontal axis; if left out, what the titles of the metrics share
+        field("x_title", Takes::Text),
+        /// title of the vertical axis; if left out, Position
+        field("at_title", Takes::Text),
         BY_OUTSIDE,
         BAND,
         X_RANGE,

@@ -1,8 +1,9 @@
 //! Two metrics of many cases against each other, and the best cases of each value of a parameter.
 
 use crate::Scale;
+use crate::field::{field, fields, needed};
 use crate::figure::checker::{Checker, NARROW};
-use crate::figure::keys::{COLOUR, MARKERS, Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{COLOUR, MARKERS, Takes, X_RANGE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use slipgap_cases::alike;
 use slipgap_problem::problem::{Case, Problem};
@@ -15,43 +16,19 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "front",
     needs: Needs::Nothing,
     meaning: "two metrics of which less is better: for each value of a parameter a line through the cases that no other surpasses in one metric without being worse in the other; those of all are on a light band",
-    keys: &[
-        key(
-            "x",
-            Takes::Metric,
-            true,
-            "metric along the horizontal axis, such as the cost",
-        ),
-        key(
-            "y",
-            Takes::Metric,
-            true,
-            "metric along the vertical axis, such as an error",
-        ),
-        key(
-            "by",
-            Takes::Parameters,
-            true,
-            "parameters, one panel each, with one line for each value; at most 12 values",
-        ),
-        key(
-            "mean_over",
-            Takes::Parameter,
-            false,
-            "parameter over which x is averaged by the mean, y by the root mean square",
-        ),
-        key(
-            "x_scale",
-            Takes::ScaleOrLog,
-            false,
-            "horizontal scale; if left out, log",
-        ),
-        key(
-            "y_scale",
-            Takes::ScaleOrLog,
-            false,
-            "vertical scale; if left out, log",
-        ),
+    keys: &fields![
+        /// metric along the horizontal axis, such as the cost
+        needed("x", Takes::Metric),
+        /// metric along the vertical axis, such as an error
+        needed("y", Takes::Metric),
+        /// parameters, one panel each, with one line for each value; at most 12 values
+        needed("by", Takes::Parameters),
+        /// parameter over which x is averaged by the mean, y by the root mean square
+        field("mean_over", Takes::Parameter),
+        /// horizontal scale; if left out, log
+        field("x_scale", Takes::ScaleOrLog),
+        /// vertical scale; if left out, log
+        field("y_scale", Takes::ScaleOrLog),
         X_RANGE,
         Y_RANGE,
         COLOUR,

@@ -1,8 +1,9 @@
 //! One metric over two parameters.
 
+use crate::field::{field, fields, needed};
 use crate::figure::checker::Checker;
 use crate::figure::choice::{Marks, Ridge};
-use crate::figure::keys::{Takes, X, X_SCALE, Y_SCALE, key};
+use crate::figure::keys::{Takes, X, X_SCALE, Y_SCALE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::{limits, sampled, vary};
 use crate::{ColumnRef, Scale};
@@ -12,41 +13,22 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "map",
     needs: Needs::Nothing,
     meaning: "one metric over two parameters as filled contours; hatched where empty",
-    keys: &[
+    keys: &fields![
         X,
-        key(
-            "y",
-            Takes::NumericParameter,
-            true,
-            "parameter along the vertical axis",
-        ),
-        key("z", Takes::Metric, true, "metric shown as shades"),
+        /// parameter along the vertical axis
+        needed("y", Takes::NumericParameter),
+        /// metric shown as shades
+        needed("z", Takes::Metric),
         X_SCALE,
         Y_SCALE,
-        key(
-            "z_scale",
-            Takes::Scale,
-            false,
-            "scale of the shades; if left out, linear",
-        ),
-        key(
-            "z_range",
-            Takes::Range,
-            false,
-            "values at both ends of the colour bar, as in [0.001, 1]",
-        ),
-        key(
-            "marks",
-            Takes::Marks,
-            false,
-            "points to mark: { \"label\": text, \"at\": [[x, y], ...] }",
-        ),
-        key(
-            "ridge",
-            Takes::Ridge,
-            false,
-            "line through the y with the metric least, greatest or nearest to 1 at each x",
-        ),
+        /// scale of the shades; if left out, linear
+        field("z_scale", Takes::Scale),
+        /// values at both ends of the colour bar, as in [0.001, 1]
+        field("z_range", Takes::Range),
+        /// points to mark: { "label": text, "at": [[x, y], ...] }
+        field("marks", Takes::Marks),
+        /// line through the y with the metric least, greatest or nearest to 1 at each x
+        field("ridge", Takes::Ridge),
     ],
     decode: |values, _| {
         Some(FigureKind::Map(Map {

@@ -1,9 +1,10 @@
 //! Metrics over a parameter.
 
 use crate::Scale;
+use crate::field::{field, fields};
 use crate::figure::checker::Checker;
 use crate::figure::keys::{
-    BY_OTHERS, COLOUR, MARKERS, METRICS, PANELS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
+    BY_OTHERS, COLOUR, MARKERS, METRICS, PANELS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE,
 };
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::{sampled, vary};
@@ -13,17 +14,13 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "metric",
     needs: Needs::Nothing,
     meaning: "metrics over a parameter",
-    keys: &[
+    keys: &fields![
         X,
         METRICS,
         BY_OTHERS,
         PANELS,
-        key(
-            "checks",
-            Takes::Switch,
-            false,
-            "true: with the limits of the study's checks",
-        ),
+        /// true: with the limits of the study's checks
+        field("checks", Takes::Switch),
         X_SCALE,
         Y_SCALE,
         X_RANGE,

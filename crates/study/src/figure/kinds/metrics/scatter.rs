@@ -1,7 +1,8 @@
 //! One column of the results over another.
 
+use crate::field::{field, fields, needed};
 use crate::figure::checker::Checker;
-use crate::figure::keys::{Takes, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key};
+use crate::figure::keys::{Takes, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::{ColumnRef, Scale};
 use slipgap_problem::problem::Problem;
@@ -10,33 +11,17 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "scatter",
     needs: Needs::Nothing,
     meaning: "one column of the results over another, one dot for each case; more than 2000 dots become one image in SVG and PDF",
-    keys: &[
-        key(
-            "x",
-            Takes::Column,
-            true,
-            "parameter or metric along the horizontal axis",
-        ),
-        key(
-            "y",
-            Takes::Column,
-            true,
-            "parameter or metric along the vertical axis",
-        ),
-        key(
-            "colour",
-            Takes::Column,
-            false,
-            "parameter or metric shown by colour",
-        ),
+    keys: &fields![
+        /// parameter or metric along the horizontal axis
+        needed("x", Takes::Column),
+        /// parameter or metric along the vertical axis
+        needed("y", Takes::Column),
+        /// parameter or metric shown by colour
+        field("colour", Takes::Column),
         X_SCALE,
         Y_SCALE,
-        key(
-            "colour_scale",
-            Takes::Scale,
-            false,
-            "scale of the colours; if left out, linear",
-        ),
+        /// scale of the colours; if left out, linear
+        field("colour_scale", Takes::Scale),
         X_RANGE,
         Y_RANGE,
     ],

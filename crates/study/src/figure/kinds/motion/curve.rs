@@ -2,37 +2,27 @@
 
 use super::{history, response};
 use crate::Scale;
+use crate::field::{field, fields, needed};
 use crate::figure::checker::Checker;
-use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, X_RANGE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "curve",
     needs: Needs::Nothing,
     meaning: "one quantity over another, such as loops of force over displacement; at most 8 cases in a panel",
-    keys: &[
-        key(
-            "x",
-            Takes::Quantity,
-            true,
-            "quantity along the horizontal axis",
-        ),
-        key("y", Takes::Quantities, true, "quantities, one panel each"),
+    keys: &fields![
+        /// quantity along the horizontal axis
+        needed("x", Takes::Quantity),
+        /// quantities, one panel each
+        needed("y", Takes::Quantities),
         BY,
         PANELS,
         IN_UNITS,
-        key(
-            "time_range",
-            Takes::Range,
-            false,
-            "first and last time; the whole motion if left out",
-        ),
-        key(
-            "section",
-            Takes::Switch,
-            false,
-            "true: instead of the curve the points at the start of each cycle of the excitation, where it rises through 0 (Poincare section)",
-        ),
+        /// first and last time; the whole motion if left out
+        field("time_range", Takes::Range),
+        /// true: instead of the curve the points at the start of each cycle of the excitation, where it rises through 0 (Poincare section)
+        field("section", Takes::Switch),
         X_RANGE,
         Y_RANGE,
         COLOUR,

@@ -1,8 +1,9 @@
 //! Curves over time.
 
 use crate::Scale;
+use crate::field::{field, fields};
 use crate::figure::checker::{Checker, NARROW};
-use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, X_RANGE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::vary;
 use crate::scope::Scope;
@@ -20,28 +21,16 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "history",
     needs: Needs::Nothing,
     meaning: "curves over time, the exact solution as a thin line; at most 8 cases in a panel",
-    keys: &[
-        key(
-            "y",
-            Takes::Quantities,
-            false,
-            "quantities, one panel each; if left out, the response and its error",
-        ),
+    keys: &fields![
+        /// quantities, one panel each; if left out, the response and its error
+        field("y", Takes::Quantities),
         BY,
         PANELS,
         IN_UNITS,
-        key(
-            "stacked",
-            Takes::Switch,
-            false,
-            "true: quantities of one dimension as areas on one another, such as energies; one panel for each case",
-        ),
-        key(
-            "inset",
-            Takes::Range,
-            false,
-            "first and last time of an enlarged part in a smaller frame inside of each panel",
-        ),
+        /// true: quantities of one dimension as areas on one another, such as energies; one panel for each case
+        field("stacked", Takes::Switch),
+        /// first and last time of an enlarged part in a smaller frame inside of each panel
+        field("inset", Takes::Range),
         X_RANGE,
         Y_RANGE,
         COLOUR,

@@ -1,36 +1,25 @@
 //! The path of a contact in a plane.
 
 use crate::Scale;
+use crate::field::{field, fields, needed};
 use crate::figure::checker::Checker;
-use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, key};
+use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes};
 use crate::figure::kinds::{Curve, Decoded, FigureKind, Kind, Needs};
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "orbit",
     needs: Needs::Structure,
     meaning: "the path of a contact in a plane with equal scales: r.1 and r.2, or S.1 and S.2 with the disc of its largest limit; at most 8 cases in a panel",
-    keys: &[
-        key(
-            "x",
-            Takes::Quantity,
-            true,
-            "quantity of the first direction",
-        ),
-        key(
-            "y",
-            Takes::Quantities,
-            true,
-            "quantity of the second direction",
-        ),
+    keys: &fields![
+        /// quantity of the first direction
+        needed("x", Takes::Quantity),
+        /// quantity of the second direction
+        needed("y", Takes::Quantities),
         BY,
         PANELS,
         IN_UNITS,
-        key(
-            "time_range",
-            Takes::Range,
-            false,
-            "first and last time; the whole motion if left out",
-        ),
+        /// first and last time; the whole motion if left out
+        field("time_range", Takes::Range),
         COLOUR,
         MARKERS,
     ],

@@ -1,8 +1,9 @@
 //! Quantities along the structure at given times.
 
 use crate::Scale;
+use crate::field::{field, fields, needed};
 use crate::figure::checker::{Checker, MOST_PANELS, NARROW};
-use crate::figure::keys::{COLOUR, MARKERS, Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{COLOUR, MARKERS, Takes, X_RANGE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 
 /// Most cases in a panel, because their markers are close.
@@ -12,14 +13,11 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "profile",
     needs: Needs::Profiles,
     meaning: "quantities along the structure at given times; at most 6 cases",
-    keys: &[
-        key("y", Takes::Profiles, false, "quantities; if left out, all"),
-        key(
-            "times",
-            Takes::Times,
-            true,
-            "times in the unit of the problem, one row of panels each; at most the duration of every case",
-        ),
+    keys: &fields![
+        /// quantities; if left out, all
+        field("y", Takes::Profiles),
+        /// times in the unit of the problem, one row of panels each; at most the duration of every case
+        needed("times", Takes::Times),
         X_RANGE,
         Y_RANGE,
         COLOUR,

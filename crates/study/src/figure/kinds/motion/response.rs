@@ -2,9 +2,10 @@
 
 use super::history::{self, MOST_DRAWN};
 use crate::Scale;
+use crate::field::{field, fields, needed};
 use crate::figure::checker::{Checker, NARROW};
 use crate::figure::choice::Each;
-use crate::figure::keys::{BY_OTHERS, COLOUR, Takes, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key};
+use crate::figure::keys::{BY_OTHERS, COLOUR, Takes, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE};
 use crate::figure::kinds::metrics::metric;
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 
@@ -15,26 +16,15 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "response",
     needs: Needs::Structure,
     meaning: "what the last cycles of a sine, sweep or stepped_sweep have at each frequency, a point each: one where the motion repeats, two where its period doubles",
-    keys: &[
-        key("y", Takes::Quantities, true, "quantities, one panel each"),
-        key(
-            "x",
-            Takes::NumericParameter,
-            false,
-            "parameter along the horizontal axis; if left out, the frequency of the excitation",
-        ),
-        key(
-            "each",
-            Takes::Each,
-            false,
-            "peak (if left out), max or min of each cycle, or the value at its start, where the excitation rises through 0",
-        ),
-        key(
-            "cycles",
-            Takes::Number,
-            false,
-            "number of last cycles of each frequency; if left out, 8",
-        ),
+    keys: &fields![
+        /// quantities, one panel each
+        needed("y", Takes::Quantities),
+        /// parameter along the horizontal axis; if left out, the frequency of the excitation
+        field("x", Takes::NumericParameter),
+        /// peak (if left out), max or min of each cycle, or the value at its start, where the excitation rises through 0
+        field("each", Takes::Each),
+        /// number of last cycles of each frequency; if left out, 8
+        field("cycles", Takes::Number),
         BY_OTHERS,
         X_SCALE,
         Y_SCALE,

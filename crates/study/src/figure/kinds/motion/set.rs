@@ -1,8 +1,9 @@
 //! The spectra of a set of ground motions and its target.
 
 use crate::Scale;
+use crate::field::{field, fields};
 use crate::figure::checker::{Checker, NARROW};
-use crate::figure::keys::{COLOUR, Takes, key};
+use crate::figure::keys::{COLOUR, Takes};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 
 /// Most cases: each may have another set, which is computed.
@@ -12,13 +13,9 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "set",
     needs: Needs::Structure,
     meaning: "pseudo-acceleration of all motions of a \"set\" of the ground, their mean or envelope, the target, and the range of the rule; one panel for each set",
-    keys: &[
-        key(
-            "periods",
-            Takes::Periods,
-            false,
-            "first and last period; if left out, half the first and twice the last one of the rule",
-        ),
+    keys: &fields![
+        /// first and last period; if left out, half the first and twice the last one of the rule
+        field("periods", Takes::Periods),
         COLOUR,
     ],
     decode: |values, _| {

@@ -1,8 +1,9 @@
 //! Response spectra of ground motions and of floors.
 
 use crate::Scale;
+use crate::field::{field, fields, needed};
 use crate::figure::checker::{Checker, NARROW};
-use crate::figure::keys::{COLOUR, MARKERS, Takes, key};
+use crate::figure::keys::{COLOUR, MARKERS, Takes};
 use crate::figure::kinds::motion::history;
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use slipgap_problem::problem::numbers::unit::Dimension;
@@ -23,31 +24,15 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "spectrum",
     needs: Needs::Structure,
     meaning: "elastic response spectra of the whole ground motions of the cases, also after `duration`, or of floors; one curve for each motion and damping ratio",
-    keys: &[
-        key(
-            "of",
-            Takes::Quantity,
-            false,
-            "acceleration of a floor, such as f2.a_abs, instead of the ground",
-        ),
-        key(
-            "y",
-            Takes::Ordinates,
-            true,
-            "displacement, pseudo-velocity or pseudo-acceleration, or several of them, one panel each",
-        ),
-        key(
-            "damping",
-            Takes::Ratios,
-            false,
-            "damping ratios; if left out, 0.05",
-        ),
-        key(
-            "periods",
-            Takes::Periods,
-            false,
-            "first and last period, at least 0.001; if left out, [0.05, 5]",
-        ),
+    keys: &fields![
+        /// acceleration of a floor, such as f2.a_abs, instead of the ground
+        field("of", Takes::Quantity),
+        /// displacement, pseudo-velocity or pseudo-acceleration, or several of them, one panel each
+        needed("y", Takes::Ordinates),
+        /// damping ratios; if left out, 0.05
+        field("damping", Takes::Ratios),
+        /// first and last period, at least 0.001; if left out, [0.05, 5]
+        field("periods", Takes::Periods),
         COLOUR,
         MARKERS,
     ],

@@ -1,8 +1,9 @@
 //! One case over place and time.
 
 use crate::Scale;
+use crate::field::{field, fields};
 use crate::figure::checker::{Checker, NARROW};
-use crate::figure::keys::{Takes, X_RANGE, key};
+use crate::figure::keys::{Takes, X_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 
 /// Most times that a wave is drawn at: about two pixels each.
@@ -12,20 +13,12 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "wave",
     needs: Needs::Profiles,
     meaning: "one case over place and time, as shades with a colour bar: the computed motion and the exact one",
-    keys: &[
-        key(
-            "y",
-            Takes::Profile,
-            false,
-            "quantity along the structure; if left out, the last one of the problem",
-        ),
+    keys: &fields![
+        /// quantity along the structure; if left out, the last one of the problem
+        field("y", Takes::Profile),
         X_RANGE,
-        key(
-            "y_range",
-            Takes::Range,
-            false,
-            "first and last time shown; the whole motion if left out",
-        ),
+        /// first and last time shown; the whole motion if left out
+        field("y_range", Takes::Range),
     ],
     decode: |values, scope| {
         let last = scope.problem.schema().profiles.len().checked_sub(1);
