@@ -39,12 +39,12 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "contact, system, motion",
         &["crates/contact", "crates/system", "crates/motion"],
-        36_500,
+        36_700,
     ),
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        37_400,
+        37_500,
     ),
     (
         "drawing, figures",
