@@ -159,7 +159,7 @@ fn in_a_browser_filter_and_sort_use_every_case() {
             "“beta>” is not a comparison: write column, sign, value, as in beta>0.1",
             "“abc” is not a number, but beta has numbers as values",
             "law has names for values: compare it by = or !=",
-            "law is never “velocity”. Its values are displacement-control, velocity-control, coulomb, tanh, stribeck, bouc-wen, dahl, lugre",
+            "law is never “velocity”. Its values are displacement-control, velocity-control, coulomb, tanh, stribeck, stribeck-hyperbolic, bouc-wen, dahl, lugre",
         ]
     );
     assert_eq!(

@@ -304,7 +304,7 @@ fn names_and_keys() {
     );
     assert_parameter(
         "\"alpha\": 1, \"beta\": 3",
-        "4:21: parameters.beta: does not apply to law displacement-control, only to velocity-control, tanh or stribeck; allowed: law, alpha, dT, duration, x0, initial_slip, method",
+        "4:21: parameters.beta: does not apply to law displacement-control, only to velocity-control, tanh, stribeck or stribeck-hyperbolic; allowed: law, alpha, dT, duration, x0, initial_slip, method",
     );
     assert_parameter(
         "\"alpha\": 1, \"alpha\": 3",
@@ -417,7 +417,7 @@ fn laws_that_meet_in_one_block() {
     assert_faults(
         &with(both, ""),
         &[
-            "3:15: parameters.beta: missing; it applies only to law velocity-control, tanh or stribeck",
+            "3:15: parameters.beta: missing; it applies only to law velocity-control, tanh, stribeck or stribeck-hyperbolic",
             "4:63: parameters.alpha: applies only to law displacement-control, bouc-wen or dahl, but law is also velocity-control here; give each law its own block in \"blocks\"",
         ],
     );

@@ -83,7 +83,7 @@ fn names() {
     refused(
         &friction(&beta, ""),
         &[
-            "parameters.beta: does not apply to law displacement-control, only to velocity-control, tanh or stribeck; allowed: law, alpha,",
+            "parameters.beta: does not apply to law displacement-control, only to velocity-control, tanh, stribeck or stribeck-hyperbolic; allowed: law, alpha,",
         ],
     );
     refused(

@@ -185,10 +185,10 @@ impl Law for Stribeck {
         let k = on.end.h_rate * range * inverse;
         let decay = std::array::from_fn(|l| laws[l].decay);
         let (mut lowest, mut fallen) = (Lane::splat(0.0), Lane::splat(0.0));
-        for l in 0..L {
+        for (l, law) in laws.iter().enumerate() {
             if k.0[l] > 1.0 {
-                lowest.0[l] = decay[l].slope_falls_to(k.0[l]);
-                fallen.0[l] = decay[l].fallen(lowest.0[l])[0];
+                lowest.0[l] = law.decay.slope_falls_to(k.0[l]);
+                fallen.0[l] = law.decay.fallen(lowest.0[l])[0];
             }
         }
         Step {
