@@ -44,7 +44,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        38_500,
+        37_000,
     ),
     (
         "drawing, figures",
