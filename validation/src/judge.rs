@@ -159,7 +159,9 @@ fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met 
 fn reduced(study: &Study, metric: usize, cases: &[&CaseMetrics]) -> Option<Vec<CaseMetrics>> {
     slipgap_study::reduced_cases(study, &[metric], |take| {
         for outcome in cases {
-            take(&outcome.case, &|row| outcome.metrics.get(row).copied().flatten());
+            take(&outcome.case, &|row| {
+                outcome.metrics.get(row).copied().flatten()
+            });
         }
     })
 }

@@ -70,7 +70,9 @@ pub(super) fn expect(
             let reduction = scope.measures[*row].reduction.as_ref();
             let hidden = reduction.and_then(|reduction| {
                 let mut rows = over.filter.0.iter().map(|(row, _)| *row);
-                rows.find_map(|row| reduced::hidden(reduction, row, scope.cases(&over.filter), scope))
+                rows.find_map(|row| {
+                    reduced::hidden(reduction, row, scope.cases(&over.filter), scope)
+                })
             });
             if let Some(message) = hidden {
                 faults.add(node.at, &path, message);
@@ -103,7 +105,11 @@ pub(super) fn expect(
         if share > 1.0 {
             faults.must_be(node, &path, "at most 1");
         } else if !matches!(subject, Subject::Metric(_)) || object.get("along").is_some() {
-            faults.add(node.at, &path, "is for a \"metric\" with \"min\" or \"max\"");
+            faults.add(
+                node.at,
+                &path,
+                "is for a \"metric\" with \"min\" or \"max\"",
+            );
         }
         Some(share)
     });
