@@ -153,7 +153,7 @@ pub fn with_data<T>(
 fn with_snapshots(study: &Study, figure: &Figure, mut shown: ShownCases) -> ShownCases {
     for row in 0..shown.len() {
         let case = shown.at(row).case();
-        let times = figure.kind.snapshot_times(&*study.problem, &case);
+        let times = figure.kind.snapshot_times(&case);
         if !times.is_empty() && !shown.has_failed(row) {
             shown.set_snapshots(
                 row,

@@ -224,10 +224,8 @@ fn keeps_impact(mass: &'static str, gamma: f64, n: u64, step: f64) -> bool {
         };
         let solution = BarImpact.solve(&case, &[]).unwrap();
         let row = |name: &str| {
-            BarImpact
-                .metrics()
-                .iter()
-                .position(|metric| metric.name == name)
+            let mut metrics = case.schema.metrics.iter();
+            metrics.position(|metric| metric.name == name)
         };
         let value = |name: &str| solution.metrics[row(name).unwrap()].unwrap_or(f64::NAN);
         // The exact peak is 1. Another test has the changes of energy.
@@ -242,18 +240,15 @@ fn keeps_impact(mass: &'static str, gamma: f64, n: u64, step: f64) -> bool {
 
 /// The gain of energy at every step: the drift of the contact minus what the method takes, at the end of a run up to that step.
 fn gains(case: &Case) -> f64 {
-    let row = BarImpact
-        .parameters()
-        .iter()
-        .position(|p| p.name == "duration");
+    let row = case.schema.duration;
     let dt = case.number("dt").unwrap();
     let at_step = |i: u64| {
         let mut cut = case.clone();
-        cut.values[row.unwrap()] = Some(Value::Number(i as f64 * dt));
+        cut.values[row] = Some(Value::Number(i as f64 * dt));
         let value = |name| metric(&BarImpact, &cut, name).unwrap();
         value("energy_drift_final") - value("numerical_dissipation")
     };
-    (1..=BarImpact.steps(case)).map(at_step).fold(0.0, f64::max)
+    (1..=case.steps()).map(at_step).fold(0.0, f64::max)
 }
 
 /// The loss of energy up to the last step: the damping of the contact and the method, and the drift.

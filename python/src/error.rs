@@ -36,10 +36,8 @@ fn exception(py: Python<'_>, error: &Error) -> PyResult<PyErr> {
     let fields = PyDict::new(py);
     let message = match error {
         Error::Faults(faults) => {
-            let records = faults
-                .iter()
-                .map(|fault| record(py, fault))
-                .collect::<PyResult<Vec<_>>>()?;
+            let of_faults = faults.iter().map(|fault| record(py, fault));
+            let records = of_faults.collect::<PyResult<Vec<_>>>()?;
             fields.set_item("faults", records)?;
             let lines: Vec<String> = faults.iter().map(text).collect();
             lines.join("\n")

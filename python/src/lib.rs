@@ -41,11 +41,11 @@ mod _slipgap {
     #[pymodule_export]
     use super::results::Results;
     #[pymodule_export]
+    use super::results::arrow_table::Table;
+    #[pymodule_export]
     use super::results::expand::{count, expand};
     #[pymodule_export]
     use super::results::figure::Figure;
-    #[pymodule_export]
-    use super::results::table::Table;
     #[pymodule_export]
     use super::run::run;
     #[pymodule_export]

@@ -76,10 +76,8 @@ pub fn recommend<'py>(
         .filter(|at| advice.choices[*at].worst.is_finite());
     let best = advice.chosen.or(nearest).map(|at| front[at].clone());
     let cheaper = &advice.choices[..advice.chosen.unwrap_or(0)];
-    let own_step = cheaper
-        .iter()
-        .position(|choice| choice.worst <= 1.0)
-        .map(|at| front[at].clone());
+    let position = cheaper.iter().position(|choice| choice.worst <= 1.0);
+    let own_step = position.map(|at| front[at].clone());
     let class = RECOMMENDATION.import(py, "slipgap._records", "Recommendation")?;
     class.call1((
         advice.chosen.is_some(),

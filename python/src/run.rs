@@ -2,10 +2,10 @@
 
 use crate::given;
 use crate::results::Results;
-use crate::results::columns::Columns;
+use crate::results::arrow_table::Table;
 use crate::results::figure::Shown;
-use crate::results::table::Table;
-use crate::results::tables::Groups;
+use crate::results::group_tables::Groups;
+use crate::results::result_columns::Columns;
 use crate::worker;
 use arrow_array::RecordBatch;
 use indicatif::ProgressBar;

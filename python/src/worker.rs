@@ -38,10 +38,8 @@ fn threads(jobs: usize) -> Result<Idle, Error> {
         Some(idle) if idle.process != process => std::mem::forget(idle),
         Some(_) | None => {}
     }
-    let pool = ThreadPoolBuilder::new()
-        .num_threads(jobs)
-        .build()
-        .map_err(|e| Error::Internal(format!("cannot start threads: {e}")))?;
+    let built = ThreadPoolBuilder::new().num_threads(jobs).build();
+    let pool = built.map_err(|e| Error::Internal(format!("cannot start threads: {e}")))?;
     Ok(Idle {
         process,
         jobs,

@@ -1,6 +1,6 @@
 //! The parameters of a case in words.
 
-use super::film::numbers;
+use super::film::short_numbers;
 use crate::problem::Case;
 use crate::problem::numbers::parameter::{Parameter, Value};
 use crate::study::{Axis, Study};
@@ -58,7 +58,7 @@ pub fn labels(study: &Study, cases: &[&Case]) -> Vec<String> {
 fn words(parameter: &Parameter, value: Value) -> String {
     match value {
         Value::Number(x) => {
-            let x = numbers::digits(x, 5);
+            let x = short_numbers::digits(x, 5);
             match x == 0.0 || (1e-4..1e6).contains(&x.abs()) {
                 true => x.to_string(),
                 false => format!("{x:e}"),

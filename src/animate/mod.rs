@@ -3,12 +3,12 @@
 //! A film is one motion: the drawing of a scene with the displacements of its parts, thinned, and its contacts.
 //! The page draws films; it computes nothing but the places of lines between two steps.
 
-mod bars;
+mod bars_film;
 mod film;
 mod label;
 mod oscillator;
 mod page;
-mod structure;
+mod structure_film;
 
 pub use page::MOST_BYTES;
 
@@ -144,8 +144,8 @@ fn film<'a>(
             .map_or(Vec::new(), |textbook| textbook.snapshots(case, &[0.0]))
             .is_empty(),
     ) {
-        (Some(scheme), _) => structure::film(problem, case, &scheme, history),
-        (None, false) => bars::film(problem, case, history, exact),
+        (Some(scheme), _) => structure_film::film(problem, case, &scheme, history),
+        (None, false) => bars_film::film(problem, case, history, exact),
         (None, true) => oscillator::film(history),
     };
     let dt = case.at(problem.schema().step).unwrap_or(1.0);

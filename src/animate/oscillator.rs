@@ -1,7 +1,7 @@
 //! The film of the oscillator: a mass on a spring that slides on a surface.
 
 use super::film::Film;
-use super::film::contact::Contact;
+use super::film::contact_history::Contact;
 use super::film::scene::{Link, Mover, Point, Scene};
 use crate::history::History;
 use std::borrow::Cow;

@@ -1,15 +1,15 @@
 //! Runs the cases of a study in parallel. No result depends on the order or on the number of threads.
 
+pub mod chunks;
 pub mod files;
 pub mod output;
-pub mod parts;
 pub mod solve;
 pub mod status;
 pub mod store;
 #[cfg(test)]
 mod tests;
 
-pub use parts::shard::{Shard, ShardFault, shard_of};
+pub use chunks::shard::{Shard, ShardFault, shard_of};
 pub use slipgap_figures::{DrawnCase, GroupResults, Needed, ShownCases, groups};
 pub use solve::compute::keep_memory;
 pub use solve::computed::with_computed_columns;
@@ -19,9 +19,9 @@ pub use solve::part_result::{Outcome, PartResult};
 pub use solve::run_shard::{ShardResult, run_shard};
 pub use solve::warned::{WarnedCases, WarningCounts};
 
+use chunks::pipeline::in_order;
+use chunks::queue::PartQueue;
 use indicatif::ProgressBar;
-use parts::pipeline::in_order;
-use parts::queue::PartQueue;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 use solve::run_part::run_part;

@@ -1,9 +1,9 @@
 //! The search of an alternative, and what is known at its best point.
 
+use super::channel::{self, Test};
 use super::misfit::{Misfit, Pooling};
 use super::numerics::{self, ErrorStudy, Numerical};
 use super::residuals::Residuals;
-use super::series::{self, Test};
 use indicatif::ProgressBar;
 use slipgap_recommend::Stop;
 use slipgap_recommend::calibrate::{
@@ -135,10 +135,8 @@ impl Search<'_> {
             true => Vec::new(),
             false => alternative.each_test().collect(),
         };
-        let each = tests
-            .into_iter()
-            .map(|test| self.fit(test))
-            .collect::<Result<Vec<Fit>, Stopped>>()?;
+        let fits = tests.into_iter().map(|test| self.fit(test));
+        let each = fits.collect::<Result<Vec<Fit>, Stopped>>()?;
         Ok(Fit {
             each,
             ..self.fit(alternative)?
@@ -152,7 +150,7 @@ impl Search<'_> {
     fn fit(&self, alternative: Alternative) -> Result<Fit, Stopped> {
         let [free, unused] = super::used(self.study, &alternative);
         let cases = self.study.point_cases(&alternative, &free);
-        let pooling = match series::channel(self.study) {
+        let pooling = match channel::channel(self.study) {
             Some(_) => self.points(&cases),
             None => Pooling::Mean,
         };
@@ -203,8 +201,8 @@ impl Search<'_> {
     /// The values, the tests and the residuals of a point.
     fn point(&self, cases: &PointCases, best: &Best) -> Point {
         let values = cases.values(&best.at);
-        let tests = series::tests(self.study, cases, &values);
-        let channel = series::channel(self.study);
+        let tests = channel::tests(self.study, cases, &values);
+        let channel = channel::channel(self.study);
         Point {
             residuals: channel.and_then(|channel| of_tests(&tests, channel)),
             values,
@@ -238,7 +236,7 @@ impl Search<'_> {
         let middle_cases = cases.cases(&[middle]);
         let mut shown = middle_cases.shown();
         let count = |row: usize| {
-            let measured = self.study.measured(shown.at(row));
+            let measured = channel::measured_of(self.study, shown.at(row));
             measured
                 .first()
                 .map_or(0.0, |measured| measured.compared.len() as f64)
@@ -259,7 +257,7 @@ struct Point {
 }
 
 fn of_tests(tests: &[Test], channel: &str) -> Option<Residuals> {
-    let each = tests.iter().map(|test| series::residuals(test, channel));
+    let each = tests.iter().map(|test| channel::residuals(test, channel));
     Residuals::of(&each.collect::<Option<Vec<_>>>()?)
 }
 

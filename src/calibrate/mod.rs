@@ -4,16 +4,16 @@
 //! the misfit for each of them. `numerics` says how much of the misfit the time step and the mesh may be, `residuals` whether what is
 //! left is noise, `scatter` how parameters vary from test to test, `compare` which alternatives are told apart.
 
+mod channel;
 mod compare;
 mod explain;
-mod figures;
+mod figure_data;
 mod fit;
 mod misfit;
 mod numerics;
 mod residuals;
 mod scatter;
 mod sentences;
-mod series;
 mod tables;
 mod words;
 mod write;

@@ -1,7 +1,7 @@
 //! How much of a misfit the time step and the mesh may be.
 
+use super::channel::{self, Test};
 use super::misfit::Misfit;
-use super::series::{self, Test};
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_recommend::calibrate::Stopped;
 use slipgap_recommend::with_finer_step;
@@ -56,7 +56,7 @@ pub struct ErrorStudy {
 /// The study with the errors of the channel whose `rms_error` is minimised; `None` for another metric, and for a channel of which no
 /// exact motion is known.
 pub fn error_study(input: &Input, study: &Study) -> Option<ErrorStudy> {
-    let channel = series::channel(study)?;
+    let channel = channel::channel(study)?;
     let mesh = input.has_bars().then(|| format!("mesh_error({channel})"));
     let step = format!("step_error({channel})");
     let names: Vec<String> = [step].into_iter().chain(mesh.clone()).collect();
@@ -110,13 +110,13 @@ impl ErrorStudy {
     /// The errors, of several tests as their misfits are pooled; `None` if a test has no exact motion.
     fn of(&self, misfit: &Misfit, alternative: &Alternative, values: &[f64]) -> Option<Numerical> {
         let cases = self.study.point_cases(alternative, misfit.cases.free());
-        let tests = series::tests(&self.study, &cases, values);
+        let tests = channel::tests(&self.study, &cases, values);
         // Of several tests as their misfits.
         let pooled = |error: &dyn Fn(&Test) -> Option<f64>| {
             let errors = tests.iter().map(error).collect::<Option<Vec<f64>>>()?;
             Some(misfit.pooling.misfit(&errors)).filter(|x| x.is_finite())
         };
-        let step = pooled(&|test| series::step_error(&self.study, test, &self.channel))?;
+        let step = pooled(&|test| channel::step_error(&self.study, test, &self.channel))?;
         let mesh = match self.mesh {
             None => None,
             Some(row) => Some(pooled(&|test| test.solution.as_ref()?.metrics[row])?),

@@ -1,6 +1,6 @@
 //! The files of a calibration in the folder of the study.
 
-use super::{Calibration, Fit, figures, tables};
+use super::{Calibration, Fit, figure_data, tables};
 use crate::batch::files::place::is_object;
 use crate::batch::output::Folder;
 use crate::figures::{pdf, png, svg};
@@ -51,13 +51,13 @@ pub fn write(
     for (name, text) in studies(found, source, path)?.values() {
         written.push(folder.write(name, text.as_bytes())?);
     }
-    let misfits = figures::misfits(found);
+    let misfits = figure_data::misfits(found);
     let drawn = misfits
         .alternatives
         .iter()
         .any(|alternative| !alternative.panels.is_empty());
     let misfits = drawn.then(|| misfits.sheet());
-    let measured = figures::measured(found).map(|figure| figure.sheet());
+    let measured = figure_data::measured(found).map(|figure| figure.sheet());
     for (name, sheet) in FIGURES.iter().zip([misfits, measured]) {
         if let Some(sheet) = sheet {
             written.extend(draw(&mut folder, name, &sheet, dpi)?);

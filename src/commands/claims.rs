@@ -55,10 +55,8 @@ fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
     for (claim, findings) in judged.iter().flat_map(Judged::claims) {
         let verdict = Verdict::of(findings.iter().map(|f| f.holds));
         let pairs = claim.readings.iter().zip(findings);
-        let changed: Vec<&str> = pairs
-            .filter(|(r, f)| r.holds != f.holds)
-            .map(|(r, _)| r.name.as_str())
-            .collect();
+        let differing = pairs.filter(|(r, f)| r.holds != f.holds);
+        let changed: Vec<&str> = differing.map(|(r, _)| r.name.as_str()).collect();
         let mut statement = claim.statement.clone();
         if let Some(condition) = claims::condition(claim, findings) {
             statement += &format!(" [if: {condition}]");

@@ -33,10 +33,8 @@ impl CompareArgs {
 }
 
 fn tolerance(text: &str) -> Result<f64, Expected> {
-    let number = text
-        .parse::<f64>()
-        .ok()
-        .filter(|x| *x >= 0.0 && x.is_finite());
+    let parsed = text.parse::<f64>().ok();
+    let number = parsed.filter(|x| *x >= 0.0 && x.is_finite());
     number.ok_or(Expected("a number >= 0".into()))
 }
 
@@ -63,10 +61,8 @@ fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
     if rows.len() > 1 {
         print(&table(&rows))?;
     }
-    let same = findings
-        .iter()
-        .filter(|(_, finding)| finding.same())
-        .count();
+    let equal = findings.iter().filter(|(_, finding)| finding.same());
+    let same = equal.count();
     let differing = findings.len() - same;
     note(&format!("{same} studies equal, {differing} different"));
     Ok(if differing > 0 { NOT_MET } else { 0 })

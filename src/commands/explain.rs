@@ -6,7 +6,7 @@ use super::arguments::{SettingsArgs, whole};
 use super::list::cases;
 use super::terminal::{duration, print, table};
 use crate::batch::solve::cost::{MEASURING, measure, of_one, sampling, total};
-use crate::batch::{RunOptions, parts::chunk, solve::divergence};
+use crate::batch::{RunOptions, chunks::chunk, solve::divergence};
 use crate::calibrate::explained;
 use crate::error::Error;
 use crate::problem::numbers::parameter::{Default, Parameter};
@@ -220,7 +220,7 @@ fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> Stri
 ///
 /// A case that took long, in `seconds`, is that measurement.
 fn cost(study: &Study, case: &Case, seconds: Option<f64>) -> Result<String, Error> {
-    let (steps, work) = (study.problem.steps(case), study.work(case));
+    let (steps, work) = (case.steps(), study.work(case));
     let total = total(study);
     let keep = |case: &Case| study_figures::show_history(study, case);
     let options = RunOptions {
@@ -244,7 +244,7 @@ fn cost(study: &Study, case: &Case, seconds: Option<f64>) -> Result<String, Erro
         None => "not measured".into(),
     };
     let shares = !study.samples(case).key.is_empty()
-        || study.problem.reference_work(case, &study.metrics) > 0;
+        || study.problem.work(case, &study.metrics).references > 0;
     let alike = if shares { " like this one" } else { "" };
     let measured_in = duration(measured.seconds);
     let from = match long {

@@ -107,7 +107,7 @@ fn axes(study: &Study) -> String {
 fn steps(study: &Study) -> String {
     let (mut fewest, mut most) = (u64::MAX, 0);
     for case in study.representative_cases() {
-        let steps = study.problem.steps(&case);
+        let steps = case.steps();
         (fewest, most) = (fewest.min(steps), most.max(steps));
     }
     if fewest == most {

@@ -22,10 +22,8 @@ pub struct Group<'a> {
 /// The tags of a study: its folders, and its name up to the first `-`. The study `claims/impact-once` has the tags `claims` and `impact`.
 fn tags(name: &str) -> impl Iterator<Item = &str> {
     let (folders, file) = name.rsplit_once('/').unwrap_or(("", name));
-    let word = file
-        .split_once('-')
-        .map(|(word, _)| word)
-        .filter(|word| folders.split('/').all(|folder| folder != *word));
+    let first_word = file.split_once('-').map(|(word, _)| word);
+    let word = first_word.filter(|word| folders.split('/').all(|folder| folder != *word));
     folders.split('/').chain(word).filter(|tag| !tag.is_empty())
 }
 

@@ -10,18 +10,18 @@ mod decimal;
 mod drawing;
 mod index;
 mod packed;
+mod page_tables;
 mod section;
 mod summary;
-mod tables;
 pub(crate) mod text;
 
 pub use checks::Checks;
 pub use counts::Counts;
 pub use drawing::Drawing;
+pub use page_tables::indices::Indices;
+pub use page_tables::quantiles::Quantiles;
+pub use page_tables::results::{MOST_BYTES, Results};
 pub use section::{Section, TestedReading};
-pub use tables::indices::Indices;
-pub use tables::quantiles::Quantiles;
-pub use tables::results::{MOST_BYTES, Results};
 
 use crate::batch::store::key::SOLVER_VERSION;
 use drawing::glyphs::Glyphs;

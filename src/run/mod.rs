@@ -1,9 +1,9 @@
 //! Runs a study into its folder of results: the store, tables, figures, manifest. The program and the Python package write
 //! the same bytes, because both call [`run_study`].
 
-mod ensembles;
 mod figures;
 pub mod files;
+mod group_tables;
 mod merge;
 mod observer;
 mod source;
@@ -13,7 +13,7 @@ mod tally;
 mod tests_computed;
 mod unsolved;
 
-pub use ensembles::{indices, without_value};
+pub use group_tables::{indices, without_value};
 pub use merge::merge_study;
 pub use observer::Observer;
 pub use source::{
@@ -26,8 +26,8 @@ use crate::batch::WarnedCases;
 use crate::batch::files::heartbeat::Heartbeat;
 use crate::batch::groups::sobol::DesignMetrics;
 use crate::batch::output::ensemble::EnsembleMetrics;
+use crate::batch::output::failures_and_histories::write_history;
 use crate::batch::output::reductions::ReducedMetrics;
-use crate::batch::output::tables::write_history;
 use crate::batch::output::{Folder, INDICES, REDUCTIONS, history_name};
 use crate::batch::store::Store;
 use crate::batch::{self, RunOptions, ShownCases};
@@ -212,7 +212,7 @@ pub fn run_study(
         paths.push(folder.write(REDUCTIONS, &table.bytes)?);
     }
     if let Some(metrics) = &ensembles {
-        ensembles::write(source, metrics, &mut folder, &mut paths, observer)?;
+        group_tables::write(source, metrics, &mut folder, &mut paths, observer)?;
     }
     if output.table.is_none() && cases > MOST_ROWS {
         observer.note(&source.line(WITHOUT_TABLE));

@@ -46,24 +46,20 @@ fn assert_parameter(given: &str, expected: &str) {
 }
 
 #[test]
-fn an_expression_of_parameters_is_a_single_value() {
-    let alone = "names n; an expression with names of parameters is allowed only as the single value of a parameter";
+fn an_expression_of_parameters_is_a_value_or_in_a_list() {
+    let alone = "names n; an expression with names of parameters is allowed as the value of a parameter, and in a list that has \
+                 as many values";
     let bars = |dt: &str| {
         format!(
             "{{\n\"problem\": \"bar-impact\",\n\"parameters\": {{\n\"dt\": {dt}, \"gamma\": 1, \"n\": 4, \"duration\": 2\n}}\n}}"
         )
     };
-    for (dt, at) in [
-        ("[\"0.3/n\"]", "4:8: parameters.dt[0]: \"0.3/n\": "),
-        ("[0.1, \"0.3/n\"]", "4:13: parameters.dt[1]: \"0.3/n\": "),
-        (
-            "{\"linspace\": [0.1, \"0.3/n\", 3]}",
-            "4:26: parameters.dt.linspace[1]: \"0.3/n\": ",
-        ),
-    ] {
-        assert_faults(&bars(dt), &[&format!("{at}{alone}")]);
+    let in_rule = "4:26: parameters.dt.linspace[1]: \"0.3/n\": ";
+    let rule = "{\"linspace\": [0.1, \"0.3/n\", 3]}";
+    assert_faults(&bars(rule), &[&format!("{in_rule}{alone}")]);
+    for dt in ["\"0.3/n\"", "[\"0.3/n\"]", "[0.1, \"0.3/n\"]"] {
+        assert_faults(&bars(dt), &[]);
     }
-    assert_faults(&bars("\"0.3/n\""), &[]);
     // A misspelt name stays a fault.
     let found = faults(&bars("[\"0.3/sqr(2)\"]"));
     assert!(

@@ -1,8 +1,8 @@
 //! Results in the units of a study, compared with physics worked out by hand and with the scaled results.
 
 use indicatif::ProgressBar;
+use slipgap::batch::output::failures_and_histories::write_history;
 use slipgap::batch::output::results::ResultTable;
-use slipgap::batch::output::tables::write_history;
 use slipgap::batch::{self, GroupResults, Outcome};
 use slipgap::figures::sheet::Sheet;
 use slipgap::figures::{FigureData, ShownCases, sheet, style};

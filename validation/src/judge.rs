@@ -34,10 +34,8 @@ fn finding(met_list: Vec<Met>) -> Finding {
 }
 
 fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met {
-    let mut cases: Vec<&CaseMetrics> = outcomes
-        .iter()
-        .filter(|o| expect.filter.matches(&o.case))
-        .collect();
+    let matching = outcomes.iter().filter(|o| expect.filter.matches(&o.case));
+    let mut cases: Vec<&CaseMetrics> = matching.collect();
     let reductions = match expect.demand {
         Demand::Within { metric, .. }
         | Demand::Trend { metric, .. }

@@ -10,7 +10,7 @@ pub mod groups;
 mod hover;
 mod kind;
 mod label;
-mod measured;
+mod measured_motion;
 mod misfit;
 mod shown;
 #[cfg(test)]
@@ -20,7 +20,7 @@ pub use front::Front;
 pub use groups::GroupResults;
 pub use hover::with_hover;
 pub use kind::scheme;
-pub use measured::{MeasuredMotion, MeasuredPanel};
+pub use measured_motion::{MeasuredMotion, MeasuredPanel};
 pub use misfit::{AlternativeMisfit, MisfitPanel, Misfits};
 pub use shown::{DrawnCase, Needed, ShownCases};
 pub use slipgap_drawing::draw::base64;

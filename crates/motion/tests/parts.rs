@@ -52,7 +52,7 @@ fn law(name: &str, numbers: &str) -> ContactLaw {
 }
 
 /// Every law of a part, with names and numbers; r of about 3 shows all of it.
-const ALL: [(&str, &str); 16] = [
+const ALL: [(&str, &str); 17] = [
     ("bilinear", r#"{"k1": 2.5, "Fy": 3, "ratio": 0.1}"#),
     ("bilinear", r#"{"k1": 2.5, "Fy": 3, "k2": 0}"#),
     ("gap-yield", r#"{"k": 2.5, "Fy": 3, "hardening": 0.1}"#),
@@ -82,6 +82,10 @@ const ALL: [(&str, &str); 16] = [
     ("pendulum", r#"{"nu": 0.1, "N": 8, "R": 2, "k": 20}"#),
     ("impact-yield", r#"{"k1": 2.5, "k2": 0.8, "delta_y": 0.5}"#),
     ("bilinear", r#"{"k1": 2.5, "Fy": 3, "ratio": -0.1}"#),
+    (
+        "imk-bilinear",
+        r#"{"k": 2.5, "Fy": 3, "Up": 1, "Upc": 30, "Fcap_ratio": 1.1, "Fres_ratio": 0.2, "lambda_S": 200, "lambda_C": 300, "lambda_K": 400}"#,
+    ),
     (
         "imk-peak-oriented",
         r#"{"k": 2.5, "Fy": 3, "Up": 1, "Upc": 30, "Fcap_ratio": 1.1, "Fres_ratio": 0.2, "lambda_S": 200, "lambda_K": 400}"#,
@@ -703,7 +707,7 @@ fn forces_are_those_of_the_materials_of_opensees() {
 fn forces_that_degrade_are_those_of_opensees() {
     let text = include_str!("../../../tests/data/imk_opensees.json");
     let rows: Vec<Value> = serde_json::from_str(text).expect("data");
-    assert_eq!(rows.len(), 8);
+    assert_eq!(rows.len(), 16);
     for row in &rows {
         let (_, law) = made(row["law"].as_str().expect("a law"), &row["numbers"]);
         let list = |key: &str| -> Vec<f64> {

@@ -1,12 +1,12 @@
 //! Recommends parameters: compares the candidates of a study (`study`), with free parameters by the search of `calibrate`.
 
 pub mod calibrate;
-mod energy;
+mod energy_change;
 pub mod format;
 mod shipped;
 pub mod study;
 
-pub use energy::{EnergyChange, energy_change, energy_gain};
+pub use energy_change::{EnergyChange, energy_change, energy_gain};
 pub use shipped::shipped;
 
 use slipgap_problem::problem::friction::FrictionOscillator;
@@ -19,8 +19,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Cost of a case: steps times modes or nodes, times the sub-steps of its method.
 pub fn cost(problem: &dyn Problem, case: &Case) -> u64 {
     // The work of the other problems has them.
-    let has_own = problem.name() == FrictionOscillator.name();
-    problem.work(case) * if has_own { sub_steps(case) } else { 1 }
+    let has_own = problem.name() == FrictionOscillator.schema().name;
+    problem.work(case, &[]).steps * if has_own { sub_steps(case) } else { 1 }
 }
 
 /// Number of sub-steps of the method of a case.

@@ -8,8 +8,8 @@
 //! | --- | --- | --- | --- |
 //! | [`Bearing`] | min(rdot/`compliance`, nu(rdot) N), nu = nu_max - (nu_max - nu_min) exp(-`rate` abs(rdot)) | `compliance` L/(T F), `limit` nu_max N in F, `ratio` nu_min/nu_max, `rate` T/L | Constantinou, Mokha and Reinhorn 1990 |
 //! | [`Tanh`] | nu(rdot) N tanh(rdot/(`compliance` `limit`)) | as of [`Bearing`] | Andersson, Söderberg and Björklund 2007 |
-//! | [`Stribeck`] | rdot/`compliance` up to `static_limit`, beyond it `limit` + (`static_limit` - `limit`) exp(-(abs(rdot) - rdot^E)/v) | `compliance` L/(T F), both limits F, v = `stribeck_velocity` L/T | Tustin 1947; Bo and Pavelescu 1982 |
-//! | [`BoucWen`] | dS/dr = (1 - abs(S/L)^n (1 + sgn(rdot S))/2)/`compliance` | `compliance` L/F, `limit` F, n = `exponent` | Bouc 1967, Wen 1976 |
+//! | [`Stribeck`] | rdot/`compliance` up to `static_limit`, beyond it `limit` + (`static_limit` - `limit`) exp(-x), or /(1 + x) by `decay`, x = (abs(rdot) - rdot^E)/v | `compliance` L/(T F), both limits F, v = `stribeck_velocity` L/T | Tustin 1947; Bo and Pavelescu 1982 |
+//! | [`BoucWen`] | dS/dr = (1 - abs(S/L)^n (b sgn(rdot S) + 1 - b))/`compliance` | `compliance` L/F, `limit` F, n = `exponent`, b = `beta` | Bouc 1967, Wen 1976 |
 //! | [`Dahl`] | dS/dr = (1 - (S/L) sgn rdot)^n/`compliance` | as of [`BoucWen`] | Dahl 1968 |
 //! | [`Lugre`] | `sigma0` z + `sigma1` dz/dt + `sigma2` rdot, dz/dt = rdot - `sigma0` abs(rdot) z/g(rdot) | `sigma0` F/L, `sigma1` and `sigma2` F T/L, both limits F, `stribeck_velocity` L/T | Canudas de Wit et al. 1995 |
 //! | [`Pendulum`] | friction with the limit nu N, and (N/R) r | `compliance` L/F, `limit` F, `restoring` 1/(nu R) in 1/L, `at_rest` F and 1, `rising` 1 and T/L | Zayas, Low and Mahin 1990 |
@@ -47,7 +47,7 @@
 
 #[doc(inline)]
 pub use slipgap_contact::contact::{
-    Bearing, Bilinear, BoucWen, Dahl, GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, Imk,
-    ImpactYield, Jankowski, KelvinVoigt, Lugre, Multilinear, Pendulum, Restrainer, Stribeck, Tanh,
-    Viscous, Ye,
+    Bearing, Bilinear, BoucWen, Dahl, Decay, GapYield, Hertz, HertzDamp, HuntCrossley,
+    HyperbolicGap, Imk, ImpactYield, Jankowski, KelvinVoigt, Lugre, Multilinear, Pendulum,
+    Restrainer, Stribeck, Tanh, Viscous, Ye,
 };

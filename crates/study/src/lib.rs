@@ -21,7 +21,7 @@ pub mod value;
 
 // For the ledger of claims, which has the same syntax.
 pub use cases::scope;
-pub use computed::reference;
+pub use computed::reference_case;
 pub use figure::reduced;
 pub use slipgap_cases::alike;
 pub use source::{faults, input, object, place, search, tree};

@@ -133,7 +133,7 @@ pub fn with_unit(text: &str, of: Option<&Parameter>) -> Option<String> {
 }
 
 /// What an expression in a list or rule may not have.
-const NO_NAMES: &str = "an expression with names of parameters is allowed only as the single value of a parameter, not in a list or rule";
+const NO_NAMES: &str = "an expression with names of parameters is allowed as the value of a parameter, and in a list that has as many values as its partners in a \"zip\", not in a rule";
 
 /// The hint for a name that may be that of a parameter of the study; `None` for one that is nearly that of a function.
 fn own_name(fault: &ExpressionFault) -> Option<String> {

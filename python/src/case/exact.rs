@@ -10,7 +10,7 @@ use slipgap::contact::VelocityControl;
 use slipgap::error::Error;
 use slipgap::history::History;
 use slipgap::problem::numbers::parameter::{Default, Kind};
-use slipgap::problem::{self, Case, PROBLEMS, Problem};
+use slipgap::problem::{self, Case, Jumps, PROBLEMS, Problem};
 
 /// The law of an exact motion without `law`: friction without compliance.
 const RIGID: &str = VelocityControl::RIGID_NAME;
@@ -116,6 +116,6 @@ fn motion(problem: &dyn Problem, case: &Case, times: &[f64], of_law: bool) -> Op
         true => problem
             .as_textbook()
             .and_then(|textbook| textbook.exact_of_law(case, times)),
-        false => problem.exact_at(case, times),
+        false => problem.exact(case, times, Jumps::RightLimit),
     }
 }

@@ -72,10 +72,8 @@ fn of_study(py: Python<'_>, source: Source, number: i64) -> PyResult<Solution> {
 /// A case of a study: the metrics that are columns of its results.
 pub fn of_source(py: Python<'_>, source: Arc<Source>, number: i64) -> PyResult<Solution> {
     let cases = source.study.len();
-    let found = u64::try_from(number)
-        .ok()
-        .filter(|number| *number < cases)
-        .and_then(|number| Some((number, source.study.case(number)?)));
+    let valid = u64::try_from(number).ok().filter(|number| *number < cases);
+    let found = valid.and_then(|number| Some((number, source.study.case(number)?)));
     let Some((number, case)) = found else {
         let last = cases.saturating_sub(1);
         return Err(usage(
@@ -124,7 +122,7 @@ fn solved(
     number: u64,
     solve: impl FnOnce() -> Result<problem::Solution, Unsolvable> + Send + 'static,
 ) -> PyResult<problem::Solution> {
-    let solution = match problem.work(case) < LONG {
+    let solution = match problem.work(case, &[]).steps < LONG {
         true => py.detach(solve),
         false => worker::wait(py, 1, || Ok(solve()), || (), |_| Ok(()))?,
     };

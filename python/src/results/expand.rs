@@ -1,7 +1,7 @@
 //! The cases of a study as a table, without results.
 
-use super::columns::Columns;
-use super::table::Table;
+use super::arrow_table::Table;
+use super::result_columns::Columns;
 use crate::error::{raise, usage};
 use crate::given;
 use arrow_array::Int64Array;

@@ -1,16 +1,18 @@
 //! The results of a run.
 
-pub(super) mod columns;
+pub(super) mod arrow_table;
 pub(super) mod expand;
 pub(super) mod figure;
-pub(super) mod table;
-pub(super) mod tables;
+pub(super) mod group_tables;
+pub(super) mod result_columns;
 
 use crate::case::solution::Solution;
 use crate::case::solve;
 use crate::error::raise;
 use crate::given::{self, Origin};
+use arrow_table::Table;
 use figure::{Figure, Shown};
+use group_tables::Groups;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyType};
@@ -21,8 +23,6 @@ use slipgap::error::Error;
 use slipgap::problem::numbers::parameter::Value;
 use std::path::PathBuf;
 use std::sync::Arc;
-use table::Table;
-use tables::Groups;
 
 /// The classes `slipgap.Check`, `slipgap.Failure` and `slipgap.WarnedCases`.
 static CHECK: PyOnceLock<Py<PyType>> = PyOnceLock::new();

@@ -1,15 +1,15 @@
 //! A motion to show: what moves, how, and its contacts.
 
-pub(super) mod contact;
-pub(super) mod numbers;
+pub(super) mod contact_history;
 pub(super) mod scene;
+pub(super) mod short_numbers;
 pub(super) mod thin;
 pub(super) mod trace;
 
-use contact::Contact;
-use numbers::{differences, peak};
+use contact_history::Contact;
 use scene::Scene;
 use serde_json::{Value, json};
+use short_numbers::{differences, peak};
 use std::borrow::Cow;
 use thin::Row;
 

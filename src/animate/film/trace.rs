@@ -1,6 +1,6 @@
 //! A curve over time in the page.
 
-use super::numbers::{differences, peak};
+use super::short_numbers::{differences, peak};
 use super::thin;
 use serde_json::{Value, json};
 

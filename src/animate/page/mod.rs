@@ -1,6 +1,6 @@
 //! The page: its texts, its data and its program.
 
-use super::film::numbers::digits;
+use super::film::short_numbers::digits;
 use super::film::{Film, scene, thin, trace};
 use super::unit;
 use crate::report::text::{POLICY, escape};
@@ -187,7 +187,7 @@ fn support_data(film: &Film) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::animate::film::contact::Contact;
+    use crate::animate::film::contact_history::Contact;
     use crate::study;
     use std::borrow::Cow;
 

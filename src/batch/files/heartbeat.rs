@@ -3,7 +3,7 @@
 
 use super::atomic::{remove_when_interrupted, writing};
 use super::place::is_object;
-use crate::batch::parts::shard::Shard;
+use crate::batch::chunks::shard::Shard;
 use serde_json::{Value, json};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};

@@ -1,6 +1,7 @@
 //! The folder of a study's results. It has only complete files, and no outdated files of former runs.
 
 pub mod ensemble;
+pub mod failures_and_histories;
 pub mod fragility;
 mod manifest;
 mod names;
@@ -8,7 +9,6 @@ mod origin;
 pub mod reductions;
 pub mod results;
 pub mod sobol;
-pub mod tables;
 
 pub use manifest::{is_manifest, manifest, problem_of};
 pub use names::{

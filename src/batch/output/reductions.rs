@@ -1,6 +1,6 @@
 //! reductions.csv: the value of every reduction for every group of cases.
 
-use super::tables::cell;
+use super::failures_and_histories::cell;
 use crate::batch::PartResult;
 use slipgap_study::error::Error;
 use slipgap_study::{Groups, Reduced, Reduction, Study};
@@ -54,10 +54,8 @@ impl<'a> ReducedMetrics<'a> {
         for (_, groups) in &mut self.groups {
             let mut of: Vec<usize> = groups.reductions().iter().map(|r| r.of).collect();
             of.dedup();
-            let columns: Vec<Vec<Option<f64>>> = of
-                .iter()
-                .map(|row| part.metrics.column(*row).collect())
-                .collect();
+            let of_rows = of.iter().map(|row| part.metrics.column(*row).collect());
+            let columns: Vec<Vec<Option<f64>>> = of_rows.collect();
             let mut shown = part.cases.shown();
             for (index, number) in (0..part.len()).map(|row| (row, part.number(row))) {
                 groups.add(number, shown.at(index), |row| {

@@ -3,7 +3,7 @@
 use super::options::RunOptions;
 use super::part_result::Solutions;
 use super::signal_order::signal_order;
-use crate::batch::parts::chunk::WORK;
+use crate::batch::chunks::chunk::WORK;
 use rayon::prelude::*;
 use slipgap_motion::solve::{MetricTable, Unsolvable, Warnings};
 use slipgap_problem::problem::table::cases::Cases;

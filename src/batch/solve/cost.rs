@@ -122,7 +122,7 @@ pub fn measure(
 ) -> Result<Measurement, Error> {
     keep_memory();
     let threads = threads(study, options, total);
-    let one_by_one = study.problem.reference_work(like, &study.metrics) > 0;
+    let one_by_one = study.problem.work(like, &study.metrics).references > 0;
     let instead = match one_by_one || limit.is_zero() {
         true => Vec::new(),
         false => with_signals_of(study, like),
@@ -204,7 +204,7 @@ fn shortened(study: &Study, cases: Cases, most: f64) -> Cases {
     for row in rows {
         let mut case = shown.at(row as usize).clone();
         case.values[duration] = case.at(duration).map(|time| Value::Number(time * share));
-        if study.problem.steps(&case) > 0 {
+        if case.steps() > 0 {
             short.push(&case);
         }
     }

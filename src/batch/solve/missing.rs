@@ -1,8 +1,8 @@
 //! The parts of a study that its store does not have: what is left for shards to compute.
 
-use crate::batch::parts::chunk;
-use crate::batch::parts::queue::PartQueue;
-use crate::batch::parts::shard::shard_of;
+use crate::batch::chunks::chunk;
+use crate::batch::chunks::queue::PartQueue;
+use crate::batch::chunks::shard::shard_of;
 use crate::batch::store::key::Key;
 use crate::batch::store::{Miss, Store};
 use rayon::prelude::*;

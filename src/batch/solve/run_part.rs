@@ -4,7 +4,7 @@ use super::options::RunOptions;
 use super::part_result::{PartResult, Solutions};
 use super::work_progress::WorkProgress;
 use super::{compute, computed};
-use crate::batch::parts::chunk::Part;
+use crate::batch::chunks::chunk::Part;
 use crate::batch::store::key::{CaseHash, Key};
 use crate::batch::store::{EarlierCases, Miss, Store};
 use indicatif::ProgressBar;

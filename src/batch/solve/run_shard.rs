@@ -3,10 +3,10 @@
 use super::compute;
 use super::run_part::{KeptPart, keep_part};
 use super::work_progress::WorkProgress;
+use crate::batch::chunks::pipeline::in_order;
+use crate::batch::chunks::queue::PartQueue;
+use crate::batch::chunks::shard::Shard;
 use crate::batch::files::heartbeat::Heartbeat;
-use crate::batch::parts::pipeline::in_order;
-use crate::batch::parts::queue::PartQueue;
-use crate::batch::parts::shard::Shard;
 use crate::batch::store::Store;
 use indicatif::ProgressBar;
 use slipgap_study::Study;

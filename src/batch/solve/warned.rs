@@ -143,10 +143,8 @@ fn varying(study: &Study, number: u64, case: &Case) -> Vec<(String, Value)> {
         let other = |other: &Case| !Value::identical(other.values[row], case.values[row]);
         study.blocks.iter().any(|block| block.gives(row)) && firsts.iter().any(other)
     };
-    let rows = study
-        .parameter_columns()
-        .into_iter()
-        .filter(|row| on_axis(*row) || differs(*row));
+    let parameter_rows = study.parameter_columns().into_iter();
+    let rows = parameter_rows.filter(|row| on_axis(*row) || differs(*row));
     let named = rows.filter_map(|row| {
         let name = study.problem.parameters()[row].name.to_string();
         Some((name, case.values[row]?))

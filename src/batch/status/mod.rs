@@ -5,11 +5,11 @@ mod progress;
 
 pub use progress::{Progress, State};
 
+use super::chunks::chunk::{self, Part};
+use super::chunks::queue::PartQueue;
+use super::chunks::shard::{Shard, shard_of};
 use super::files::heartbeat;
 use super::files::place::is_object;
-use super::parts::chunk::{self, Part};
-use super::parts::queue::PartQueue;
-use super::parts::shard::{Shard, shard_of};
 use super::store::key::{Difference, Key};
 use super::store::{Miss, STORE, all_in, failures};
 use rayon::prelude::*;
@@ -91,10 +91,8 @@ pub fn study_status(
     }
     // The clock of the file server, which gives the times, may be ahead of this one.
     let latest = shards.iter().chain([&status.all]).filter_map(|p| p.latest);
-    let now = latest
-        .max()
-        .max(Some(SystemTime::now()))
-        .unwrap_or(SystemTime::UNIX_EPOCH);
+    let newest = latest.max().max(Some(SystemTime::now()));
+    let now = newest.unwrap_or(SystemTime::UNIX_EPOCH);
     let progresses = shards.iter_mut().chain([&mut status.all]);
     progresses.for_each(|progress| progress.finish(now));
     status.shards = Shard::all(of.unwrap_or(0)).zip(shards).collect();

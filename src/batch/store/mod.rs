@@ -11,10 +11,10 @@ pub mod key;
 mod lock;
 mod miss;
 mod numbers;
+mod parquet_columns;
 mod part_file;
 mod reading;
 mod rows;
-mod schema;
 mod streams;
 #[cfg(test)]
 mod tests;
@@ -31,10 +31,10 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use super::chunks::chunk::{self, starts_in_same_chunk};
 use super::files::atomic::{can_write, remove_leftovers, write_atomically};
 use super::files::heartbeat::remove_signs;
 use super::files::place::{is_object, make_folder, remove_empty_folder, remove_file};
-use super::parts::chunk::{self, starts_in_same_chunk};
 use bytes::Bytes;
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;

@@ -100,10 +100,8 @@ pub fn failures(path: &Path, key: &Key, cases: usize) -> Result<u64, Miss> {
         false => {
             // A pipe would wait for a writer.
             let is_file = fs::metadata(path).is_ok_and(|found| found.is_file());
-            let file = is_file
-                .then(|| File::open(path).ok())
-                .flatten()
-                .ok_or_else(damaged)?;
+            let opened = is_file.then(|| File::open(path).ok()).flatten();
+            let file = opened.ok_or_else(damaged)?;
             catch_panic(|| reading::failures(file, key, cases).ok())
         }
     };

@@ -10,7 +10,7 @@ use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
 use super::key::{CaseHash, Difference, Key};
 use super::numbers;
 use super::rows::Rows;
-use crate::batch::parts::chunk::MOST_ROWS;
+use crate::batch::chunks::chunk::MOST_ROWS;
 use slipgap_motion::solve::{MetricTable, Unsolvable, Warnings};
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::{ColumnRule, Kind, Parameter, Value, real};

@@ -1,6 +1,6 @@
 use super::part_file::{all_in, parse_name};
 use super::*;
-use crate::batch::parts::chunk::parts;
+use crate::batch::chunks::chunk::parts;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::statistics::Statistics;
 use slipgap_motion::solve::Unsolvable;

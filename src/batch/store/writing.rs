@@ -21,7 +21,7 @@ use rayon::prelude::*;
 use super::constant_columns::{ConstantColumns, EncodedColumn};
 use super::key::Key;
 use super::numbers;
-use super::schema::{metadata, properties, schema};
+use super::parquet_columns::{metadata, properties, schema};
 use slipgap_motion::solve::MetricTable;
 use slipgap_problem::problem::numbers::parameter::{Kind, Range, Value};
 use slipgap_problem::problem::table::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};

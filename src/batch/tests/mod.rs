@@ -1,5 +1,5 @@
 //! Runs of whole studies: their columns, and what is made once.
 
-mod columns;
-mod measured;
-mod samples;
+mod made_once;
+mod measured_columns;
+mod new_parameter;

@@ -153,10 +153,8 @@ pub fn whole<T: TryFrom<u64>>(
     most: u64,
 ) -> impl Fn(&str) -> Result<T, Expected> + Clone + Send + Sync + 'static {
     move |text| {
-        let number = text
-            .parse::<u64>()
-            .ok()
-            .filter(|n| (least..=most).contains(n));
+        let parsed = text.parse::<u64>().ok();
+        let number = parsed.filter(|n| (least..=most).contains(n));
         let expected = || match most {
             u64::MAX => format!("a whole number >= {least}"),
             _ => format!("a whole number from {least} to {most}"),

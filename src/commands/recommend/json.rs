@@ -7,10 +7,8 @@ use serde_json::{Map, Value, json};
 
 /// The whole answer.
 pub fn answer(advice: &Advice) -> Value {
-    let candidates: Vec<Value> = advice
-        .choices
-        .iter()
-        .enumerate()
+    let choices = advice.choices.iter().enumerate();
+    let candidates: Vec<Value> = choices
         .map(|(at, choice)| candidate(advice, at, choice))
         .collect();
     let lists: Vec<Value> = advice

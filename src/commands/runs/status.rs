@@ -64,10 +64,8 @@ fn status(sources: &[Source], out: &Path, shards: Option<u64>, as_json: bool) ->
             lines += &format!("{object}\n");
             continue;
         }
-        let shards = status
-            .shards
-            .iter()
-            .map(|(shard, progress)| row(source, shard.to_string(), progress));
+        let by_shard = status.shards.iter();
+        let shards = by_shard.map(|(shard, progress)| row(source, shard.to_string(), progress));
         rows.extend(shards.chain([row(source, "all".into(), &status.all)]));
     }
     print(&if as_json { lines } else { table(&rows) })

@@ -31,10 +31,8 @@ impl Metrics {
         let axes = varying(source);
         let table = study.problem.parameters();
         let of_axes = axes.iter().map(|row| table[*row].name.to_string());
-        let metrics = study
-            .columns
-            .iter()
-            .map(|column| study.measures[*column].name.clone());
+        let of_columns = study.columns.iter();
+        let metrics = of_columns.map(|column| study.measures[*column].name.clone());
         let first = ["case".to_owned()].into_iter();
         Metrics {
             rows: first
@@ -55,10 +53,8 @@ impl Metrics {
         let mut shown = part.cases.shown();
         for row in 0..part.len() {
             let case = shown.at(row);
-            let axes = self
-                .axes
-                .iter()
-                .map(|axis| case.values[*axis].map_or(String::new(), cell));
+            let shown_axes = self.axes.iter();
+            let axes = shown_axes.map(|axis| case.values[*axis].map_or(String::new(), cell));
             let metrics = self.columns.iter().map(|column| {
                 let value = part.metrics.value(row, *column);
                 value.map_or("undefined".to_owned(), rounded)

@@ -403,3 +403,41 @@ fn a_search_without_a_used_parameter_says_so() {
     let done = bench.expect(0, &["calibrate", "studies/one.json"]);
     assert!(done.out.contains("nothing was searched"), "{}", done.out);
 }
+
+#[test]
+fn a_window_leaves_out_what_was_measured_before_it() {
+    let bench = Bench::new();
+    measure(&bench, TRUTH, "good.csv", 3e-4, 1);
+    // The displacements before t = 0.1 are 50 mm too large.
+    let text = bench.text("good.csv");
+    let shifted = |line: &str| match line.split_once(',') {
+        Some((t, u)) if t.parse().is_ok_and(|t: f64| t < 0.0999) => {
+            format!("{t},{}\n", u.parse::<f64>().unwrap() + 50.0)
+        }
+        _ => format!("{line}\n"),
+    };
+    bench.file("test.csv", text.lines().map(shifted).collect::<String>());
+    let window = FREE.replace("measured)", "measured,from = 0.1)");
+    let more = format!("{}{window}", measured("\"test.csv\""));
+    bench.file(
+        "s.json",
+        study(r#""law": "hertz", "k": 1, "k_h": 5000, "v0": 1.2"#, &more),
+    );
+    bench.expect(0, &["calibrate", "s.json", "--out", "out"]);
+    // Steps of 0.002 from 0.1 to 0.6.
+    let alternatives = bench.text("out/s/alternatives.csv");
+    assert_eq!(
+        number(&alternatives, &["study"], "residuals"),
+        251.0,
+        "{alternatives}"
+    );
+    let table = bench.text("out/s/calibration.csv");
+    for (parameter, truth) in [("k_h", 20_000.0), ("v0", 1.0)] {
+        let row = ["study", parameter];
+        let [best, from, to] = ["best", "from", "to"].map(|name| number(&table, &row, name));
+        // As without a window: of this noise, the truth is within twice the interval.
+        let half = f64::max(to - best, best - from);
+        assert!(from < best && best < to, "{table}");
+        assert!((best - truth).abs() < 2.0 * half, "{parameter}: {table}");
+    }
+}

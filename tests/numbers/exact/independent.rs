@@ -48,7 +48,7 @@ fn compare(file: &str, tolerance: impl Fn(&Json) -> f64) {
         let parameters = &record["parameters"];
         let case = case(&*problem, parameters);
         assert_eq!(
-            problem.steps(&case),
+            case.steps(),
             record["steps"].as_u64().unwrap(),
             "{parameters}"
         );

@@ -7,10 +7,13 @@ use slipgap::study;
 fn laws() -> Vec<Json> {
     vec![
         json!({"law": "bouc-wen", "limit": 2, "k": 2000, "exponent": 2}),
+        json!({"law": "bouc-wen", "limit": 2, "k": 2000, "exponent": 1, "beta": 0.9}),
+        json!({"law": "bouc-wen", "limit": 2, "k": 2000, "exponent": 3, "beta": 0.3}),
         json!({"law": "dahl", "limit": 2, "k": 2000}),
         json!({"law": "lugre", "limit": 2, "sigma0": 2000, "sigma1": 20}),
         json!({"law": "tanh", "limit": 2, "rdotE": 0.02}),
         json!({"law": "stribeck", "limit": 2, "rdotE": 0.05, "static_ratio": 1.2, "stribeck_velocity": 0.3}),
+        json!({"law": "stribeck-hyperbolic", "limit": 2, "rdotE": 0.05, "static_ratio": 1.2, "stribeck_velocity": 0.3}),
         json!({"law": "viscous", "c": 5, "a": 0.5}),
         json!({"law": "viscous", "c": 5, "a": 2}),
         json!({"law": "pendulum", "k": 2000, "nu": 0.1, "N": 20, "R": 1}),

@@ -327,3 +327,73 @@ fn bodies_that_touch_at_rest_close_without_a_closing_speed() {
         }
     }
 }
+
+/// The error of the displacement of d falls as dt^order, from these steps to the half of them.
+fn tends_to_the_exact_motion(structure: &Json, dt: f64, order: i32) {
+    let errors = [1.0, 0.5, 0.25].map(|part| {
+        let study = json!({
+            "problem": "structure", "parameters": {"dt": part * dt, "duration": 0.5},
+            "structure": structure, "metrics": ["rms_error(d)"]
+        });
+        solve(&read(&study)).metrics[0].unwrap()
+    });
+    for pair in errors.windows(2) {
+        // Events between the steps scatter the errors.
+        assert!(
+            pair[1] < 1.5 * 0.5_f64.powi(order) * pair[0],
+            "{structure}: {errors:?}"
+        );
+    }
+}
+
+/// A node without mass between a spring and a contact that static loads press: the steps have the same start.
+#[test]
+fn forces_at_rest_are_kept_at_nodes_without_mass() {
+    for contact in [
+        json!({"law": "coulomb", "limit": 5}),
+        json!({"law": "displacement-control", "limit": 5, "k": 3000}),
+        json!({"law": "impact", "k": 3000, "between": ["p", "ground"]}),
+    ] {
+        let mut structure = json!({
+            "masses": {"d": 2, "p": 0},
+            "springs": [{"between": ["ground", "d"], "k": 50}, {"between": ["p", "d"], "k": 1000}],
+            "contacts": {"c": {"between": ["ground", "p"]}},
+            "static": {"d": 4}, "start": {"d": {"v": 0.1}}, "contacts_reference": "softened"
+        });
+        for (key, value) in contact.as_object().unwrap() {
+            structure["contacts"]["c"][key] = value.clone();
+        }
+        tends_to_the_exact_motion(&structure, 0.004, 2);
+    }
+}
+
+/// A floor and two springs press the friction of d.
+#[test]
+fn several_parts_press_as_in_converged_steps() {
+    for slide in [
+        json!({"law": "displacement-control", "k": 2000}),
+        json!({"law": "velocity-control", "c": 100}),
+        json!({"law": "coulomb"}),
+    ] {
+        let mut structure = json!({
+            "units": "t, kN, m, s", "masses": {"d": 2, "y": {"mass": 2, "direction": "y"}},
+            "springs": [
+                {"between": ["ground", "d"], "k": 50}, {"name": "a", "between": ["ground", "y"], "k": 3000},
+                {"name": "b", "between": ["ground", "y"], "k": 2000, "c": 5}
+            ],
+            "contacts": {
+                "slide": {"between": ["ground", "d"], "nu": 0.3, "N": {"contact": ["floor", "a", "b"]}},
+                "floor": {"law": "impact", "between": ["ground", "y"], "k": 1e4}
+            },
+            "static": {"gravity": -9.81}, "contacts_reference": "softened",
+            "loads": [
+                {"at": "d", "sine": {"amplitude": 10, "omega": 7}}, {"at": "y", "sine": {"amplitude": 6, "omega": 11}}
+            ]
+        });
+        for (key, value) in slide.as_object().unwrap() {
+            structure["contacts"]["slide"][key] = value.clone();
+        }
+        // Coulomb friction errs by its corners.
+        tends_to_the_exact_motion(&structure, 0.002, 1);
+    }
+}

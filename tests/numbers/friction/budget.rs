@@ -3,7 +3,7 @@
 use slipgap::exact::regularised::Regularised;
 use slipgap::metrics::budget::{Norm, parts};
 use slipgap::problem::numbers::parameter::Value;
-use slipgap::problem::{Case, Solution, find};
+use slipgap::problem::{Case, Jumps, Solution, find};
 use std::f64::consts::PI;
 
 const BUDGET: [usize; 4] = [9, 10, 11, 12];
@@ -58,7 +58,9 @@ fn the_rows_are_the_budget() {
             .all(Option::is_some)
     );
     // A run without error has norms of zero, and its shares are undefined.
-    let exact = problem.exact(&case, &[0.0, 1.0, 2.0]).unwrap();
+    let exact = problem
+        .exact(&case, &[0.0, 1.0, 2.0], Jumps::RightLimit)
+        .unwrap();
     let steps = exact.displacement().iter().enumerate();
     let norm = Norm {
         channels: 1,

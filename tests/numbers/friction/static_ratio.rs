@@ -116,16 +116,38 @@ fn what_is_not_known_is_refused_with_a_reason() {
         why.contains("static_ratio above 1 is not known in a plane"),
         "{why}"
     );
-    let mut massless = two_masses("average-acceleration", 1e-5);
-    massless["structure"]["masses"]["m1"] = json!(0);
-    let why = refused(&massless);
+    let mut series = two_masses("average-acceleration", 1e-5);
+    series["structure"]["contacts"]["f"] = json!({"between": ["ground", "m1"], "series": [
+        {"law": "coulomb", "limit": 2000, "static_ratio": 1.5},
+        {"law": "displacement-control", "k": 1e6, "limit": 5000}
+    ]});
+    let why = refused(&series);
     assert!(
-        why.contains("static_ratio above 1 needs nodes with mass"),
+        why.contains("static_ratio above 1 is not known in series"),
         "{why}"
     );
     let mut below = two_masses("average-acceleration", 1e-5);
     below["structure"]["contacts"]["f"]["static_ratio"] = json!(0.9);
     assert!(refused(&below).contains("static_ratio"));
+}
+
+/// At a node without mass the steps tend to the exact motion, and keep their energy at each slip.
+#[test]
+fn steps_slip_at_nodes_without_mass() {
+    let errors = [1e-3, 5e-4, 2.5e-4].map(|dt| {
+        let mut study = two_masses("average-acceleration", dt);
+        study["structure"]["masses"]["m1"] = json!(0);
+        let [_, _, slips, error, energy] = metrics(&study, 0)[..] else {
+            panic!("five metrics");
+        };
+        assert!(energy < 1e-13, "{energy}");
+        [slips, error]
+    });
+    for [coarse, fine] in [[0, 1], [1, 2]] {
+        for k in 0..2 {
+            assert!(errors[fine][k] < 0.6 * errors[coarse][k], "{errors:?}");
+        }
+    }
 }
 
 /// A mass of 1 with friction that slides at 1 and holds 2, under a static load.

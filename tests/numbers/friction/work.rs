@@ -121,7 +121,7 @@ fn numerical_dissipation_of_moreau_and_jeans_method_is_that_of_its_theta() {
         }
         let (case, broken) = Case::given(&FrictionOscillator, &given);
         assert_eq!(broken, []);
-        let metrics = FrictionOscillator.metrics();
+        let metrics = &FrictionOscillator.schema().metrics;
         let row = metrics
             .iter()
             .position(|m| m.name == "numerical_dissipation")

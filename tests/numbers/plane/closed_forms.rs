@@ -50,9 +50,11 @@ fn laws() -> Vec<Json> {
         json!({"law": "velocity-control", "limit": 1, "rdotE": 0.1}),
         json!({"law": "tanh", "limit": 1, "rdotE": 0.1}),
         json!({"law": "stribeck", "limit": 1, "rdotE": 0.1, "static_ratio": 1.1, "stribeck_velocity": 1}),
+        json!({"law": "stribeck-hyperbolic", "limit": 1, "rdotE": 0.1, "static_ratio": 1.1, "stribeck_velocity": 1}),
         json!({"law": "displacement-control", "limit": 1, "rE": 0.01}),
         json!({"law": "bouc-wen", "limit": 1, "rE": 0.01, "exponent": 2}),
         json!({"law": "bouc-wen", "limit": 1, "rE": 0.01, "exponent": 1}),
+        json!({"law": "bouc-wen", "limit": 1, "rE": 0.01, "exponent": 2, "beta": 0.9}),
         json!({"law": "lugre", "limit": 1, "sigma0": 100, "sigma1": 0.1, "sigma2": 0.1, "static_ratio": 1.1, "stribeck_velocity": 1}),
         json!({"law": "bilinear", "Fy": 1, "k1": 100, "k2": 10}),
         json!({"law": "pendulum", "nu": 0.1, "N": 10, "R": 3, "rE": 0.01}),
@@ -265,4 +267,42 @@ fn an_imposed_circle_takes_the_work_of_the_closed_form() {
             "{law} {works:?}"
         );
     }
+}
+
+/// A pendulum that rests on a floor which only pushes, as one part and as two contacts: the same motion, bit for bit.
+#[test]
+fn a_bearing_with_uplift_is_its_two_contacts() {
+    let floor = json!({"law": "impact", "between": ["ground", "b"], "k": 1e5});
+    let study = |contacts: Json, floor: &str| {
+        json!({
+            "problem": "structure", "parameters": {"dt": 0.001, "duration": 3},
+            "structure": {
+                "masses": {"a": {"mass": 2, "direction": ["x", "y"]}, "b": {"mass": 2, "direction": "z"}},
+                "contacts": contacts,
+                "static": {"gravity": {"z": -9.81}},
+                "ground": {"x": sine(3.0, 7.0, 0.0), "y": sine(2.0, 5.0, 1.0), "z": sine(14.0, 11.0, 0.0)}
+            },
+            "metrics": ["last(a.x)", "last(a.y)", "last(b)", "peak(bearing.S)", "work(bearing)", format!("max({floor}.r)"), format!("min({floor}.S)"), "energy_error"]
+        })
+    };
+    let bearing = json!({"law": "pendulum", "between": ["ground", "a"], "directions": ["x", "y"], "k": 2e4, "nu": 0.1, "R": 2});
+    let with = |normal: Json| {
+        let mut contact = bearing.clone();
+        contact["N"] = normal;
+        contact
+    };
+    let one = &solve(&study(json!({"bearing": with(floor.clone())}), "bearing.N"))[0];
+    let by_name = with(json!({"contact": "floor"}));
+    for two in [
+        json!({"bearing": by_name, "floor": floor}),
+        json!({"floor": floor, "bearing": by_name}),
+    ] {
+        assert_eq!(one, &solve(&study(two, "floor"))[0]);
+    }
+    // It leaves the floor, and presses with more than its weight.
+    assert!(one[5] > 1e-4 && one[6] < -1.5 * 19.62, "{one:?}");
+    let in_list = json!({"bearing": {"between": ["ground", "a.x"], "parallel": [
+        {"law": "pendulum", "k": 2e4, "nu": 0.1, "R": 2, "N": floor}, {"law": "viscous", "c": 1, "a": 1}]}});
+    let why = study::parse("study.json", &study(in_list, "bearing.N").to_string()).unwrap_err();
+    assert!(why.to_string().contains("has no contact in its N"), "{why}");
 }

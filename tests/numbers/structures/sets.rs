@@ -177,6 +177,15 @@ fn a_set_gets_the_factor_of_its_rule() {
             "ASCE 7-16",
             pair("rotd50", "logarithmic", &rule("ASCE 7-16")),
         ),
+        // With the upper and the lower bound properties.
+        (
+            "ASCE 7-16 isolation",
+            pair(
+                "rotd50",
+                "logarithmic",
+                r#""rule": "ASCE 7-16 isolation", "period": [1.2, 0.8]"#,
+            ),
+        ),
         (
             "envelope",
             together(&format!(

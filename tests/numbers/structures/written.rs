@@ -36,12 +36,12 @@ impl Random {
     }
 }
 
-/// All laws with a stiffness, a damper or a limit, but those that fall.
+/// All laws with a stiffness, a damper or a limit, but those that fall fast.
 fn law(random: &mut Random) -> Json {
     let k = random.power(2.5, 4.5);
     let [k_h, limit] = [random.power(4.0, 6.0), random.number(0.5, 5.0)];
     let restitution = random.number(0.4, 0.9);
-    let mut law = match random.below(22) {
+    let mut law = match random.below(24) {
         0 => json!({"law": "impact-spring", "k": k}),
         1 => {
             json!({"law": "kelvin-voigt", "k": k, "restitution": restitution, "colliding_mass": 1})
@@ -60,7 +60,10 @@ fn law(random: &mut Random) -> Json {
         11 => json!({"law": "velocity-control", "c": random.number(5.0, 50.0), "limit": limit}),
         12 => json!({"law": "coulomb", "limit": limit}),
         13 => json!({"law": "tanh", "c": random.number(5.0, 50.0), "limit": limit}),
-        14 => json!({"law": "bouc-wen", "k": k, "limit": limit, "exponent": 1 + random.below(2)}),
+        14 => {
+            let beta = random.number(0.1, 2.0);
+            json!({"law": "bouc-wen", "k": k, "limit": limit, "exponent": 1 + random.below(2), "beta": beta})
+        }
         15 => json!({"law": "dahl", "k": k, "limit": limit, "exponent": 1.5}),
         16 => {
             json!({"law": "lugre", "sigma0": k, "sigma1": random.number(0.0, 10.0), "limit": limit})
@@ -70,6 +73,12 @@ fn law(random: &mut Random) -> Json {
         19 => json!({"law": "restrainer", "slack": random.number(0.0, 0.01), "k": k, "Fy": limit}),
         20 => {
             json!({"law": "viscous", "c": random.number(1.0, 20.0), "a": 0.5 * (1 + random.below(4)) as f64})
+        }
+        21 => {
+            json!({"law": "stribeck-hyperbolic", "c": random.number(5.0, 50.0), "limit": limit, "static_ratio": 1.2, "stribeck_velocity": 5})
+        }
+        22 => {
+            json!({"law": "imk-bilinear", "k": k, "Fy": limit, "Up": 9.0 * limit / k, "Upc": 1e3 * limit / k, "Fcap_ratio": 1.2, "lambda_S": 500.0 * limit / k, "lambda_K": 900.0 * limit / k})
         }
         _ => {
             json!({"law": "multilinear", "table": {"r": [limit / k, 3.0 * limit / k, 9.0 * limit / k], "S": [limit, 1.5 * limit, 2.0 * limit]}})
@@ -252,7 +261,9 @@ fn dimension(key: &str, law: &Json) -> [f64; 2] {
         "k" | "k1" | "k2" | "k_unloading" | "c" | "sigma0" | "sigma1" | "colliding_mass" => {
             [-1.0, 1.0]
         }
-        "restitution" | "hardening" | "exponent" | "nu" | "a" | "omega" | "phase" => [0.0; 2],
+        "Up" | "Upc" | "lambda_S" | "lambda_K" | "stribeck_velocity" => [1.0, 0.0],
+        "restitution" | "hardening" | "exponent" | "beta" | "nu" | "a" | "omega" | "phase"
+        | "static_ratio" | "Fcap_ratio" => [0.0; 2],
         _ => panic!("{key}"),
     }
 }

@@ -1,11 +1,13 @@
-"""The materials IMKPeakOriented and IMKPinching of OpenSees along random loops; writes ../../data/imk_opensees.json.
+"""The materials IMKPeakOriented, IMKPinching and IMKBilin of OpenSees along random loops; writes ../../data/imk_opensees.json.
 
 Each row is a material that is stretched to `x`, step by step, and its force `S`; `numbers` are those of the law of slipgap, in which
 lambda, left out, is no degradation (here 1e30). Most turns are between the peaks so far, some go to the same peak again, and every second
 row has a failure by its deflection.
 
 A force that becomes 0 tells that the material has failed; rows end 3 steps later. They also end where the force of OpenSees is no
-number: it takes powers of energies below 0, which it has because it looks at energies at ends of steps.
+number: it takes powers of energies below 0, which it has because it looks at energies at ends of steps. Rows of IMKBilin have no
+residual, from which it has rules of its own (it unloads with k/2), and end at a failure, after which it keeps the other direction; and at a
+change of sign from which on its force rises beyond its cap without a bound, where such a power is no number.
 
 Run:  python3 imk_opensees.py [rows] [file]     (needs openseespy)
 """
@@ -73,6 +75,20 @@ def material(own):
     return [name, own["k"], *sides, *rest, *pinching]
 
 
+def bilinear(chance, row):
+    own = numbers(chance, row)
+    for key in ["lambda_A", "c_A", "kappa_F", "kappa_D"]:
+        own.pop(key, None)
+    # A hardening line that is above the residual wherever it begins: there it goes from the residual to the cap.
+    for side in ["", "_negative"]:
+        own["Fcap_ratio" + side] = round(1 + 0.3 * (own["Fcap_ratio" + side] - 1), 3)
+        own["Fres_ratio" + side] = 0
+    sides = [own[key] for key in SIDE] + [own[key + "_negative"] for key in SIDE]
+    lambdas = [own.get("lambda_" + which, 1e30) for which in "SCK"]
+    exponents = [own.get("c_" + which, 1.0) for which in "SCK"]
+    return own, ["IMKBilin", own["k"], *sides, *lambdas, *exponents, own["D_positive"], own["D_negative"]]
+
+
 def history(chance):
     turns, size = [], 0.5
     for _ in range(12):
@@ -105,6 +121,18 @@ def main():
         end = min(failed + 3, unknown)
         law = "imk-pinching" if "kappa_F" in own else "imk-peak-oriented"
         rows.append({"law": law, "numbers": own, "x": xs[:end], "S": found[:end]})
+    chance = random.Random(2)
+    for row in range(count):
+        own, material_numbers = bilinear(chance, row)
+        xs = history(chance)
+        found = forces(material_numbers, xs)
+        end = next((i for i, s in enumerate(found) if math.isnan(s) or s == 0), len(xs))
+        caps = [own["Fcap_ratio" + side] * own["Fy" + side] for side in ["", "_negative"]]
+        beyond = next((i for i in range(end) if abs(found[i]) > 1.001 * max(caps)), end)
+        while 0 < beyond < end and found[beyond - 1] * found[beyond] > 0:
+            beyond -= 1
+        end = min(end, beyond)
+        rows.append({"law": "imk-bilinear", "numbers": own, "x": xs[:end], "S": found[:end]})
     out.write_text("[\n%s\n]\n" % ",\n".join(json.dumps(row) for row in rows))
 
 

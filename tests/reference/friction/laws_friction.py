@@ -58,9 +58,20 @@ def stribeck(beta, static, width):
     return Law(force, events=[lambda y: y[1] - edge, lambda y: -y[1] - edge])
 
 
-def bouc_wen(alpha, n):
+def hyperbolic(beta, static, width):
+    edge = beta * static
+    def force(y, s):
+        if s[0] > 0:
+            return 1 + (static - 1) / (1 + (y[1] - edge) / width)
+        if s[1] > 0:
+            return -1 - (static - 1) / (1 - (y[1] + edge) / width)
+        return y[1] / beta
+    return Law(force, events=[lambda y: y[1] - edge, lambda y: -y[1] - edge])
+
+
+def bouc_wen(alpha, n, beta=0.5):
     def rates(y, s):
-        return [y[1] / alpha * (1 - ((s[1] * y[2]) ** n if s[0] == s[1] and s[1] * y[2] > 0 else 0.0))]
+        return [y[1] / alpha * (1 - max(s[1] * y[2], 0.0) ** n * (s[0] * s[1] * beta + 1 - beta))]
     return Law(lambda y, s: y[2], rates, [velocity, lambda y: y[2]], [0.0])
 
 
@@ -82,9 +93,14 @@ CASES = {
     "tanh(0.1, 0.4, 2)": tanh_bearing(0.1, 0.4, 2.0),
     "bearing(0.1, 0.4, 2)": bearing(0.1, 0.4, 2.0),
     "stribeck(0.1, 1.5, 0.5)": stribeck(0.1, 1.5, 0.5),
+    "stribeck-hyperbolic(0.1, 1.5, 0.5)": hyperbolic(0.1, 1.5, 0.5),
     "bouc-wen(0.1, 1)": bouc_wen(0.1, 1.0),
     "bouc-wen(0.1, 2)": bouc_wen(0.1, 2.0),
     "bouc-wen(0.1, 5)": bouc_wen(0.1, 5.0),
+    "bouc-wen(0.1, 1, 0.9)": bouc_wen(0.1, 1.0, 0.9),
+    "bouc-wen(0.1, 2, 1.6)": bouc_wen(0.1, 2.0, 1.6),
+    "bouc-wen(0.1, 2, 0.2)": bouc_wen(0.1, 2.0, 0.2),
+    "bouc-wen(0.1, 5, 0.9)": bouc_wen(0.1, 5.0, 0.9),
     "dahl(0.1, 1)": dahl(0.1, 1.0),
     "dahl(0.1, 1.5)": dahl(0.1, 1.5),
     "dahl(0.1, 0.5)": dahl(0.1, 0.5),

@@ -134,6 +134,7 @@ def target(period):
 
 LINEAR = list(np.linspace(0.2, 2, 101))
 LOGARITHMIC = list(np.geomspace(0.2, 2, 101))
+ISOLATION = list(np.geomspace(0.2 * 0.8, 1.25 * 1.2, 101))
 TO_1_5 = list(np.geomspace(0.2, 1.5, 101))
 
 
@@ -182,6 +183,7 @@ if __name__ == "__main__":
             "EN 1998-1": {"factor": max(of_1998_1["factor"], at_zero), "spectrum": of_1998_1, "zero": at_zero},
             "EN 1998-2": factor_of_set(spectra(TO_1_5, "srss", by_rotd50), TO_1_5, 1.3),
             "ASCE 7-16": factor_of_set(spectra(LOGARITHMIC, "rotd100", by_rotd50), LOGARITHMIC, 0.9),
+            "ASCE 7-16 isolation": factor_of_set(spectra(ISOLATION, "srss", by_rotd50), ISOLATION, 1),
             "envelope": factor_of_set(spectra(LOGARITHMIC, "rotd50", [1, 1]), LOGARITHMIC, 1, np.max),
             "alone": factor_of_set(
                 np.array([station.spectrum(LOGARITHMIC, "x") for station in both]), LOGARITHMIC, 0.9

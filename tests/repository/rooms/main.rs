@@ -39,17 +39,17 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "contact, system, motion",
         &["crates/contact", "crates/system", "crates/motion"],
-        36_500,
+        37_400,
     ),
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        37_400,
+        38_500,
     ),
     (
         "drawing, figures",
         &["crates/drawing", "crates/figures"],
-        13_500,
+        13_900,
     ),
     (
         "product",

@@ -37,7 +37,8 @@ pub use law::{
     element,
 };
 pub use laws::friction::{
-    Bearing, BoucWen, Dahl, DisplacementControl, Lugre, Pendulum, Stribeck, Tanh, VelocityControl,
+    Bearing, BoucWen, Dahl, Decay, DisplacementControl, Lugre, Pendulum, Stribeck, Tanh,
+    VelocityControl,
 };
 pub use laws::impact::{
     self, GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, ImpactSpring, ImpactYield,

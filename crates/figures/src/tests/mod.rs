@@ -2,12 +2,14 @@
 
 mod contents;
 mod ensembles;
+mod envelope;
 mod extent;
 mod front;
 mod guides;
 mod limits;
 mod looks;
 mod measured;
+mod response;
 mod samples;
 mod structures;
 
@@ -44,7 +46,7 @@ fn drawn_by(
         .iter()
         .map(|c| problem.solve(c, &[]).unwrap())
         .collect();
-    let times = figure.kind.snapshot_times(&**problem, &cases[0]);
+    let times = figure.kind.snapshot_times(&cases[0]);
     let snapshots: Vec<_> = cases
         .iter()
         .map(|c| {

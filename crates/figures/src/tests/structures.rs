@@ -38,6 +38,7 @@ fn a_curve_shows_what_was_computed_over_the_exact_loop() {
         panels: None,
         in_units: false,
         times: None,
+        section: false,
     });
     let sheet = run.sheet(curve);
     let [force, error] = sheet.panels.as_slice() else {

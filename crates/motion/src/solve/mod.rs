@@ -1,10 +1,10 @@
 //! Solving: integration of systems in time, one at a time or several together. Written once for all problems.
 
 mod loops;
+mod metric_table;
 pub mod single_pass;
 pub mod structure;
 pub mod sweep;
-mod table;
 mod track;
 mod unsolvable;
 pub mod visited;
@@ -15,8 +15,8 @@ use crate::lane::Lane;
 use crate::methods::{ManyModes, Method, ModeCount, ModeStart, Recursion, Scheme, Start};
 use crate::system::System;
 pub use loops::{EachMethod, Loops, OneLoop, Steps};
+pub use metric_table::MetricTable;
 use std::cell::Cell;
-pub use table::MetricTable;
 pub use track::{ContactTrack, Displacements, Track};
 pub use unsolvable::Unsolvable;
 pub use visited::{flexibilities, visit};

@@ -1,6 +1,6 @@
 //! Many cases in lanes: their order, and which of them have the same reference.
 
-use super::table::MetricTable;
+use super::metric_table::MetricTable;
 use super::{Loops, Motion, ToSystem, Track, Unsolvable, Warnings, advance};
 use crate::lane::Lane;
 use crate::methods::ModeCount;

@@ -3,14 +3,14 @@
 //! A reader of the papers expects this form, and the modal form is tested with it. No converged result depends on it, because its
 //! iteration can cycle; [`Cycle`] reports that.
 
-mod bars;
-mod solve;
+mod assembled_bars;
+mod linear_system;
 
-pub use bars::{assemble, assemble_bars};
+pub use assembled_bars::{assemble, assemble_bars};
 
 use crate::contact::element::Element;
+use linear_system::solve;
 use nalgebra::{DMatrix, DVector};
-use solve::solve;
 
 /// An assembled structure M u'' + K u + F^C = 0 with one two-node element between I and J.
 #[derive(Debug, Clone)]

@@ -3,9 +3,9 @@
 pub mod expression;
 pub mod friction;
 pub mod impact;
-mod laws;
 pub mod method;
 pub mod numbers;
+mod offered_laws;
 mod parameter_expression;
 mod preset;
 mod side_by_side;
@@ -26,7 +26,6 @@ pub use slipgap_notation::{capital, escape, unit as set_unit};
 
 use crate::contact::ContactLaw;
 use crate::history::History;
-use crate::metrics::steps;
 use crate::solve::{MetricTable, Unsolvable, Warning};
 use crate::system::System;
 use crate::system::structure::Structure;
@@ -63,24 +62,12 @@ use times::{ends_early, time_rules};
 pub trait Problem: Send + Sync + std::fmt::Debug {
     /// The tables.
     fn schema(&self) -> &Arc<Schema>;
-    /// The structure that a study describes, for what only structures have; `None` for a textbook problem.
-    fn as_structure(&self) -> Option<&StructureProblem> {
-        None
-    }
-    /// The problem of a paper, for what only these have; `None` for structures.
-    fn as_textbook(&self) -> Option<&dyn Textbook> {
-        None
-    }
+    /// What only structures, or only the problems of the papers, answer.
+    fn kind(&self) -> ProblemKind<'_>;
     /// Fills in the values that follow from others, and reports every rule across parameters that the case breaks.
     fn complete(&self, case: &mut Case) -> Vec<Violation>;
-    /// Cost of a completed case: steps times modes. A core computes about 5e8 of them in a second.
-    fn work(&self, case: &Case) -> u64 {
-        self.steps(case)
-    }
-    /// Cost of the references of the metrics in these rows, in the same unit.
-    fn reference_work(&self, _case: &Case, _wanted: &[usize]) -> u64 {
-        0
-    }
+    /// Cost of a completed case, the references those of the metrics in these rows.
+    fn work(&self, case: &Case, wanted: &[usize]) -> Work;
     /// Solves a completed case.
     ///
     /// `wanted` has rows of the table of metrics; of those that are not default, only they are computed.
@@ -88,47 +75,90 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     /// The default metrics of the completed cases in these rows, in their order, solved side by side: to the bit what `solve`
     /// gives for each.
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable;
-    /// The exact solution of a completed case as a line to draw: at these times, rising from 0, and on both sides of
-    /// every jump between them; `None` where there is none.
-    fn exact(&self, case: &Case, times: &[f64]) -> Option<History>;
-    /// The exact motion of a completed case at these times, which increase, at a jump its right-hand limit; `None` where there
-    /// is none.
-    fn exact_at(&self, case: &Case, times: &[f64]) -> Option<History> {
-        self.exact(case, times)
+    /// The exact motion of a completed case at these times, which increase; `None` where there is none.
+    fn exact(&self, case: &Case, times: &[f64], jumps: Jumps) -> Option<History>;
+    /// The warnings of a completed case that need no motion, each with what it is of.
+    fn doubts(&self, case: &Case) -> Vec<(Warning, String)>;
+}
+
+/// The two kinds of problems, each with what only it answers.
+#[derive(Debug, Clone, Copy)]
+pub enum ProblemKind<'a> {
+    /// The structure that a study describes.
+    Structure(&'a StructureProblem),
+    /// A problem of the papers.
+    Textbook(&'a dyn Textbook),
+}
+
+/// Cost of a case, in steps times modes. A core computes about 5e8 of them in a second.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Work {
+    /// Of the steps.
+    pub steps: u64,
+    /// Of the references of its metrics.
+    pub references: u64,
+}
+
+/// What an exact motion has where it jumps, as the velocities of waves do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Jumps {
+    /// The right-hand limit, if one of the times is at the jump.
+    RightLimit,
+    /// Both sides of every jump between the times, which start at 0: a line to draw.
+    BothSides,
+}
+
+impl dyn Problem + '_ {
+    /// Its name in a study's `problem`.
+    pub fn name(&self) -> &str {
+        &self.schema().name
     }
+
+    /// The table of parameters.
+    pub fn parameters(&self) -> &[Parameter] {
+        &self.schema().parameters
+    }
+
+    /// The table of metrics.
+    pub fn metrics(&self) -> &[Metric] {
+        &self.schema().metrics
+    }
+
+    /// The structure that a study describes; `None` for a textbook problem.
+    pub fn as_structure(&self) -> Option<&StructureProblem> {
+        match self.kind() {
+            ProblemKind::Structure(structure) => Some(structure),
+            ProblemKind::Textbook(_) => None,
+        }
+    }
+
+    /// The problem of a paper; `None` for structures.
+    pub fn as_textbook(&self) -> Option<&dyn Textbook> {
+        match self.kind() {
+            ProblemKind::Structure(_) => None,
+            ProblemKind::Textbook(textbook) => Some(textbook),
+        }
+    }
+
     /// The columns of the history of a completed case, after the time.
-    fn history_columns(&self, _case: &Case) -> Vec<HistoryColumn> {
+    pub fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
         let channels = self.schema().channels.iter().enumerate();
         let column = |(index, channel): (usize, &Channel)| HistoryColumn {
             index,
             column: channel.clone(),
         };
-        channels.map(column).collect()
+        match self.kind() {
+            ProblemKind::Structure(structure) => structure.history_columns(case),
+            ProblemKind::Textbook(_) => channels.map(column).collect(),
+        }
     }
-    /// The warnings of a completed case that need no motion, each with what it is of.
-    fn doubts(&self, _case: &Case) -> Vec<(Warning, String)> {
-        Vec::new()
-    }
+
     /// The structure of a completed case; of a textbook problem its modes are masses. `None` if unsolved or without mass there.
-    fn structure(&self, case: &Case) -> Option<Structure> {
-        preset::structure(&self.as_textbook()?.system(case)?)
-    }
-    /// Its name in a study's `problem`.
-    fn name(&self) -> &str {
-        &self.schema().name
-    }
-    /// The table of parameters.
-    fn parameters(&self) -> &[Parameter] {
-        &self.schema().parameters
-    }
-    /// The table of metrics.
-    fn metrics(&self) -> &[Metric] {
-        &self.schema().metrics
-    }
-    /// Number of steps N of a completed case.
-    fn steps(&self, case: &Case) -> u64 {
-        let number = |row| case.at(row).unwrap_or(f64::NAN);
-        steps(number(self.schema().duration), number(self.schema().step))
+    pub fn structure(&self, case: &Case) -> Option<Structure> {
+        match self.kind() {
+            ProblemKind::Structure(structure) => structure.assembled(case),
+            ProblemKind::Textbook(textbook) => preset::structure(&textbook.system(case)?),
+        }
     }
 }
 
@@ -137,16 +167,14 @@ pub trait Textbook: Problem {
     /// Cost of a completed case whose steps are each solved once, with the matrices of the papers, in the same unit.
     fn once_work(&self, case: &Case) -> u64 {
         // Measured: 1 us a step for one mode, and 30 ns for each element of a full matrix.
-        self.steps(case).saturating_mul(600)
+        case.steps().saturating_mul(600)
     }
-    /// The same by the papers' element matrices, each step solved once and not iterated: the other reading of the papers, for
-    /// the claims.
+    /// Solves a completed case by the papers' element matrices, each step once and not iterated: the other reading of the papers,
+    /// for the claims.
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable>;
-    /// The modes, the one contact and the steps of a completed case of a textbook problem, in its scales; `None` for a structure.
-    fn system(&self, _case: &Case) -> Option<System> {
-        None
-    }
-    /// The law of the contact of a textbook problem.
+    /// The modes, the one contact and the steps of a completed case, in the scales of the problem; `None` if a parameter is not given.
+    fn system(&self, case: &Case) -> Option<System>;
+    /// The law of the contact.
     fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
         self.system(case).map(|system| system.law)
     }

@@ -2,7 +2,7 @@
 
 use super::counted::{Counted, Round, round};
 use super::ends::Ends;
-use super::start::Start;
+use super::search_start::Start;
 use super::{Best, Objective, Options, Stopped};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

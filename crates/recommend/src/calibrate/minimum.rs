@@ -4,7 +4,7 @@ use super::Stopped;
 use super::counted::{Counted, Round, round, squared};
 use super::linear::{Eigen, axis, block, dot, solve};
 use super::local::{Local, Threshold};
-use super::start::{LEAST, TENTH};
+use super::search_start::{LEAST, TENTH};
 
 /// Distance of the points from which a usual rise is known.
 const USUAL: f64 = 0.05;

@@ -13,7 +13,7 @@ mod local;
 mod minimum;
 mod model;
 mod reached;
-mod start;
+mod search_start;
 
 #[cfg(test)]
 mod tests;

@@ -90,7 +90,7 @@ pub(super) fn choice(alternative: Alternative, judge: &mut Judge) -> Choice {
 
 /// Number of modes or nodes of a case, which a finer mesh has more of.
 pub(super) fn size(problem: &dyn Problem, case: &Case) -> u64 {
-    cost(problem, case) / (problem.steps(case) * sub_steps(case)).max(1)
+    cost(problem, case) / (case.steps() * sub_steps(case)).max(1)
 }
 
 impl Choice {

@@ -4,7 +4,7 @@
 use super::candidate::Choice;
 use super::errors::{From, difference};
 use super::judge::{Judge, all_of};
-use super::reference::{self, values};
+use super::reference_motion::{self, values};
 use crate::calibrate::Stopped;
 use slipgap_problem::problem::numbers::parameter::Value;
 use std::collections::BTreeMap;
@@ -28,7 +28,7 @@ pub(super) fn not_converged(
     choices: &[Choice],
     judge: &mut Judge,
 ) -> Result<Vec<NotConverged>, Stopped> {
-    let Some(finest) = reference::finest(choices, judge) else {
+    let Some(finest) = reference_motion::finest(choices, judge) else {
         return Ok(Vec::new());
     };
     let step = judge.study.problem.schema().step;

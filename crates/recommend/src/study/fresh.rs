@@ -2,12 +2,12 @@
 
 use super::candidate::Choice;
 use super::judge::{Judge, all_of};
-use super::reference;
+use super::reference_motion;
 use crate::calibrate::Stopped;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::structure::StructureProblem;
-use slipgap_problem::problem::structure::given::loads::LARGEST_SEED;
+use slipgap_problem::problem::structure::given::source::LARGEST_SEED;
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_study::alike::identity;
 use std::collections::{BTreeSet, HashSet};
@@ -43,7 +43,7 @@ impl Fresh {
     pub fn quotient(&mut self, choice: &Choice, judge: &mut Judge) -> Result<f64, Stopped> {
         if !self.is_referred {
             let cases = self.cases(&judge.finest, judge);
-            reference::add(&cases, judge)?;
+            reference_motion::add(&cases, judge)?;
             self.is_referred = true;
         }
         let (free, values) = choice.free();

@@ -4,7 +4,7 @@ use super::errors::{From, errors};
 use super::sweep::sweep;
 use crate::Stop;
 use crate::calibrate::Stopped;
-use crate::energy::{EnergyChange, FRICTION_LIMITS, LIMITS, energy_change, energy_gain};
+use crate::energy_change::{EnergyChange, FRICTION_LIMITS, LIMITS, energy_change, energy_gain};
 use rayon::prelude::*;
 use slipgap_motion::solve::{Warning, Warnings};
 use slipgap_problem::problem::friction::FrictionOscillator;
@@ -69,7 +69,7 @@ impl<'a> Judge<'a> {
     pub fn new(study: &'a Study, recommend: &'a Recommend, stop: &'a Stop) -> Judge<'a> {
         let free = recommend.free.iter().map(|free| free.parameter);
         let chosen: Vec<usize> = recommend.over.iter().copied().chain(free).collect();
-        let friction = study.problem.name() == FrictionOscillator.name();
+        let friction = study.problem.name() == FrictionOscillator.schema().name;
         Judge {
             kept: study.outside_choice(&chosen),
             study,
@@ -231,7 +231,7 @@ impl<'a> Judge<'a> {
 fn solve_one(study: &Study, case: &Case) -> Solved {
     let problem = &*study.problem;
     let solution = study.solve(case).map_err(|why| why.to_string())?;
-    let energy = match problem.name() == FrictionOscillator.name() {
+    let energy = match problem.name() == FrictionOscillator.schema().name {
         true => EnergyChange {
             gain: energy_gain(&solution.computed, &solution.exact),
             loss: 0.0,

@@ -1,5 +1,6 @@
 //! Recommends among the candidates that a study lists: the cheapest one that keeps metrics within tolerances in every physical case.
 
+mod answer_text;
 mod candidate;
 mod converged;
 mod errors;
@@ -7,21 +8,20 @@ mod finer;
 mod fresh;
 mod judge;
 mod levels;
-mod reference;
+mod reference_motion;
 mod search;
 mod sweep;
 mod trial;
 pub mod usage;
 mod verdict;
-mod words;
 
+pub use answer_text::shown;
 pub use candidate::Choice;
 pub use converged::NotConverged;
 pub use errors::{From, is_error};
-pub use reference::Reference;
+pub use reference_motion::Reference;
 pub use sweep::sweep;
 pub use verdict::{Mesh, State, Trial};
-pub use words::shown;
 
 use crate::calibrate::Stopped;
 use crate::{EnergyChange, Stop};
@@ -123,7 +123,7 @@ fn compared(levels: &Levels, judge: &mut Judge) -> Result<Compared, Stopped> {
     let mut choices: Vec<Choice> = listed
         .map(|alternative| candidate::choice(alternative, judge))
         .collect();
-    let reference = reference::refer(&choices, judge)?;
+    let reference = reference_motion::refer(&choices, judge)?;
     let not_converged = converged::not_converged(&choices, judge)?;
     for choice in &mut choices {
         candidate::decide(choice, judge)?;
@@ -152,7 +152,7 @@ fn searched<'a>(levels: &mut Levels<'a>, judge: &mut Judge<'a>) -> Result<Compar
         .iter()
         .filter_map(|candidate| levels.choice(candidate, judge))
         .collect();
-    let reference = reference::refer(&choices, judge)?;
+    let reference = reference_motion::refer(&choices, judge)?;
     let not_converged = converged::not_converged(&choices, judge)?;
     let found = Search::new(levels, judge).run()?;
     Ok((found, reference, not_converged))

@@ -61,15 +61,12 @@ impl Study {
 
     /// The cost of a completed case: steps times modes, and the references of the study's metrics.
     pub fn work(&self, case: &Case) -> u64 {
-        let references = self.problem.reference_work(case, &self.metrics);
-        let steps = match self.once {
-            true => self
-                .problem
-                .as_textbook()
-                .map_or(0, |textbook| textbook.once_work(case)),
-            false => self.problem.work(case),
+        let work = self.problem.work(case, &self.metrics);
+        let steps = match self.problem.as_textbook().filter(|_| self.once) {
+            Some(textbook) => textbook.once_work(case),
+            None => work.steps,
         };
-        steps.saturating_add(references)
+        steps.saturating_add(work.references)
     }
 
     /// The cost of each of these cases; 0 of a case that breaks a rule, which may have any number of steps.

@@ -4,13 +4,13 @@
 pub(super) mod decode;
 mod formula;
 mod partners;
-pub mod reference;
+pub mod reference_case;
 pub(super) mod sources;
 #[cfg(test)]
 mod tests;
 
 pub use partners::{Found, Partners};
-pub use reference::Reference;
+pub use reference_case::Reference;
 
 use super::{Measure, Study};
 use slipgap_problem::problem::Case;

@@ -1,6 +1,7 @@
 //! The blocks of a study: one under `parameters`, or several under `blocks`.
 
 use super::resolve::resolve;
+use super::spread::SHARED;
 use super::validate::{has_good_case, validate, within_limit};
 use crate::Block;
 use crate::axes::draft::BlockDraft;
@@ -32,6 +33,9 @@ pub(crate) fn blocks(
             object.missing("parameters", what, faults);
         }
         (Some(_), None) | (None, Some(_)) => {}
+    }
+    if let Some(node) = object.get(SHARED.0) {
+        faults.add(node.at, SHARED.0, "must be an object, next to \"blocks\"");
     }
     // Both are decoded, so that every fault is reported.
     let mut drafts = Vec::new();

@@ -1,11 +1,12 @@
 //! The keys of a study, and the names that they take.
 
+use super::spread::SHARED;
 use crate::reduction;
 use crate::structure::keys::KEY as MEASURED;
 use crate::structure::named::shown::SHOWN;
 
 /// The keys of a study, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 17] = [
+pub(crate) const KEYS: [(&str, &str); 18] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
@@ -22,6 +23,7 @@ pub(crate) const KEYS: [(&str, &str); 17] = [
         "blocks",
         "several sets of parameters instead of one; their cases follow one another",
     ),
+    SHARED,
     (
         "metrics",
         "metrics in addition to the default ones, each a column of results.csv: a name, arithmetic such as \"max(a3 - a2)/h\", a ratio such as \"peak(gap.S) relative to gamma = 1\", or an object that names one, such as {\"drift\": \"max(a3 - a2)/h\"}",

@@ -7,12 +7,14 @@ mod ensemble;
 mod keys;
 mod references;
 pub(super) mod resolve;
+mod spread;
 #[cfg(test)]
 mod tests;
 pub(super) mod units;
 pub(super) mod validate;
 
 pub(crate) use keys::{ITERATIONS, KEYS};
+pub(crate) use spread::SHARED;
 use std::path::Path;
 
 use crate::cases::scope::Scope;
@@ -90,6 +92,7 @@ impl Input {
     /// The tree with the settings and the lists of files in it.
     pub(crate) fn expanded(&self) -> Result<Expanded<'_>, Error> {
         let mut root = tree_of(&self.file, &self.text)?;
+        spread::share(&mut root);
         let mut texts = Texts::new(&self.file, &self.text);
         let settings = self.settings.iter();
         let pushed = settings.map(|setting| texts.push(setting.source(), setting.text()));
@@ -110,6 +113,7 @@ impl Input {
         if let Some(seed) = &seed {
             own_records::replace(&mut root, seed, &mut faults);
         }
+        spread::spread(&mut root);
         let set = self
             .settings
             .iter()

@@ -11,11 +11,15 @@ use crate::{Axis, AxisGroup, Block, Filter};
 use slipgap_cases::Enumeration;
 use slipgap_cases::alike::{self, unaffected};
 use slipgap_cases::formulas::formula_table::FormulaTable;
-use slipgap_motion::solve::{MetricTable, Unsolvable};
+use slipgap_motion::history::History;
+use slipgap_motion::solve::{MetricTable, Unsolvable, Warning};
+use slipgap_problem::problem::friction::FrictionOscillator;
 use slipgap_problem::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_problem::problem::table::schema::{Text, TimeAxis};
-use slipgap_problem::problem::{Case, Problem, Schema, Solution, Violation};
+use slipgap_problem::problem::{
+    Case, Jumps, Problem, ProblemKind, Schema, Solution, Violation, Work,
+};
 use std::borrow::Cow::{self, Borrowed};
 use std::sync::{Arc, LazyLock};
 
@@ -92,10 +96,16 @@ impl Problem for Bars {
         &SCHEMA
     }
 
+    fn kind(&self) -> ProblemKind<'_> {
+        FrictionOscillator.kind()
+    }
     fn sweep(&self, _: &Cases, _: &[u32]) -> MetricTable {
         MetricTable::default()
     }
-    fn exact(&self, _: &Case, _: &[f64]) -> Option<slipgap_motion::history::History> {
+    fn doubts(&self, _: &Case) -> Vec<(Warning, String)> {
+        Vec::new()
+    }
+    fn exact(&self, _: &Case, _: &[f64], _: Jumps) -> Option<History> {
         None
     }
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
@@ -120,8 +130,11 @@ impl Problem for Bars {
         let long = rule("duration".into(), duration > 100.0, "is too long".into());
         late.into_iter().chain(long).collect()
     }
-    fn steps(&self, _case: &Case) -> u64 {
-        0
+    fn work(&self, _: &Case, _: &[usize]) -> Work {
+        Work {
+            steps: 0,
+            references: 0,
+        }
     }
     fn solve(&self, _case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
         Err(Unsolvable::ParameterMissing)

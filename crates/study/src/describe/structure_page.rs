@@ -5,10 +5,10 @@ use crate::structure::keys;
 use slipgap_problem::problem::structure::channels::channel::{
     OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
 };
-use slipgap_problem::problem::structure::channels::words::WORDS;
+use slipgap_problem::problem::structure::channels::channel_words::WORDS;
 use slipgap_problem::problem::structure::metrics::against_measured::of_measured;
 use slipgap_problem::problem::structure::metrics::reduction::REDUCTIONS;
-use slipgap_problem::problem::structure::parts::contacts::NAMES;
+use slipgap_problem::problem::structure::parts::contact_law::NAMES;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
 use slipgap_system::system::loads::pulse::PULSES;
 

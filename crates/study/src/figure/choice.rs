@@ -17,6 +17,25 @@ impl Fit {
     pub(crate) const ALL: [Fit; 3] = [Fit::Likelihood, Fit::Incremental, Fit::Cloud];
 }
 
+/// What a response figure draws of each cycle of the excitation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Each {
+    /// The largest absolute value.
+    #[default]
+    Peak,
+    /// The largest value.
+    Max,
+    /// The smallest value.
+    Min,
+    /// The value at its start.
+    Start,
+}
+
+impl Each {
+    /// All of them, in the order of their names.
+    pub(crate) const ALL: [Each; 4] = [Each::Peak, Each::Max, Each::Min, Each::Start];
+}
+
 /// Places that a map marks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Marks {

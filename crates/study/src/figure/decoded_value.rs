@@ -1,8 +1,8 @@
 //! The values under the keys of a figure, decoded by the types in the table of `kinds`.
 
-use super::choice::{Fit, Marks, Ridge};
+use super::choice::{Each, Fit, Marks, Ridge};
 use super::extent;
-use super::keys::{FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
+use super::keys::{EACH, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
 use super::values::DecodedValue;
 use crate::faults::Faults;
 use crate::object::Object;
@@ -61,6 +61,10 @@ pub(crate) fn take(
         Takes::Fit => {
             return name(node, path, "fit", &FITS, faults)
                 .map(|row| DecodedValue::Fit(Fit::ALL[row]));
+        }
+        Takes::Each => {
+            return name(node, path, "value", &EACH, faults)
+                .map(|row| DecodedValue::Each(Each::ALL[row]));
         }
         Takes::Parameter => {
             name(node, path, "parameter", &scope.parameters(), faults).map(|row| vec![row])

@@ -59,6 +59,8 @@ pub(crate) enum Takes {
     Ridge,
     /// How a fragility function is found.
     Fit,
+    /// What is drawn of each cycle.
+    Each,
     /// Whether axes are in the units of the study.
     InUnits,
     /// `true` or `false`.
@@ -92,6 +94,9 @@ pub(crate) const SCALES: [&str; 2] = ["linear", "log"];
 
 /// Names of the ways to find a fragility function, as `Fit` has them.
 pub(crate) const FITS: [&str; 3] = ["likelihood", "incremental", "cloud"];
+
+/// Names of what is drawn of each cycle, as `Each` has them.
+pub(crate) const EACH: [&str; 4] = ["peak", "max", "min", "start"];
 
 /// Names of the lines along a map, as `Ridge` has them.
 pub(crate) const RIDGES: [&str; 3] = ["least", "greatest", "nearest to 1"];
@@ -171,6 +176,15 @@ pub(super) const BY_OUTSIDE: Key = key(
     Takes::Parameter,
     false,
     "parameter with one line style for each value; if left out, all outside of the ensemble that vary",
+);
+/// The probabilities of the edges of a band if the study gives none: those of one standard deviation of a normal
+/// distribution.
+pub(super) const USUAL: [f64; 2] = [0.16, 0.84];
+pub(super) const BAND: Key = key(
+    "band",
+    Takes::Probabilities,
+    false,
+    "probabilities at the edges of the band; if left out, [0.16, 0.84]",
 );
 pub(super) const PANELS: Key = key(
     "panels",

@@ -93,6 +93,7 @@ fn metrics(keys: &'static [Key], values: &Values) -> Vec<(&'static str, usize, u
             | Takes::ScaleOrLog
             | Takes::Ridge
             | Takes::Fit
+            | Takes::Each
             | Takes::InUnits
             | Takes::Switch
             | Takes::Ordinates

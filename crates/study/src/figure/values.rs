@@ -1,6 +1,6 @@
 //! The decoded values of one figure by their keys.
 
-use super::choice::{Fit, Marks, Ridge};
+use super::choice::{Each, Fit, Marks, Ridge};
 use crate::faults::join;
 use crate::tree::{Node, Tree};
 use crate::{ColumnRef, Filter, Scale};
@@ -17,6 +17,7 @@ pub(crate) enum DecodedValue {
     Scale(Scale),
     Ridge(Ridge),
     Fit(Fit),
+    Each(Each),
     Marks(Marks),
     Points(Vec<[f64; 2]>),
     Switch(bool),
@@ -75,6 +76,10 @@ impl Values<'_> {
 
     pub fn fit(&self, key: &str) -> Fit {
         taken!(self, key, Fit).unwrap_or_default()
+    }
+
+    pub fn each(&self, key: &str) -> Each {
+        taken!(self, key, Each).unwrap_or_default()
     }
 
     pub fn marks(&self, key: &str) -> Option<Marks> {

@@ -7,7 +7,7 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::reading::given::{member, members};
 use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::numbers::parameter::{Parameter, Value};
-use slipgap_problem::problem::structure::channels::measured::Measured;
+use slipgap_problem::problem::structure::channels::measured_channels::Measured;
 use slipgap_problem::problem::structure::given::amount::Source;
 
 /// Most parameters of a formula whose ends are all combined.

@@ -11,7 +11,7 @@ use slipgap_problem::problem::structure::given::chosen::Chosen;
 use slipgap_problem::problem::structure::given::node::NodeRef;
 use slipgap_problem::problem::structure::parts::along::Term;
 use slipgap_problem::problem::structure::parts::contact::Contact;
-use slipgap_problem::problem::structure::parts::contacts::law_named;
+use slipgap_problem::problem::structure::parts::contact_law::law_named;
 use slipgap_problem::problem::structure::parts::template::Template;
 use slipgap_system::system::structure::Direction;
 

@@ -2,7 +2,7 @@
 
 use crate::source::tree::{Member, Node, Tree};
 use sha2::{Digest, Sha256};
-use slipgap_problem::problem::structure::given::set::Set;
+use slipgap_problem::problem::structure::given::motion_set::Set;
 
 /// The names of records and matrices, each once, and a hash of the names and their bytes.
 #[derive(Default)]

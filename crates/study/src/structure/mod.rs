@@ -10,7 +10,7 @@ pub(super) mod measured;
 mod motions;
 pub(super) mod named;
 mod parts;
-mod reading;
+pub(super) mod reading;
 pub(super) mod recorded;
 #[cfg(test)]
 mod tests;
@@ -26,8 +26,8 @@ use measured::Given;
 use parts::{damping, springs};
 use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::structure::StructureProblem;
+use slipgap_problem::problem::structure::channels::channel_words::{Shown, Words};
 use slipgap_problem::problem::structure::channels::names::Names;
-use slipgap_problem::problem::structure::channels::words::{Shown, Words};
 use slipgap_problem::problem::structure::metrics::unit_consistency;
 use slipgap_problem::problem::structure::parts::template::{DampingStiffness, Reference, Template};
 use slipgap_problem::problem::structure::tables::schema::{self, Named};
@@ -61,7 +61,7 @@ pub(super) fn problem(
     let masses = parts::in_directions(all_of("masses", "mass", faults), faults);
     let bars = all_of("bars", "bar", faults);
     let of_matrices = all_of("matrices", "model", faults);
-    let of_contacts = all_of("contacts", "contact", faults);
+    let of_contacts = contacts::with_pressing(all_of("contacts", "contact", faults));
     let of_supports = all_of("supports", "support", faults);
     parts::check_spring_names(&object, &mut taken, faults);
     crate::structure::motions::supports::refuse_ground(&object, faults);
@@ -153,7 +153,7 @@ pub(super) fn problem(
     let part = |name: &str| {
         contacts
             .iter()
-            .any(|contact| contact.split('.').next() == Some(name))
+            .any(|contact| contact.split('.').next() == name.split('.').next())
     };
     let unread = of_contacts.iter().filter(|(name, ..)| !part(name));
     let faulty: Vec<String> = unread.map(|(name, ..)| name.clone()).collect();

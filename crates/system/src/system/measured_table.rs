@@ -1,8 +1,8 @@
 //! Tables of measured values: a line with the names of the columns, then rows of numbers.
 
-use super::loads::record::number::{decimal, number};
+use super::loads::record::file_text::{decode, is_end};
+use super::loads::record::fortran_number::{decimal, number};
 use super::loads::record::table::fields::{bare, split};
-use super::loads::record::text::{decode, is_end};
 use super::loads::record::{RecordCause, RecordFault, Shown};
 
 /// Largest number of a cell: sums of squares of such numbers in any unit are finite.

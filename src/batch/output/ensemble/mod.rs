@@ -1,7 +1,7 @@
 //! The metrics of ensembles, collected part by part: quantiles.csv, two_samples.csv and tests.csv.
 
 mod against_tests;
-mod pairs;
+mod compared_ensembles;
 mod quantiles;
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,7 @@
 //! quantiles.csv: the distribution of every metric over each ensemble.
 
 use super::{EnsembleMetrics, Sample, text};
-use crate::batch::output::tables::cell;
+use crate::batch::output::failures_and_histories::cell;
 use rayon::prelude::*;
 use slipgap_statistics::{median, moments, quantile::quantile};
 use std::io::{self, Write};

@@ -1,6 +1,6 @@
 //! two_samples.csv: whether the distributions of a metric differ between the values of a parameter.
 
-use super::pairs::Pair;
+use super::compared_ensembles::Pair;
 use super::{EnsembleMetrics, text};
 use rayon::prelude::*;
 use slipgap_problem::problem::numbers::parameter::{Value, real};
@@ -39,10 +39,8 @@ impl EnsembleMetrics<'_> {
             let rows: Vec<Vec<String>> = of_pairs.collect();
             for (pair, numbers) in pairs.iter().zip(rows) {
                 let names = [self.metric(column), self.column_name(pair.place)];
-                let row = names
-                    .map(String::from)
-                    .into_iter()
-                    .chain(self.values(pair, (&varying, whole)));
+                let cells = names.map(String::from).into_iter();
+                let row = cells.chain(self.values(pair, (&varying, whole)));
                 writer.write_record(row.chain(numbers))?;
             }
         }

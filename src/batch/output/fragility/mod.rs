@@ -1,14 +1,14 @@
 //! fragility.csv: the points of every fragility figure, with the function of their curve. fragility_members.csv: what each
 //! member of the ensemble adds to the mean annual frequency.
 
-mod numbers;
+mod curve_columns;
 
 use super::Folder;
+use super::failures_and_histories::cell;
 use super::names::{FRAGILITY, MEMBERS};
-use super::tables::cell;
 use crate::batch::groups::fragility::FragilityCurve;
 use crate::batch::groups::point::FragilityPoint;
-use numbers::Numbers;
+use curve_columns::Numbers;
 use slipgap_problem::problem::numbers::parameter::{Kind, Value};
 use slipgap_study::error::Error;
 use slipgap_study::kinds::Fragility;
@@ -138,10 +138,8 @@ impl<'a> FragilityTable<'a> {
             }
             for share in curve.annual.iter().flat_map(|annual| &annual.shares) {
                 let values = self.values(figure, curve, "");
-                let member = share
-                    .member
-                    .iter()
-                    .map(|value| value.map(|v| v.cell()).unwrap_or_default());
+                let of_member = share.member.iter();
+                let member = of_member.map(|value| value.map(|v| v.cell()).unwrap_or_default());
                 let [low, high] = share.capacity;
                 let numbers = [low, high, share.frequency, share.share]
                     .map(Some)

@@ -252,7 +252,7 @@ pub mod structure {
     pub const N: Number = Number::new(
         ["N", "*N*", "force"],
         Range::Any,
-        "force that presses, positive when pressed: a number, or one of those below",
+        "force that presses, positive when pressed: a number, one of those below, or a contact with its own law, NAME.N, that presses",
     );
     /// nu_min
     pub const NU_MIN: Number = Number::new(

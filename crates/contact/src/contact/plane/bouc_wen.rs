@@ -1,7 +1,7 @@
 //! The isotropic Bouc-Wen model in a plane.
 //!
 //! ```text
-//! u_y dz = dr - z |z|^(n-2) <z . dr>,   S = L z,   <x> = max(x, 0)
+//! u_y dz = dr - z |z|^(n-2) (beta |z . dr| + gamma z . dr),   S = L z,   beta + gamma = 1
 //! ```
 //!
 //! In one direction it is the scalar model. It is isotropic, as the part with gamma of the model of Park, Wen and Ang (1986), and
@@ -30,7 +30,7 @@ impl PlaneLaw for BoucWen {
             let u = map(trial.change, force, |c, s| {
                 (c - on.h * s) / yield_displacement
             });
-            over(self.exponent, before, u)
+            over([self.exponent, self.d()], before, u)
         };
         if on.h == 0.0 {
             return (after([0.0; 2]).map(|z| self.limit * z), ());
@@ -57,7 +57,7 @@ impl PlaneLaw for BoucWen {
         if self.limit <= 0.0 {
             return [0.0; 2];
         }
-        let along = dot(z, rdot).max(0.0);
+        let along = turning(self.d(), dot(z, rdot));
         let size = length(z);
         let turn = match size > 0.0 {
             true => libm::pow(size / self.limit, self.exponent) * along / (size * size),
@@ -67,10 +67,15 @@ impl PlaneLaw for BoucWen {
     }
 }
 
-/// z after a straight motion u in units of u_y.
-fn over(n: f64, z: Pair, u: Pair) -> Pair {
+/// beta |z . dr| + gamma z . dr of z . dr, d = beta - gamma.
+fn turning(d: f64, along: f64) -> f64 {
+    along.max(0.0) + d * (-along).max(0.0)
+}
+
+/// z after a straight motion u in units of u_y, of n and d.
+fn over([n, d]: [f64; 2], z: Pair, u: Pair) -> Pair {
     let slope = |z: Pair| {
-        let along = dot(z, u).max(0.0);
+        let along = turning(d, dot(z, u));
         let size = length(z);
         let turn = match n {
             2.0 => along,

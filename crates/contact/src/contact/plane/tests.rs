@@ -5,8 +5,8 @@ use super::*;
 use crate::contact::coupled::tests::Random;
 use crate::contact::offer::Offered;
 use crate::contact::{
-    Bearing, Bilinear, BoucWen, ContactResponse, DisplacementControl, GivenLaw, GivenNumbers,
-    Lugre, Pendulum, Stribeck, Tanh, Trial, VelocityControl, pair,
+    Bearing, Bilinear, BoucWen, ContactResponse, Decay, DisplacementControl, GivenLaw,
+    GivenNumbers, Lugre, Pendulum, Stribeck, Tanh, Trial, VelocityControl, pair,
 };
 use crate::lane::Lane;
 
@@ -42,11 +42,12 @@ fn made(law: &Offered) -> Option<ContactLaw> {
 
 fn chosen() -> Vec<ContactLaw> {
     let compliance = 0.1;
-    let bouc_wen = |exponent| {
+    let bouc_wen = |exponent, beta| {
         ContactLaw::BoucWen(BoucWen {
             compliance,
             limit: 1.0,
             exponent,
+            beta,
         })
     };
     let lugre = |static_limit, sigma1| {
@@ -85,6 +86,7 @@ fn chosen() -> Vec<ContactLaw> {
             limit: 1.0,
             static_limit: 1.2,
             stribeck_velocity: 40.0,
+            decay: Decay::Exponential,
         }),
         ContactLaw::DisplacementControl(DisplacementControl {
             compliance,
@@ -109,9 +111,11 @@ fn chosen() -> Vec<ContactLaw> {
             yield_force: 1.0,
             hardening: 1.0,
         }),
-        bouc_wen(1.0),
-        bouc_wen(2.0),
-        bouc_wen(5.0),
+        bouc_wen(1.0, 0.5),
+        bouc_wen(2.0, 0.5),
+        bouc_wen(5.0, 0.5),
+        bouc_wen(2.0, 0.2),
+        bouc_wen(3.0, 0.9),
         lugre(1.0, 0.0),
         lugre(1.3, 0.3),
     ]

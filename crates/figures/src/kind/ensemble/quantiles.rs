@@ -88,23 +88,21 @@ impl Draw for Quantiles {
         layout::left_out(&mut sheet, found.len(), ensemble_count);
         let keys = keys(look, &found, marker);
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
-        layout::small_print(&mut sheet, &meaning(self, banded));
+        layout::small_print(&mut sheet, &meaning(self.band, banded));
         without_value(&mut sheet, study, cases, &self.y);
         sheet
     }
 }
 
 /// What lines and bands are.
-fn meaning(figure: &Quantiles, banded: bool) -> String {
+pub fn meaning(band: [f64; 2], banded: bool) -> String {
     if !banded {
         return format!(
             "Lines: medians, without bands, because there are more than {MOST_BANDS} curves."
         );
     }
-    let [low, high] = figure
-        .band
-        .map(|p| number::plain(1e-9 * (1e11 * p).round()));
-    match figure.band {
+    let [low, high] = band.map(|p| number::plain(1e-9 * (1e11 * p).round()));
+    match band {
         [0.0, 1.0] => {
             "Lines: medians. Bands: from the smallest to the largest of the cases.".into()
         }
@@ -116,18 +114,21 @@ fn meaning(figure: &Quantiles, banded: bool) -> String {
 
 /// The points of a curve, by rising x.
 fn points_of(figure: &Quantiles, ensemble: &Ensemble, metric: usize) -> Vec<Point> {
-    let [low, high] = figure.band;
     let point = |(x, cases): (f64, Vec<&DrawnCase>)| {
-        let mut values = Vec::from_iter(cases.iter().filter_map(|shown| shown.metric(metric)));
-        values.sort_unstable_by(f64::total_cmp);
-        let of = |p| {
-            quantile(&values, p)
-                .filter(|y| y.is_finite())
-                .unwrap_or(f64::NAN)
-        };
-        (x, [of(low), of(0.5), of(high)])
+        let values = cases.iter().filter_map(|shown| shown.metric(metric));
+        (x, quantiles(values, figure.band))
     };
     ensemble.at_each(figure.x).into_iter().map(point).collect()
+}
+
+/// Lower edge of the band, median and upper edge; not finite without values.
+pub fn quantiles(values: impl Iterator<Item = f64>, [low, high]: [f64; 2]) -> [f64; 3] {
+    let mut sorted: Vec<f64> = values.collect();
+    sorted.sort_unstable_by(f64::total_cmp);
+    [low, 0.5, high].map(|p| {
+        let value = quantile(&sorted, p).filter(|y| y.is_finite());
+        value.unwrap_or(f64::NAN)
+    })
 }
 
 /// Adds the bands of a curve: one for each part without a gap.

@@ -56,6 +56,11 @@ pub enum EventsFault {
         /// Name of the node.
         node: String,
     },
+    /// Friction with a static limit shares its node without mass.
+    SharedJump {
+        /// Name of the contact.
+        contact: String,
+    },
     /// The exact motion does not know a law.
     Law {
         /// Name of the contact.
@@ -109,6 +114,10 @@ impl fmt::Display for EventsFault {
             EventsFault::Unheld { node } => write!(
                 f,
                 "nothing holds node {node} without mass; give it a mass, a spring or a contact"
+            ),
+            EventsFault::SharedJump { contact } => write!(
+                f,
+                "contact {contact} has static_ratio above 1 and shares its node without mass with others, on which the jump of its force depends; for the exact motion, give the node a mass"
             ),
             EventsFault::Law { contact } => write!(
                 f,

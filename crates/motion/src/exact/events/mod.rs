@@ -27,7 +27,7 @@ pub use motion::{MOST_EVENTS, MOST_PIECES};
 
 use crate::contact::{ClippedLine, ContactKind};
 use crate::exact::events::phases::contact_state::ContactState;
-use crate::system::structure::{Contact, Limit, Structure};
+use crate::system::structure::{Along, Contact, Limit, PressedBy, Structure};
 use motion::Motion;
 
 /// The motion at one time; at an event, after it.
@@ -222,10 +222,11 @@ pub fn knows_laws(structure: &Structure) -> bool {
 /// Between events every law has to be linear, and every limit the sum of a constant and a signal. Laws of lines and of velocity are
 /// not known at nodes without mass, nor from a state that static loads leave and r and S do not tell.
 fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
-    let has_mass = |contact: &Contact| {
-        let mut nodes = contact.along.iter();
+    let has_masses = |along: &Along| {
+        let mut nodes = along.iter();
         nodes.all(|(node, _)| structure.nodes.get(*node).is_none_or(|n| n.mass > 0.0))
     };
+    let has_mass = |contact: &Contact| has_masses(&contact.along);
     let has_lines = |(i, contact): (usize, &Contact)| {
         let r = structure.relative(i, &structure.displacement) + contact.gap;
         let knows = |law: crate::exact::events::phases::lines::Lines| {
@@ -234,11 +235,19 @@ fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
         has_mass(contact)
             && crate::exact::events::phases::lines::of(&contact.law).is_some_and(knows)
     };
+    // Forces at nodes without mass are those of friction, too. A coefficient that falls with them makes friction curved.
+    let not_known = |by: &PressedBy| {
+        let contacts = by.contacts.iter().map(|i| &structure.contacts[*i].along);
+        let springs = by.springs.iter().map(|pressing| &pressing.spring.along);
+        !contacts.chain(springs).all(has_masses)
+    };
     let unknown = |(i, contact): &(usize, &Contact)| {
         let law = &contact.law;
-        let falls = |limit: &Limit| limit.pressure.is_some() && limit.varying.is_some();
-        let pressed = |limit: &Limit| limit.pressed_by.is_some();
-        let refused = |limit: &Limit| falls(limit) || pressed(limit);
+        let falls = |limit: &Limit| {
+            limit.pressure.is_some() && (limit.varying.is_some() || limit.pressed_by.is_some())
+        };
+        let refused =
+            |limit: &Limit| falls(limit) || limit.pressed_by.as_ref().is_some_and(not_known);
         let is_viscous = matches!(law.line(), Some(ClippedLine::Viscous { .. }));
         is_viscous && !has_mass(contact)
             || law.is_curved() && !has_lines((*i, contact))

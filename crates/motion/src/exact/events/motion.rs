@@ -82,9 +82,12 @@ impl<'a> Motion<'a> {
             model,
         };
         motion.begin();
+        motion.series.rest(&motion.model);
+        motion.begin();
         motion.refuse_overlaps()?;
         let (review, states) = motion.review();
         review.start(states);
+        motion.series.start_pressing(&motion.model, &motion.states);
         motion.book.start = energy(&motion.model, &motion.states, &motion.u, &motion.v);
         motion.settle(None)?;
         motion
@@ -121,6 +124,7 @@ impl<'a> Motion<'a> {
         let Motion { u, v, .. } = self;
         self.series
             .begin(&self.model, [self.t, length, phase], [u, v]);
+        self.series.press(&self.model, &self.states);
         self.scales.include(&self.model, u, v, &self.series);
     }
 

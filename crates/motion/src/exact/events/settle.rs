@@ -3,6 +3,7 @@
 use super::motion::Motion;
 use super::{Event, EventKind, EventsFault};
 use crate::contact::ContactKind;
+use crate::exact::events::coordinates::pressed::Pressed;
 use crate::exact::events::numerics::least::Singular;
 use crate::exact::events::phases::contact_phase::Phase;
 use crate::exact::events::phases::contact_state::ContactState;
@@ -31,8 +32,9 @@ impl Motion<'_> {
         if let Some(found) = found {
             self.cross(&found);
         }
+        self.turn_springs(found);
         let (mut review, states) = self.review();
-        review.friction(states);
+        review.friction(true, states);
         let time = self.t;
         let singular = |Singular| EventsFault::Singular { time };
         self.series
@@ -72,6 +74,11 @@ impl Motion<'_> {
             ..
         } = self;
         determine_rigid_phases(model, series, &self.scales, &mut self.states, [u, v])?;
+        if !self.model.pressed.is_empty() {
+            // Stops have their forces.
+            let (mut review, states) = self.review();
+            review.friction(false, states);
+        }
         self.constraints = Constraints::new(&self.model, &self.states)?;
         Ok(())
     }
@@ -79,6 +86,12 @@ impl Motion<'_> {
     /// The new phase of the contact of an event, if it is softened.
     fn cross(&mut self, found: &Found) {
         let contact = found.contact;
+        let ratio = self.model.contacts[contact].law.static_ratio();
+        if let (Crossing::Limit(direction), true) = (found.crossing, ratio > 1.0)
+            && self.fall(contact, direction)
+        {
+            return;
+        }
         let law = &self.model.contacts[contact].law;
         let closes = match found.crossing {
             Crossing::Touch => !law.is_rigid(),
@@ -90,6 +103,7 @@ impl Motion<'_> {
             | Crossing::Limit(_)
             | Crossing::Stop
             | Crossing::Normal
+            | Crossing::Press(_)
             | Crossing::Line(_) => false,
         };
         if closes {
@@ -97,6 +111,62 @@ impl Motion<'_> {
         }
         let (review, states) = self.review();
         review.cross(found, states);
+    }
+
+    /// A contact at a node without mass breaks loose in this direction: S falls by twice the difference of its limits at once, as with
+    /// a small mass, and it sticks; false for another contact.
+    fn fall(&mut self, contact: usize, direction: f64) -> bool {
+        let Some(flexible) = &self.model.flexible else {
+            return false;
+        };
+        if !flexible.contacts.contains(&contact) {
+            return false;
+        }
+        let (ratio, state) = (
+            self.model.contacts[contact].law.static_ratio(),
+            &mut self.states[contact],
+        );
+        let after = direction * (2.0 - ratio) * self.series.contacts[contact].limit[0];
+        let compliance = flexible.compliance[(contact, contact)];
+        let moved = compliance * (state.force - after);
+        self.book.dissipate(0.5 * moved * (state.force + after));
+        state.origin = self.series.contacts[contact].r[0] + moved;
+        state.force = after;
+        self.series.known(contact, state.origin);
+        self.begin();
+        true
+    }
+
+    /// Springs that begin or end to press, and the limits of the contacts that they press.
+    fn turn_springs(&mut self, found: Option<Found>) {
+        let Motion {
+            model,
+            series,
+            scales,
+            states,
+            ..
+        } = self;
+        if model.pressed.is_empty() {
+            return;
+        }
+        let turned = found.and_then(|found| match found.crossing {
+            Crossing::Press(spring) => {
+                let of = |pressed: &Pressed| pressed.contact == found.contact;
+                Some([model.pressed.iter().position(of)?, spring])
+            }
+            Crossing::Touch
+            | Crossing::Release
+            | Crossing::Limit(_)
+            | Crossing::Stop
+            | Crossing::Normal
+            | Crossing::Line(_) => None,
+        });
+        let length = series.length;
+        series.turn_springs(turned, |i, j| {
+            let spring = &model.pressed[i].springs[j];
+            scales.spring([spring.k, spring.c], length)
+        });
+        series.press(model, states);
     }
 
     /// A contact closes with rdot = `rate`.

@@ -3,8 +3,8 @@
 use super::general::General;
 use super::{Prepared, State};
 use crate::solve::Unsolvable;
-use crate::solve::structure::average::state::Average;
-use crate::solve::structure::inputs::loads::Inputs;
+use crate::solve::structure::average::lane_state::Average;
+use crate::solve::structure::inputs::loads_at_steps::Inputs;
 use crate::solve::structure::seen::step_view::Kind;
 use crate::system::structure::Structure;
 use slipgap_contact::for_widest;

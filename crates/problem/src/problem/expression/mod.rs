@@ -4,7 +4,7 @@
 //! permissively licensed crates either evaluate -2^2 to 4 or do not give the place of a fault.
 
 mod formula;
-mod number;
+mod number_length;
 mod parser;
 mod plain;
 #[cfg(test)]
@@ -12,6 +12,6 @@ mod tests;
 mod tokens;
 
 pub use formula::{ExpressionFault, Formula, UnknownName};
-pub use number::length_of_number;
+pub use number_length::length_of_number;
 pub use plain::{is_plain, printable, quoted, shortened, unprintable};
 pub use tokens::{CONSTANTS, FUNCTIONS, Function};

@@ -1,7 +1,7 @@
 //! A case of the oscillator as numbers, its system, and its default metrics in a sweep.
 
-use super::law::{PlainLaw, PlainLawName, law, plain_law};
-use super::metrics::{DEFAULT, Shared, values};
+use super::law_of_case::{PlainLaw, PlainLawName, law, plain_law};
+use super::metric_table::{DEFAULT, Shared, values};
 use super::tables::rows;
 use crate::contact::{AnyRunningLaw, ContactLaw, DisplacementControl, OneLaw, VelocityControl};
 use crate::lane::Lane;

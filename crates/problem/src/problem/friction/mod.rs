@@ -1,14 +1,16 @@
 //! The friction oscillator of [F (19)], dimensionless (reference: X'' + X + S = 0, X(0) = x0, X'(0) = 0).
 
 mod case;
-mod law;
-mod metrics;
-mod reference;
+mod law_of_case;
+mod metric_table;
+mod motion_of_law;
 mod tables;
 
 use super::method::{self, step_rules};
 use super::side_by_side::{Form, selected, sweep_cases};
-use super::{Case, Problem, Schema, Solution, Violation, ends_early, time_rules};
+use super::{
+    Case, Jumps, Problem, ProblemKind, Schema, Solution, Violation, Work, ends_early, time_rules,
+};
 use crate::exact::coulomb::Coulomb;
 use crate::history::History;
 use crate::lane::Lane;
@@ -23,7 +25,7 @@ use crate::problem::table::metric_rows::Groups;
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warning};
 use crate::system::System;
 use case::{LANES, OscillatorCase, PlainCase};
-use metrics::{ROWS, Shared, Taken};
+use metric_table::{ROWS, Shared, Taken};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tables::{SCHEMA, rows};
@@ -43,8 +45,8 @@ pub struct Oscillator {
 pub const FrictionOscillator: Oscillator = Oscillator { schema: None };
 
 impl Problem for Oscillator {
-    fn as_textbook(&self) -> Option<&dyn Textbook> {
-        Some(self)
+    fn kind(&self) -> ProblemKind<'_> {
+        ProblemKind::Textbook(self)
     }
 
     fn schema(&self) -> &Arc<Schema> {
@@ -65,18 +67,20 @@ impl Problem for Oscillator {
         })
     }
 
-    fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
+    fn work(&self, case: &Case, wanted: &[usize]) -> Work {
         let in_closed_form = || {
             let law = OscillatorCase::new(case).map(|oscillator| oscillator.law);
-            law.is_none_or(|law| reference::in_closed_form(&law))
+            law.is_none_or(|law| motion_of_law::in_closed_form(&law))
         };
-        match needs_reference(wanted) {
+        let steps = case.steps();
+        let references = match needs_reference(wanted) {
             // Measured: 0.4 us for the motion with a law of the papers at a step.
-            true if in_closed_form() => self.steps(case).saturating_mul(200),
+            true if in_closed_form() => steps.saturating_mul(200),
             // The evaluations of 12 stages, and a third of that for the error.
-            true => self.steps(case).saturating_mul(1200),
+            true => steps.saturating_mul(1200),
             false => 0,
-        }
+        };
+        Work { steps, references }
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
@@ -122,7 +126,7 @@ impl Problem for Oscillator {
             .collect()
     }
 
-    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
+    fn exact(&self, case: &Case, times: &[f64], _: Jumps) -> Option<History> {
         Some(coulomb(case.at(rows::X0)?, times))
     }
 }
@@ -149,7 +153,7 @@ impl Textbook for Oscillator {
 
     fn exact_of_law(&self, case: &Case, times: &[f64]) -> Option<History> {
         let case = OscillatorCase::new(case)?;
-        reference::between(&case, times, false)?.motions.pop()
+        motion_of_law::between(&case, times, false)?.motions.pop()
     }
 
     fn cost_rows(&self, wanted: &[usize]) -> Option<[usize; 2]> {
@@ -179,7 +183,7 @@ impl Oscillator {
         }
         let x: Vec<_> = computed.displacement().iter().map(|x| Lane([*x])).collect();
         let sampled = case.exact_at_steps();
-        let default = metrics::values(&Shared {
+        let default = metric_table::values(&Shared {
             compared: Compared::new(&x, &sampled),
             work: Lane([work]),
         });
@@ -194,13 +198,13 @@ impl Oscillator {
         let rows = [ROWS.parts, ROWS.errors];
         let of = (&computed, &norm);
         let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
-            reference::between(case, &computed.time, with_errors)
+            motion_of_law::between(case, &computed.time, with_errors)
         });
         let groups = Groups {
             default: cells(default).to_vec(),
             parts,
             exact: Vec::new(),
-            taken: selected(ROWS.taken, metrics::taken(&taken(case, track)), wanted),
+            taken: selected(ROWS.taken, metric_table::taken(&taken(case, track)), wanted),
             errors,
         };
         Ok(Solution {

@@ -1,13 +1,13 @@
 //! The tables of the friction oscillator: parameters, metrics, quantities.
 
-use super::metrics::{self, DEFAULT, PARTS, ROWS};
+use super::metric_table::{self, DEFAULT, PARTS, ROWS};
 use crate::contact::numbers::oscillator as number;
 use crate::contact::offer::Place;
-use crate::problem::laws::{law_names, laws, others};
 use crate::problem::method;
 use crate::problem::numbers::choice::choice;
 use crate::problem::numbers::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::numbers::unit::Dimension;
+use crate::problem::offered_laws::{law_names, laws, others};
 use crate::problem::table::schema::{Text, TimeAxis};
 use crate::problem::{Budget, Channel, Quantity, Schema, metric_of};
 use std::borrow::Cow::{self, Borrowed};
@@ -82,8 +82,8 @@ static PARAMETERS: [Parameter; 15] = [
 pub(super) mod rows {
     use super::PARAMETERS;
     use crate::contact::offer::Place;
-    use crate::problem::laws::count_others;
     use crate::problem::numbers::parameter::row_of;
+    use crate::problem::offered_laws::count_others;
 
     pub const LAW: usize = row_of(&PARAMETERS, "law");
     pub const ALPHA: usize = row_of(&PARAMETERS, "alpha");
@@ -157,7 +157,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
             .chain(others(Place::Oscillator, &PARAMETERS))
             .chain(method::PARAMETERS.iter().cloned())
             .collect(),
-        metrics: metrics::table().into(),
+        metrics: metric_table::table().into(),
         contact_metric: None,
         channels: Borrowed(&CHANNELS),
         quantities: Borrowed(&QUANTITIES),

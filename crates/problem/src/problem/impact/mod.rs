@@ -1,8 +1,8 @@
 //! The impact of two bars of `[I]`, or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
 
-mod budget;
 pub mod case;
-mod law;
+mod law_of_case;
+mod motions_between;
 mod rules;
 pub mod scaled;
 mod scales;
@@ -12,7 +12,10 @@ mod snapshot;
 mod tables;
 
 use super::side_by_side::{Form, selected, sweep_cases};
-use super::{Case, Problem, Schema, Snapshot, Solution, Violation, ends_early, method};
+use super::{
+    Case, Jumps, Problem, ProblemKind, Schema, Snapshot, Solution, Violation, Work, ends_early,
+    method,
+};
 use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::budget::Norm;
@@ -64,8 +67,8 @@ impl Bars {
 }
 
 impl Problem for Bars {
-    fn as_textbook(&self) -> Option<&dyn Textbook> {
-        Some(self)
+    fn kind(&self) -> ProblemKind<'_> {
+        ProblemKind::Textbook(self)
     }
 
     fn schema(&self) -> &Arc<Schema> {
@@ -76,29 +79,27 @@ impl Problem for Bars {
         rules::complete(case)
     }
 
-    fn work(&self, case: &Case) -> u64 {
+    fn work(&self, case: &Case, wanted: &[usize]) -> Work {
         // A node without mass has no mode.
         let at_contact = u64::from(MassMatrix::of(case) != Some(MassMatrix::MasslessContact));
         let modes = |row| case.at(row).map_or(0, |n| n as u64 + at_contact);
         let count = modes(rows::N) + modes(rows::RIGHT_N);
         let parts = method::of_case(case, METHOD).map_or(1, |method| method.count_of_sub_steps());
-        self.steps(case).saturating_mul(count * parts)
-    }
-
-    fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
+        let steps = case.steps().saturating_mul(count * parts);
         // Measured: 1.3 s at n = 400 and 14 s at n = 1000 for the modes, and 45 to 65 ns for a mode at a step.
         let cube = |n: f64| 8.0 * n * n * n;
         let needs = |row: &usize| ROWS.parts.contains(row) || ROWS.errors.contains(row);
         let budget = wanted.iter().any(needs);
         let elements = case.at(rows::N).filter(|_| budget);
-        elements.map_or(0, |n| {
+        let references = elements.map_or(0, |n| {
             let halved = match wanted.iter().any(|row| ROWS.errors.contains(row)) {
                 true => FEWEST_HALVED,
                 false => 0,
             };
-            let at_steps = self.work(case).saturating_mul(25 + halved);
+            let at_steps = steps.saturating_mul(25 + halved);
             at_steps.saturating_add(cube(n) as u64)
-        })
+        });
+        Work { steps, references }
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
@@ -133,14 +134,12 @@ impl Problem for Bars {
         end.map(ends_early).into_iter().chain(speed).collect()
     }
 
-    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
+    fn exact(&self, case: &Case, times: &[f64], jumps: Jumps) -> Option<History> {
         let wave = Scaled::new(case)?.bars.solve(*times.last()?);
-        Some(wave.line(times))
-    }
-
-    fn exact_at(&self, case: &Case, times: &[f64]) -> Option<History> {
-        let wave = Scaled::new(case)?.bars.solve(*times.last()?);
-        Some(wave.history(times))
+        Some(match jumps {
+            Jumps::RightLimit => wave.history(times),
+            Jumps::BothSides => wave.line(times),
+        })
     }
 }
 
@@ -153,8 +152,8 @@ impl Textbook for Bars {
     }
 
     fn once_work(&self, case: &Case) -> u64 {
-        let steps = self.steps(case);
-        let modes = self.work(case) / steps.max(1);
+        let steps = case.steps();
+        let modes = self.work(case, &[]).steps / steps.max(1);
         let matrix = modes.saturating_mul(modes).saturating_mul(10);
         steps.saturating_mul(matrix.saturating_add(600))
     }
@@ -188,7 +187,7 @@ impl Textbook for Bars {
     fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
         match (Scaled::new(case), case.at(rows::DT)) {
             (Some(scaled), Some(dt)) => {
-                let system = case::system(&scaled, dt, self.steps(case));
+                let system = case::system(&scaled, dt, case.steps());
                 snapshot::snapshots(&system, &scaled, times)
             }
             (None, _) | (_, None) => Vec::new(),
@@ -237,7 +236,7 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     let rows = [ROWS.parts, ROWS.errors];
     let of = (&computed, &norm);
     let [parts, errors] = case.preset().budget(rows, wanted, of, |with_errors| {
-        budget::between(case, &computed.time, with_errors)
+        motions_between::between(case, &computed.time, with_errors)
     });
     let wants_exact = wanted.iter().any(|row| ROWS.exact.contains(row));
     let exact_contact = wants_exact.then(|| reference(&wave, &sampled)).flatten();

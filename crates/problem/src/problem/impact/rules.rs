@@ -1,10 +1,10 @@
 //! Parameters that follow from others, and the rules across parameters.
 
 use super::case::ImpactCase;
-use super::law::{self, is_rigid};
+use super::law_of_case::{self, is_rigid};
 use super::scaled::Scaled;
 use super::scales::Scales;
-use super::tables::{LAW, METHOD, Opposite, laws, rows};
+use super::tables::{LAW, METHOD, Opposite, law_parameters, rows};
 use crate::contact::StoredEnergy;
 use crate::contact::numbers::bars;
 use crate::exact::wave::Bars;
@@ -22,7 +22,7 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
     let mut violations = Vec::new();
     follow_left(case);
     violations.extend(ignored_restitution(case));
-    law::fill_restitution(case);
+    law_of_case::fill_restitution(case);
     stiffness(case, &mut violations);
     if let (Some(step), Some(duration)) = (case.at(rows::DT), case.at(rows::DURATION)) {
         violations.extend(time_rules("dt", step, duration));
@@ -62,7 +62,7 @@ fn no_condensation(scaled: &Scaled) -> Option<Violation> {
 
 /// A damped law needs a restitution above zero.
 fn no_restitution(case: &Case) -> Option<Violation> {
-    let zero = case.at(LAW + laws::rows::RESTITUTION) == Some(0.0);
+    let zero = case.at(LAW + law_parameters::rows::RESTITUTION) == Some(0.0);
     (zero && !is_rigid(case)).then(|| Violation {
         parameter: "restitution".into(),
         message: "must be > 0 for a law with damping, got 0".into(),
@@ -72,7 +72,7 @@ fn no_restitution(case: &Case) -> Option<Violation> {
 
 /// A restitution that is given for rigid contact needs a method that knows it; its default does no harm.
 fn ignored_restitution(case: &Case) -> Option<Violation> {
-    let given = case.at(LAW + laws::rows::RESTITUTION)?;
+    let given = case.at(LAW + law_parameters::rows::RESTITUTION)?;
     let method = method::of_case(case, METHOD)?;
     let ignores = is_rigid(case) && !method.has_impulses();
     ignores.then(|| Violation {
@@ -117,7 +117,7 @@ fn follow_left(case: &mut Case) {
 
 /// gamma, k_I and k_h, each from the one that is given. Rigid contact has none.
 fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
-    let (rigid, curved) = (is_rigid(case), law::has(case, &bars::K_H));
+    let (rigid, curved) = (is_rigid(case), law_of_case::has(case, &bars::K_H));
     let keys: &[(&'static str, usize)] = match curved {
         true => &[("gamma", rows::GAMMA), ("k_I", rows::K_I), ("k_h", K_H)],
         false => &[("gamma", rows::GAMMA), ("k_I", rows::K_I)],
@@ -195,7 +195,7 @@ fn element_stiffness(case: &Case) -> Option<f64> {
 }
 
 /// Row of k_h.
-const K_H: usize = LAW + laws::rows::K_H;
+const K_H: usize = LAW + law_parameters::rows::K_H;
 
 /// The bars must close: c = V_left - V_right > 0.
 fn closing(case: &Case, violations: &mut Vec<Violation>) {

@@ -5,7 +5,7 @@
 //! stiffness of the spring is gamma n (1 + z). For equal bars z = theta = 1 exactly, so that density and speed have no effect on
 //! scaled results.
 
-use super::law::{is_rigid, law};
+use super::law_of_case::{is_rigid, law};
 use super::tables::{METHOD, MassMatrix, Opposite, rows};
 use crate::contact::ContactLaw;
 use crate::exact::wave::Bars;

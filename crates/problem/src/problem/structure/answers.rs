@@ -1,27 +1,41 @@
 //! What only structures answer, beside [`Problem`].
 
-use super::described::ground::GroundMotion;
+use super::described::ground_motion::GroundMotion;
 use super::described::scheme::picture::Scheme;
-use super::described::{describe, ground, participation, scheme};
-use super::given::set::SetSpectra;
+use super::described::{describe, excitation, ground_motion, participation, scheme};
+use super::given::motion_set::SetSpectra;
 use super::given::signal_cache;
-use super::metrics::units::UnitNames;
-use super::model::assemble::{Model, inertia};
+use super::metrics::unit_names::UnitNames;
+use super::model::assemble::{Model, assemble, inertia};
 use super::motions::compared::friction_limits;
 use super::motions::motion;
 use super::parts::listed;
 use super::parts::models::Models;
 use super::prepared::StructureProblem;
-use super::tables::named_rows;
+use super::tables::{history_columns, named_rows};
 use super::warn;
 use crate::history::History;
 use crate::problem::numbers::unit::Dimension;
-use crate::problem::{Case, MeasuredChannel, Problem, Samples, Violation};
+use crate::problem::{Case, HistoryColumn, MeasuredChannel, Samples};
+use crate::system::loads::cycles::Cycles;
+use crate::system::structure::Structure;
 
 impl StructureProblem {
-    /// A metric, by its row, in each test that the study compares as a sample; `None` without such tests, and if they do not have it.
-    pub fn in_tests(&self, metric: usize) -> Option<Vec<f64>> {
-        self.sample_of(metric)
+    /// The columns of the history of a completed case, after the time.
+    pub(in crate::problem) fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
+        let exact = self.template.reference.is_some();
+        let whole = assemble(&self.template, case, Model::Study);
+        whole.map_or(Vec::new(), |(structure, _)| {
+            history_columns::of(&structure, &self.template, self.drawn.len(), exact)
+                .into_iter()
+                .chain(history_columns::of_drawn(&self.drawn, exact))
+                .collect()
+        })
+    }
+
+    /// The structure of a completed case; `None` if it cannot be solved.
+    pub(in crate::problem) fn assembled(&self, case: &Case) -> Option<Structure> {
+        Some(self.structure(case, Model::Study).ok()?.0)
     }
 
     /// Lines that describe a completed case, for `explain`.
@@ -48,11 +62,11 @@ impl StructureProblem {
             text += &participation::described(&structure, &shaken.collect::<Vec<_>>());
         }
         text += &listed::listed(&self.template, numbering.elements());
-        text += &ground::described(&self.template, case, self.computed_steps(case)?);
+        text += &ground_motion::described(&self.template, case, self.computed_steps(case)?);
         text += &named_rows::described(&self.template, case);
         let dt = case.at(self.schema.step)?;
         if let Some(measured) = &self.template.measured
-            && let Ok(compared) = measured.in_case(case, dt, self.steps(case))
+            && let Ok(compared) = measured.in_case(case, dt, case.steps())
         {
             text += &compared.described(case);
         }
@@ -60,45 +74,40 @@ impl StructureProblem {
         Some(text)
     }
 
-    /// Whether a change of 1e-10 in start and loads reaches 1 % of the peak of a channel that metrics are of; `None` if not known.
-    pub fn diverges(&self, case: &Case) -> Option<bool> {
-        self.case_diverges(case)
-    }
-
-    /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
-    pub fn diverges_by(&self, metrics: &[Option<f64>]) -> Option<bool> {
-        self.metrics_say(metrics)
-    }
-
     /// The acceleration of the ground in a completed case; `None` where there is none.
     pub fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
         let duration = case.at(self.schema.duration)?;
-        ground::ground_motion(&self.template, case, duration)
+        ground_motion::ground_motion(&self.template, case, duration)
+    }
+
+    /// The whole cycles of the loads and motions of a completed case.
+    ///
+    /// # Errors
+    /// Why they are not known: there are none, or several.
+    pub fn cycles(&self, case: &Case) -> Result<Vec<Cycles>, String> {
+        let times = [self.schema.step, self.schema.duration];
+        let times = times.map(|row| case.at(row).unwrap_or(f64::NAN));
+        excitation::cycles(&self.template, case, times)
     }
 
     /// The spectra of this set in a completed case at these periods, and the units of length and time; `None` without a set.
     pub fn set_spectra(&self, case: &Case, periods: &[f64]) -> Option<(SetSpectra, [String; 2])> {
-        let spectra = ground::set_spectra(&self.template, case, periods)?;
-        Some((spectra, ground::units(&self.template)))
+        let spectra = ground_motion::set_spectra(&self.template, case, periods)?;
+        Some((spectra, ground_motion::units(&self.template)))
     }
 
-    /// The unit of a dimension as the study of a described structure names it; `None` if it names none, and for other problems.
+    /// The unit of a dimension as the study of a described structure names it; `None` if it names none.
     pub fn unit_name(&self, dimension: Dimension) -> Option<String> {
         let units = UnitNames::of(&self.template.units)?;
         Some(units.of_dimension(dimension))
     }
 
-    /// The structure of a completed case for a picture; `None` for a problem without one.
+    /// The structure of a completed case for a picture; `None` if it cannot be assembled.
     pub fn scheme(&self, case: &Case) -> Option<Scheme> {
         scheme::scheme(&self.template, case)
     }
 
-    /// Why the whole history of a completed case does not fit in memory; `None` if it does. Its metrics and figures may need less.
-    pub fn history_fault(&self, case: &Case) -> Option<Violation> {
-        self.check_history(case)
-    }
-
-    /// The friction limit of each contact at the times of a motion, >= 0; `None` without friction. Empty for textbook problems.
+    /// The friction limit of each contact at the times of a motion, >= 0; `None` without friction.
     pub fn friction_limits(&self, case: &Case, motion: &History) -> Vec<Option<Vec<f64>>> {
         match self.structure(case, Model::Study) {
             Ok((structure, _)) => {
@@ -114,10 +123,24 @@ impl StructureProblem {
         else {
             return Vec::new();
         };
-        match measured.in_case(case, dt, self.steps(case)) {
+        match measured.in_case(case, dt, case.steps()) {
             Ok(compared) => compared.channels(),
             Err(_) => Vec::new(),
         }
+    }
+
+    /// The same, with the points that this metric compares.
+    pub fn measured_by(&self, case: &Case, metric: usize) -> Vec<MeasuredChannel> {
+        let window = &self.metrics[metric].window;
+        let mut channels = self.measured(case);
+        for channel in &mut channels {
+            let compared = channel.compared.clone();
+            let points = window.points(case, &channel.time[compared.clone()]);
+            let inside =
+                points.map(|points| compared.start + points.start..compared.start + points.end);
+            channel.compared = inside.unwrap_or(compared.start..compared.start);
+        }
+        channels
     }
 
     /// What identifies the sampled signals of a completed case.

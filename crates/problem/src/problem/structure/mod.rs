@@ -14,29 +14,28 @@ pub mod tables;
 mod warn;
 
 use super::table::cases::Cases;
-use super::{Case, HistoryColumn, Problem, Schema, Solution, Violation, time_rules};
+use super::{Case, Jumps, Problem, ProblemKind, Schema, Solution, Violation, Work, time_rules};
 use crate::history::History;
-pub use crate::problem::structure::described::ground::GroundMotion;
+pub use crate::problem::structure::described::ground_motion::GroundMotion;
 pub use crate::problem::structure::described::scheme::picture::Scheme;
-pub use crate::problem::structure::given::set::SetSpectra;
+pub use crate::problem::structure::given::motion_set::SetSpectra;
 pub use crate::problem::structure::given::signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 use crate::solve::{MetricTable, Unsolvable, Warning};
-use crate::system::structure::Structure;
 pub use model::assemble::MOST_NODES;
-use model::assemble::{self, Model, assemble};
+use model::assemble::{self, Model};
 use motions::recorded::distinct;
 use motions::sweep::Groups;
 pub use prepared::StructureProblem;
 use std::sync::Arc;
-use tables::columns::{self, all_numbers};
+use tables::history_columns::all_numbers;
 
 impl Problem for StructureProblem {
     fn schema(&self) -> &Arc<Schema> {
         &self.schema
     }
 
-    fn as_structure(&self) -> Option<&StructureProblem> {
-        Some(self)
+    fn kind(&self) -> ProblemKind<'_> {
+        ProblemKind::Structure(self)
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
@@ -70,20 +69,20 @@ impl Problem for StructureProblem {
         violations
     }
 
-    fn work(&self, case: &Case) -> u64 {
+    fn work(&self, case: &Case, _wanted: &[usize]) -> Work {
+        let one_run = self.one_run_work(case);
         let runs = 1 + u64::from(self.needs_perturbed());
-        self.one_run_work(case).saturating_mul(runs)
-    }
-
-    fn reference_work(&self, case: &Case, _wanted: &[usize]) -> u64 {
-        self.exact_work(case)
-            .saturating_add(self.unreduced_work(case))
+        let exact = self.exact_work(case, one_run);
+        Work {
+            steps: one_run.saturating_mul(runs),
+            references: exact.saturating_add(self.unreduced_work(case)),
+        }
     }
 
     fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let ready = self.ready(0, case)?;
         // A whole history that does not fit is refused where one is asked for; figures need their own channels.
-        let numbers = match self.check_history(case) {
+        let numbers = match self.history_fault(case) {
             None => all_numbers(&ready.structure, &self.template),
             Some(_) => Vec::new(),
         };
@@ -126,7 +125,7 @@ impl Problem for StructureProblem {
         groups.finish()
     }
 
-    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
+    fn exact(&self, case: &Case, times: &[f64], _: Jumps) -> Option<History> {
         self.template.reference?;
         let (structure, numbering) = self.structure(case, Model::Study).ok()?;
         let numbers = self.drawn_numbers(&numbering);
@@ -135,21 +134,6 @@ impl Problem for StructureProblem {
             time: times.to_vec(),
             channels: self.history(&exact, &numbering, &[]),
         })
-    }
-
-    fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
-        let exact = self.template.reference.is_some();
-        match assemble(&self.template, case, Model::Study) {
-            Ok((structure, _)) => columns::of(&structure, &self.template, self.drawn.len(), exact)
-                .into_iter()
-                .chain(columns::of_drawn(&self.drawn, exact))
-                .collect(),
-            Err(_) => Vec::new(),
-        }
-    }
-
-    fn structure(&self, case: &Case) -> Option<Structure> {
-        Some(self.structure(case, Model::Study).ok()?.0)
     }
 
     fn doubts(&self, case: &Case) -> Vec<(Warning, String)> {

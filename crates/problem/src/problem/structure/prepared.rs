@@ -1,8 +1,8 @@
 //! A case, ready to be solved.
 
 use super::channels::channel::{Channel, Number};
-use super::given::loads::Source;
 use super::given::node::Numbering;
+use super::given::source::Source;
 use super::metrics::computed_ground::Steps;
 use super::metrics::metric::StructureMetric;
 use super::model::assemble::{self, Model, assemble};
@@ -14,7 +14,7 @@ use super::motions::{exact_motion, motion};
 use super::parts::template::Template;
 use super::tables::schema::Drawn;
 use crate::methods::Method;
-use crate::problem::{Case, Problem, Schema, Violation, method};
+use crate::problem::{Case, Schema, Violation, method};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{balance, settle};
 use crate::system::structure::Structure;
@@ -114,7 +114,7 @@ impl StructureProblem {
     /// The steps of a case.
     pub(super) fn computed_steps(&self, case: &Case) -> Option<Steps> {
         let dt = case.at(self.schema.step)?;
-        let last = usize::try_from(self.steps(case)).ok()?;
+        let last = usize::try_from(case.steps()).ok()?;
         Some(Steps { dt, last })
     }
 
@@ -145,7 +145,7 @@ impl StructureProblem {
             numbering,
             method: self.method(case).ok_or(Unsolvable::ParameterMissing)?,
             dt: dt.ok_or(Unsolvable::ParameterMissing)?,
-            last: self.steps(case),
+            last: case.steps(),
         })
     }
 
@@ -155,7 +155,7 @@ impl StructureProblem {
         let parts = self
             .method(case)
             .map_or(1, |method| method.count_of_sub_steps());
-        self.steps(case).saturating_mul(size as u64 * parts)
+        case.steps().saturating_mul(size as u64 * parts)
     }
 
     /// Cost of one run by steps.

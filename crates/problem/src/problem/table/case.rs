@@ -1,6 +1,7 @@
 //! One case: a value for each parameter of a problem.
 
 use super::schema::Schema;
+use crate::metrics::steps;
 use crate::problem::Problem;
 use crate::problem::numbers::parameter::{self, Value};
 use crate::problem::numbers::text::Text;
@@ -23,7 +24,7 @@ use std::sync::Arc;
 /// let (case, violations) = Case::given(&*problem, &given);
 /// assert_eq!(violations, []);
 /// assert_eq!(case.number("gamma"), Some(0.1));
-/// assert_eq!(problem.steps(&case), 30);
+/// assert_eq!(case.steps(), 30);
 /// ```
 #[derive(Debug, Clone)]
 pub struct Case {
@@ -72,6 +73,12 @@ impl Case {
     /// The number `name`; `None` if it does not apply.
     pub fn number(&self, name: &str) -> Option<f64> {
         self.get(name)?.as_f64()
+    }
+
+    /// Number of steps N of a completed case.
+    pub fn steps(&self) -> u64 {
+        let number = |row| self.at(row).unwrap_or(f64::NAN);
+        steps(number(self.schema.duration), number(self.schema.step))
     }
 
     /// The number in a row of the table; `None` if it does not apply.

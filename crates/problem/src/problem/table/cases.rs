@@ -1,6 +1,6 @@
 //! Many cases in columns, one for each parameter; a value that all cases have is stored once.
 
-pub use super::column::{Cells, Column, NO_NAME, NO_NUMBER, NO_WHOLE, applies};
+pub use super::parameter_column::{Cells, Column, NO_NAME, NO_NUMBER, NO_WHOLE, applies};
 
 use crate::problem::numbers::parameter::Value;
 use crate::problem::{Case, Schema};

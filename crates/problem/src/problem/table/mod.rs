@@ -2,7 +2,7 @@
 
 pub(crate) mod case;
 pub mod cases;
-pub(crate) mod column;
 pub(in crate::problem) mod metric_rows;
+pub(crate) mod parameter_column;
 pub mod schema;
 pub(crate) mod solution;

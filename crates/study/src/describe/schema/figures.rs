@@ -6,7 +6,7 @@ use serde_json::{Map, Value as Json, json};
 use super::values::{constant, names, number, object, ratio, refer, value};
 use crate::decode::checks;
 use crate::figure::decoded_value::MARKS;
-use crate::figure::keys::{COMMON, FITS, ORDINATES, RIDGES, SCALES, Takes};
+use crate::figure::keys::{COMMON, EACH, FITS, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::Kind;
 use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::numbers::parameter::{self, Parameter, Range};
@@ -119,6 +119,7 @@ fn taken(takes: Takes, named: &Named) -> Json {
         Takes::Switch => json!({ "type": "boolean" }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
+        Takes::Each => json!({ "enum": EACH, "default": EACH[0] }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
         Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
     }

@@ -9,7 +9,7 @@ mod structure;
 pub(super) mod values;
 
 use crate::decode::blocks::BLOCK_KEYS;
-use crate::decode::{self, units};
+use crate::decode::{self, SHARED, units};
 use crate::figure::kinds::KINDS;
 use crate::structure::named::shown::SHOWN;
 use crate::units::IN;
@@ -40,6 +40,7 @@ fn whole() -> Json {
         ("$schema", "string"),
         ("title", "string"),
         ("parameters", "object"),
+        (SHARED.0, "object"),
     ] {
         properties[key]["type"] = kind.into();
     }
@@ -67,6 +68,7 @@ fn whole() -> Json {
     schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
     schema["title"] = "slipgap study".into();
     schema["oneOf"] = json!([{ "required": ["parameters"] }, { "required": ["blocks"] }]);
+    schema["dependencies"] = json!({ SHARED.0: ["blocks"] });
     schema["allOf"] = each.into();
     schema["definitions"] = definitions.into();
     schema
@@ -114,6 +116,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
         "then": { "properties": {
             "problem": { "description": problem.schema().meaning },
             "parameters": parameters,
+            "shared": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
             "metrics": listed_metrics(&metric),
             "ensemble": several(parameter_names(problem, false)),

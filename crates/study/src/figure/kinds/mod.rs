@@ -6,7 +6,7 @@ mod metrics;
 mod model;
 mod motion;
 use super::checker::Checker;
-pub use super::choice::{Fit, Marks, Ridge};
+pub use super::choice::{Each, Fit, Marks, Ridge};
 use super::keys::{COMMON, Key};
 use super::values::Values;
 use crate::scope::Scope;
@@ -107,6 +107,7 @@ kinds! {
     motion::history::History,
     motion::curve::Curve,
     motion::orbit::Orbit,
+    motion::response::Response,
     motion::profile::Profile,
     motion::wave::Wave,
     metrics::metric::Metric,
@@ -115,6 +116,7 @@ kinds! {
     metrics::map::Map,
     metrics::scatter::Scatter,
     metrics::front::Front,
+    metrics::envelope::Envelope,
     ensembles::samples::Samples,
     ensembles::sobol::Sobol,
     ensembles::distribution::Distribution,
@@ -156,9 +158,9 @@ impl FigureKind {
     }
 
     /// The times at which it draws quantities along the structure of a case; none for kinds without them.
-    pub fn snapshot_times(&self, problem: &dyn Problem, case: &Case) -> Vec<f64> {
-        let end = case.at(problem.schema().duration).unwrap_or(0.0);
-        self.decoded().snapshot_times(end, problem.steps(case))
+    pub fn snapshot_times(&self, case: &Case) -> Vec<f64> {
+        let end = case.at(case.schema.duration).unwrap_or(0.0);
+        self.decoded().snapshot_times(end, case.steps())
     }
 }
 
@@ -231,7 +233,8 @@ mod tests {
                    {"name": "g", "kind": "map", "x": "gamma", "y": "dt", "z": "peak_force"},
                    {"name": "h", "kind": "scatter", "x": "gamma", "y": "peak_force"}, {"name": "i", "kind": "law"},
                    {"name": "j", "kind": "curve", "x": "r", "y": "force"},
-                   {"name": "k", "kind": "front", "x": "peak_force", "y": "rms_error_r", "by": "gamma"}"#,
+                   {"name": "k", "kind": "front", "x": "peak_force", "y": "rms_error_r", "by": "gamma"},
+                   {"name": "l", "kind": "envelope", "x": ["peak_force", "rms_error_r"]}"#,
             ),
             study(
                 r#""gamma": {"uniform": [1, 2]}, "dt": {"uniform": [0.01, 0.02]}},
@@ -249,10 +252,11 @@ mod tests {
                 "s",
                 r#"{"problem": "structure", "parameters": {"dt": 0.01, "duration": 1}, "metrics": ["peak(m)"],
                   "structure": {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1, "name": "s"}],
+                    "loads": [{"at": "m", "sine": {"amplitude": 1, "omega": 10}}],
                     "ground": {"synthetic": {"seed": 1}, "scale_to": {"factor": 1, "set":
                       {"rule": "EN 1998-1", "period": 1, "spectrum": {"T": [1], "Sa": [1]}}}}},
                   "figures": [{"name": "a", "kind": "scheme"}, {"name": "d", "kind": "set"}, {"name": "b", "kind": "spectrum", "y": "displacement"},
-                    {"name": "c", "kind": "orbit", "x": "m", "y": "m.v"}]}"#,
+                    {"name": "c", "kind": "orbit", "x": "m", "y": "m.v"}, {"name": "e", "kind": "response", "y": "m"}]}"#,
             )
             .unwrap_or_else(|e| panic!("{e}")),
         ]

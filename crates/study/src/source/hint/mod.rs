@@ -1,11 +1,11 @@
 //! Hints for an unknown name: the nearest name, a synonym, or a quantity that is not modelled.
 
-mod words;
+mod foreign_words;
 
 use crate::units::{NEEDS_UNITS, scaled};
+use foreign_words::{OF_STRUCTURES, OUTSIDE, SCALED, SYNONYMS, UNITS};
 use slipgap_contact::contact::LAWS;
 use slipgap_problem::problem::expression::length_of_number;
-use words::{OF_STRUCTURES, OUTSIDE, SCALED, SYNONYMS, UNITS};
 
 /// Most bytes of a name that is compared with others. Every valid name is shorter.
 const LONGEST: usize = 100;

@@ -137,7 +137,7 @@ fn laws(
     let decoded = items.iter().enumerate().map(|(i, item)| {
         let part = open(item, &format!("{path}[{i}]"), &PART, faults)?;
         match self::list(&part) {
-            None => Some(Item::Law(Box::new(relation(&part, reader, faults)?))),
+            None => Some(Item::Law(Box::new(relation(&part, None, reader, faults)?))),
             Some(inner) => {
                 alone(&part, inner, &[&inner.key], faults)?;
                 let inner_path = part.path(&inner.key);

@@ -5,6 +5,7 @@ pub(in crate::structure) mod plane;
 mod pressing;
 
 pub(in crate::structure) use compound::inner_nodes;
+pub(in crate::structure) use pressing::with_pressing;
 
 use crate::source::faults::Faults;
 use crate::source::object::Object;
@@ -18,9 +19,9 @@ use crate::structure::reading::reader::{Reader, open};
 use crate::value::{name, text};
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
-use slipgap_problem::problem::structure::given::loads::{Kind, Source};
 use slipgap_problem::problem::structure::given::node::{NodeName, NodeRef};
-use slipgap_problem::problem::structure::parts::contacts::{NAMES, NUMBERS, law_named};
+use slipgap_problem::problem::structure::given::source::{Kind, Source};
+use slipgap_problem::problem::structure::parts::contact_law::{NAMES, NUMBERS, law_named};
 use slipgap_problem::problem::structure::{
     given::chosen::Chosen,
     parts::{
@@ -59,7 +60,7 @@ fn contact(
     if let Some(list) = compound::list(&object) {
         return compound::contacts((name, node, path), &object, list, reader, faults);
     }
-    let relation = relation(&object, reader, faults);
+    let relation = relation(&object, Some(name), reader, faults);
     let origin = (node.at, path.to_owned());
     if plane::is_given(&object) {
         let places = plane::places(name, &object, reader, faults);
@@ -108,8 +109,13 @@ impl Relation {
     }
 }
 
-/// The law of an object with its gap and numbers.
-fn relation(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Relation> {
+/// The law of an object with its gap and numbers; the object is the contact of this name, or in a list.
+fn relation(
+    object: &Object,
+    name: Option<&str>,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Relation> {
     let law = law(object, reader, faults);
     if let Some(Chosen::Name(law)) = law {
         unsuitable(object, law, faults);
@@ -126,7 +132,7 @@ fn relation(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Rel
     let numbers: Vec<_> = given.collect();
     let normal = object
         .get("N")
-        .and_then(|node| normal(node, &object.path("N"), reader, faults));
+        .and_then(|node| normal(node, &object.path("N"), name, reader, faults));
     let points = object.get("table").and_then(|node| {
         table(
             node,
@@ -258,11 +264,20 @@ fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
     }
 }
 
-fn normal(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Normal> {
+fn normal(
+    node: &Node,
+    path: &str,
+    name: Option<&str>,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Normal> {
     let Tree::Object(members) = &node.tree else {
         let force = reader.amount(node, path, Range::Any, faults)?;
         return Some(Normal::Constant(force));
     };
+    if pressing::is_contact(node) {
+        return pressing::by_contact(name, (node.at, path), faults).map(Normal::Parts);
+    }
     if members.iter().any(|member| member.key == PRESSING[0].0) {
         return pressing::parts(node, path, faults).map(Normal::Parts);
     }

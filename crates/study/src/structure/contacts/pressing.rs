@@ -3,12 +3,60 @@
 use crate::source::faults::{Faults, unknown};
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::PRESSING;
-use crate::structure::reading::reader::open;
+use crate::structure::reading::reader::{Part, open};
 use crate::value::text;
 use slipgap_problem::problem::structure::parts::{
     contact::{Contact, Normal, Pressing, PressingPart},
     template::Spring,
 };
+
+/// Contacts with those that their normal forces are, NAME.N.
+pub(in crate::structure) fn with_pressing(parts: Vec<Part>) -> Vec<Part> {
+    let mut contacts = Vec::with_capacity(parts.len());
+    for part in parts {
+        let (name, node, path) = &part;
+        let pressing = match &node.tree {
+            Tree::Object(members) => members.iter().find(|member| member.key == "N"),
+            Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
+        };
+        let pressing = pressing.filter(|member| is_contact(&member.node));
+        let presses = pressing.map(|member| (by(name), &member.node, format!("{path}.N")));
+        contacts.push(part);
+        contacts.extend(presses);
+    }
+    contacts
+}
+
+/// The name of the contact that presses this one.
+fn by(name: &str) -> String {
+    format!("{name}.N")
+}
+
+/// Whether a normal force is a contact.
+pub(super) fn is_contact(node: &Node) -> bool {
+    match &node.tree {
+        Tree::Object(members) => members.iter().any(|member| member.key == "law"),
+        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
+    }
+}
+
+/// The contact that the normal force of the contact of this name is; of a law in a list it has none.
+pub(super) fn by_contact(
+    name: Option<&str>,
+    (at, path): (usize, &str),
+    faults: &mut Faults,
+) -> Option<Vec<PressingPart>> {
+    let Some(name) = name else {
+        let message = "a law in a list has no contact in its N: write it beside, and its name here";
+        faults.add(at, path, message);
+        return None;
+    };
+    Some(vec![PressingPart {
+        name: by(name),
+        part: Pressing::Contact(0),
+        place: (at, path.to_owned()),
+    }])
+}
 
 /// The parts that a normal force names: one, or a list.
 pub(super) fn parts(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<PressingPart>> {

@@ -2,7 +2,7 @@
 
 use super::Keys;
 use slipgap_contact::contact::number::Number;
-use slipgap_problem::problem::structure::parts::contacts::{NUMBERS, meaning};
+use slipgap_problem::problem::structure::parts::contact_law::{NUMBERS, meaning};
 use std::sync::LazyLock;
 
 /// Keys of a contact: those of all, then the numbers of the laws.

@@ -1,7 +1,7 @@
 //! The keys of motions that are scaled to a spectrum, and the rules of codes for sets of them.
 
 use super::Keys;
-use slipgap_problem::problem::structure::given::set::Statistic;
+use slipgap_problem::problem::structure::given::motion_set::Statistic;
 use slipgap_system::system::loads::pair::Component;
 
 /// Keys of `scale_to`; one of the first four is given.
@@ -107,6 +107,14 @@ pub(crate) const CHOOSE: Keys = &[
         "with \"at\": largest factor, and one over the smallest; if left out, any",
     ),
     ("ratio", "damping ratio; 0.05 if left out"),
+    (
+        "pair",
+        "pattern of the files in the other direction: those with the same text for * are chosen as pairs",
+    ),
+    (
+        "component",
+        "with \"pair\": of what of a pair the spectrum is",
+    ),
 ];
 
 /// A rule of a code for a set of motions.
@@ -122,10 +130,12 @@ pub(crate) struct Rule {
     pub times: [f64; 2],
     /// The smallest number of motions.
     pub motions: usize,
+    /// Whether the periods are those of the upper and the lower bound properties of an isolation.
+    pub of_bounds: bool,
 }
 
 /// The rules, as they are generally quoted.
-pub(crate) const RULES: [Rule; 3] = [
+pub(crate) const RULES: [Rule; 4] = [
     Rule {
         name: "EN 1998-1",
         meaning: "EN 1998-1:2004, 3.2.3.1.2: mean at least 0.9 of the target from 0.2 T to 2 T, and mean of the largest accelerations at least the target at T = 0; at least 3 motions; \"component\" is needed for pairs",
@@ -135,16 +145,18 @@ pub(crate) const RULES: [Rule; 3] = [
         at_zero: Some(1.0),
         times: [0.2, 2.0],
         motions: 3,
+        of_bounds: false,
     },
     Rule {
         name: "EN 1998-2",
-        meaning: "EN 1998-2:2005, 3.2.3: mean of the SRSS of pairs at least 1.3 of the target from 0.2 T to 1.5 T; at least 3",
+        meaning: "EN 1998-2:2005, 3.2.3: mean of the SRSS of pairs at least 1.3 of the target from 0.2 T to 1.5 T; with isolation (7), T are the effective periods with the upper and the lower bound properties; at least 3",
         statistic: Statistic::Mean,
         component: Some(Component::Srss),
         least: 1.3,
         at_zero: None,
         times: [0.2, 1.5],
         motions: 3,
+        of_bounds: false,
     },
     Rule {
         name: "ASCE 7-16",
@@ -155,6 +167,18 @@ pub(crate) const RULES: [Rule; 3] = [
         at_zero: None,
         times: [0.2, 2.0],
         motions: 11,
+        of_bounds: false,
+    },
+    Rule {
+        name: "ASCE 7-16 isolation",
+        meaning: "ASCE 7-16, 17.3.3: mean of the SRSS of pairs at least the target from 0.2 of the least to 1.25 times the largest period; \"period\" has two, with the upper and the lower bound properties of the isolation; at least 7",
+        statistic: Statistic::Mean,
+        component: Some(Component::Srss),
+        least: 1.0,
+        at_zero: None,
+        times: [0.2, 1.25],
+        motions: 7,
+        of_bounds: true,
     },
 ];
 

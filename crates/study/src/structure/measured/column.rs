@@ -7,7 +7,7 @@ use crate::structure::reading::reader::open;
 use crate::value::text;
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::metrics::unit_consistency::{dimension_of, examples};
-use slipgap_problem::problem::structure::metrics::units::UnitNames;
+use slipgap_problem::problem::structure::metrics::unit_names::UnitNames;
 
 /// A column of a file.
 pub(in crate::structure) struct Column<'a> {

@@ -3,7 +3,7 @@
 use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::structure::keys::KEY;
-use slipgap_problem::problem::structure::channels::measured::{Measured, measured_loop};
+use slipgap_problem::problem::structure::channels::measured_channels::{Measured, measured_loop};
 use slipgap_problem::problem::structure::channels::sample::Sample;
 use slipgap_problem::problem::structure::metrics::metric::StructureMetric;
 use slipgap_problem::problem::structure::metrics::reduction::Reduction;

@@ -19,7 +19,7 @@ use crate::value::name;
 use slipgap_problem::problem::numbers::parameter::{Range, shortest};
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::channels::channel::Channel;
-use slipgap_problem::problem::structure::channels::measured::{FEWEST, Measured, Test};
+use slipgap_problem::problem::structure::channels::measured_channels::{FEWEST, Measured, Test};
 use slipgap_problem::problem::structure::channels::names::Names;
 use slipgap_problem::problem::structure::channels::sample::Sample;
 use slipgap_problem::problem::structure::tables::schema::Drawn;

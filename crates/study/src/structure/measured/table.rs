@@ -5,7 +5,7 @@ use crate::source::faults::{Faults, quoted};
 use crate::source::hint::nearest;
 use crate::source::tree::Node;
 use crate::structure::reading::reader::Reader;
-use slipgap_problem::problem::structure::channels::measured::Test;
+use slipgap_problem::problem::structure::channels::measured_channels::Test;
 use slipgap_system::system::measured_table::MeasuredTable;
 
 /// Most bytes of a file.

@@ -13,7 +13,7 @@ use crate::structure::reading::reader::{Reader, open};
 use crate::value::text;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{self, Amount};
-use slipgap_problem::problem::structure::given::loads::{Kind, LARGEST_SEED, Source};
+use slipgap_problem::problem::structure::given::source::{Kind, LARGEST_SEED, Source};
 use slipgap_problem::problem::structure::{given::shape::Scaled, parts::template::Load};
 use slipgap_system::system::loads::pulse::PULSES;
 

@@ -9,8 +9,8 @@ use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::interned;
 use slipgap_problem::problem::numbers::parameter::{Kind, Range, Value};
 use slipgap_problem::problem::structure::given::amount;
-use slipgap_problem::problem::structure::given::loads;
 use slipgap_problem::problem::structure::given::shape::Scaled;
+use slipgap_problem::problem::structure::given::source;
 use std::collections::BTreeSet;
 
 /// The values of one motion of a set, by the rows of their parameters.
@@ -128,12 +128,14 @@ pub(super) fn combinations(chosen: &[usize], reader: &Reader) -> Result<Vec<Memb
 /// The rows of the parameters that choose a function.
 fn choosers(function: &Scaled) -> Vec<usize> {
     match function.source.kind() {
-        loads::Kind::Record { rows, .. } => rows.clone(),
-        loads::Kind::Synthetic { seed, .. } => match &seed.source {
+        source::Kind::Record { rows, .. } => rows.clone(),
+        source::Kind::Synthetic { seed, .. } => match &seed.source {
             amount::Source::Expression(expression) => expression.formula.uses().to_vec(),
             amount::Source::Number(_) => Vec::new(),
         },
-        loads::Kind::Sine { .. } | loads::Kind::Table { .. } | loads::Kind::Pulse(..) => Vec::new(),
+        source::Kind::Sine { .. } | source::Kind::Table { .. } | source::Kind::Pulse(..) => {
+            Vec::new()
+        }
     }
 }
 

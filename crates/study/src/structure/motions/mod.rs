@@ -6,7 +6,7 @@ mod members;
 mod record_keys;
 pub(super) mod records;
 mod scale_to;
-mod set;
+pub(super) mod set;
 mod shape;
 pub(super) mod supports;
 pub(super) mod table;

@@ -8,7 +8,7 @@ use crate::source::tree::Node;
 use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::numbers::parameter::{Value, shortest};
 use slipgap_problem::problem::structure::given::chosen::Chosen;
-use slipgap_problem::problem::structure::given::loads::Kind;
+use slipgap_problem::problem::structure::given::source::Kind;
 use slipgap_system::system::loads::record::{Heading, Reading};
 use slipgap_system::system::loads::{self, SignalFault, Unit};
 use slipgap_system::system::structure::Signal;

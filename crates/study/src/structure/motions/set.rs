@@ -9,8 +9,8 @@ use crate::structure::reading::reader::{Reader, open};
 use crate::value::name;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::given::amount::{Amount, Source};
+use slipgap_problem::problem::structure::given::motion_set::{Set, Statistic};
 use slipgap_problem::problem::structure::given::scale_to::Goal;
-use slipgap_problem::problem::structure::given::set::{Set, Statistic};
 use slipgap_system::system::loads::pair::Component;
 
 /// The set under a key, without its motions.
@@ -77,7 +77,11 @@ pub(super) fn set(
 }
 
 /// Of what of a pair.
-pub(super) fn component(node: &Node, path: &str, faults: &mut Faults) -> Option<Component> {
+pub(in crate::structure) fn component(
+    node: &Node,
+    path: &str,
+    faults: &mut Faults,
+) -> Option<Component> {
     let names = Component::ALL.map(Component::name);
     let index = name(node, path, "component", &names, faults)?;
     Some(Component::ALL[index])
@@ -109,6 +113,12 @@ fn between(
     });
     if let (Some(node), None) = (object.get("period"), rule) {
         faults.add(node.at, &path, "needs a rule");
+    }
+    if let (Some(node), Some(rule), Some([_])) = (object.get("period"), rule, periods.as_deref())
+        && rule.of_bounds
+    {
+        let message = "must have two periods: with the upper and with the lower bound properties";
+        faults.add(node.at, &path, message);
     }
     let ends = ["from", "to"].map(|key| object.get(key).is_some());
     let mut end = |index: usize| {

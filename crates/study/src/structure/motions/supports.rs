@@ -17,7 +17,7 @@ use crate::structure::reading::reader::{Reader, open};
 use crate::value::name;
 use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::numbers::unit::Dimension;
-use slipgap_problem::problem::structure::channels::measured::Test;
+use slipgap_problem::problem::structure::channels::measured_channels::Test;
 use slipgap_problem::problem::structure::given::amount::Amount;
 use slipgap_problem::problem::structure::given::supports::{Course, Line, Points, Support};
 use slipgap_system::system::structure::{Baseline, Direction};

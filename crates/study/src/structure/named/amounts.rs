@@ -4,8 +4,8 @@ use crate::source::faults::{Faults, quoted};
 use crate::source::tree::{Node, Tree};
 use crate::structure::reading::reader::Reader;
 use slipgap_problem::problem::numbers::parameter::Range;
-use slipgap_problem::problem::structure::given::loads::Kind;
 use slipgap_problem::problem::structure::given::shape::Scaled;
+use slipgap_problem::problem::structure::given::source::Kind;
 use slipgap_problem::problem::structure::metrics::metric::StructureMetric;
 use slipgap_problem::problem::structure::parts::template::Template;
 

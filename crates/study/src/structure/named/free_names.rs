@@ -70,7 +70,7 @@ pub(crate) fn with_free_names(
 }
 
 /// A number that a study names.
-fn free_number(name: &str) -> Parameter {
+pub(crate) fn free_number(name: &str) -> Parameter {
     let default = Default::Follows("only expressions contain it".into());
     let kind = Kind::Number(Range::Any);
     let unnamed = Parameter::new(["", "", "1"], kind, default, "number of expressions");

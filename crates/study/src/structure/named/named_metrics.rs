@@ -168,10 +168,11 @@ pub(in crate::structure) fn hinted(why: &str, names: &Names) -> String {
 }
 
 /// The kinds of figure that draw channels, with the keys that name them.
-const KINDS: [(&str, &[&str]); 4] = [
+const KINDS: [(&str, &[&str]); 5] = [
     ("history", &["y"]),
     ("curve", &["x", "y"]),
     ("orbit", &["x", "y"]),
+    ("response", &["y"]),
     ("spectrum", &["of"]),
 ];
 

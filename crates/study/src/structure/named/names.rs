@@ -15,7 +15,7 @@ use slipgap_problem::problem::interned;
 use slipgap_problem::problem::method::PARAMETERS;
 use slipgap_problem::problem::numbers::parameter::Parameter;
 use slipgap_problem::problem::structure::metrics::metric::OF_ALL;
-use slipgap_problem::problem::structure::parts::contacts::NAMES;
+use slipgap_problem::problem::structure::parts::contact_law::NAMES;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, Named, of_method};
 use slipgap_system::system::loads::Unit;
 
@@ -157,7 +157,16 @@ pub(super) fn name_fault(name: &str, is_column: bool) -> Option<String> {
     })
 }
 
+/// Whether a value is an expression that contains parameters.
+fn is_expression(node: &Node, table: &[Parameter]) -> bool {
+    let formulas = texts(node)
+        .into_iter()
+        .map(|text| Formula::number(text, table));
+    formulas.flatten().any(|formula| !formula.uses().is_empty())
+}
+
 /// Reports the parameters that neither the structure nor another parameter, a condition or a metric contains, and that are no labels.
+/// An expression of parameters may be a column that only compares, such as a closed form, unless its name is close to another.
 pub(in crate::structure) fn report_unused(
     root: &Node,
     parameters: &[Named],
@@ -196,12 +205,16 @@ pub(in crate::structure) fn report_unused(
             let name = quoted(&named.name);
             let rows = (0..parameters.len()).filter(|other| is_used(*other));
             let others: Vec<&str> = rows.map(|other| &*parameters[other].name).collect();
-            let hint = nearest(&named.name, &others)
+            let near = nearest(&named.name, &others);
+            if near.is_none() && is_expression(&member.node, table) {
+                continue;
+            }
+            let hint = near
                 .map(|near| format!(", did you mean {}?", quoted(near)))
                 .unwrap_or_default();
             let message = format!(
                 "{name} is not used{hint}: no part of the structure and no expression contains it; a label of the cases is allowed as a \
-                 list in a \"zip\" with a parameter that is used"
+                 list in a \"zip\" with a parameter that is used, a column for comparison as an expression of others"
             );
             faults.add(member.at, path, message);
         }

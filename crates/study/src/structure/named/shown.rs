@@ -6,8 +6,8 @@ use crate::source::tree::Tree;
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
 use slipgap_problem::problem::structure::channels::channel::Channel;
+use slipgap_problem::problem::structure::channels::channel_words::Shown;
 use slipgap_problem::problem::structure::channels::names::Names;
-use slipgap_problem::problem::structure::channels::words::Shown;
 use slipgap_problem::problem::structure::tables::schema::Named;
 use std::path::Path;
 

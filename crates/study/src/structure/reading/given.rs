@@ -7,7 +7,7 @@ use crate::source::tree::{Member, Node, Tree};
 pub(in crate::structure) type Choices = &'static [(&'static str, &'static str)];
 
 /// The members of an object; none of another value.
-pub(in crate::structure) fn members(node: &Node) -> &[Member] {
+pub(crate) fn members(node: &Node) -> &[Member] {
     match &node.tree {
         Tree::Object(members) => members,
         Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => &[],
@@ -15,7 +15,7 @@ pub(in crate::structure) fn members(node: &Node) -> &[Member] {
 }
 
 /// The value of a key of an object.
-pub(in crate::structure) fn member<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
+pub(crate) fn member<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
     let mut members = members(node).iter();
     members
         .find(|member| member.key == key)
@@ -50,7 +50,7 @@ pub(in crate::structure) fn given(root: &Node) -> Vec<(&Member, String)> {
 }
 
 /// The texts of a value: of one text, or of a list.
-pub(in crate::structure) fn texts(node: &Node) -> Vec<&str> {
+pub(crate) fn texts(node: &Node) -> Vec<&str> {
     match &node.tree {
         Tree::Text(text) => vec![text],
         Tree::List(items) => items.iter().flat_map(texts).collect(),

@@ -2,5 +2,5 @@
 
 pub(super) mod along;
 pub(super) mod files;
-pub(super) mod given;
+pub(crate) mod given;
 pub(super) mod reader;

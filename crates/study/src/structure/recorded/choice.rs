@@ -1,25 +1,22 @@
 //! `choose` beside `files`: of many records those whose spectra have the median and the deviation of a target.
 
 use super::cache::Cache;
-use super::pattern::Found;
+use super::ordinates::Ordinates;
+use super::pattern::{Found, matching};
 use super::selection::{Moments, select};
-use crate::source::faults::{Faults, quoted};
+use crate::source::faults::{Faults, join, quoted};
 use crate::source::folder::Folder;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::{CHOOSE, Keys, names, range};
-use crate::value::{name, number};
+use crate::structure::motions::set::component;
+use crate::structure::reading::given::member;
+use crate::value::{name, number, text};
 use libm::log;
 use rayon::prelude::*;
 use slipgap_problem::problem::numbers::parameter::shortest;
 use slipgap_problem::problem::structure::given::scale_to::RATIO;
-use slipgap_system::system::loads::record::{self, Reading};
-use slipgap_system::system::loads::spectrum::spectrum;
-use slipgap_system::system::loads::{self, Unit};
-use slipgap_system::system::structure::Signal;
-
-/// Most bytes of a record.
-const LARGEST: u64 = 64 << 20;
+use slipgap_system::system::loads::Unit;
 
 /// Most faults of files that are reported.
 const MOST_FAULTS: usize = 5;
@@ -28,7 +25,6 @@ const MOST_FAULTS: usize = 5;
 struct Choice {
     /// Number of motions.
     n: usize,
-    periods: Vec<f64>,
     /// Logarithms of the median in m/s2, and their standard deviations.
     mean: Vec<f64>,
     deviation: Vec<f64>,
@@ -36,7 +32,7 @@ struct Choice {
     at: Option<usize>,
     /// The largest factor with which they are, and one over the smallest.
     factor: f64,
-    ratio: f64,
+    ordinates: Ordinates,
 }
 
 /// The files that are chosen under a key.
@@ -48,11 +44,44 @@ pub(super) fn chosen(
     faults: &mut Faults,
 ) -> Option<Found> {
     let choice = choice(node, path, faults)?;
-    let paths: Vec<String> = files.iter().map(|file| file.1.clone()).collect();
-    match choice.of(&paths, folder, &Cache::of_user()) {
+    let motions = motions(node, path, &files, folder, faults)?;
+    match choice.of(&motions, folder, &Cache::of_user()) {
         Ok(places) => Some(places.into_iter().map(|i| files[i].clone()).collect()),
         Err(why) => {
             faults.add(node.at, path, why);
+            None
+        }
+    }
+}
+
+/// The files of each motion: its own, and that of the other direction.
+fn motions<'a>(
+    node: &Node,
+    path: &str,
+    files: &'a Found,
+    folder: &Folder,
+    faults: &mut Faults,
+) -> Option<Vec<Vec<String>>> {
+    let own = |file: &'a (String, String)| vec![file.1.clone()];
+    let Some(pattern) = member(node, "pair") else {
+        return Some(files.iter().map(own).collect());
+    };
+    let path = join(path, "pair");
+    let pattern_text = text(pattern, &path, faults)?;
+    let with_partner = |others: Found| -> Result<Vec<Vec<String>>, String> {
+        let of_pair = |(star, file): &(String, String)| {
+            let partner = others.iter().find(|other| other.0 == *star);
+            let missing = || format!("no file with {} for *, as {}", quoted(star), quoted(file));
+            Ok(vec![file.clone(), partner.ok_or_else(missing)?.1.clone()])
+        };
+        files.iter().map(of_pair).collect()
+    };
+    let found = matching(&pattern_text, folder.path).and_then(with_partner);
+    match found {
+        Ok(motions) => Some(motions),
+        Err(why) => {
+            let message = format!("{}: {why}", quoted(&pattern_text));
+            faults.add(pattern.at, &path, message);
             None
         }
     }
@@ -79,6 +108,16 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
         let index = name(node, &object.path("unit"), "unit", &names, faults)?;
         Some(Unit::ALL[index].in_m_s2())
     });
+    let component = object
+        .get("component")
+        .and_then(|node| component(node, &object.path("component"), faults));
+    match (object.get("pair"), object.get("component")) {
+        (Some(_), None) => {
+            object.need("component", "of what of a pair", faults);
+        }
+        (None, Some(node)) => faults.add(node.at, &object.path("component"), "needs \"pair\""),
+        (Some(_), Some(_)) | (None, None) => {}
+    }
     let [at, factor, ratio] = ["at", "factor", "ratio"].map(|key| {
         let node = object.get(key)?;
         number(node, &object.path(key), range(CHOOSE, key), faults)
@@ -110,11 +149,14 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
     Some(Choice {
         n: n? as usize,
         mean: median.iter().map(|a| log(a * unit)).collect(),
-        periods,
         deviation,
         at: found.flatten(),
         factor: factor.unwrap_or(f64::INFINITY),
-        ratio: ratio.unwrap_or(RATIO),
+        ordinates: Ordinates {
+            periods,
+            ratio: ratio.unwrap_or(RATIO),
+            component,
+        },
     })
 }
 
@@ -148,15 +190,20 @@ fn list(object: &Object, key: &str, faults: &mut Faults) -> Option<Vec<f64>> {
 }
 
 impl Choice {
-    /// The places of the chosen files, rising.
+    /// The places of the chosen motions, rising, from the files of each.
     ///
     /// # Errors
     /// Files that are no records, or too few of them.
-    fn of(&self, files: &[String], folder: &Folder, cache: &Cache) -> Result<Vec<usize>, String> {
+    fn of(
+        &self,
+        files: &[Vec<String>],
+        folder: &Folder,
+        cache: &Cache,
+    ) -> Result<Vec<usize>, String> {
         // Read once, on all threads; in the order of the files, so that the choice is the same everywhere.
         let spectra: Vec<Result<Vec<f64>, String>> = files
             .par_iter()
-            .map(|file| self.logarithms(folder, file, cache))
+            .map(|motion| self.ordinates.logarithms(folder, motion, cache))
             .collect();
         let errors = spectra.iter().filter_map(|result| result.as_ref().err());
         let wrong: Vec<&str> = errors.take(MOST_FAULTS).map(String::as_str).collect();
@@ -187,34 +234,5 @@ impl Choice {
         };
         let chosen = select(&spectra, &target, self.n);
         Ok(chosen.into_iter().map(|i| places[i]).collect())
-    }
-
-    /// The logarithms of the spectrum of a file, in m/s2.
-    fn logarithms(&self, folder: &Folder, file: &str, cache: &Cache) -> Result<Vec<f64>, String> {
-        let at_fault = |why: String| format!("{}: {why}", quoted(file));
-        let content = folder.bytes(file, LARGEST).map_err(at_fault)?;
-        let numbers = self.periods.iter().chain([&self.ratio]);
-        let key = Cache::key(&content, numbers.copied());
-        if let Some(known) = cache.read(&key, self.periods.len()) {
-            return Ok(known);
-        }
-        let read = record::parse(file, &content, Reading::default())
-            .map_err(|fault| at_fault(format!("line {}: {}", fault.line, fault.cause)))?;
-        let signal = loads::signal(&read, None, 1.0).map_err(|why| at_fault(why.to_string()))?;
-        let ordinates = match &*signal {
-            Signal::Table(table) => spectrum(table, &self.periods, self.ratio),
-            Signal::Sine { .. } | Signal::Motion(..) => None,
-        };
-        let none = || at_fault("has no spectrum at these periods".to_owned());
-        let ordinates = ordinates.ok_or_else(none)?;
-        let logarithms: Vec<f64> = ordinates
-            .iter()
-            .map(|ordinate| log(ordinate.pseudo_acceleration()))
-            .collect();
-        if logarithms.iter().any(|x| !x.is_finite()) {
-            return Err(none());
-        }
-        cache.write(&key, &logarithms);
-        Ok(logarithms)
     }
 }

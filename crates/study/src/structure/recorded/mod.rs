@@ -2,6 +2,7 @@
 
 mod cache;
 mod choice;
+mod ordinates;
 pub(crate) mod own_records;
 mod pattern;
 pub(crate) mod record_axis;

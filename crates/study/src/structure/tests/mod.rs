@@ -183,6 +183,30 @@ fn a_label_needs_a_zip_with_a_parameter_that_is_used() {
     assert!(found.contains("\"short\": unknown name"), "{found}");
 }
 
+/// A closed form as a column: 2 pi (m/k)^(1/2) of a mass of 1.
+#[test]
+fn an_expression_of_parameters_may_only_compare() {
+    let text = |more: &str| {
+        format!(
+            r#"{{"problem": "structure", "parameters": {{"k": [4, 9], {more} "dt": 0.01, "duration": 1}}, "metrics": ["peak(m)"],
+              "structure": {{"masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": "k"}}], "start": {{"m": {{"v": 1}}}}}}}}"#
+        )
+    };
+    let compared = study(&text(r#""exact": "2*pi/sqrt(k)","#));
+    let values = compared.cases().map(|case| case.number("exact"));
+    let omega = [2.0, 3.0];
+    let wanted = omega.map(|omega: f64| Some(2.0 * std::f64::consts::PI / omega));
+    assert_eq!(values.collect::<Vec<_>>(), wanted);
+    // A number alone, and a name that is nearly that of another parameter, are mistakes.
+    for (more, part) in [
+        (r#""exact": 3,"#, "\"exact\" is not used"),
+        (r#""durations": "1/k","#, "did you mean \"duration\"?"),
+    ] {
+        let found = faults(&text(more));
+        assert!(found.contains(part), "{found}");
+    }
+}
+
 #[test]
 fn a_synthetic_motion_has_a_seed_and_a_frequency() {
     let text = |synthetic: &str| {

@@ -193,3 +193,30 @@ fn reductions_of_contacts_have_windows() {
     // The stop has the whole energy m v^2/2 at half of the impact, 0.5157; trapezoids err by the first step, of up to 1/30.
     assert!((found[7] - 1.0).abs() < 0.005, "{found:?}");
 }
+
+#[test]
+fn the_energy_of_a_cycle_counts_from_a_time_on() {
+    // Imposed displacements of amplitude 1 up to t = 7, then of 2: 4 F (X - x_y), F = 1 and x_y = 1/1000. They rise through 0 at t = 4,
+    // 7.67, 12, 16 and 20.6.
+    let study = study(
+        r#"{"problem": "structure", "parameters": {"dt": 0.0005, "duration": 21},
+            "structure": {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1}],
+                "supports": {"s": {"displacement": {"t": [0, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21],
+                    "u": [0, 1, -1, 1, -1, 2, -2, 2, -2, 2, -2, 0.5], "between": "straight"}}},
+                "contacts": {"slider": {"law": "displacement-control", "between": ["ground", "s"], "k": 1000, "limit": 1}}},
+            "metrics": ["energy_per_cycle(slider)", "energy_per_cycle(slider, from=7.5)", "energy_per_cycle(slider, from = 10)",
+                "energy_per_cycle(slider,to=9)", "energy_per_cycle(slider, from=18)"]}"#,
+    );
+    let problem = study.problem.as_structure().unwrap();
+    let exact = problem.exact_metrics(&study.case(0).unwrap(), &[0, 1, 2, 3, 4]);
+    // Up to 9 the cycles rise through the middle of -1 and 2; from 18 on there is no whole one.
+    let expected = [Some(7.0), Some(8.0), Some(8.0), Some(4.0), None];
+    for energies in [solved(&study).metrics, exact] {
+        for (energy, expected) in energies.iter().zip(expected) {
+            // Each bend of the force cuts a triangle of at most k (2 dt)^2/2 = 5e-4, four of them in a cycle.
+            let near = |(energy, expected): (f64, f64)| (energy - expected + 0.004).abs() < 2e-3;
+            assert_eq!(energy.is_some(), expected.is_some(), "{energies:?}");
+            assert!(energy.zip(expected).is_none_or(near), "{energies:?}");
+        }
+    }
+}

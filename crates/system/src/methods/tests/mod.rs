@@ -2,12 +2,12 @@
 
 mod amplification;
 mod bar;
+mod critical_step;
 mod descriptions;
 mod energy;
 mod impact;
 mod order;
 mod recursion;
-mod step;
 
 use super::{
     AverageAcceleration, Bathe, Coefficients, ContactStabilized, ContactWork, ManyModes, Method,

@@ -1,17 +1,17 @@
 //! Structures of other programs: matrices in Matrix Market files, and the names of their rows.
 
+mod contact_pairs;
 mod dofs;
 mod forces;
 mod matrix_market;
-mod pairs;
 #[cfg(test)]
 mod tests;
 mod ties;
 
+pub use contact_pairs::{Pair, pairs};
 pub use dofs::{Dof, Dofs};
 pub use forces::{ForceKind, MemberForce};
 pub use matrix_market::Matrix;
-pub use pairs::{Pair, pairs};
 pub use ties::Tie;
 
 use crate::system::structure::Symmetric;

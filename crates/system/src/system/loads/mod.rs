@@ -5,6 +5,7 @@
 //! the motion.
 
 pub mod cut;
+pub mod cycles;
 pub mod measures;
 pub mod pair;
 pub mod pulse;

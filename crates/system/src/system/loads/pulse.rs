@@ -1,5 +1,6 @@
 //! Pulse-like ground accelerations, sampled.
 
+use super::cycles::{self, Cycles};
 use super::signal::zero_beyond;
 use crate::system::structure::Table;
 use libm::{exp, sin};
@@ -14,6 +15,8 @@ const MOST: f64 = 1e7;
 pub enum PulseFault {
     /// A number, by its name, that is not > 0 and finite.
     NotPositive(&'static str, f64),
+    /// A number of frequencies that is not whole, or out of its range.
+    NoSteps(f64),
     /// So many intervals from its start to its end.
     TooManyPoints(f64),
     /// An acceleration that is not finite.
@@ -24,6 +27,12 @@ impl fmt::Display for PulseFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             PulseFault::NotPositive(name, value) => write!(f, "{name} must be > 0, got {value}"),
+            PulseFault::NoSteps(value) => {
+                write!(
+                    f,
+                    "steps must be a whole number from 2 to {MOST_STEPS}, got {value}"
+                )
+            }
             PulseFault::TooManyPoints(intervals) => {
                 write!(
                     f,
@@ -51,6 +60,7 @@ pub struct Pulse {
     pub numbers: &'static [(&'static str, &'static str)],
     end: fn(&[f64]) -> f64,
     value: fn(&[f64], f64) -> f64,
+    cycles: fn(&[f64]) -> Vec<Cycles>,
 }
 
 /// Meaning of `sampled`. The last sample is at the end also where the end is no multiple.
@@ -60,7 +70,7 @@ const SAMPLED: (&str, &str) = (
 );
 
 /// All forms.
-pub const PULSES: [Pulse; 5] = [
+pub const PULSES: [Pulse; 6] = [
     // [Ricker 1953]; its peak is at t = `at`.
     Pulse {
         name: "ricker",
@@ -82,6 +92,7 @@ pub const PULSES: [Pulse; 5] = [
                 numbers[0] * (1.0 - 2.0 * x) * exp(-x)
             }
         },
+        cycles: |_| Vec::new(),
     },
     // The velocity is 1 - cos.
     Pulse {
@@ -98,6 +109,7 @@ pub const PULSES: [Pulse; 5] = [
             // Without the round-off of the sine.
             false => 0.0,
         },
+        cycles: |_| Vec::new(),
     },
     Pulse {
         name: "half_sine",
@@ -108,6 +120,7 @@ pub const PULSES: [Pulse; 5] = [
             true => numbers[0] * sin(PI * (t / numbers[1])),
             false => 0.0,
         },
+        cycles: |_| Vec::new(),
     },
     Pulse {
         name: "haversine",
@@ -121,6 +134,7 @@ pub const PULSES: [Pulse; 5] = [
                 false => 0.0,
             }
         },
+        cycles: |_| Vec::new(),
     },
     Pulse {
         name: "sweep",
@@ -140,8 +154,35 @@ pub const PULSES: [Pulse; 5] = [
             let cycles = t * (from + 0.5 * (to - from) * (t / duration));
             amplitude * sin(2.0 * PI * cycles)
         },
+        cycles: cycles::of_sweep,
+    },
+    Pulse {
+        name: "stepped_sweep",
+        meaning: "a sine without jumps whose frequency has so many values, evenly spaced, each for the same time, for figures of the kind response",
+        numbers: &[
+            ("amplitude", "amplitude"),
+            ("from", "first frequency"),
+            ("to", "last frequency"),
+            (STEPS, "number of frequencies, at least 2"),
+            DURATION,
+            SAMPLED,
+        ],
+        end: |numbers| numbers[4],
+        value: |numbers, t| {
+            let [amplitude, from, to, steps, duration, _] = *numbers else {
+                return 0.0;
+            };
+            let number = (t / duration * steps).floor().min(steps - 1.0);
+            let [frequency, begin, phase] = cycles::step([from, to, steps, duration], number);
+            amplitude * sin(2.0 * PI * (phase + frequency * (t - begin)))
+        },
+        cycles: cycles::of_stepped_sweep,
     },
 ];
+
+/// The number that is whole, and its largest value.
+const STEPS: &str = "steps";
+const MOST_STEPS: f64 = 1e6;
 
 /// The duration of a pulse.
 const DURATION: (&str, &str) = ("duration", "its end");
@@ -157,12 +198,21 @@ impl Pulse {
         };
         for ((name, _), number) in self.numbers[1..].iter().zip(inner) {
             positive(name, *number)?;
+            let is_whole = number.fract() == 0.0 && (2.0..=MOST_STEPS).contains(number);
+            if *name == STEPS && !is_whole {
+                return Err(PulseFault::NoSteps(*number));
+            }
         }
         let intervals = intervals((self.end)(numbers), *sampled)?;
         match amplitude.abs() <= LARGEST {
             true => Ok(intervals + 2),
             false => Err(PulseFault::NotFinite),
         }
+    }
+
+    /// The whole cycles of the pulse with these numbers; none for a pulse that does not oscillate.
+    pub fn cycles(&self, numbers: &[f64]) -> Vec<Cycles> {
+        (self.cycles)(numbers)
     }
 
     /// The pulse with these numbers.
@@ -338,6 +388,14 @@ mod tests {
                 "period must be > 0, got inf",
             ),
             (cosine(1.0, 1.0, f64::NAN), "sampled must be > 0, got NaN"),
+            (
+                named("stepped_sweep", &[1.0, 1.0, 2.0, 2.5, 9.0, 0.1]),
+                "steps must be a whole number from 2 to 1000000, got 2.5",
+            ),
+            (
+                named("stepped_sweep", &[1.0, 1.0, 2.0, 1.0, 9.0, 0.1]),
+                "steps must be a whole number from 2 to 1000000, got 1",
+            ),
             (
                 cosine(1.0, 1.0, 1e-8),
                 "sampled must give at most 10000000 points, got 100000000",

@@ -1,9 +1,9 @@
 //! The matrices of a structure in the displacements that a reduction consists of.
 
 use super::ReductionFault;
+use super::fixed_interface_modes::lowest;
 use super::held::Held;
 use super::mode::Mode;
-use super::modes::lowest;
 use super::rayleigh::rayleigh;
 use super::vectors::dot;
 use crate::system::import::Imported;

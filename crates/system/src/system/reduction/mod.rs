@@ -9,23 +9,23 @@
 
 mod basis;
 mod dense;
+mod fixed_interface_modes;
 mod held;
 mod lanczos;
 mod mode;
-mod modes;
 mod rayleigh;
 mod reduced;
 #[cfg(test)]
 mod tests;
 mod vectors;
 
-pub use modes::MOST_MODES;
+pub use fixed_interface_modes::MOST_MODES;
 pub use reduced::Reduced;
 
 use crate::system::import::Imported;
 use basis::Basis;
+use fixed_interface_modes::stage;
 use held::Held;
-use modes::stage;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::fmt;

@@ -1,5 +1,5 @@
+use super::fixed_interface_modes::{lowest, stage};
 use super::held::Held;
-use super::modes::{lowest, stage};
 use super::*;
 use crate::system::import::Dofs;
 use crate::system::structure::{Direction, Symmetric};

@@ -161,6 +161,7 @@ mod tests {
             compliance,
             limit: 2.0,
             exponent: 2.0,
+            beta: 0.5,
         };
         let tanh = Tanh {
             compliance,

@@ -19,9 +19,9 @@ mod structure_law;
 mod support;
 
 pub use crate::system::structure::signals::baseline::{Baseline, NoEnd};
-pub use crate::system::structure::signals::motion::{Motion, Quantity};
 pub use crate::system::structure::signals::motion_pieces::MotionFault;
 pub use crate::system::structure::signals::signal::{Signal, Table};
+pub use crate::system::structure::signals::support_motion::{Motion, Quantity};
 pub use crate::system::structure::sparse::matrix::Symmetric;
 pub use builder::{BuildFault, StructureBuilder};
 pub use chains::{Chain, InnerNode, Member};

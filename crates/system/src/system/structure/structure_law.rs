@@ -141,6 +141,10 @@ impl StructureLaw {
     pub fn static_ratio(&self) -> f64 {
         match (self.line(), &self.limit) {
             (Some(ClippedLine::Coulomb), Some(limit)) => limit.static_ratio,
+            // In series with nodes without mass.
+            (Some(ClippedLine::Elastic { stiffness }), Some(limit)) if stiffness.is_infinite() => {
+                limit.static_ratio
+            }
             _ => 1.0,
         }
     }

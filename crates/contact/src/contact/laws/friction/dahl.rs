@@ -51,6 +51,7 @@ impl Described for Dahl {
             "hysteretic, its stiffness falls towards the friction limit (Dahl 1968)",
             "friction, hysteretic, its stiffness falls towards the limit (Dahl 1968)",
         ],
+        of_structures![K, R_E, EXPONENT],
     )];
     const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
         let z = velocity * time / (law.compliance * law.limit);

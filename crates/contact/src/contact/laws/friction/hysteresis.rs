@@ -2,15 +2,16 @@
 
 use crate::contact::prelude::*;
 
-/// The offer of a law with a stiffness at S = 0 and an exponent, of these meanings in the oscillator and in structures.
+/// The offer of a law with a stiffness at S = 0 and an exponent, of these meanings in the oscillator and in structures, with its numbers there.
 pub(super) const fn offer(
     name: &'static str,
     form: fn(&GivenNumbers) -> Result<Form, LawFault>,
     [by_itself, in_structure]: [&'static str; 2],
+    in_structures: &'static [&'static Number],
 ) -> Offer {
     Offer::new(name, form)
         .in_oscillator(by_itself, of_oscillator![ALPHA, EXPONENT])
-        .in_structures(in_structure, of_structures![K, R_E, EXPONENT])
+        .in_structures(in_structure, in_structures)
 }
 
 /// Such a law over a step.

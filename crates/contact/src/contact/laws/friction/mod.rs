@@ -17,7 +17,7 @@ pub use dahl::Dahl;
 pub use displacement_control::DisplacementControl;
 pub use lugre::Lugre;
 pub use pendulum::Pendulum;
-pub use stribeck::Stribeck;
+pub use stribeck::{Decay, Stribeck};
 pub use tanh::Tanh;
 pub use velocity_control::VelocityControl;
 

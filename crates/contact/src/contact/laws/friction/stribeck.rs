@@ -5,7 +5,8 @@ use crate::contact::prelude::*;
 use crate::contact::saturation::rise;
 
 /// Velocity-control model [F (16)] with a Stribeck curve: viscous up to the static limit L_s at rdot^E = compliance L_s, beyond it
-/// S = L_k + (L_s - L_k) exp(-(|rdot| - rdot^E)/v_S), the exponential form [Tustin 1947; Bo and Pavelescu 1982 with exponent 1].
+/// S = L_k + (L_s - L_k) exp(-x), x = (|rdot| - rdot^E)/v_S, the exponential form [Tustin 1947; Bo and Pavelescu 1982 with exponent 1],
+/// or L_k + (L_s - L_k)/(1 + x), the hyperbolic one.
 ///
 /// S falls there, with the slope -(L_s - L_k)/v_S at most. A step has one root if h_rate (L_s - L_k) < v_S
 /// ([`Properties::has_one_root`]). Otherwise up to three: one on the viscous branch and two while sliding, of which the slower is
@@ -21,6 +22,43 @@ pub struct Stribeck {
     pub static_limit: f64,
     /// v_S > 0.
     pub stribeck_velocity: f64,
+    /// How S falls.
+    pub decay: Decay,
+}
+
+/// How friction falls from its static to its kinetic limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Decay {
+    /// exp(-x) is left at x.
+    Exponential,
+    /// 1/(1 + x) is left.
+    Hyperbolic,
+}
+
+impl Decay {
+    /// The part by which it has fallen at x >= 0, and the slope of this part.
+    #[inline(always)]
+    fn fallen(self, x: f64) -> [f64; 2] {
+        match self {
+            Decay::Exponential => {
+                let m = rise(x);
+                [m, 1.0 - m]
+            }
+            // Also where x is infinite.
+            Decay::Hyperbolic => {
+                let left = 1.0 / (1.0 + x);
+                [1.0 - left, left * left]
+            }
+        }
+    }
+
+    /// x where the slope is 1/k, for k > 1.
+    fn slope_falls_to(self, k: f64) -> f64 {
+        match self {
+            Decay::Exponential => libm::log(k),
+            Decay::Hyperbolic => k.sqrt() - 1.0,
+        }
+    }
 }
 
 /// The model over a step.
@@ -41,6 +79,7 @@ pub struct Step<const L: usize> {
     /// The lowest point of the residual of a sliding contact, and w there: below it, sliding has no root.
     lowest: Lane<L>,
     least: Lane<L>,
+    decay: [Decay; L],
 }
 
 impl Stribeck {
@@ -55,8 +94,22 @@ impl Stribeck {
 
     /// S at `over` = (|rdot| - rdot^E)/v_S >= 0.
     fn sliding(&self, over: f64) -> f64 {
-        self.static_limit - (self.static_limit - self.limit) * rise(over)
+        self.static_limit - (self.static_limit - self.limit) * self.decay.fallen(over)[0]
     }
+}
+
+fn form(given: &GivenNumbers, decay: Decay) -> Result<Form, LawFault> {
+    let limit = given.limit();
+    let static_limit = given.need("static_ratio")? * limit;
+    let stribeck_velocity = given.need("stribeck_velocity")?;
+    Ok(Form::of(Stribeck {
+        // rdot^E is that of the static limit.
+        compliance: given.fluidity(static_limit)?,
+        limit,
+        static_limit,
+        stribeck_velocity,
+        decay,
+    }))
 }
 
 impl StoredEnergy for Stribeck {}
@@ -65,26 +118,26 @@ impl Described for Stribeck {
     const KIND: ContactKind = ContactKind::Friction;
     const NAME: &'static str = "stribeck";
     const OF_VELOCITY: bool = true;
-    const OFFERS: &'static [Offer] = &[Offer::new(Self::NAME, |given| {
-        let limit = given.limit();
-        let static_limit = given.need("static_ratio")? * limit;
-        let stribeck_velocity = given.need("stribeck_velocity")?;
-        Ok(Form::of(Stribeck {
-            // rdot^E is that of the static limit.
-            compliance: given.fluidity(static_limit)?,
-            limit,
-            static_limit,
-            stribeck_velocity,
-        }))
-    })
-        .in_oscillator(
-            "velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises",
-            of_oscillator![BETA, STATIC_RATIO, STRIBECK_VELOCITY],
-        )
-        .in_structures(
-            "friction, viscous up to the static limit, which falls to the kinetic one with rdot (Stribeck 1902)",
-            of_structures![C, RDOT_E, STATIC_RATIO, STRIBECK_VELOCITY],
-        )];
+    const OFFERS: &'static [Offer] = &[
+        Offer::new(Self::NAME, |given| form(given, Decay::Exponential))
+            .in_oscillator(
+                "velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises",
+                of_oscillator![BETA, STATIC_RATIO, STRIBECK_VELOCITY],
+            )
+            .in_structures(
+                "friction, viscous up to the static limit, which falls to the kinetic one with rdot (Stribeck 1902)",
+                of_structures![C, RDOT_E, STATIC_RATIO, STRIBECK_VELOCITY],
+            ),
+        Offer::new("stribeck-hyperbolic", |given| form(given, Decay::Hyperbolic))
+            .in_oscillator(
+                "the same, falling as 1/(1 + v/v_S)",
+                of_oscillator![BETA, STATIC_RATIO, STRIBECK_VELOCITY],
+            )
+            .in_structures(
+                "the same, falling as 1/(1 + v/v_S)",
+                of_structures![C, RDOT_E, STATIC_RATIO, STRIBECK_VELOCITY],
+            ),
+    ];
     const IN_PLANE: InPlane<Self> = Some(OfVelocity::over);
     const CLOSED_FORM: ClosedForm<Self> =
         ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)));
@@ -130,7 +183,14 @@ impl Law for Stribeck {
         let range = lanes(laws, |law| law.static_limit - law.limit);
         let inverse = lanes(laws, |law| 1.0 / law.stribeck_velocity);
         let k = on.end.h_rate * range * inverse;
-        let lowest = k.map(|k| if k > 1.0 { libm::log(k) } else { 0.0 });
+        let decay = std::array::from_fn(|l| laws[l].decay);
+        let (mut lowest, mut fallen) = (Lane::splat(0.0), Lane::splat(0.0));
+        for l in 0..L {
+            if k.0[l] > 1.0 {
+                lowest.0[l] = decay[l].slope_falls_to(k.0[l]);
+                fallen.0[l] = decay[l].fallen(lowest.0[l])[0];
+            }
+        }
         Step {
             limit,
             range,
@@ -140,7 +200,8 @@ impl Law for Stribeck {
             width: compliance * limit,
             reached: (compliance + on.end.h_rate) * limit,
             lowest,
-            least: lowest - k * lowest.map(rise),
+            least: lowest - k * fallen,
+            decay,
         }
     }
 
@@ -155,7 +216,7 @@ impl<const L: usize> StepLaw<L> for Step<L> {
 
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
-        // With x = (|rdot| - rdot^E)/v_S: x - k (1 - exp(-x)) = w, which is convex with its lowest point at ln k.
+        // With m the part by which S has fallen at x: x - k m(x) = w, which is convex.
         let [start, end] = self.h_rate;
         let free = trial.rate - trial.force * start;
         let w = (free.map(f64::abs) - self.reached) * self.inverse;
@@ -178,14 +239,18 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         let right = w.zip(slides, |w, slides| if slides > 0.0 { w } else { 0.0 });
         let high = (right + k).larger(self.lowest);
         let over = roots::rising(self.lowest, high, high, |l, x| {
-            let m = rise(x);
+            let [m, slope] = self.decay[l].fallen(x);
             let value = x - k.0[l] * m - right.0[l];
             [
                 if slides.0[l] > 0.0 { value } else { 0.0 },
-                1.0 - k.0[l] * (1.0 - m),
+                1.0 - k.0[l] * slope,
             ]
         });
-        let sliding = self.limit - self.range * over.map(rise);
+        let mut fallen = over;
+        for l in 0..L {
+            fallen.0[l] = self.decay[l].fallen(over.0[l])[0];
+        }
+        let sliding = self.limit - self.range * fallen;
         let viscous = (free.map(f64::abs) * self.by_rate).smaller(self.limit);
         let mut force = viscous;
         for l in 0..L {

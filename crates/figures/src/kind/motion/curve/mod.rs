@@ -3,6 +3,7 @@
 
 mod pairs;
 
+use super::cycles::scattered;
 use super::history::arrangement::Arrangement;
 use super::history::curves::{members, unmark_alone};
 use crate::FigureData;
@@ -78,14 +79,25 @@ impl DrawWith for Curve {
             x: &offered[self.x],
             in_units: units.is_some(),
             times: self.times,
+            section: self.section,
         };
-        let curve = |quantity, i: usize| Series {
-            label: labels[indices[i]].clone(),
-            points: pairs.computed(quantity, &drawn[i]),
-            stroke: look.stroke(indices[i], labels.len()),
-            width: style::CASE_LINE,
-            marker: look.marker(indices[i]),
-            marked: Vec::new(),
+        let curve = |quantity, i: usize| {
+            let (index, count) = (indices[i], labels.len());
+            let (points, stroke) = (
+                pairs.computed(quantity, &drawn[i]),
+                look.stroke(index, count),
+            );
+            if self.section {
+                return scattered(&points, &labels[index], stroke, (index, count));
+            }
+            Series {
+                label: labels[index].clone(),
+                points,
+                stroke,
+                width: style::CASE_LINE,
+                marker: look.marker(index),
+                marked: Vec::new(),
+            }
         };
         let group = |value| members(drawn, self.panels.map(|row| (row, value)));
         let groups: Vec<Vec<usize>> = groups.into_iter().map(group).collect();
@@ -163,7 +175,9 @@ impl DrawWith for Curve {
                 let mut panel = Panel::new(frame, grid.margin, x, y);
                 panel.zero = panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
                 panel.series = series[cell.quantity][cell.group].clone();
-                mark(&mut panel, &labels);
+                if !self.section {
+                    mark(&mut panel, &labels);
+                }
                 if panel.x.range[0] < 0.0 && panel.x.range[1] > 0.0 {
                     let zero = Series::rule(panel.y.range.map(|y| [0.0, y]));
                     panel.series.insert(0, zero);
@@ -177,7 +191,8 @@ impl DrawWith for Curve {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, drawn.len(), solved.len());
-        let keys = legend::keys(&sheet.panels);
+        let mut keys = legend::keys(&sheet.panels);
+        keys.retain(|_| !self.section || labels.len() > 1);
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet
     }

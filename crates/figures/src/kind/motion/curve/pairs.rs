@@ -1,11 +1,12 @@
 //! The curves of two quantities: computed, measured and exact.
 
+use super::super::cycles::{self, values};
 use super::super::history::curves::sizes;
-use super::super::history::measured::Measured;
+use super::super::history::measured_curves::Measured;
 use crate::DrawnCase;
 use slipgap_drawing::layout::sheet::Series;
 use slipgap_motion::history::History;
-use slipgap_problem::problem::{Quantity, Solution};
+use slipgap_problem::problem::{Jumps, Quantity};
 use slipgap_study::Study;
 
 /// Fewest and most points of an exact curve, and points for each step between them.
@@ -23,6 +24,8 @@ pub struct Pairs<'a> {
     pub in_units: bool,
     /// First and last time in the unit of the axes, if not all.
     pub times: Option<[f64; 2]>,
+    /// Whether it shows only the points at the start of each cycle of the excitation.
+    pub section: bool,
 }
 
 impl Pairs<'_> {
@@ -50,9 +53,26 @@ impl Pairs<'_> {
         let Some(solution) = shown.solution() else {
             return Vec::new();
         };
-        let both = [self.x, y].map(|quantity| values(quantity, solution));
-        let points = self.points(y, shown, both);
-        self.within(shown, &solution.computed.time, points)
+        let time = &solution.computed.time;
+        let of = |quantity| values(quantity, &solution.computed, &solution.exact);
+        let both = [self.x, y].map(of);
+        if !self.section {
+            let points = self.points(y, shown, both);
+            return self.within(shown, time, points);
+        }
+        let cycles = cycles::of_case(self.study, shown);
+        let starts = cycles
+            .iter()
+            .flat_map(|of| (0..of.count).map(|cycle| of.ends(cycle)[0]));
+        let starts: Vec<f64> = starts.collect();
+        let sampled = |values: Vec<f64>| {
+            starts
+                .iter()
+                .map(|t| cycles::at(time, &values, *t))
+                .collect()
+        };
+        let points = self.points(y, shown, both.map(sampled));
+        self.within(shown, &starts, points)
     }
 
     /// The points at the times shown.
@@ -66,10 +86,10 @@ impl Pairs<'_> {
         inside.map(|(_, point)| point).collect()
     }
 
-    /// The measured curves of a group of cases, equal ones once, where both quantities were measured.
+    /// The measured curves of a group of cases, equal ones once, where both quantities were measured; none for a section.
     pub fn measured(&self, y: &Quantity, drawn: &[DrawnCase], group: &[usize]) -> Vec<Series> {
         let mut found: Vec<Series> = Vec::new();
-        for shown in group.iter().map(|i| &drawn[*i]) {
+        for shown in group.iter().filter(|_| !self.section).map(|i| &drawn[*i]) {
             let measured = Measured::of(self.study, &shown.case());
             let [Some((time, xs)), Some((_, ys))] = [self.x, y].map(|row| measured.quantity(row))
             else {
@@ -88,11 +108,11 @@ impl Pairs<'_> {
         found
     }
 
-    /// The exact curves of a group of cases, equal ones once; none for an error.
+    /// The exact curves of a group of cases, equal ones once; none for an error or a section.
     pub fn exact(&self, y: &Quantity, drawn: &[DrawnCase], group: &[usize]) -> Vec<Series> {
         let mut found: Vec<Series> = Vec::new();
         for shown in group.iter().map(|i| &drawn[*i]) {
-            let exact = match self.x.error || y.error {
+            let exact = match self.x.error || y.error || self.section {
                 true => None,
                 false => self.history(shown),
             };
@@ -115,16 +135,8 @@ impl Pairs<'_> {
         let count = (FOR_EACH_STEP * time.len()).clamp(fewest, most);
         let time = |i| end * i as f64 / count as f64;
         let times: Vec<f64> = (0..=count).map(time).collect();
-        self.study.problem.exact(&shown.case(), &times)
+        self.study
+            .problem
+            .exact(&shown.case(), &times, Jumps::BothSides)
     }
-}
-
-/// The values of a quantity at the steps.
-fn values(quantity: &Quantity, solution: &Solution) -> Vec<f64> {
-    let computed = solution.computed.channel(quantity.channel);
-    if !quantity.error {
-        return computed.to_vec();
-    }
-    let exact = solution.exact.channel(quantity.channel);
-    computed.iter().zip(exact).map(|(c, e)| c - e).collect()
 }

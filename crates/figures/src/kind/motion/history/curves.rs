@@ -1,13 +1,13 @@
 //! The curves of a history figure, as series.
 
-use super::measured::Measured;
+use super::measured_curves::Measured;
 use crate::DrawnCase;
 use crate::label;
 use slipgap_drawing::layout::sheet::{MEASURED, Series};
 use slipgap_drawing::style::{self, Look};
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::numbers::unit::Dimension;
-use slipgap_problem::problem::{Case, Quantity, Solution};
+use slipgap_problem::problem::{Case, Jumps, Quantity, Solution};
 use slipgap_study::Study;
 
 /// Points of an exact curve: less than a typographic point apart.
@@ -101,7 +101,10 @@ impl Curves<'_> {
             .into_iter()
             .chain((0..=EXACT_POINTS).map(time))
             .collect();
-        let exact = self.study.problem.exact(&shown.case(), &exact_times)?;
+        let exact = self
+            .study
+            .problem
+            .exact(&shown.case(), &exact_times, Jumps::BothSides)?;
         let values = exact.channel(quantity.channel);
         // No exact motion has energies by kind.
         if values.is_empty() {

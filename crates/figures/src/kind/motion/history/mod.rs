@@ -3,7 +3,7 @@
 
 pub(in crate::kind) mod arrangement;
 pub(in crate::kind) mod curves;
-pub(in crate::kind) mod measured;
+pub(in crate::kind) mod measured_curves;
 mod stacked;
 
 use crate::kind::Draw;

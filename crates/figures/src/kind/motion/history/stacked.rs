@@ -1,6 +1,6 @@
 //! Quantities of one dimension over time as areas on one another, one panel for each case.
 
-use super::measured::Measured;
+use super::measured_curves::Measured;
 use super::{height, time_axis, window};
 use crate::label;
 use crate::{DrawnCase, FigureData};

@@ -2,13 +2,13 @@
 
 pub(super) mod around;
 pub(super) mod attach;
+pub(super) mod bars_and_masses;
 pub(super) mod ground;
 pub(super) mod ground_motion;
 pub(super) mod joints;
 pub(super) mod links;
 pub(super) mod loads;
 pub(super) mod painter;
-pub(super) mod parts;
 
 use super::arrange::columns;
 use super::arrange::relations::Relations;

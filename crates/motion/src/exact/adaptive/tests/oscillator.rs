@@ -73,6 +73,7 @@ fn laws() -> Vec<ContactLaw> {
             compliance,
             limit,
             exponent,
+            beta: 0.5,
         }));
     }
     for compliance in [1e-3, 1e-2, 0.1] {

@@ -34,6 +34,16 @@ impl Flexible {
         1.0 / (1.0 / k + self.compliance[(contact, contact)])
     }
 
+    /// Whether the force of a contact at a node without mass moves others at once.
+    pub fn is_shared(&self, contact: usize) -> bool {
+        let others = self.contacts.iter().filter(|other| **other != contact);
+        self.contacts.contains(&contact)
+            && (others
+                .map(|other| self.compliance[(contact, *other)])
+                .any(|f| f != 0.0)
+                || self.plates.row(contact).iter().any(|x| *x != 0.0))
+    }
+
     /// The contacts in these phases whose force is linear in r, and the matrix of the equations for their forces and the plates.
     fn equations(
         &self,

@@ -4,3 +4,4 @@ pub(crate) mod flexible;
 pub(crate) mod modal;
 pub(crate) mod model;
 pub(crate) mod modes;
+pub(crate) mod pressed;

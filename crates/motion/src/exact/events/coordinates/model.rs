@@ -7,6 +7,7 @@
 
 use super::flexible::Flexible;
 use super::modes::Modes;
+use super::pressed::Pressed;
 use crate::exact::events::numerics::matrix::Matrix;
 use crate::exact::events::numerics::row::Row;
 use crate::exact::events::numerics::signals;
@@ -48,6 +49,8 @@ pub struct Model<'a> {
     pub modes: Option<Modes>,
     /// Contacts at nodes without mass.
     pub flexible: Option<Flexible>,
+    /// Friction contacts that others press.
+    pub pressed: Vec<Pressed>,
     /// Times of the points of all tables.
     pub points: Vec<f64>,
     pub bounds: Bounds,
@@ -97,6 +100,7 @@ impl<'a> Model<'a> {
             patterns: patterns.collect(),
             modes: None,
             flexible: None,
+            pressed: Pressed::of(structure, |along| Row::Sparse(along.clone())),
             points: signals::points(structure),
             fastest_load: signals::fastest(structure),
             structure,
@@ -114,11 +118,8 @@ impl<'a> Model<'a> {
     /// With bounds w^2 of M^-1 K and g of M^-1 C, the derivatives grow at most as powers of x, x^2 = g x + w^2. Constraints only
     /// lower the bounds.
     pub fn piece_length(&self, contacts: &[ContactState]) -> f64 {
-        let forces = self
-            .contacts
-            .iter()
-            .zip(contacts)
-            .map(|(contact, state)| state.law(&contact.law));
+        let law = |i: usize| contacts[i].law(&self.contacts[i].law);
+        let forces = (0..contacts.len()).map(law);
         let [square, damping] = match &self.bounds {
             Bounds::Nodes(sums) => {
                 let [mut stiffness, mut damping] = sums.clone();
@@ -133,6 +134,12 @@ impl<'a> Model<'a> {
                     };
                     sums.add_along(&contact.along, coefficient, &self.inverse_masses);
                 }
+                for pressed in &self.pressed {
+                    let along = &self.contacts[pressed.contact].along;
+                    let [k, c] = pressed.slopes(law);
+                    stiffness.add_along(along, k, &self.inverse_masses);
+                    damping.add_along(along, c, &self.inverse_masses);
+                }
                 [stiffness.bound(), damping.bound()]
             }
             Bounds::Modes { largest, couplings } => {
@@ -145,6 +152,11 @@ impl<'a> Model<'a> {
                         Force::Dashpot { c } => dashpots[i] = c,
                         Force::None | Force::Limit(_) | Force::Constraint => {}
                     }
+                }
+                for pressed in &self.pressed {
+                    let [k, c] = pressed.slopes(law);
+                    springs[pressed.contact] += k;
+                    dashpots[pressed.contact] += c;
                 }
                 let [mut stiffness, damping] = *largest;
                 if let Some(flexible) = &self.flexible {

@@ -2,6 +2,7 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod cholesky;
+pub(crate) mod factor;
 pub(crate) mod kernel;
 pub(crate) mod least;
 pub(crate) mod matrix;

@@ -57,6 +57,31 @@ impl Series {
         }
     }
 
+    /// Moves r of contacts at nodes without mass by the forces under which they were at rest before t = 0.
+    pub fn rest(&mut self, model: &Model) {
+        let (Some(of), Some(flexible)) = (&model.flexible, &mut self.flexible) else {
+            return;
+        };
+        let preload = &model.structure.preload;
+        if preload.forces.is_empty() {
+            return;
+        }
+        let r = self.contacts.iter().enumerate().map(|(i, contact)| {
+            let terms = of.contacts.iter();
+            let terms = terms.map(|j| of.compliance[(i, *j)] * preload.force(*j).unwrap_or(0.0));
+            contact.r[0] - terms.sum::<f64>()
+        });
+        flexible.known = r.collect();
+    }
+
+    /// Gives r of a contact at a node without mass, which has jumped.
+    pub fn known(&mut self, contact: usize, r: f64) {
+        let known = self.flexible.as_mut().map(|flexible| &mut flexible.known);
+        if let Some(known) = known.and_then(|known| known.get_mut(contact)) {
+            *known = r;
+        }
+    }
+
     /// The work of loads at nodes without mass that contacts feel, on 0..=s of a piece.
     pub fn flexible_work(&self, model: &Model, points: &[[f64; 2]]) -> f64 {
         let (Some(of), Some(series)) = (&model.flexible, &self.flexible) else {

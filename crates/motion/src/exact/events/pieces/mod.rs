@@ -4,6 +4,7 @@ pub(crate) mod book;
 mod contact_series;
 pub(crate) mod flexible_pieces;
 pub(crate) mod gaps;
+pub(crate) mod pressing;
 pub(crate) mod scales;
 pub(crate) mod series;
 pub(crate) mod state_buffers;

@@ -109,6 +109,12 @@ impl Scales {
         TOLERANCE * self.velocity + ROUND_OFF * self.acceleration * length
     }
 
+    /// Tolerance of S of a spring on a piece of this length.
+    pub fn spring(&self, [k, c]: [f64; 2], length: f64) -> f64 {
+        let r = TOLERANCE * self.displacement + ROUND_OFF * self.acceleration * length * length;
+        k.abs() * r + c * self.rate(length)
+    }
+
     /// Tolerance of the limit of a contact.
     pub fn limit(&self, contact: usize) -> f64 {
         TOLERANCE * self.limits[contact]

@@ -4,10 +4,11 @@
 
 use super::contact_series::{ContactSeries, terms};
 use super::gaps::Gaps;
+use super::pressing::PressingSpring;
 use crate::exact::events::coordinates::flexible::FlexibleSeries;
 use crate::exact::events::coordinates::model::Model;
 use crate::exact::events::numerics::bernstein::{ORDERS, Polynomial, TERMS};
-use crate::exact::events::numerics::cholesky::Cholesky;
+use crate::exact::events::numerics::factor::Factor;
 use crate::exact::events::numerics::kernel::{self, Order};
 use crate::exact::events::numerics::matrix::Matrix;
 use crate::exact::events::numerics::row::{LANES, Row};
@@ -28,18 +29,20 @@ pub struct Series {
     /// Number of terms of u; the others are 0.
     orders: usize,
     /// u, the coefficients of one power for all nodes together.
-    u: Vec<f64>,
+    pub(super) u: Vec<f64>,
     /// The polynomials of the contacts.
     pub contacts: Vec<ContactSeries>,
     /// The signals of the loads.
     pub loads: Vec<Polynomial>,
-    acceleration: Vec<f64>,
+    pub(super) acceleration: Vec<f64>,
     /// Contacts at nodes without mass.
     pub flexible: Option<FlexibleSeries>,
     /// The order of this acceleration.
     order: usize,
     /// What supports move the gaps.
     pub gaps: Gaps,
+    /// The springs that press friction contacts, by these contacts.
+    pub springs: Vec<Vec<PressingSpring>>,
 }
 
 impl Series {
@@ -67,6 +70,7 @@ impl Series {
                 .map(|f| FlexibleSeries::new(f, model.contacts.len())),
             order: 0,
             gaps: Gaps::default(),
+            springs: model.pressed.iter().map(PressingSpring::of).collect(),
         }
     }
 
@@ -102,26 +106,31 @@ impl Series {
         self.begin_flexible(model);
     }
 
-    /// All terms from order 0 on. `constraints` are the contacts with [`Force::Constraint`] and the factor of their B^T M^-1 B.
+    /// All terms from order 0 on. `contacts` are those with [`Force::Constraint`], with the factor of their equations.
     pub fn complete(
         &mut self,
         model: &Model,
         states: &[ContactState],
-        (constraints, factor): (&[usize], &Cholesky),
+        (contacts, factor): (&[usize], &Factor),
     ) {
-        if constraints.is_empty() && self.complete_modes(model, states) {
+        if contacts.is_empty() && self.complete_modes(model, states) {
             return;
         }
-        let mut forces = vec![0.0; constraints.len()];
+        let mut forces = vec![0.0; contacts.len()];
         for k in 0..self.orders - 2 {
             self.free_acceleration(k, model, states);
-            if !constraints.is_empty() {
-                for (force, i) in forces.iter_mut().zip(constraints) {
+            if !contacts.is_empty() {
+                for (force, i) in forces.iter_mut().zip(contacts) {
                     *force = self.relative_acceleration(*i, model);
                 }
                 factor.solve(&mut forces);
-                for (force, i) in forces.iter().zip(constraints) {
+                for (force, i) in forces.iter().zip(contacts) {
                     self.apply(k, *i, *force, model);
+                }
+                if !model.pressed.is_empty() {
+                    let place = |contact| contacts.iter().position(|i| *i == contact);
+                    let force = |contact| place(contact).map(|i| forces[i]);
+                    self.press_by_constraints(k, model, states, force);
                 }
             }
             self.advance(k, model);
@@ -201,23 +210,35 @@ impl Series {
 
     /// The forces of order k without those of constraints.
     fn forces(&mut self, k: usize, model: &Model, states: &[ContactState]) {
-        let rate = (k + 1) as f64 / self.length;
         for (i, state) in states.iter().enumerate() {
-            let series = &mut self.contacts[i];
-            series.force[k] = match state.law(&model.contacts[i].law) {
-                Force::None | Force::Constraint => 0.0,
-                Force::Spring {
-                    k: stiffness,
-                    origin,
-                } if k == 0 => stiffness * (series.r[0] - origin),
-                Force::Spring { k: stiffness, .. } => stiffness * series.r[k],
-                Force::Line { slope, at, force } if k == 0 => force + slope * (series.r[0] - at),
-                Force::Line { slope, .. } => slope * series.r[k],
-                Force::Dashpot { c } => c * rate * series.r[k + 1],
-                Force::Limit(direction) => direction * series.limit[k],
-            };
+            let law = state.law(&model.contacts[i].law);
+            self.contacts[i].force[k] = self.own_force(i, k, law);
+        }
+        if !model.pressed.is_empty() {
+            self.press_order(k, true, model);
+            for contact in model.pressed.iter().map(|pressed| pressed.contact) {
+                let law = states[contact].law(&model.contacts[contact].law);
+                self.contacts[contact].force[k] = self.own_force(contact, k, law);
+            }
         }
         self.flexible_forces(k, model, states);
+    }
+
+    /// The force of order k that a contact has by its own motion and limit.
+    pub(super) fn own_force(&self, contact: usize, k: usize, law: Force) -> f64 {
+        let series = &self.contacts[contact];
+        match law {
+            Force::None | Force::Constraint => 0.0,
+            Force::Spring {
+                k: stiffness,
+                origin,
+            } if k == 0 => stiffness * (series.r[0] - origin),
+            Force::Spring { k: stiffness, .. } => stiffness * series.r[k],
+            Force::Line { slope, at, force } if k == 0 => force + slope * (series.r[0] - at),
+            Force::Line { slope, .. } => slope * series.r[k],
+            Force::Dashpot { c } => c * ((k + 1) as f64 / self.length) * series.r[k + 1],
+            Force::Limit(direction) => direction * series.limit[k],
+        }
     }
 
     /// r'' of a contact, of the present order.

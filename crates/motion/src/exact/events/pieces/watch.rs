@@ -25,6 +25,8 @@ pub enum Crossing {
     Normal,
     /// A line ends.
     Line(End),
+    /// This spring begins or ends to press the contact.
+    Press(usize),
 }
 
 /// The first event of a piece.
@@ -68,6 +70,18 @@ pub fn first_event(
         match &state.line {
             Some(line) => watched.line(line, &mut test),
             None => watched.functions(state.phase, &mut test),
+        }
+        let pressed = model.pressed.iter().zip(&series.springs);
+        for (pressed, springs) in pressed.filter(|(pressed, _)| pressed.contact == contact) {
+            for (j, (given, spring)) in pressed.springs.iter().zip(springs).enumerate() {
+                let sign = if spring.presses { -1.0 } else { 1.0 };
+                let tolerance = scales.spring([given.k, given.c], series.length);
+                test(
+                    Crossing::Press(j),
+                    &spring.force.map(|s| sign * s),
+                    tolerance,
+                );
+            }
         }
     }
     first

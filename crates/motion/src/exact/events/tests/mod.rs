@@ -6,6 +6,7 @@ mod impact;
 mod lines;
 mod modal;
 mod orders;
+mod pressed;
 mod random;
 mod restarts;
 mod rigid;

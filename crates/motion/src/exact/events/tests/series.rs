@@ -5,6 +5,7 @@ use super::*;
 use crate::contact::ClippedLine;
 use crate::exact::events::coordinates::model::{LONGEST, Model};
 use crate::exact::events::numerics::cholesky::Cholesky;
+use crate::exact::events::numerics::factor::Factor;
 use crate::exact::events::numerics::row::Row;
 use crate::exact::events::phases::contact_phase::Phase;
 use crate::exact::events::phases::contact_state::ContactState;
@@ -122,7 +123,7 @@ fn a_piece_satisfies_the_equations_of_motion() {
     let (w, v) = ([-0.1, 0.05, 0.2], [0.3, -0.7, 0.4]);
     series.begin(&model, [start, length, LONGEST], [&w, &v]);
     // Contact 3 sticks: b^T M^-1 b = 1/m.
-    let factor = Cholesky::new(vec![1.0 / MASSES[2]], 1).unwrap();
+    let factor = Factor::Symmetric(Cholesky::new(vec![1.0 / MASSES[2]], 1).unwrap());
     series.complete(&model, &states, (&[3], &factor));
     let nodes: Vec<_> = (0..3)
         .map(|i| series.combine(&Row::Sparse(vec![(i, 1.0)])))

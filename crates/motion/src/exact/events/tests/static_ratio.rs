@@ -174,3 +174,69 @@ fn a_ratio_of_one_is_the_law_with_one_limit() {
         last(&s(two_limits(1.0, 1.0)), 7.0).0
     );
 }
+
+/// A mass that pulls a node with friction behind a spring, with this mass of the node.
+fn behind_a_spring(node: f64) -> Structure {
+    masses(&[2.0, node])
+        .spring([Some(0), Some(1)], 8.0)
+        .contact([None, Some(1)], 0.0, two_limits(1.0, 1.5))
+        .moving(&[0.0, 0.0], &[2.0, 0.0])
+}
+
+/// The spring alone swings between slips: each one takes 4 L (Ls - L)/(k m) of v^2, and moves the node by 2 (Ls - L)/k.
+#[test]
+fn a_node_without_mass_slips_at_once() {
+    let (m, k, limit, held, v) = (2.0_f64, 8.0_f64, 1.0, 1.5, 2.0_f64);
+    let omega = (k / m).sqrt();
+    let [mut square, mut from] = [v * v, 0.0_f64];
+    let [mut time, mut slips] = [0.0, 0.0];
+    // From a force with v^2 to the static limit, as long as the spring reaches it: k m v^2 + S^2 stays.
+    while k * m * square + from * from > held * held {
+        let swing = (k * m * square + from * from).sqrt();
+        time += ((held / swing).asin() - (from / swing).asin()) / omega;
+        square = (swing * swing - held * held) / (k * m);
+        from = 2.0 * limit - held;
+        slips += 1.0;
+    }
+    assert_eq!(slips, 31.0);
+    let rest = (k * m * square + from * from).sqrt();
+    let after = time + 0.3;
+    let phase = (from / rest).asin() + omega * 0.3;
+    let mut force = 0.0;
+    let mut u = Vec::new();
+    let summary = run(&behind_a_spring(0.0), &[after], |_, state| {
+        (force, u) = (state.force[0], state.u.to_vec());
+    })
+    .unwrap();
+    let node = slips * 2.0 * (held - limit) / k;
+    // Round-off of 31 events.
+    assert!((u[1] - node).abs() < 1e-12, "{} {node}", u[1]);
+    assert!((force - rest * phase.sin()).abs() < 1e-12);
+    assert!((u[0] - node - force / k).abs() < 1e-12);
+    assert!(summary.book.residual < 1e-13 * summary.book.largest);
+}
+
+/// A slip takes the time pi sqrt(m/k) of the small mass, in which the other one moves on: the difference falls at least as sqrt(m).
+#[test]
+fn a_small_mass_slips_as_none() {
+    let time = 0.8;
+    let (none, _) = last(&behind_a_spring(0.0), time);
+    let distance = |mass: f64| {
+        let (small, _) = last(&behind_a_spring(mass), time);
+        (small[0] - none[0]).abs()
+    };
+    let [large, small] = [2e-4, 2e-6].map(distance);
+    assert!(small < 1e-5 && large > 5.0 * small, "{large} {small}");
+}
+
+#[test]
+fn a_contact_that_shares_its_node_without_mass_is_refused() {
+    let s = behind_a_spring(0.0).contact([None, Some(1)], 0.0, coulomb(0.1));
+    let why = run(&s, &[1.0], |_, _| {}).unwrap_err();
+    assert_eq!(
+        why,
+        EventsFault::SharedJump {
+            contact: "c0".into()
+        }
+    );
+}

@@ -7,10 +7,10 @@
 //! together, and the forces are found again, as in a step (`solve/structure/static_friction.rs`).
 
 use super::resting_contact::{RestingContact, candidates, stop};
+use super::rigid::{SAME, rounds};
 use crate::exact::events::coordinates::model::Model;
 use crate::exact::events::numerics::least::{Singular, least};
-use crate::exact::events::phases::contact_state::ContactState;
-
+use crate::exact::events::phases::contact_state::{ContactState, Force};
 use crate::exact::events::pieces::scales::Scales;
 use crate::exact::events::pieces::series::Series;
 
@@ -61,6 +61,7 @@ fn determine(
     let mut breaks = false;
     stop(model, &series.gaps, &candidates, u, v);
     series.begin(model, [series.start, series.length, series.phase], [u, v]);
+    series.press(model, states);
     for order in 0..ORDERS {
         series.free_acceleration(order, model, states);
         let left = decide_order(model, series, order, scales, states, &mut candidates)?;
@@ -108,34 +109,64 @@ fn decide_order(
         .collect();
     let m = contacts.len();
     let flexibility = model.flexibility(&contacts);
-    let [mut d, mut low, mut high, mut force] = [(); 4].map(|()| vec![0.0; m]);
+    let [mut d, low, high, mut force] = [(); 4].map(|()| vec![0.0; m]);
+    let mut limits = vec![0.0; m];
     for (i, candidate) in candidates.iter().enumerate() {
         d[i] = series.relative_acceleration(candidate.contact, model);
-        let limit_of_series = if candidate.friction {
-            series.contacts[candidate.contact].limit[order]
-        } else {
-            0.0
-        };
-        // Below 0 by round-off.
-        let limit = if candidate.at == [true; 2] {
-            limit_of_series.max(0.0)
-        } else {
-            limit_of_series
-        };
-        let [least, most] = candidate.ratios.map(|ratio| ratio * limit);
-        low[i] = if candidate.at[0] {
-            -least
-        } else {
-            f64::NEG_INFINITY
-        };
-        high[i] = if candidate.at[1] { most } else { f64::INFINITY };
+        if candidate.friction {
+            limits[i] = series.contacts[candidate.contact].limit[order];
+        }
     }
     let size: Vec<f64> = d.iter().map(|d| d.abs()).collect();
-    let bounds = [low, high];
-    let unique = least(flexibility.clone(), &d, &bounds, &size, &mut force)?;
+    let place = |contact: usize| contacts.iter().position(|i| *i == contact);
+    let mut unique = true;
+    // What stops among the candidates add to each limit.
+    let mut added = vec![0.0; model.pressed.len()];
+    let mut bounds = [low, high];
+    rounds(|| {
+        for (i, candidate) in candidates.iter().enumerate() {
+            let [low, high] = &mut bounds;
+            // Below 0 by round-off.
+            let limit = match candidate.at {
+                [true, true] => limits[i].max(0.0),
+                _ => limits[i],
+            };
+            let [least, most] = candidate.ratios.map(|ratio| ratio * limit);
+            low[i] = if candidate.at[0] {
+                -least
+            } else {
+                f64::NEG_INFINITY
+            };
+            high[i] = if candidate.at[1] { most } else { f64::INFINITY };
+        }
+        unique = least(flexibility.clone(), &d, &bounds, &size, &mut force)?;
+        let mut changes = false;
+        for (pressed, added) in model.pressed.iter().zip(&mut added) {
+            let more = pressed.limit_by(|contact| Some(force[place(contact)?]));
+            let change = more - *added;
+            if change.abs() <= SAME * more.abs() {
+                continue;
+            }
+            (*added, changes) = (more, true);
+            if let Some(i) = place(pressed.contact) {
+                limits[i] += change;
+            } else if let Force::Limit(direction) =
+                states[pressed.contact].law(&model.contacts[pressed.contact].law)
+            {
+                for (d, contact) in d.iter_mut().zip(&contacts) {
+                    let coupling = model.flexibility(&[*contact, pressed.contact])[1];
+                    *d -= coupling * direction * change;
+                }
+            }
+        }
+        Ok(changes)
+    })?;
     let [low, high] = bounds;
     for (contact, force) in contacts.iter().zip(&force) {
         series.apply(order, *contact, *force, model);
+    }
+    if !model.pressed.is_empty() {
+        series.press_by_constraints(order, model, states, |contact| Some(force[place(contact)?]));
     }
     let largest = (0..m)
         .map(|i| force[i].abs().max(d[i].abs() / flexibility[i * m + i]))

@@ -2,6 +2,7 @@
 
 use crate::contact::{ClippedLine, ContactKind};
 use crate::exact::events::coordinates::model::Model;
+use crate::exact::events::coordinates::pressed::Pressed;
 use crate::exact::events::phases::contact_phase::Phase;
 use crate::exact::events::phases::contact_state::ContactState;
 use crate::exact::events::phases::lines;
@@ -81,14 +82,17 @@ impl SoftenedPhases<'_> {
         }
     }
 
-    /// Friction contacts that open or close, or whose limit or rdot has jumped.
-    pub fn friction(&mut self, states: &mut [ContactState]) {
+    /// Friction contacts that open or close, or whose limit or rdot has jumped. Before impacts, stops that touch may press.
+    pub fn friction(&mut self, before_impacts: bool, states: &mut [ContactState]) {
+        let presses: Vec<bool> = (0..states.len())
+            .map(|i| self.presses(i, before_impacts, states))
+            .collect();
         for (i, state) in states.iter_mut().enumerate() {
             let law = &self.model.contacts[i].law;
             if law.kind() != ContactKind::Friction || state.line.is_some() {
                 continue;
             }
-            if !self.presses(i) {
+            if !presses[i] {
                 self.drop_force(i, state, 0.0);
                 state.phase = Phase::Open;
                 continue;
@@ -109,7 +113,17 @@ impl SoftenedPhases<'_> {
     }
 
     /// Whether the limit is positive or becomes so.
-    fn presses(&self, contact: usize) -> bool {
+    fn presses(&self, contact: usize, before_impacts: bool, states: &[ContactState]) -> bool {
+        let of = |pressed: &Pressed| pressed.contact == contact;
+        if let Some(i) = self.model.pressed.iter().position(of) {
+            let mut springs = self.series.springs[i].iter();
+            let contacts = &self.model.pressed[i].contacts;
+            return springs.any(|spring| spring.presses)
+                || contacts.iter().any(|i| {
+                    let is_stop = self.model.contacts[*i].law.is_stop();
+                    states[*i].phase != Phase::Open || before_impacts && is_stop && self.touches(*i)
+                });
+        }
         let tolerance = self.scales.limit(contact);
         let limit = self.series.contacts[contact].limit.iter();
         limit
@@ -118,10 +132,17 @@ impl SoftenedPhases<'_> {
             .is_some_and(|l| *l > 0.0)
     }
 
+    fn touches(&self, contact: usize) -> bool {
+        let tolerance = self.scales.r(self.model, contact, self.series.length);
+        self.series.contacts[contact].r[0] <= tolerance
+    }
+
     fn displacement_control(&mut self, i: usize, k: f64, state: &mut ContactState) {
         let series = &self.series.contacts[i];
         let [r, change] = [series.r[0], k * series.r[1]];
-        let limit = series.limit[0].max(0.0);
+        // Above 1 only at nodes without mass, where the contact always sticks.
+        let ratio = self.model.contacts[i].law.static_ratio();
+        let limit = ratio * series.limit[0].max(0.0);
         let tolerance = self.scales.contact_force(self.model, i, self.series.length);
         match state.phase {
             Phase::Open => {

@@ -1,7 +1,7 @@
 //! The constant average acceleration method in increments.
 
-mod contact;
+mod lane_contacts;
+pub(crate) mod lane_state;
 pub(crate) mod moves;
 mod repeat;
-pub(crate) mod state;
 pub(crate) mod step;

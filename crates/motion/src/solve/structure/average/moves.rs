@@ -1,6 +1,6 @@
 //! What moves nodes and contacts beside the solution of a step.
 
-use super::state::Average;
+use super::lane_state::Average;
 use crate::lane::Lane;
 use crate::solve::structure::linear_part::between::Between;
 use crate::solve::structure::linear_part::massless::Massless;

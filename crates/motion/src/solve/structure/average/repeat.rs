@@ -1,6 +1,6 @@
 //! A step whose friction limits follow the forces of other parts at its end.
 
-use super::state::Average;
+use super::lane_state::Average;
 use crate::contact::Unsolved;
 use crate::lane::Lane;
 use crate::solve::structure::inputs::pressing::Pressing;

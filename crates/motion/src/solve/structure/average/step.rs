@@ -1,6 +1,6 @@
 //! A step by the constant average acceleration method, in lanes.
 
-use super::state::{Average, ContactState};
+use super::lane_state::{Average, ContactState};
 use crate::lane::Lane;
 use crate::solve::structure::contacts::curved_lanes::meet_lane;
 use crate::solve::structure::contacts::laws::friction;

@@ -3,7 +3,7 @@
 use super::curved_contact::Contact;
 use super::curved_link::{self as link, Link, leader};
 use super::curved_step::{ROUND_OFF, SHORT};
-use super::series::{Part, Series, Shares};
+use super::in_series::{Part, Series, Shares};
 use crate::contact::coupled::curved::{Directions, Laws};
 use crate::contact::plane::{Pair, PlaneMemory};
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;

@@ -1,6 +1,6 @@
 //! Newton's method for contacts in series.
 
-use super::series::{Series, Shares};
+use super::in_series::{Series, Shares};
 use super::series_root::NEAR;
 
 /// Most steps of Newton's method, and half the width of its chords as part of the size of numbers.

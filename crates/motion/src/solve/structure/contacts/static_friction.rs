@@ -11,6 +11,10 @@
 //! A sliding contact that stops in the step therefore sticks if Ls holds it. All contacts whose S is at a static end break loose: this
 //! end becomes the kinetic one, and the forces are found again. Each problem has one answer, ends change at once and only in this
 //! direction, so that the result is unique, does not depend on the order of the contacts, and takes at most 2 m + 1 problems.
+//!
+//! At a node without mass S is the force at the end of a step. There a contact that breaks loose slides for no time: a small mass turns
+//! the energy of its springs into motion and back, until S has fallen by twice Ls - L. It sticks there, at S = 2 L - Ls. So S has
+//! distant bounds, and falls by this as often as it would be beyond Ls.
 
 use crate::lane::Lane;
 use crate::methods::Method;
@@ -18,6 +22,9 @@ use crate::system::structure::Structure;
 
 /// Round-off of a force at a bound over both bounds: some multiples of the unit round-off.
 const ROUND_OFF: f64 = 1e-14;
+
+/// Bounds of S over the static limit at a node without mass, before it is known how often the contact breaks loose.
+const REACH: f64 = 1e4;
 
 /// A contact with two limits in a lane.
 #[derive(Debug, Clone, Copy)]
@@ -33,6 +40,9 @@ pub(crate) struct TwoLimits {
     kinetic: [bool; 2],
     /// The force at the start of the step in the balance: what S is the mean with.
     start: Option<f64>,
+    /// Whether a node of the contact has no mass, and S after the contact broke loose in this step.
+    is_massless: bool,
+    loose: Option<f64>,
 }
 
 /// The contacts with two limits of L structures; no item without any.
@@ -44,6 +54,7 @@ impl StaticFriction {
     pub(crate) fn new<const L: usize>(cases: &[&Structure; L]) -> Option<StaticFriction> {
         let mut two_limits = Vec::new();
         for (lane, case) in cases.iter().enumerate() {
+            let massless = case.massless();
             for (contact, given) in case.contacts.iter().enumerate() {
                 let ratio = given.law.static_ratio();
                 if ratio > 1.0 {
@@ -57,6 +68,8 @@ impl StaticFriction {
                         mean: limit,
                         kinetic: [rate < 0.0, rate > 0.0],
                         start: None,
+                        is_massless: case.column(contact).any(|(node, _)| massless[node]),
+                        loose: None,
                     });
                 }
             }
@@ -120,7 +133,8 @@ impl StaticFriction {
         force: Lane<L>,
         mean: &mut Lane<L>,
     ) {
-        for limits in self.0.iter().filter(|limits| limits.contact == contact) {
+        let with_mean = |limits: &&TwoLimits| limits.contact == contact && !limits.is_massless;
+        for limits in self.0.iter().filter(with_mean) {
             mean.0[limits.lane] = force.0[limits.lane];
         }
     }
@@ -143,7 +157,12 @@ pub(crate) fn breaks(
 impl TwoLimits {
     /// Starts a step: S is its force at the end, or the mean with this one at the start. The bounds of the force at the end.
     pub(crate) fn begin(&mut self, start: Option<f64>) -> [f64; 2] {
-        self.start = start;
+        self.start = start.filter(|_| !self.is_massless);
+        self.loose = None;
+        if self.is_massless {
+            self.kinetic = [false; 2];
+            self.mean = self.limit;
+        }
         self.bounds()
     }
 
@@ -159,6 +178,13 @@ impl TwoLimits {
 
     fn bounds(&self) -> [f64; 2] {
         let interval = self.interval();
+        match self.loose {
+            Some(force) => return [force; 2],
+            None if self.is_massless => {
+                return [-REACH, REACH].map(|reach| reach * self.ratio * self.mean);
+            }
+            None => {}
+        }
         match self.start {
             Some(start) => interval.map(|bound| 2.0 * bound - start),
             None => interval,
@@ -174,6 +200,9 @@ impl TwoLimits {
 
     /// The new bounds if this force at the end of the step is at a static end: the contact breaks loose.
     pub(crate) fn breaks(&mut self, force: f64) -> Option<[f64; 2]> {
+        if self.is_massless {
+            return self.falls(force);
+        }
         let at = self.at(force);
         let breaks = (0..2).any(|end| at[end] && !self.kinetic[end]);
         for (kinetic, at) in self.kinetic.iter_mut().zip(at) {
@@ -182,8 +211,26 @@ impl TwoLimits {
         breaks.then(|| self.bounds())
     }
 
+    /// The same at a node without mass.
+    fn falls(&mut self, force: f64) -> Option<[f64; 2]> {
+        let (held, step) = (self.ratio * self.mean, 2.0 * (self.ratio - 1.0) * self.mean);
+        let beyond = force.abs() - held;
+        if self.loose.is_some() || beyond <= ROUND_OFF * held {
+            return None;
+        }
+        let after = match step > 0.0 {
+            true => force.abs() - step * (beyond / step).ceil(),
+            false => 0.0,
+        };
+        self.loose = Some(force.signum() * after);
+        Some(self.bounds())
+    }
+
     /// Ends a step with this force at its end; returns S.
     pub(crate) fn end(&mut self, force: f64) -> f64 {
+        if self.is_massless {
+            return force;
+        }
         let [least, most] = self.interval();
         self.kinetic = self.at(force);
         self.mean = self.limit;
@@ -198,20 +245,20 @@ impl TwoLimits {
 
 /// The first contact with two limits that a method or a structure cannot have: its index, and why.
 pub fn static_ratio_fault(structure: &Structure, method: &Method) -> Option<(usize, String)> {
-    let massless = structure.massless();
+    let chains = structure.chains();
     let mut contacts = structure.contacts.iter().enumerate();
     contacts.find_map(|(i, contact)| {
         if contact.law.static_ratio() == 1.0 {
             return None;
         }
         let has_static = matches!(method, Method::AverageAcceleration(_)) || method.has_impulses();
-        let has_massless = || structure.column(i).any(|(node, _)| massless[node]);
+        let is_in_series = || chains.iter().any(|chain| chain.members().any(|m| m.contact == i));
         let why = match has_static {
             false => {
                 "static_ratio above 1: the force of a contact that sticks alternates from step to step in this method, and would break it loose; allowed: average-acceleration or moreau-jean"
             }
-            true if has_massless() => {
-                "static_ratio above 1 needs nodes with mass: the force at a node without mass jumps; give it a mass"
+            true if is_in_series() => {
+                "static_ratio above 1 is not known in series: the other contacts share the jump of the force; put a spring in their place, or give the node between them a mass"
             }
             true => return None,
         };

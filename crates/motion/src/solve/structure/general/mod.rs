@@ -12,7 +12,6 @@
 //! rest get a velocity of 0 without round-off (`rest`).
 
 mod books;
-mod contacts;
 mod critical;
 mod curved;
 mod held;
@@ -24,6 +23,7 @@ mod stages;
 mod start;
 mod state;
 mod stepper;
+mod sub_step_contacts;
 mod two_limits;
 
 pub(super) use crate::solve::structure::general::stages::General;

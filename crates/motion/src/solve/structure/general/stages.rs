@@ -1,6 +1,6 @@
 //! The state of structures in lanes, by any method.
 
-use super::contacts::{LaneContact, LaneLine};
+use super::sub_step_contacts::{LaneContact, LaneLine};
 use crate::lane::Lane;
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
@@ -10,7 +10,7 @@ use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::contacts::static_friction::StaticFriction;
 use crate::solve::structure::general::held::corrections::Corrections;
 use crate::solve::structure::general::held::impacts::Impacts;
-use crate::solve::structure::inputs::loads::Inputs;
+use crate::solve::structure::inputs::loads_at_steps::Inputs;
 use crate::solve::structure::inputs::pressing::Pressing;
 use crate::solve::structure::linear_part::moving::Moving;
 

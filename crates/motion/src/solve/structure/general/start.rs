@@ -1,16 +1,16 @@
 //! Structures at t = 0.
 
-use super::contacts::{LaneContact, LaneLine};
 use super::critical::{CriticalFault, critical_fault};
 use super::curved;
 use super::stages::{General, Stage, Start};
+use super::sub_step_contacts::{LaneContact, LaneLine};
 use crate::lane::Lane;
 use crate::solve::Unsolvable;
 use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::contacts::static_friction::{StaticFriction, static_ratio_fault};
 use crate::solve::structure::general::held::corrections::Corrections;
 use crate::solve::structure::general::held::impacts::Impacts;
-use crate::solve::structure::inputs::loads::Inputs;
+use crate::solve::structure::inputs::loads_at_steps::Inputs;
 use crate::solve::structure::linear_part::moving::Moving;
 use crate::solve::structure::{Prepared, start::initial};
 use crate::system::structure::Structure;

@@ -3,7 +3,7 @@
 use super::step_view::Kind;
 use crate::lane::Lane;
 use crate::solve::structure::State;
-use crate::solve::structure::average::state::Average;
+use crate::solve::structure::average::lane_state::Average;
 use crate::solve::structure::linear_part::links::Link;
 use crate::solve::structure::linear_part::massless::Massless;
 

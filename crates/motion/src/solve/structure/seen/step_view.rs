@@ -1,7 +1,7 @@
 //! The state that a run shows after each step.
 
 use crate::lane::Lane;
-use crate::solve::structure::average::state::Average;
+use crate::solve::structure::average::lane_state::Average;
 use crate::solve::structure::general::General;
 use crate::solve::structure::linear_part::moving::Moving;
 

@@ -3,8 +3,8 @@
 use super::*;
 use crate::contact::offer::Form;
 use crate::contact::{
-    Bearing, BoucWen, ClippedLine, ContactLaw, Dahl, Hertz, HertzDamp, HuntCrossley, Jankowski,
-    KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
+    Bearing, BoucWen, ClippedLine, ContactLaw, Dahl, Decay, Hertz, HertzDamp, HuntCrossley,
+    Jankowski, KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
 };
 use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method, MoreauJean};
 use crate::solve::Unsolvable;
@@ -105,11 +105,13 @@ fn friction(number: usize, random: &mut Random) -> StructureLaw {
             limit,
             static_limit: 1.2 * limit,
             stribeck_velocity: random.between(0.3, 1.0),
+            decay: Decay::Exponential,
         }),
         14 => ContactLaw::BoucWen(BoucWen {
             compliance,
             limit,
             exponent,
+            beta: 0.5,
         }),
         15 => ContactLaw::Dahl(Dahl {
             compliance,

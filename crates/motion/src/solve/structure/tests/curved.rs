@@ -3,8 +3,9 @@
 use super::*;
 use crate::contact::impact::collision::{DampedHertz, HertzDashpot, Linear as Dashpot};
 use crate::contact::{
-    Bearing, Bilinear, BoucWen, ClippedLine, ContactKind, ContactLaw, Dahl, Hertz, HertzDamp,
-    HuntCrossley, ImpactSpring, Jankowski, KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
+    Bearing, Bilinear, BoucWen, ClippedLine, ContactKind, ContactLaw, Dahl, Decay, Hertz,
+    HertzDamp, HuntCrossley, ImpactSpring, Jankowski, KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved,
+    Ye,
 };
 use crate::lane::Lane;
 use crate::methods::{AverageAcceleration, Method};
@@ -41,11 +42,13 @@ fn frictions() -> Vec<ContactLaw> {
             limit,
             static_limit: 1.3,
             stribeck_velocity: 0.5,
+            decay: Decay::Exponential,
         }),
         ContactLaw::BoucWen(BoucWen {
             compliance,
             limit,
             exponent: 2.0,
+            beta: 0.5,
         }),
         ContactLaw::Dahl(Dahl {
             compliance,
@@ -215,6 +218,7 @@ fn various(which: usize, ground: &Arc<Signal>) -> Structure {
             compliance,
             limit,
             exponent: 1.5,
+            beta: 0.5,
         }),
         ContactLaw::Dahl(Dahl {
             compliance,
@@ -234,6 +238,7 @@ fn various(which: usize, ground: &Arc<Signal>) -> Structure {
             limit,
             static_limit: 1.2 * limit,
             stribeck_velocity: 0.1,
+            decay: Decay::Exponential,
         }),
     ];
     structure.contacts[0].law = impact(impacts[which]);
@@ -472,6 +477,7 @@ fn friction_that_falls_too_fast_is_refused() {
             limit: 1.0,
             static_limit: 2.0,
             stribeck_velocity,
+            decay: Decay::Exponential,
         })
     };
     // Of a free mass of 1: h_rate = dt/2.

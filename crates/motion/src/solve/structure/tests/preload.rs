@@ -124,6 +124,7 @@ fn the_memory_of_a_curved_law_is_that_of_a_slow_push() {
         compliance: 1.0 / k,
         limit,
         exponent: 1.0,
+        beta: 0.5,
     };
     let law =
         StructureLaw::new(ContactLaw::BoucWen(bouc_wen), Limit::constant(limit)).from_its_answer();

@@ -143,6 +143,7 @@ fn slip_is_r_but_for_displacement_control_by_every_method() {
             compliance,
             limit,
             exponent: 2.0,
+            beta: 0.5,
         }),
         ContactLaw::Dahl(Dahl {
             compliance,

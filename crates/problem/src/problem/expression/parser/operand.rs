@@ -5,7 +5,7 @@ use std::f64::consts::{E, PI};
 use super::{Kind, Outcome, Parser, fault, unknown};
 use crate::problem::Text;
 use crate::problem::expression::formula::{ExpressionFault, Step};
-use crate::problem::expression::number::length_of_number;
+use crate::problem::expression::number_length::length_of_number;
 use crate::problem::expression::tokens::{self, CONSTANTS, FUNCTIONS, Function};
 use crate::problem::numbers::parameter;
 

@@ -1,19 +1,19 @@
 //! The tables of the bar impact.
 
-pub(super) mod laws;
-mod metrics;
+pub(super) mod law_parameters;
+mod metric_table;
 mod parameters;
 
-pub(super) use metrics::{DEFAULT, ROWS, Taken, of_exact, taken, values};
+pub(super) use metric_table::{DEFAULT, ROWS, Taken, of_exact, taken, values};
 pub(super) use parameters::{MassMatrix, Opposite, rows};
 
 use crate::contact::offer::Place;
-use crate::problem::laws::{count_others, others};
 use crate::problem::numbers::parameter::Parameter;
 use crate::problem::numbers::unit::{Dimension, Unit};
+use crate::problem::offered_laws::{count_others, others};
 use crate::problem::table::schema::{Text, TimeAxis};
 use crate::problem::{Channel, Profile, Quantity, Schema, method};
-pub(super) use metrics::{CONTACT_STEPS, ENERGY_DRIFT_FINAL, ENERGY_DRIFT_MAX, MAX_OVERLAP};
+pub(super) use metric_table::{CONTACT_STEPS, ENERGY_DRIFT_FINAL, ENERGY_DRIFT_MAX, MAX_OVERLAP};
 use parameters::PARAMETERS;
 use std::borrow::Cow::{Borrowed, Owned};
 use std::sync::{Arc, LazyLock};
@@ -87,10 +87,10 @@ static PROFILES: [Profile; 2] = [
 
 /// The parameters of the bars and of the contact laws.
 fn own() -> impl Iterator<Item = Parameter> {
-    let tables = PARAMETERS.iter().chain(&laws::PARAMETERS);
+    let tables = PARAMETERS.iter().chain(&law_parameters::PARAMETERS);
     tables
         .cloned()
-        .chain(others(Place::Bars, &laws::PARAMETERS))
+        .chain(others(Place::Bars, &law_parameters::PARAMETERS))
 }
 
 /// First row of the parameters of the contact laws.
@@ -98,7 +98,7 @@ pub(in crate::problem::impact) const LAW: usize = PARAMETERS.len();
 
 /// First row of the parameters of the method.
 pub(in crate::problem::impact) const METHOD: usize =
-    LAW + laws::PARAMETERS.len() + count_others(Place::Bars, &laws::PARAMETERS);
+    LAW + law_parameters::PARAMETERS.len() + count_others(Place::Bars, &law_parameters::PARAMETERS);
 
 pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
     Arc::new(Schema {
@@ -108,12 +108,12 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         ),
         described: false,
         parameters: Owned(own().chain(method::PARAMETERS.iter().cloned()).collect()),
-        metrics: Owned(metrics::table()),
+        metrics: Owned(metric_table::table()),
         contact_metric: Some(MAX_OVERLAP),
         channels: Borrowed(&CHANNELS),
         quantities: Borrowed(&QUANTITIES),
         profiles: Borrowed(&PROFILES),
-        budgets: Owned(metrics::budgets()),
+        budgets: Owned(metric_table::budgets()),
         step: rows::DT,
         duration: rows::DURATION,
         time: TimeAxis {

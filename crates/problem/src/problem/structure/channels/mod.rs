@@ -1,7 +1,7 @@
 //! Channels: quantities of a structure over time, computed and measured, by their names.
 
 pub mod channel;
-pub mod measured;
+pub mod channel_words;
+pub mod measured_channels;
 pub mod names;
 pub mod sample;
-pub mod words;

@@ -1,7 +1,7 @@
 //! Tests that are compared as a sample with the cases of an ensemble, not point by point.
 
 use super::channel::Channel;
-use super::measured::Test;
+use super::measured_channels::Test;
 use std::sync::Arc;
 
 /// Fewest tests of a sample.

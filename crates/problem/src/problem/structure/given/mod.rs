@@ -2,14 +2,14 @@
 
 pub mod amount;
 pub mod chosen;
-pub mod loads;
+pub mod motion_set;
 pub mod node;
 pub mod pair;
 pub mod rows;
 pub mod scale_to;
-pub mod set;
 pub mod shape;
 pub(crate) mod signal_cache;
+pub mod source;
 pub mod strength;
 pub mod supports;
 pub mod target_spectrum;

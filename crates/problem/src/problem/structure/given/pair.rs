@@ -1,7 +1,7 @@
 //! What gets a strength: a motion alone, or the pair of a station, whose horizontal motions get one factor, and so does the vertical
 //! one.
 
-use super::set::{SetSpectra, State};
+use super::motion_set::{SetSpectra, State};
 use super::shape::{Scaled, identity};
 use super::strength::{Asked, Strengths};
 use crate::problem::{Case, Violation};

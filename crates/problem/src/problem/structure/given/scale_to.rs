@@ -1,7 +1,7 @@
 //! The strength that a study gives a motion, or the motions of a station together.
 
 use super::amount::Amount;
-use super::set::{Motions, Set, SetSpectra, State};
+use super::motion_set::{Motions, Set, SetSpectra, State};
 use super::strength::{Asked, Strengths};
 use super::target_spectrum::{TargetSpectrum, values};
 use crate::problem::{Case, Violation};

@@ -1,13 +1,14 @@
 //! What a study does to the function of a motion: a part of it, its baseline, its strength and its delay, in this order.
 
 use super::amount::Amount;
-use super::loads::Source;
 use super::scale_to::ScaleTo;
 use super::signal_cache::SignalCache;
+use super::source::Source;
 use super::strength::Strengths;
 use crate::problem::{Case, Violation};
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::loads::cut::{cut, delayed, without_baseline};
+use crate::system::loads::cycles::Cycles;
 use crate::system::loads::measures::Measure;
 use crate::system::structure::{Baseline, NoEnd, Signal, Table};
 use std::collections::BTreeMap;
@@ -213,6 +214,16 @@ impl Scaled {
             .map_or(Ok(1.0), |scale| scale.value(case));
         let factor = scale? * self.factor(case, metre)?;
         Ok(value.map(|value| measure.scaled(value, factor)))
+    }
+
+    /// The whole cycles of the function in a case.
+    pub fn cycles(&self, case: &Case) -> Result<Vec<Cycles>, Violation> {
+        let [start, end, delay] = self.shape.times(case)?;
+        let part = [start.unwrap_or(0.0), end.unwrap_or(f64::INFINITY)];
+        let later = delay.unwrap_or(0.0) - part[0];
+        let cycles = self.source.cycles(case)?.into_iter();
+        let shown = cycles.map(|cycles| cycles.within(part).delayed(later));
+        Ok(shown.collect())
     }
 
     /// The part of the function that has a strength.

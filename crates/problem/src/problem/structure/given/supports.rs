@@ -4,6 +4,7 @@ use super::amount::Amount;
 use super::chosen::Chosen;
 use super::shape::Scaled;
 use crate::problem::{Case, Violation};
+use crate::system::loads::cycles::Cycles;
 use crate::system::structure::{Baseline, Direction, Motion, MotionFault};
 use std::sync::Arc;
 
@@ -149,6 +150,24 @@ impl Support {
             Course::Acceleration(acceleration) => Some(acceleration),
             Course::Displacement(..) | Course::Uniform => None,
         }
+    }
+
+    /// The whole cycles of its motion in a case.
+    pub fn cycles(&self, case: &Case) -> Result<Vec<Cycles>, Violation> {
+        let delay = self.delay.as_ref();
+        let delay = delay.map_or(Ok(0.0), |delay| delay.value(case))?;
+        let cycles = match &self.course {
+            Course::Acceleration(acceleration) => acceleration.cycles(case)?,
+            Course::Displacement(Points::Sine([_, omega], phase), _) => {
+                let phase = phase.as_ref().map_or(Ok(0.0), |phase| phase.value(case));
+                Cycles::of_sine(omega.value(case)?, phase?)
+                    .into_iter()
+                    .collect()
+            }
+            Course::Displacement(..) | Course::Uniform => Vec::new(),
+        };
+        let later = cycles.into_iter().map(|cycles| cycles.delayed(delay));
+        Ok(later.collect())
     }
 
     /// Its name with its direction, such as `left.x`.

@@ -1,11 +1,11 @@
 //! The strength that motions, pairs and sets get, with strengths that are given.
 
 use super::amount::{self, Amount};
-use super::loads::{Kind, Source};
+use super::motion_set::{Motions, Set, Statistic};
 use super::pair::Pair;
 use super::scale_to::{Goal, ScaleTo};
-use super::set::{Motions, Set, Statistic};
 use super::shape::Scaled;
+use super::source::{Kind, Source};
 use super::strength::{Asked, Strengths};
 use super::target_spectrum::TargetSpectrum;
 use crate::problem::friction::FrictionOscillator;

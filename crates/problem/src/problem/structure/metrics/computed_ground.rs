@@ -2,9 +2,9 @@
 
 use crate::problem::Case;
 use crate::problem::numbers::short::short;
-use crate::problem::structure::given::loads::Kind;
 use crate::problem::structure::given::scale_to::RATIO;
 use crate::problem::structure::given::shape::Scaled;
+use crate::problem::structure::given::source::Kind;
 use crate::problem::structure::given::supports::{Course, Points, Support};
 use crate::problem::structure::parts::contact::Normal;
 use crate::problem::structure::parts::template::Template;

@@ -3,7 +3,7 @@
 use super::function::Motion;
 use super::reduction::Reduction;
 use crate::problem::structure::channels::channel::Channel;
-use crate::problem::structure::metrics::ground::{GroundMetric, PREFIX, without_direction};
+use crate::problem::structure::metrics::ground_metric::{GroundMetric, PREFIX, without_direction};
 use crate::problem::structure::metrics::window::Window;
 
 /// A metric of the study.

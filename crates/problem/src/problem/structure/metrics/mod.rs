@@ -3,12 +3,12 @@
 pub mod against_measured;
 pub(crate) mod computed_ground;
 pub mod function;
-pub mod ground;
+pub mod ground_metric;
 pub mod metric;
+pub(crate) mod metric_text;
 pub mod pieces;
 pub mod reduction;
-pub(crate) mod text;
 pub(crate) mod title;
 pub mod unit_consistency;
-pub mod units;
+pub mod unit_names;
 pub mod window;

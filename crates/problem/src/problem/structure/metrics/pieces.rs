@@ -3,7 +3,7 @@
 use super::metric::OF_ALL;
 use super::reduction::REDUCTIONS;
 use crate::problem::expression::FUNCTIONS;
-use crate::problem::structure::metrics::ground::{PREFIX, without_direction};
+use crate::problem::structure::metrics::ground_metric::{PREFIX, without_direction};
 use crate::problem::structure::metrics::window::begins_with_limit;
 use std::ops::Range;
 

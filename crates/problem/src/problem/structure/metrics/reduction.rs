@@ -154,7 +154,7 @@ reductions! {
     "sqrt(M^2 + P^2)",
     EnergyPerCycle "energy_per_cycle" ContactOrMeasured Energy "energy per cycle of {}"
     Contact(&[Q::Force, Q::Displacement], Plane::Sum, |own| of_measured::energy_per_cycle(&(own.of)(Q::Displacement), &own.force()));
-    "mean of the integral of S dr over whole cycles; a cycle begins where r rises through the middle of its extremes after it was 5 % of the half range below; the first one, from rest, counts; empty without one",
+    "mean of the integral of S dr over whole cycles; a cycle begins where r rises through the middle of its extremes after it was 5 % of the half range below; the first one, from rest, counts unless a window begins later; empty without one",
     LoopDistance "loop_distance" MeasuredLoop None "distance of the loop of {} and {} from the measured one"
     Loop(of_measured::loop_distance);
     "distance of the computed and the measured loop of two channels, each over half its measured range: the larger of the mean distances from the points of one loop to the lines of the other",

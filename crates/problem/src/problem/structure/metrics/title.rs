@@ -1,7 +1,7 @@
 //! Titles of metrics in words, for figures.
 
 use super::metric::StructureMetric;
-use crate::problem::structure::channels::words::Words;
+use crate::problem::structure::channels::channel_words::Words;
 
 /// The title of a metric without its unit, such as `peak displacement of a3 relative to a2`: that of its reduction, with what it is of.
 /// The window has the unit of time.
@@ -53,8 +53,8 @@ fn contact(metric: &StructureMetric, words: Words) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::structure::channels::channel_words::Shown;
     use crate::problem::structure::channels::names::Names;
-    use crate::problem::structure::channels::words::Shown;
 
     #[test]
     fn titles_say_what_is_reduced() {

@@ -217,7 +217,7 @@ mod tests {
 
     #[test]
     fn units_have_sizes_by_their_dimension() {
-        use crate::problem::structure::metrics::units::UnitNames;
+        use crate::problem::structure::metrics::unit_names::UnitNames;
         for (name, dimension, size) in [
             ("ms", Dimension::Time, 1e-3),
             ("in", Dimension::Length, 0.0254),

@@ -5,8 +5,9 @@ use crate::problem::structure::metrics::function::Function;
 use crate::problem::structure::metrics::window::within;
 
 impl StructureProblem {
-    /// A metric in each test of the sample: the reduction of the measured values.
-    pub(crate) fn sample_of(&self, metric: usize) -> Option<Vec<f64>> {
+    /// A metric, by its row, in each test that the study compares as a sample: the reduction of the measured values. `None` without
+    /// such tests, and if they do not have it.
+    pub fn in_tests(&self, metric: usize) -> Option<Vec<f64>> {
         let metric = self.metrics.get(metric).filter(|found| !found.measured)?;
         let Function::Values(function) = metric.reduction.row().function else {
             return None;
@@ -27,7 +28,7 @@ impl StructureProblem {
         let Some(sample) = &self.template.sample else {
             return String::new();
         };
-        let rows = (0..self.metrics.len()).filter(|row| self.sample_of(*row).is_some());
+        let rows = (0..self.metrics.len()).filter(|row| self.in_tests(*row).is_some());
         let names: Vec<&str> = rows.map(|row| self.metrics[row].name.as_str()).collect();
         let tests = sample.tests.len();
         format!(

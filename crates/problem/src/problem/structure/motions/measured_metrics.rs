@@ -6,11 +6,11 @@ use crate::metrics::measured as reduce;
 use crate::metrics::structure::peak;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channels::channel::Channel;
-use crate::problem::structure::channels::measured::{Compared, FEWEST, measured_loop};
+use crate::problem::structure::channels::measured_channels::{Compared, FEWEST, measured_loop};
 use crate::problem::structure::metrics::against_measured::MeasuredFunction;
 use crate::problem::structure::metrics::function::{Function, OfLoop};
 use crate::problem::structure::metrics::metric::StructureMetric;
-use crate::problem::{Case, Problem, Violation};
+use crate::problem::{Case, Violation};
 use crate::solve::Unsolvable;
 
 impl StructureProblem {
@@ -18,7 +18,7 @@ impl StructureProblem {
     pub(crate) fn check_measured(&self, case: &Case) -> Option<Violation> {
         let measured = self.template.measured.as_ref()?;
         let dt = case.at(self.schema.step)?;
-        let compared = match measured.in_case(case, dt, self.steps(case)) {
+        let compared = match measured.in_case(case, dt, case.steps()) {
             Ok(compared) => compared,
             Err(why) => return Some(why),
         };
@@ -64,7 +64,7 @@ impl StructureProblem {
                 let mut channels = named_channels.chain(of_loop.iter().flatten());
                 return channels.any(|channel| of_channel(channel).unwrap_or(false));
             }
-            let sample = self.sample_of(row).zip(values[row]);
+            let sample = self.in_tests(row).zip(values[row]);
             sample.is_some_and(|(mut tests, value)| {
                 tests.sort_by(f64::total_cmp);
                 let median = tests.get(tests.len() / 2).copied().unwrap_or_default();

@@ -2,7 +2,7 @@
 
 use crate::problem::Case;
 use crate::problem::structure::channels::channel::{Channel, Number};
-use crate::problem::structure::channels::measured::Compared;
+use crate::problem::structure::channels::measured_channels::Compared;
 use crate::problem::structure::given::node::Numbering;
 use crate::system::structure::Structure;
 use std::collections::{HashMap, HashSet};

@@ -38,8 +38,8 @@ impl StructureProblem {
         metrics.any(|metric| metric.is_exact(Reduction::ReferenceError))
     }
 
-    /// Cost of the exact motions of the metrics, in steps times modes.
-    pub(crate) fn exact_work(&self, case: &Case) -> u64 {
+    /// Cost of the exact motions of the metrics, in steps times modes; `one_run` is that of one run by steps.
+    pub(crate) fn exact_work(&self, case: &Case, one_run: u64) -> u64 {
         if !self.metrics.iter().any(StructureMetric::needs_exact) {
             return 0;
         }
@@ -57,7 +57,7 @@ impl StructureProblem {
             (false, _) => 30,
         };
         let of_step = without_halving + self.halved_steps();
-        let at_steps = self.one_run_work(case).saturating_mul(of_step);
+        let at_steps = one_run.saturating_mul(of_step);
         let of_one = at_steps.saturating_add(self.motion_work(case, Model::Study) as u64);
         let finer = match self.needs(Motion::Finer) {
             // As many nodes more in the motion at the steps.

@@ -3,8 +3,8 @@
 use super::along::Term;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::chosen::Chosen;
-use crate::problem::structure::given::loads::Source;
 use crate::problem::structure::given::shape::Scaled;
+use crate::problem::structure::given::source::Source;
 use crate::problem::{Case, Violation};
 use crate::system::structure::PlaneRow;
 
@@ -27,7 +27,7 @@ pub struct Contact {
     pub normal: Option<Normal>,
     /// Its table of r and S.
     pub table: Option<[Vec<Amount>; 2]>,
-    /// Its numbers but the normal force and the table, by their keys ([`super::contacts::NUMBERS`]).
+    /// Its numbers but the normal force and the table, by their keys ([`super::contact_law::NUMBERS`]).
     pub numbers: Vec<(&'static str, Amount)>,
 }
 

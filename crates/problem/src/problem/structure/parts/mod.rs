@@ -2,7 +2,7 @@
 
 pub mod along;
 pub mod contact;
-pub mod contacts;
+pub mod contact_law;
 pub mod damping;
 pub mod listed;
 pub(crate) mod models;

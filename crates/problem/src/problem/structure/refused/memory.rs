@@ -5,7 +5,7 @@ use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::model::assemble::{self, Model};
 use crate::problem::structure::motions::motion::LANES;
 use crate::problem::structure::motions::sweep::Ready;
-use crate::problem::{Case, Problem, Violation};
+use crate::problem::{Case, Violation};
 use crate::solve::structure::sizes_of_blocks;
 
 /// Most numbers of a motion, and of the matrices of its contacts: 2 GiB.
@@ -70,10 +70,11 @@ impl StructureProblem {
         })
     }
 
-    /// Reports a case whose whole history, of every node and contact, does not fit in memory.
-    pub(crate) fn check_history(&self, case: &Case) -> Option<Violation> {
+    /// Why the whole history of a completed case, of every node and contact, does not fit in memory; `None` if it does. Its metrics and
+    /// figures may need less.
+    pub fn history_fault(&self, case: &Case) -> Option<Violation> {
         let numbering = assemble::check(&self.template, case).ok()?;
-        let steps = self.steps(case) as f64;
+        let steps = case.steps() as f64;
         too_many(steps, self.of_history(&numbering), "in the whole history")
     }
 

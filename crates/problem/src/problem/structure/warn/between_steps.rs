@@ -3,8 +3,8 @@
 use super::doubt::Doubt;
 use crate::problem::Case;
 use crate::problem::numbers::short::short;
-use crate::problem::structure::given::loads::{Kind, Source};
 use crate::problem::structure::given::shape::Scaled;
+use crate::problem::structure::given::source::{Kind, Source};
 use crate::problem::structure::given::supports::{Course, Points};
 use crate::problem::structure::metrics::computed_ground::{ENOUGH, Steps};
 use crate::problem::structure::parts::contact::Normal;

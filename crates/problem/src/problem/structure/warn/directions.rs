@@ -6,7 +6,7 @@ use crate::problem::Case;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::node::NodeRef;
 use crate::problem::structure::parts::contact::Contact;
-use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::contact_law::law_named;
 use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::structure::Direction;

@@ -2,12 +2,12 @@
 
 use super::doubt::Doubt;
 use super::masses::Masses;
-use super::{at_start, between_steps, directions, given, matrices, restitution, twice, weight};
+use super::{at_start, between_steps, directions, matrices, restitution, twice, unlikely, weight};
 use crate::metrics::last_time;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::given::node::Numbering;
 use crate::problem::structure::metrics::computed_ground;
-use crate::problem::{Case, Problem, ends_early};
+use crate::problem::{Case, ends_early};
 use crate::system::structure::Structure;
 
 impl StructureProblem {
@@ -22,25 +22,25 @@ impl StructureProblem {
         let steps = self.computed_steps(case);
         let masses = Masses::new(structure, numbering);
         [
-            given::spring_mass(template, case, &masses),
-            given::damping_ratio(template, case),
+            unlikely::spring_mass(template, case, &masses),
+            unlikely::damping_ratio(template, case),
             twice::damped(template, case),
             twice::none(template, case, structure),
-            given::friction_coefficient(template, case),
-            given::radius(template, case),
+            unlikely::friction_coefficient(template, case),
+            unlikely::radius(template, case),
             weight::far(template, case, structure),
-            given::colliding_mass(template, case, &masses),
+            unlikely::colliding_mass(template, case, &masses),
             matrices::periods(template, structure),
-            given::idle_gravity(template, case)
+            unlikely::idle_gravity(template, case)
                 .or_else(|| weight::along_friction(template, case, structure)),
-            given::wave_speed(template, case),
+            unlikely::wave_speed(template, case),
             directions::of_one_body(template, case),
             at_start::closed(structure),
             at_start::at_once(structure),
             between_steps::before(template, case),
             steps.and_then(|steps| self.long_step(structure, numbering, steps)),
             steps.and_then(|steps| {
-                given::support_drift(template, case, steps.dt * steps.last as f64)
+                unlikely::support_drift(template, case, steps.dt * steps.last as f64)
             }),
             self.ends_early(case),
             steps.and_then(|steps| {
@@ -57,6 +57,6 @@ impl StructureProblem {
     /// A duration that is no multiple of the step.
     fn ends_early(&self, case: &Case) -> Option<Doubt> {
         let (step, duration) = (case.at(self.schema.step)?, case.at(self.schema.duration)?);
-        last_time(duration, step, self.steps(case)).map(ends_early)
+        last_time(duration, step, case.steps()).map(ends_early)
     }
 }

@@ -4,7 +4,7 @@ use super::doubt::Doubt;
 use crate::problem::numbers::short::short;
 use crate::problem::numbers::unit::Dimension;
 use crate::problem::structure::metrics::unit_consistency::size_of;
-use crate::problem::structure::metrics::units::UnitNames;
+use crate::problem::structure::metrics::unit_names::UnitNames;
 use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::structure::Structure;

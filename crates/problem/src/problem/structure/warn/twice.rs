@@ -4,7 +4,7 @@ use super::doubt::Doubt;
 use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::problem::structure::given::amount::Amount;
-use crate::problem::structure::given::loads::Kind;
+use crate::problem::structure::given::source::Kind;
 use crate::problem::structure::parts::damping::ModalDamping;
 use crate::problem::structure::parts::template::{SpringNumbers, Template};
 use crate::solve::Warning;

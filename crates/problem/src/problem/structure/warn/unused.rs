@@ -1,7 +1,7 @@
 //! Contacts that do not do what they are for: they never yield, never pull, or nothing presses them.
 
 use crate::problem::structure::motions::sweep::Ready;
-use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::contact_law::law_named;
 use crate::problem::structure::parts::template::Template;
 use crate::solve::structure::{Watched, WatchedContact};
 use crate::solve::{Warning, Warnings};

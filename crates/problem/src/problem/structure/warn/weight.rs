@@ -5,7 +5,7 @@ use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::problem::numbers::short::short;
 use crate::problem::structure::parts::contact::{Contact as Given, Normal};
-use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::contact_law::law_named;
 use crate::problem::structure::parts::template::Template;
 use crate::solve::Warning;
 use crate::system::loads::STANDARD_GRAVITY;

@@ -8,11 +8,15 @@ use serde_json::{Map, Value as Json, json};
 use slipgap_contact::contact::LAWS;
 use slipgap_contact::contact::number::{Number, Usual};
 use slipgap_contact::contact::offer::{Offered, Place};
-use slipgap_problem::problem::structure::parts::contacts::{NAMES, NUMBERS};
+use slipgap_problem::problem::structure::parts::contact_law::{NAMES, NUMBERS};
 
 /// A contact. `part` is the name of the definition of a law in a list.
 pub(super) fn contact(function: &Json, part: &str) -> Json {
     let mut one = with_law(&CONTACT, function, part);
+    // Its normal force may be a contact.
+    if let Some(forms) = one["properties"]["N"]["anyOf"].as_array_mut() {
+        forms.push(refer("structure.contact"));
+    }
     let nodes = one_of(&["between", "along", "pairs", "plane"]);
     one["dependencies"]["plane"] = none_of(&["gap"]);
     one["dependencies"]["directions"] = none_of(&["gap", "along", "pairs"]);

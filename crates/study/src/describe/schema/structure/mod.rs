@@ -25,6 +25,7 @@ use slipgap_problem::problem::numbers::parameter::Range;
 use slipgap_problem::problem::structure::channels::sample::FEWEST_TESTS;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
 use slipgap_system::system::loads::Unit;
+use slipgap_system::system::loads::pair::Component;
 
 /// The rules for studies of structures.
 pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
@@ -49,6 +50,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
             "measured": measured(),
             "problem": { "description": MEANING },
             "parameters": parameters,
+            "shared": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
             "structure": structure,
             "metrics": listed_metrics(&metric),
@@ -220,10 +222,13 @@ fn choose() -> Json {
             json!({ "type": "array", "items": one, "minItems": 1 })
         }
         "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
+        "pair" => json!({ "type": "string" }),
+        "component" => json!({ "enum": Component::ALL.map(Component::name) }),
         _ => number(keys::range(keys::CHOOSE, key)),
     };
     let needed = ["n", "T", "median", "sigma", "unit"];
     let mut schema = described(keys::CHOOSE, value, &needed);
-    schema["dependencies"] = json!({ "factor": ["at"] });
+    schema["dependencies"] =
+        json!({ "factor": ["at"], "pair": ["component"], "component": ["pair"] });
     schema
 }

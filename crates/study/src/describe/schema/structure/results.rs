@@ -6,7 +6,7 @@ use crate::describe::schema::figures::{Named, rules};
 use crate::describe::schema::values::constant;
 use crate::figure::kinds::{Kind, Needs};
 use serde_json::{Value as Json, json};
-use slipgap_problem::problem::structure::metrics::ground::PREFIX;
+use slipgap_problem::problem::structure::metrics::ground_metric::PREFIX;
 use slipgap_problem::problem::structure::metrics::reduction::{REDUCTIONS, in_brackets};
 
 /// The name of a metric.

@@ -4,35 +4,17 @@ use crate::Scale;
 use crate::figure::checker::Checker;
 use crate::figure::ensembles;
 use crate::figure::keys::{
-    BY_OUTSIDE, COLOUR, MARKERS, METRICS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
+    BAND, BY_OUTSIDE, COLOUR, MARKERS, METRICS, USUAL, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE,
 };
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use slipgap_problem::problem::Problem;
-
-/// The probabilities of the edges of a band if the study gives none: those of one standard deviation of a normal
-/// distribution.
-const USUAL: [f64; 2] = [0.16, 0.84];
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "quantiles",
     needs: Needs::Ensemble,
     meaning: "metrics over a parameter, each as the median of the ensemble and a band between two quantiles",
     keys: &[
-        X,
-        METRICS,
-        BY_OUTSIDE,
-        key(
-            "band",
-            Takes::Probabilities,
-            false,
-            "probabilities at its edges; if left out, [0.16, 0.84]",
-        ),
-        X_SCALE,
-        Y_SCALE,
-        X_RANGE,
-        Y_RANGE,
-        COLOUR,
-        MARKERS,
+        X, METRICS, BY_OUTSIDE, BAND, X_SCALE, Y_SCALE, X_RANGE, Y_RANGE, COLOUR, MARKERS,
     ],
     decode: |values, _| {
         Some(FigureKind::Quantiles(Quantiles {

@@ -2,6 +2,7 @@
 
 pub(super) mod budget;
 pub(super) mod convergence;
+pub(super) mod envelope;
 pub(super) mod front;
 pub(super) mod map;
 pub(super) mod metric;

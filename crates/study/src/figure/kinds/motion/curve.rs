@@ -1,6 +1,6 @@
 //! A quantity over another.
 
-use super::history;
+use super::{history, response};
 use crate::Scale;
 use crate::figure::checker::Checker;
 use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, X_RANGE, Y_RANGE, key};
@@ -27,6 +27,12 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             false,
             "first and last time; the whole motion if left out",
         ),
+        key(
+            "section",
+            Takes::Switch,
+            false,
+            "true: instead of the curve the points at the start of each cycle of the excitation, where it rises through 0 (Poincare section)",
+        ),
         X_RANGE,
         Y_RANGE,
         COLOUR,
@@ -40,6 +46,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             panels: values.row("panels"),
             in_units: values.switch("in_units"),
             times: values.range("time_range"),
+            section: values.switch("section"),
         }))
     },
 };
@@ -59,6 +66,8 @@ pub struct Curve {
     pub in_units: bool,
     /// First and last time, in the unit of the axes, if the study gives them.
     pub times: Option<[f64; 2]>,
+    /// Whether only the points at the start of each cycle of the excitation are shown.
+    pub section: bool,
 }
 
 impl Decoded for Curve {
@@ -75,6 +84,9 @@ impl Decoded for Curve {
     fn check_cases(&self, checker: &mut Checker) {
         history::check(checker, self.by, self.panels, self.y.len(), KIND.name);
         history::check_times(checker, "time_range", self.times, self.in_units);
+        if self.section {
+            response::check_cycles(checker, "section");
+        }
     }
 
     fn draws_histories(&self) -> bool {

@@ -14,7 +14,7 @@ use std::collections::HashMap;
 const MOST_CURVES: usize = 8;
 
 /// Most steps of all histories in one figure: the histories of all its cases are held at once.
-const MOST_DRAWN: u64 = 10_000_000;
+pub(super) const MOST_DRAWN: u64 = 10_000_000;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "history",
@@ -186,7 +186,7 @@ fn check_curves(checker: &mut Checker, panels: Option<usize>) {
         let panel = panels.and_then(|row| case.values[row]);
         let count = counts.entry(panel.map(Value::identity)).or_default();
         *count += 1;
-        steps = steps.saturating_add(checker.scope.problem.steps(&case));
+        steps = steps.saturating_add(case.steps());
         let most = if *count > MOST_CURVES {
             format!("{MOST_CURVES} cases in one panel")
         } else if steps > MOST_DRAWN {

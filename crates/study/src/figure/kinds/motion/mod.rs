@@ -4,6 +4,7 @@ pub(super) mod curve;
 pub(super) mod history;
 pub(super) mod orbit;
 pub(super) mod profile;
+pub(super) mod response;
 pub(super) mod set;
 pub(super) mod spectrum;
 pub(super) mod wave;

@@ -42,6 +42,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
             panels: values.row("panels"),
             in_units: values.switch("in_units"),
             times: values.range("time_range"),
+            section: false,
         })))
     },
 };

@@ -321,11 +321,22 @@ fn of_matrices(folder: &std::path::Path, method: &str, shaken: &str, y: &str) ->
         true => r#", "left.x": -0.6, "left.y": -0.8"#,
         false => "",
     };
+    let stop = format!(r#""t.1.x": 0.6, "t.1.y": 0.8{against}"#);
+    with_keys(folder, method, ["", &stop, shaken], y)
+}
+
+/// The same with more keys of the matrices, and a stop along these nodes.
+fn with_keys(
+    folder: &std::path::Path,
+    method: &str,
+    [keys, stop, shaken]: [&str; 3],
+    y: &str,
+) -> crate::Study {
     let text = format!(
         r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 6, "method": "{method}"}},
             "structure": {{"units": "t, kN, m, s",
-              "matrices": {{"t": {{"M": "m.mtx", "K": "k.mtx", "dofs": "dofs.csv"}}}},
-              "contacts": {{"stop": {{"law": "impact", "along": {{"t.1.x": 0.6, "t.1.y": 0.8{against}}},
+              "matrices": {{"t": {{"M": "m.mtx", "K": "k.mtx", "dofs": "dofs.csv"{keys}}}}},
+              "contacts": {{"stop": {{"law": "impact", "along": {{{stop}}},
                                       "gap": 0.01, "k": 900}},
                             "pair": {{"law": "displacement-control", "between": ["t.1.x", "t.2.x"], "k": 50, "limit": 0.4}}}},
               {shaken}}},
@@ -365,6 +376,40 @@ fn rows_of_supports_move_as_the_ground_does() {
     for folder in [folder, fixed] {
         std::fs::remove_dir_all(folder).unwrap();
     }
+}
+
+/// A node that is tied to the middle between two nodes, on supports that move apart, with all four modes and without.
+#[test]
+fn tied_nodes_on_supports_move_as_their_rows_with_all_modes() {
+    let folder = imported("tied", "support", ["left", "right"]);
+    let later = r#"{"sine": {"amplitude": 2, "omega": 5, "phase": 0.3}}"#;
+    let moving = format!(
+        r#""supports": {{"left": {{"x": {SHAKE}, "y": {later}}}, "right": {{"x": {later}, "y": {SHAKE}}}}}"#
+    );
+    let ties = r#", "ties": "node,direction,terms\n5,x,1.x:0.5,2.x:0.5\n5,y,1.y:0.5,2.y:0.5\n""#;
+    let by_rows =
+        r#""t.1.x": 0.3, "t.2.x": 0.3, "t.1.y": 0.4, "t.2.y": 0.4, "left.x": -0.6, "left.y": -0.8"#;
+    let by_tie = r#""t.5.x": 0.6, "t.5.y": 0.8, "left.x": -0.6, "left.y": -0.8"#;
+    for method in ["average-acceleration", "bathe", "generalized-alpha"] {
+        let channels =
+            |x: &str| format!(r#"["{x} - left.x", "t.2.y", "stop.r", "stop.S", "pair.S"]"#);
+        let solve = |keys: &str, stop: &str, x: &str| {
+            let keys = format!("{ties}{keys}");
+            solved(&with_keys(
+                &folder,
+                method,
+                [&keys, stop, &moving],
+                &channels(x),
+            ))
+        };
+        let plain = solve("", by_rows, "0.5*t.1.x + 0.5*t.2.x");
+        assert!(plain.metrics[0] > Some(0.0));
+        for reduce in ["", r#", "reduce": {"modes": 4}"#] {
+            // Round-off of other coordinates, which the contacts let grow.
+            agree(&plain, &solve(reduce, by_tie, "t.5.x"), 5, 1e-10);
+        }
+    }
+    std::fs::remove_dir_all(folder).unwrap();
 }
 
 /// The same structure on the ground: the rows of the free nodes, and the ground shakes the mass of their whole rows.

@@ -1,8 +1,8 @@
 //! PEER AT2: a header of four lines, the last with NPTS and DT, then the accelerations in rows.
 
 use super::fault::{RecordCause, fault};
+use super::fortran_number::{Stated, all, before_end, fields, number};
 use super::heading::{self, Heading, spaced};
-use super::number::{Stated, all, before_end, fields, number};
 use super::{Format, Parts, Reading, Record, Series, quantity};
 use crate::system::loads::Unit;
 

@@ -2,8 +2,8 @@
 //! says how many values of which quantity follow. A file in V2 may have velocities and displacements behind the accelerations.
 
 use super::fault::{LineFault, RecordCause, fault};
+use super::fortran_number::{Stated, first, number, table};
 use super::heading::{self, Heading, spaced};
-use super::number::{Stated, first, number, table};
 use super::{Format, Parts, Reading, Record, Series, component, end};
 use crate::system::loads::Unit;
 

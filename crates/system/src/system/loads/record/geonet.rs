@@ -2,8 +2,8 @@
 //! the accelerations in fields of eight characters. V2A has velocities and displacements behind them.
 
 use super::fault::{RecordCause, fault};
+use super::fortran_number::{Stated, first, table};
 use super::heading::{self, Heading, spaced};
-use super::number::{Stated, first, table};
 use super::{Format, Parts, Reading, Record, Series, component};
 use crate::system::loads::Unit;
 

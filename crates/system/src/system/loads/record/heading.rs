@@ -1,6 +1,6 @@
 //! The event, station and component that the header of a record names.
 
-use super::text::decode;
+use super::file_text::decode;
 use super::{FORMATS, Reading};
 
 /// What a header names; empty where it names nothing.

@@ -1,8 +1,8 @@
 //! K-NET and KiK-net ASCII: a header of 17 lines, the last one `Memo.`, then counts of the digitiser in rows.
 
 use super::fault::{LineFault, RecordCause, Shown, fault};
+use super::fortran_number::{Stated, all, number};
 use super::heading::Heading;
-use super::number::{Stated, all, number};
 use super::{Format, Mean, Parts, Reading, Record, Series, end, mean as means};
 use crate::system::loads::Unit;
 

@@ -6,15 +6,15 @@ mod agencies;
 mod at2;
 mod cosmos;
 mod fault;
+pub(in crate::system) mod file_text;
+pub(in crate::system) mod fortran_number;
 mod geonet;
 mod heading;
 mod knet;
 mod mean;
-pub(in crate::system) mod number;
 mod quantity;
 mod smc;
 pub(in crate::system) mod table;
-pub(in crate::system) mod text;
 
 pub use fault::{Doubt, RecordCause, RecordFault, Shown};
 pub use heading::Heading;
@@ -22,7 +22,7 @@ pub use mean::Mean;
 
 use super::Unit;
 use fault::{LineFault, fault};
-use number::Stated;
+use fortran_number::Stated;
 
 /// A recorded acceleration. It is straight between its points.
 #[derive(Debug, Clone, PartialEq)]
@@ -122,7 +122,7 @@ impl Record {
 /// # Errors
 /// The first line at fault. Of a file in an unknown format, the formats that were tried and why it is in none of them.
 pub fn parse(name: &str, bytes: &[u8], reading: Reading) -> Result<Record, RecordFault> {
-    let text = text::decode(bytes);
+    let text = file_text::decode(bytes);
     let lines: Vec<&str> = text.lines().collect();
     let record = record(&lines, &reading).map(|record| match reading.mean {
         Some(Mean::Removed) => record.without_mean(),

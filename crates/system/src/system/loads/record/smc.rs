@@ -2,8 +2,8 @@
 //! with `|`, then the accelerations in fields of ten characters.
 
 use super::fault::{RecordCause, fault};
+use super::fortran_number::{Stated, all, table};
 use super::heading::{self, Heading, spaced};
-use super::number::{Stated, all, table};
 use super::{Format, Parts, Record, Series, end};
 use crate::system::loads::Unit;
 

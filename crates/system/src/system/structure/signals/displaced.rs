@@ -1,7 +1,7 @@
 //! Motions of supports that are given by displacements.
 
-use super::motion::{Course, Motion, Quantity};
 use super::motion_pieces::{MotionFault, Piece, accelerations, steps_and_secants};
+use super::support_motion::{Course, Motion, Quantity};
 use crate::system::structure::Signal;
 use std::sync::Arc;
 

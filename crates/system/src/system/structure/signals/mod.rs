@@ -3,6 +3,6 @@
 pub(crate) mod baseline;
 mod displaced;
 pub(crate) mod mean;
-pub(crate) mod motion;
 pub(crate) mod motion_pieces;
 pub(crate) mod signal;
+pub(crate) mod support_motion;

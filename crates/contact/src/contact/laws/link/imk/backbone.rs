@@ -73,15 +73,33 @@ impl Backbone {
 
     /// What is left of it with these factors of strength and of the cap.
     pub(super) fn degraded(&self, stiffness: f64, strength: f64, cap: f64) -> Degraded {
+        self.falling_with(self.falling, [stiffness, strength, cap])
+    }
+
+    /// The same, of which the falling line turns about its force at r = 0 as the yield force comes down to the residual.
+    pub(super) fn turned(&self, stiffness: f64, strength: f64, cap: f64) -> Degraded {
+        let above = strength * self.yield_force - self.residual;
+        let falling = match (strength < 1.0, above > 0.0) {
+            (false, _) => self.falling,
+            (true, true) => above / (self.yield_force - self.residual) * self.falling,
+            (true, false) => 0.0,
+        };
+        self.falling_with(falling, [stiffness, strength, cap])
+    }
+
+    fn falling_with(&self, falling: f64, [stiffness, strength, factor]: [f64; 3]) -> Degraded {
         let yield_force = self.yield_force * strength;
         let hardening = self.hardening * strength;
         let start = yield_force - hardening * (yield_force / stiffness);
-        let r = (self.projected * cap - start) / (hardening - self.falling);
+        let r = (self.projected * factor - start) / (hardening - falling);
         let cap = [r, start + hardening * r];
-        let end = r + (self.residual - cap[1]) / self.falling;
+        let end = match falling < 0.0 {
+            true => r + (self.residual - cap[1]) / falling,
+            false => f64::INFINITY,
+        };
         Degraded {
             hardening,
-            falling: self.falling,
+            falling,
             cap,
             residual: [end, self.residual],
         }
@@ -89,6 +107,26 @@ impl Backbone {
 }
 
 impl Degraded {
+    /// Where a line of this slope from a point below it meets it.
+    pub(super) fn meets(&self, slope: f64, [r, s]: [f64; 2]) -> f64 {
+        let [[cap, top], [_, residual]] = [self.cap, self.residual];
+        let to = |bent: f64| match slope > bent {
+            true => r + (top + bent * (r - cap) - s) / (slope - bent),
+            false => f64::INFINITY,
+        };
+        let line = to(self.hardening).min(to(self.falling));
+        line.max(r + (residual - s) / slope)
+    }
+
+    /// Up to where it is at its residual before it hardens; no number if it does not harden.
+    pub(super) fn hardens_from(&self) -> f64 {
+        let [[cap, top], [_, residual]] = [self.cap, self.residual];
+        match top > residual {
+            true => cap - (top - residual) / self.hardening,
+            false => f64::NAN,
+        }
+    }
+
     /// The force of the first loading at a deflection beyond yielding, at least the residual.
     pub(super) fn force(&self, r: f64) -> f64 {
         let [cap, top] = self.cap;

@@ -1,6 +1,6 @@
 //! What the law says of itself.
 
-use super::{Backbone, Imk, Numbers};
+use super::{Backbone, Imk, Numbers, Reloading};
 use crate::contact::prelude::*;
 
 const fn negative([key, symbol, unit]: [&'static str; 3], range: Range) -> Number {
@@ -22,10 +22,10 @@ const fn damage([key, symbol]: [&'static str; 2], meaning: &'static str) -> Numb
     Number::new([key, symbol, "1"], Range::UpToOne, meaning).usually(Usual::Is(1.0))
 }
 
-/// Those without pinching.
-const COMMON: usize = 23;
+/// Those of all forms, and those without pinching.
+const COMMON: [usize; 2] = [21, 23];
 
-/// The numbers; the last two are of pinching.
+/// The numbers; the last four are of peaks, of which the last two are of pinching.
 static NUMBERS: [Number; 25] = [
     structure::K,
     structure::FY,
@@ -77,16 +77,11 @@ static NUMBERS: [Number; 25] = [
         "the same for the falling line beyond the cap",
     ),
     lambda(
-        ["lambda_A", "*λ*_A_"],
-        "the same for the deflection to which it is loaded again",
-    ),
-    lambda(
         ["lambda_K", "*λ*_K_"],
         "the same for the stiffness of unloading",
     ),
     exponent(["c_S", "*c*_S_"]),
     exponent(["c_C", "*c*_C_"]),
-    exponent(["c_A", "*c*_A_"]),
     exponent(["c_K", "*c*_K_"]),
     damage(
         ["D_positive", "*D*^+^"],
@@ -96,6 +91,11 @@ static NUMBERS: [Number; 25] = [
         ["D_negative", "*D*^−^"],
         "the same for r < 0; 1 if left out",
     ),
+    lambda(
+        ["lambda_A", "*λ*_A_"],
+        "{laws}: energy over Fy by which the deflection degrades to which they are loaded again; it does not if left out",
+    ),
+    exponent(["c_A", "*c*_A_"]),
     Number::new(
         ["kappa_F", "*κ*_F_", "1"],
         Range::UpToOne,
@@ -163,20 +163,21 @@ fn side(
 }
 
 /// The law of given numbers.
-fn form(given: &GivenNumbers, pinching: Option<[f64; 2]>) -> Result<Form, LawFault> {
+fn form(given: &GivenNumbers, reloading: Reloading) -> Result<Form, LawFault> {
     let stiffness = given.need("k")?;
     let positive = side(given, stiffness, SIDES[1])?;
     let negative = side(given, stiffness, SIDES[0])?;
     let fy = given.need("Fy")?;
     let energy = |key: &str| given.given(key).map_or(f64::INFINITY, |lambda| lambda * fy);
     let [s, c] = [given.need("c_S")?, given.need("c_C")?];
-    let [a, k] = [given.need("c_A")?, given.need("c_K")?];
+    // Without peaks there is no number of them.
+    let [a, k] = [given.given("c_A").unwrap_or(1.0), given.need("c_K")?];
     Ok(Form::of(Imk::new(Numbers {
         stiffness,
         sides: [negative, positive],
         energies: ["lambda_S", "lambda_C", "lambda_A", "lambda_K"].map(energy),
         exponents: [s, c, a, k],
-        pinching,
+        reloading,
     })))
 }
 
@@ -184,15 +185,21 @@ impl Described for Imk {
     const KIND: ContactKind = ContactKind::Link;
     const NAME: &'static str = "imk-peak-oriented";
     const OFFERS: &'static [Offer] = &[
-        Offer::new(Self::NAME, |given| form(given, None))
+        Offer::new("imk-bilinear", |given| form(given, Reloading::Bilinear))
+            .also(&["imkbilin", "bilin", "modimkbilin"])
+            .in_structures(
+                "a hinge that hardens, softens and degrades with the energy that it takes, loaded again elastically (Lignos and Krawinkler 2011)",
+                EACH.split_at(COMMON[0]).0,
+            ),
+        Offer::new(Self::NAME, |given| form(given, Reloading::PeakOriented))
             .also(&["imkpeakoriented", "modimkpeakoriented", "imk", "clough"])
             .in_structures(
-                "a hinge that hardens, softens and degrades with the energy that it takes, loaded again towards its peak (Ibarra, Medina and Krawinkler 2005)",
-                EACH.split_at(COMMON).0,
+                "the same, loaded again towards its peak (Ibarra, Medina and Krawinkler 2005)",
+                EACH.split_at(COMMON[1]).0,
             ),
         Offer::new("imk-pinching", |given| {
             let pinching = [given.need("kappa_F")?, given.need("kappa_D")?];
-            form(given, Some(pinching))
+            form(given, Reloading::Pinching(pinching))
         })
             .also(&["imkpinching", "modimkpinching"])
             .in_structures(

@@ -1,4 +1,4 @@
-//! A part that degrades: the model of Ibarra, Medina and Krawinkler, peak-oriented, with or without pinching.
+//! A part that degrades: the model of Ibarra, Medina and Krawinkler, bilinear, peak-oriented, or with pinching.
 
 use crate::contact::laws::shared::Shared;
 use crate::contact::prelude::*;
@@ -31,6 +31,12 @@ use walk::Walk;
 /// direction that begins. At every turn from loading (1 - `beta_K`) multiplies the stiffness of unloading, with both energies less the
 /// elastic part S^2/2k. The part fails where a beta exceeds 1, or E_t is used up.
 ///
+/// The bilinear form goes on with the stiffness of unloading up to the first loading of the direction as it is left, its hardening line
+/// extended to r < 0, but not below the residual (Lignos and Krawinkler 2011; `IMKBilin`). Its falling line turns about the force at r = 0
+/// so that it has the slope of the first one times (Fy - F_res)/(Fy(0) - F_res), as that of `IMKBilin`. There, other than here, a part
+/// that has been at its residual unloads with k/2, hardens at most from the residual on, and a failure by `Uu` leaves the residual of the
+/// other direction.
+///
 /// Energy is the sum of S dr with the mean force of each step, and known at its ends: so has OpenSees it, whose forces are these along the
 /// same steps, but in these cases: there a used-up E_t gives a beta below 0 that counts as 0 or no number at all, and a step that begins
 /// with S = 0 to the last bit may be taken for a turn. Without a memory of energy, S^2/2k is stored and the rest dissipated.
@@ -51,8 +57,19 @@ pub struct Numbers {
     pub energies: [f64; 4],
     /// c of them.
     pub exponents: [f64; 4],
-    /// `kappa_F` and `kappa_D`; `None` without pinching.
-    pub pinching: Option<[f64; 2]>,
+    /// How it is loaded again.
+    pub reloading: Reloading,
+}
+
+/// How a part is loaded again after a change of sign of S.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reloading {
+    /// With the stiffness of unloading, up to what is left of the first loading.
+    Bilinear,
+    /// Towards the peak.
+    PeakOriented,
+    /// The same over the point of pinching of `kappa_F` and `kappa_D`.
+    Pinching([f64; 2]),
 }
 
 /// The law over a step.
@@ -86,10 +103,14 @@ impl Imk {
     pub fn new(numbers: Numbers) -> Imk {
         static KNOWN: Shared<Numbers> = Shared::new();
         let [first, second] = numbers.sides.map(Backbone::numbers);
-        let pinching = numbers.pinching.unwrap_or([f64::NAN; 2]);
+        let reloading = match numbers.reloading {
+            Reloading::Bilinear => [f64::INFINITY; 2],
+            Reloading::PeakOriented => [f64::NAN; 2],
+            Reloading::Pinching(kappas) => kappas,
+        };
         let of_sides = [numbers.stiffness].into_iter().chain(first).chain(second);
         let with_energies = of_sides.chain(numbers.energies).chain(numbers.exponents);
-        Imk(KNOWN.get(with_energies.chain(pinching), numbers))
+        Imk(KNOWN.get(with_energies.chain(reloading), numbers))
     }
 }
 
@@ -173,7 +194,7 @@ mod tests {
             sides: [side; 2],
             energies: [f64::INFINITY; 4],
             exponents: [1.0; 4],
-            pinching: Some([0.3, 0.5]),
+            reloading: Reloading::Pinching([0.3, 0.5]),
         });
         let slope = 0.3 * 1.4 / 8.6;
         for (r, wanted) in [(0.5, 4.1 * slope), (1.7, 5.3 * slope)] {

@@ -1,7 +1,7 @@
 //! What the law remembers from step to step.
 
-use super::Numbers;
 use super::backbone::Degraded;
+use super::{Numbers, Reloading};
 
 /// Which line the part is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -121,18 +121,23 @@ impl State {
         side_state.peak *= 1.0 + peak.min(1.0) * backbone.damage;
         let peak_force = self.peak(law, side)[1];
         self.positive = side == 1;
-        let survives = strength <= 1.0 && cap <= 1.0 && peak <= 1.0 && peak_force != 0.0;
-        if survives {
-            self.aim(law, side, r);
+        let survives = strength <= 1.0 && cap <= 1.0 && peak <= 1.0;
+        match law.reloading {
+            Reloading::Bilinear => survives,
+            Reloading::PeakOriented | Reloading::Pinching(_) => {
+                if survives && peak_force != 0.0 {
+                    self.aim(law, side, r);
+                }
+                survives && peak_force != 0.0
+            }
         }
-        survives
     }
 
     /// Chooses the line from r with S = 0.
     fn aim(&mut self, law: &Numbers, side: usize, r: f64) {
         let [peak, force] = self.peak(law, side);
         let to_peak = force / (peak - r);
-        if let Some([kappa_f, kappa_d]) = law.pinching {
+        if let Reloading::Pinching([kappa_f, kappa_d]) = law.reloading {
             let bend = (1.0 - kappa_d) * (peak - force / self.unloading);
             self.pinch = [bend, kappa_f * force * (bend - r) / (peak - r)];
             if r < bend {
@@ -149,6 +154,27 @@ impl State {
         };
     }
 
+    /// Whether a side that is at S = 0 or above is loaded by the stiffness of unloading, up to its first loading as it is left.
+    pub(super) fn is_bilinear(&self, law: &Numbers, side: usize) -> bool {
+        law.reloading == Reloading::Bilinear && self.positive == (side == 1)
+    }
+
+    /// The line of the first loading that begins at r; whether it has a force.
+    pub(super) fn load(&mut self, law: &Numbers, side: usize, r: f64) -> bool {
+        let left = self.degraded(law, side);
+        let [[cap, top], [end, residual]] = [left.cap, left.residual];
+        (self.positive, self.branch) = (
+            side == 1,
+            match () {
+                () if top > residual && r < left.hardens_from() => Branch::Residual,
+                () if top > residual && r < cap => Branch::ToCap,
+                () if top > residual && r < end => Branch::Falling,
+                () => Branch::Residual,
+            },
+        );
+        residual > 0.0 || (top > residual && r < end)
+    }
+
     /// The line beyond the last turn, from which it was unloaded.
     pub(super) fn go_on(&mut self, law: &Numbers, side: usize) {
         let [peak, force] = self.peak(law, side);
@@ -156,7 +182,7 @@ impl State {
         let to_peak = (force - last_force) / (peak - last);
         self.positive = side == 1;
         (self.branch, self.reloading) = (Branch::ToPeak, to_peak);
-        if law.pinching.is_some() {
+        if let Reloading::Pinching(_) = law.reloading {
             let [bend, bend_force] = self.pinch;
             let to_bend = (bend_force - last_force) / (bend - last);
             let between = last < bend && last_force < bend_force;
@@ -196,6 +222,12 @@ impl State {
     /// What is left of the first loading of a side.
     pub(super) fn degraded(&self, law: &Numbers, side: usize) -> Degraded {
         let side_state = &self.sides[side];
-        law.sides[side].degraded(law.stiffness, side_state.strength, side_state.cap)
+        let [strength, cap] = [side_state.strength, side_state.cap];
+        match law.reloading {
+            Reloading::Bilinear => law.sides[side].turned(law.stiffness, strength, cap),
+            Reloading::PeakOriented | Reloading::Pinching(_) => {
+                law.sides[side].degraded(law.stiffness, strength, cap)
+            }
+        }
     }
 }

@@ -10,8 +10,8 @@
 //! is the end, unless it is beyond that of the line. Where the next line begins with a larger force, it may be that of a force between
 //! both at the same r.
 
-use super::Numbers;
 use super::state::{Branch, State};
+use super::{Numbers, Reloading};
 
 /// A state at r under S, at the start of a step.
 pub(super) struct Walk<'a> {
@@ -77,7 +77,7 @@ impl<'a> Walk<'a> {
                 end,
                 excludes_end,
             } = line;
-            let pushes = from[1] > 0.0;
+            let pushes = self.pushes(side, from[1]);
             // A line that ends before it begins is left out, as the one to a cap that has come in front of the peak.
             if end > from[0] {
                 let r = (y - h * (f - slope * a)) / (1.0 + h * slope);
@@ -95,6 +95,10 @@ impl<'a> Walk<'a> {
                     return (turned([r, f + slope * (r - a)]), self.state, fails);
                 }
                 from = [end, f + slope * (end - a)];
+            }
+            if excludes_end && self.law.reloading == Reloading::Bilinear {
+                // Round-off is no load of the other direction.
+                from = [from[0].max(end), 0.0];
             }
             if !self.leave(side, end, pushes) {
                 fails = true;
@@ -119,6 +123,11 @@ impl<'a> Walk<'a> {
         self.state.turn(self.law, side, [loaded * r, loaded * s])
     }
 
+    /// Whether S of a side loads it.
+    fn pushes(&self, side: usize, s: f64) -> bool {
+        s > 0.0 || (s == 0.0 && self.state.is_bilinear(self.law, side))
+    }
+
     /// The line of the present branch from a point, in the signs of a side in whose direction the step goes.
     fn line(&self, side: usize, from: [f64; 2]) -> Line {
         let state = &self.state;
@@ -135,7 +144,13 @@ impl<'a> Walk<'a> {
                 let end = self.law.sides[side].yield_force / self.law.stiffness;
                 line([0.0; 2], self.law.stiffness, end)
             }
-            // To the last turn of this side, or to S = 0.
+            // To the first loading, to the last turn of this side, or to S = 0.
+            Branch::Unloading
+                if self.pushes(side, from[1]) && self.law.reloading == Reloading::Bilinear =>
+            {
+                let end = state.degraded(self.law, side).meets(state.unloading, from);
+                line(from, state.unloading, end)
+            }
             Branch::Unloading if from[1] > 0.0 => line(from, state.unloading, side_state.last[0]),
             Branch::Unloading => Line {
                 excludes_end: true,
@@ -161,7 +176,12 @@ impl<'a> Walk<'a> {
                 let left = state.degraded(self.law, side);
                 line(left.cap, left.falling, left.residual[0])
             }
-            Branch::Residual => line(state.degraded(self.law, side).residual, 0.0, never),
+            Branch::Residual => {
+                let left = state.degraded(self.law, side);
+                let hardens = left.hardens_from();
+                let end = if from[0] < hardens { hardens } else { never };
+                line([from[0], left.residual[1]], 0.0, end)
+            }
             Branch::Failed => line([0.0; 2], 0.0, never),
         }
     }
@@ -174,7 +194,10 @@ impl<'a> Walk<'a> {
                 state.positive = side == 1;
                 state.branch = Branch::ToCap;
             }
-            Branch::Unloading if pushes => state.go_on(self.law, side),
+            Branch::Unloading if pushes => match self.law.reloading {
+                Reloading::Bilinear => return state.load(self.law, side, end),
+                Reloading::PeakOriented | Reloading::Pinching(_) => state.go_on(self.law, side),
+            },
             Branch::Unloading => return state.begin(self.law, side, end),
             Branch::ToPinch => state.leave_pinch(self.law, side),
             Branch::ToLast => state.leave_last(self.law, side),
@@ -182,7 +205,9 @@ impl<'a> Walk<'a> {
             Branch::ToCap => state.branch = Branch::Falling,
             Branch::Falling if state.degraded(self.law, side).residual[1] <= 0.0 => return false,
             Branch::Falling => state.branch = Branch::Residual,
-            Branch::Residual | Branch::Failed => {}
+            // Before it hardens.
+            Branch::Residual => state.branch = Branch::ToCap,
+            Branch::Failed => {}
         }
         true
     }

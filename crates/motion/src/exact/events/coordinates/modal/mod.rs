@@ -6,6 +6,7 @@ mod refine;
 use super::flexible::Flexible;
 use super::model::{Bounds, MANY, MOST_MODES, Model};
 use super::modes::Modes;
+use super::pressed::Pressed;
 use crate::contact::ClippedLine;
 use crate::exact::events::EventsFault;
 use crate::exact::events::numerics::matrix::Matrix;
@@ -74,6 +75,15 @@ pub fn model(structure: &Structure) -> Result<Model<'_>, EventsFault> {
             .ok_or(not_positive.clone())?
             .unpack(),
     };
+    let shared = |i: usize| {
+        let flexible = condensed.flexible.as_ref();
+        let has_two = structure.contacts[i].law.static_ratio() > 1.0;
+        flexible.is_some_and(|flexible| has_two && flexible.is_shared(i))
+    };
+    if let Some(contact) = (0..structure.contacts.len()).find(|i| shared(*i)) {
+        let contact = structure.contacts[contact].name.clone();
+        return Err(EventsFault::SharedJump { contact });
+    }
     let standard = scaled(&lower, &condensed.stiffness).ok_or(not_positive.clone())?;
     // Numbers that are not finite would not end.
     let eigen = SymmetricEigen::try_new(standard, f64::EPSILON, ITERATIONS * condensed.kept.len())
@@ -114,6 +124,16 @@ pub fn model(structure: &Structure) -> Result<Model<'_>, EventsFault> {
     if condensed.flexible.is_some() && !structure.supports.is_empty() {
         return Err(EventsFault::MasslessSupports);
     }
+    // Springs at nodes without mass are refused.
+    let pressed = Pressed::of(structure, |along| {
+        let mut row = DVector::zeros(n);
+        for (node, factor) in along {
+            if let Some(place) = condensed.places[*node] {
+                row[place] += factor;
+            }
+        }
+        Row::Dense(project(&shapes, &row))
+    });
     let couplings = columns
         .iter()
         .flat_map(|a| columns.iter().map(|b| a.form(&vec![1.0; count], b).abs()));
@@ -143,6 +163,7 @@ pub fn model(structure: &Structure) -> Result<Model<'_>, EventsFault> {
         start,
         modes: Some(modes.padded(count)),
         flexible: condensed.flexible,
+        pressed,
         points: signals::points(structure),
         fastest_load: signals::fastest(structure),
         structure,

@@ -3,7 +3,7 @@
 use crate::lane::Lane;
 use crate::solve::structure::Prepared;
 use crate::solve::structure::contacts::forces::Forces;
-use crate::solve::structure::general::contacts::LaneContact;
+use crate::solve::structure::general::sub_step_contacts::LaneContact;
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::Structure;
 

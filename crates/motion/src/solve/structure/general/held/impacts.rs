@@ -1,7 +1,7 @@
 //! What a run of impulses keeps of its impacts.
 
 use crate::solve::structure::Prepared;
-use crate::solve::structure::general::contacts::LaneContact;
+use crate::solve::structure::general::sub_step_contacts::LaneContact;
 
 /// What rigid stops and Coulomb friction of the method of Moreau and Jean need.
 #[derive(Debug, Clone)]

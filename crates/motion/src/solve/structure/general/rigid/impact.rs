@@ -1,8 +1,8 @@
 //! Rigid stops on which impulses act: which of them are active in a step.
 
 use crate::lane::Lane;
-use crate::solve::structure::general::contacts::LaneContact;
 use crate::solve::structure::general::stages::General;
+use crate::solve::structure::general::sub_step_contacts::LaneContact;
 
 /// Round-off of r of a stop that stays shut for a million steps, over the largest displacement so far, also that of the velocity
 /// which its force makes in a step: some 1000 times 2e-16.

@@ -15,7 +15,7 @@ mod check;
 mod falls;
 mod idle;
 mod newton;
-mod step;
+mod proximal_step;
 mod weights;
 
 use crate::contact::Unsolved;

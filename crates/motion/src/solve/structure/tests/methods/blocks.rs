@@ -78,6 +78,7 @@ fn laws() -> [[StructureLaw; 2]; 3] {
         compliance: 1e-3,
         limit: 0.5,
         exponent: 2.0,
+        beta: 0.5,
     });
     let friction = StructureLaw::new(bouc_wen, Limit::constant(0.5)).from_its_answer();
     [

@@ -61,6 +61,7 @@ fn relations() -> Vec<StructureLaw> {
             compliance: 0.01,
             limit: 0.8,
             exponent: 2.0,
+            beta: 0.5,
         })),
         friction(ContactLaw::Dahl(Dahl {
             compliance: 0.01,

@@ -10,7 +10,7 @@ use crate::problem::structure::given::node::NodeRef;
 use crate::problem::structure::given::supports::Support;
 use crate::problem::structure::model::assemble::MOST_NODES;
 use crate::problem::structure::parts::along::Term;
-use crate::problem::structure::parts::contacts::law_named;
+use crate::problem::structure::parts::contact_law::law_named;
 use crate::problem::structure::parts::template::{Moved, Spring, SpringNumbers, Template};
 use crate::system::import::Dofs;
 use crate::system::structure::Direction;

@@ -1,14 +1,14 @@
 //! The structure of a case: masses, bars and springs as matrices, with contacts, loads and start.
 
-mod contacts;
+mod contact_parts;
+mod linear_parts;
 mod loads;
 mod matrices;
-mod parts;
 mod pressing;
 mod start;
 
+pub use linear_parts::damping_stiffness;
 pub use loads::inertia;
-pub use parts::damping_stiffness;
 
 use super::massless;
 use crate::problem::structure::given::amount::Amount;

@@ -4,7 +4,7 @@ use super::Draft;
 use crate::contact::ContactKind;
 use crate::problem::Violation;
 use crate::problem::structure::parts::contact::{Contact, Normal, Pressing, PressingPart};
-use crate::problem::structure::parts::contacts::{law_named, pressing_laws};
+use crate::problem::structure::parts::contact_law::{law_named, pressing_laws};
 use crate::system::structure::{PressedBy, PressingSpring, Spring};
 
 impl Draft<'_> {

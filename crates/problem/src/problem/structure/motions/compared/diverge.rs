@@ -16,8 +16,8 @@ use crate::problem::structure::motions::sweep::Ready;
 const DIFFERENT: f64 = 0.01;
 
 impl StructureProblem {
-    /// Whether the two motions of a case part in a channel of a metric; `None` if it cannot be solved.
-    pub(crate) fn case_diverges(&self, case: &Case) -> Option<bool> {
+    /// Whether a change of 1e-10 in start and loads reaches 1 % of the peak of a channel that metrics are of; `None` if not known.
+    pub fn diverges(&self, case: &Case) -> Option<bool> {
         let Ready {
             structure,
             numbering,
@@ -87,8 +87,8 @@ impl StructureProblem {
         distinct(numbers.chain(self.plain(numbering)))
     }
 
-    /// Whether the two motions of a case part, by metrics that say it; `None` if none does.
-    pub(crate) fn metrics_say(&self, values: &[Option<f64>]) -> Option<bool> {
+    /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
+    pub fn diverges_by(&self, values: &[Option<f64>]) -> Option<bool> {
         let says = |(row, value): (usize, &Option<f64>)| {
             let metric = self.metrics.get(row)?;
             let is = |reduction| metric.reduction == reduction;

@@ -1,22 +1,34 @@
 //! Metrics of the exact motion of a case, with which computed ones are compared.
 
+use crate::contact::ContactKind;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::metrics::metric::StructureMetric;
+use crate::problem::structure::metrics::reduction::Reduction;
 use crate::problem::structure::motions::recorded::{MetricContext, Motions, distinct};
 use crate::problem::structure::motions::sweep::Ready;
 use crate::problem::structure::motions::{exact_motion, metric_values, motion};
 use crate::solve::Unsolvable;
 
 impl StructureProblem {
-    /// The metrics in these rows of the exact motion at the steps, if they are of a channel that it has.
+    /// The metrics in these rows of the exact motion at the steps, if they are of a channel that it has, or the energy of a loop.
     pub(crate) fn exact_values(
         &self,
         ready: &Ready,
         rows: &[usize],
     ) -> Result<Vec<Option<f64>>, Unsolvable> {
         let metrics: Vec<&StructureMetric> = rows.iter().map(|row| &self.metrics[*row]).collect();
-        let of_motion =
-            |metric: &StructureMetric| !metric.measured && metric.reduction.is_of_values();
+        let rigid = self.against_rigid();
+        // The exact force of a rigid impact has no impulses.
+        let has_force = |contact: usize| {
+            let contact = ready.structure.contacts.get(contact);
+            contact.is_some_and(|contact| !rigid || contact.law.kind() != ContactKind::Impact)
+        };
+        let of_loop = |metric: &StructureMetric| {
+            metric.reduction == Reduction::EnergyPerCycle && metric.contact.is_some_and(has_force)
+        };
+        let of_motion = |metric: &StructureMetric| {
+            !metric.measured && (metric.reduction.is_of_values() || of_loop(metric))
+        };
         let numbers = |metric: &StructureMetric| {
             metric_values::needed(metric, &ready.numbering, self.template.contacts.len())
         };
@@ -25,7 +37,6 @@ impl StructureProblem {
         if wanted.is_empty() {
             return Ok(vec![None; rows.len()]);
         }
-        let rigid = self.against_rigid();
         let structure = match rigid {
             true => &motion::rigid(&ready.structure)?,
             false => &ready.structure,

@@ -3,7 +3,7 @@
 use crate::history::History;
 use crate::problem::structure::channels::channel::{Number, Quantity};
 use crate::problem::structure::parts::template::Template;
-use crate::problem::structure::tables::columns::all_numbers;
+use crate::problem::structure::tables::history_columns::all_numbers;
 use crate::system::structure::Structure;
 
 /// The limit of each contact at the times of a motion, >= 0, in the unit of force; `None` for a contact without friction. `first` is the

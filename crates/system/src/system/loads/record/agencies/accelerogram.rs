@@ -3,8 +3,8 @@
 //! apart. A corrected file (V2) has velocities and displacements behind them. BHRC has accelerations without such a line.
 
 use super::super::fault::{LineFault, RecordCause, fault};
+use super::super::fortran_number::{Stated, block, fields, table};
 use super::super::heading::{self, Heading, spaced};
-use super::super::number::{Stated, block, fields, table};
 use super::super::{Doubt, Format, Parts, Reading, Record, Series, component};
 use super::channel::{Channel, channels};
 use super::stated::{behind, count, ends, peak, positive, unit};

@@ -1,6 +1,6 @@
 //! The channels of a file in the layout of CSMIP: lines of text, rows of 80 whole numbers or more, rows of numbers, then the data.
 
-use super::super::number::{fields, number};
+use super::super::fortran_number::{fields, number};
 
 /// The parts of a channel, as indices of lines.
 pub(super) struct Channel {

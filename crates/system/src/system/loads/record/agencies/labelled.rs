@@ -2,8 +2,8 @@
 //! for each channel.
 
 use super::super::fault::{LineFault, RecordCause, fault};
+use super::super::fortran_number::{Stated, before_end, fields, number};
 use super::super::heading::{self, Heading, spaced};
-use super::super::number::{Stated, before_end, fields, number};
 use super::super::quantity::of_unit;
 use super::super::{Doubt, Format, Parts, Reading, Record, Series, choice};
 use super::stated::{count, ends, peak, positive, unit};

@@ -2,8 +2,8 @@
 //! other, each with seven lines of text, the last two with labels, then rows of numbers.
 
 use super::super::fault::{RecordCause, fault};
+use super::super::fortran_number::{Stated, block};
 use super::super::heading::{self, Heading, spaced};
-use super::super::number::{Stated, block};
 use super::super::{Format, Parts, Reading, Record, Series, component};
 use super::stated::{behind, count, positive, unit};
 

@@ -1,7 +1,7 @@
 //! What headers state about the numbers: labels with numbers, units, and the peak, which the numbers have, too.
 
 use super::super::fault::{LineFault, RecordCause, fault};
-use super::super::number::number;
+use super::super::fortran_number::number;
 use super::super::{Doubt, Record};
 use crate::system::loads::Unit;
 

@@ -1,6 +1,6 @@
 //! Faults of record files.
 
-mod words;
+mod messages;
 
 use std::fmt;
 

@@ -2,7 +2,7 @@
 
 use super::super::at2;
 use super::super::fault::{LineFault, RecordCause, fault};
-use super::super::number::{Stated, number};
+use super::super::fortran_number::{Stated, number};
 use super::super::quantity::of_unit;
 use crate::system::loads::Unit;
 

@@ -1,7 +1,7 @@
 //! The fields of a line of a table.
 
 use super::super::fault::{RecordCause, Shown};
-use super::super::number::{fields, number};
+use super::super::fortran_number::{fields, number};
 
 /// The character that separates the fields of a line: a semicolon before a comma; none if blanks do.
 pub(super) fn separator(line: &str) -> Option<char> {

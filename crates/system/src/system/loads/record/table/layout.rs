@@ -1,7 +1,7 @@
 //! How the numbers of a table are laid out: in columns, or one series in rows.
 
 use super::super::fault::RecordCause;
-use super::super::number::number;
+use super::super::fortran_number::number;
 use super::Rows;
 use super::fields::cells;
 

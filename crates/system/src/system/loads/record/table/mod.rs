@@ -6,7 +6,7 @@ pub(in crate::system) mod fields;
 mod layout;
 
 use super::fault::{LineFault, RecordCause, fault};
-use super::number::{before_end, decimal, number};
+use super::fortran_number::{before_end, decimal, number};
 use super::{Reading, Record, end, quantity};
 use crate::system::loads::Unit;
 use facts::Facts;

@@ -1,10 +1,10 @@
 //! Sparse factors L D L^T of symmetric positive definite matrices.
 
 mod blocks;
-mod columns;
+mod elimination;
+mod entries;
 mod minimum_degree;
 mod numeric;
-mod order;
 mod panels;
 pub(crate) mod pivot;
 mod products;
@@ -12,13 +12,13 @@ mod reach;
 mod solve;
 
 pub use blocks::Blocks;
-pub use columns::{Columns, Entry};
+pub use entries::{Columns, Entry};
 pub use pivot::negative_pivot;
 
 use super::lists::Lists;
 use crate::system::structure::Symmetric;
+use elimination::{Order, order};
 use numeric::Numeric;
-use order::{Order, order};
 use panels::{Panel, panels};
 use std::borrow::Borrow;
 use std::fmt;

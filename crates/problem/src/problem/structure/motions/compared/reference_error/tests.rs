@@ -67,6 +67,7 @@ fn laws() -> Vec<StructureLaw> {
             compliance,
             limit,
             exponent: 2.0,
+            beta: 0.5,
         })),
         friction(ContactLaw::Tanh(Tanh {
             compliance: 0.02,

@@ -1,7 +1,0 @@
-//! The tables of a study in the page: results, indices and quantiles, by columns.
-
-pub(super) mod column;
-pub(super) mod indices;
-pub(super) mod quantiles;
-pub(super) mod results;
-pub(super) mod used;
