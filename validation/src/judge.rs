@@ -2,7 +2,7 @@
 
 use super::Finding;
 use super::ledger::{Demand, Expect, Reading};
-use super::within::{Limits, Met, short, within};
+use super::within::{Limits, Met, share_within, short, within};
 use slipgap_problem::problem::{Lines, Problem, Snapshot};
 use slipgap_study::{CaseMetrics, Reference, Study};
 
@@ -36,29 +36,27 @@ fn finding(met_list: Vec<Met>) -> Finding {
 fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met {
     let matching = outcomes.iter().filter(|o| expect.filter.matches(&o.case));
     let mut cases: Vec<&CaseMetrics> = matching.collect();
-    let reduced = match expect.demand {
+    let reductions = match expect.demand {
         Demand::Within { metric, .. }
         | Demand::Trend { metric, .. }
         | Demand::LeastAt { metric, .. } => {
-            slipgap_study::reduced_cases(study, &[metric], |take| {
-                for reduced in &cases {
-                    take(&reduced.case, &|row| {
-                        reduced.metrics.get(row).copied().flatten()
-                    });
-                }
-            })
+            let each: Vec<&CaseMetrics> = outcomes.iter().collect();
+            reduced(study, metric, &cases).zip(reduced(study, metric, &each))
         }
         Demand::AwayFromFronts { .. } | Demand::LaterEvent { .. } => None,
     };
-    if let Some(reduced) = &reduced {
-        cases = reduced.iter().collect();
+    let mut others = outcomes;
+    // A reduction is divided by that of other cases, which `where` need not choose.
+    if let Some((chosen, every)) = &reductions {
+        cases = chosen.iter().collect();
+        others = every;
     }
     let problem = &*study.problem;
     let metric_of = |o: &CaseMetrics, metric: usize| o.metrics[metric].filter(|x| x.is_finite());
     let value = |o: &CaseMetrics, metric: usize| match &expect.over {
         None => metric_of(o, metric),
         Some(over) => {
-            let other = metric_of(partner(over, o, outcomes)?, metric)?;
+            let other = metric_of(partner(over, o, others)?, metric)?;
             Some(metric_of(o, metric)? / other).filter(|x| x.is_finite())
         }
     };
@@ -73,13 +71,21 @@ fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met 
         }
     };
     match &expect.demand {
-        Demand::Within { metric, min, max } => {
+        Demand::Within {
+            metric,
+            min,
+            max,
+            share,
+        } => {
             let values: Vec<_> = cases.iter().map(|o| value(o, *metric)).collect();
             let mut name = named(*metric);
             if expect.over.is_some() {
                 name.push(':');
             }
-            within(&values, &name, *min, *max)
+            match share {
+                Some(share) => share_within(&values, &name, [*min, *max], *share),
+                None => within(&values, &name, *min, *max),
+            }
         }
         Demand::Trend {
             metric,
@@ -145,6 +151,17 @@ fn expectation(study: &Study, outcomes: &[CaseMetrics], expect: &Expect) -> Met 
             within(&errors, &name, *min, *max)
         }
     }
+}
+
+/// The cases reduced to one for each group, if the metric is a reduction.
+fn reduced(study: &Study, metric: usize, cases: &[&CaseMetrics]) -> Option<Vec<CaseMetrics>> {
+    slipgap_study::reduced_cases(study, &[metric], |take| {
+        for outcome in cases {
+            take(&outcome.case, &|row| {
+                outcome.metrics.get(row).copied().flatten()
+            });
+        }
+    })
 }
 
 /// The case that a metric is divided by.

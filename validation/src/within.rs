@@ -21,6 +21,16 @@ impl Limits {
         self.min.is_none_or(|min| x >= min) && self.max.is_none_or(|max| x <= max)
     }
 
+    /// The limits as text, as in ` (0.9..1.1)`.
+    fn text(self) -> String {
+        match (self.min, self.max) {
+            (Some(min), Some(max)) => format!(" ({}..{})", short(min), short(max)),
+            (Some(min), None) => format!(" (at least {})", short(min)),
+            (None, Some(max)) => format!(" (at most {})", short(max)),
+            (None, None) => String::new(),
+        }
+    }
+
     /// The limits moved inwards by a part of half their range, or of the limit if it is the only one; outwards if negative.
     pub fn moved(self, part: f64) -> Limits {
         let scale = match (self.min, self.max) {
@@ -76,14 +86,40 @@ impl Met {
 
 /// The result for limits of values, which `name` names in Markdown.
 pub fn within(values: &[Option<f64>], name: &str, min: Option<f64>, max: Option<f64>) -> Met {
-    let limits = match (min, max) {
-        (Some(min), Some(max)) => format!(" ({}..{})", short(min), short(max)),
-        (Some(min), None) => format!(" (at least {})", short(min)),
-        (None, Some(max)) => format!(" (at most {})", short(max)),
-        (None, None) => String::new(),
-    };
-    let found = format!("{name} {}{limits}", summary(values));
-    Met::of(values, Limits { min, max }, found)
+    let limits = Limits { min, max };
+    let found = format!("{name} {}{}", summary(values), limits.text());
+    Met::of(values, limits, found)
+}
+
+/// The result if at least a share of the values must be within limits. Values that are undefined are left out, and counted.
+pub fn share_within(
+    values: &[Option<f64>],
+    name: &str,
+    [min, max]: [Option<f64>; 2],
+    share: f64,
+) -> Met {
+    let limits = Limits { min, max };
+    let known: Vec<f64> = values.iter().copied().flatten().collect();
+    let inside = |limits: Limits| known.iter().filter(|x| limits.contain(**x)).count();
+    // A share of 0.95 of 20 is 19, also where the product is rounded up.
+    let least = share * known.len() as f64 * (1.0 - 1e-12);
+    let holds = |limits: Limits| !known.is_empty() && inside(limits) as f64 >= least;
+    let mut found = format!(
+        "{name} in {} of {}{} (at least {})",
+        inside(limits),
+        known.len(),
+        limits.text(),
+        short(share)
+    );
+    if known.len() < values.len() {
+        found += &format!(", {} undefined", values.len() - known.len());
+    }
+    Met {
+        holds: holds(limits),
+        narrower: holds(limits.moved(NEAR)),
+        wider: holds(limits.moved(-NEAR)),
+        found,
+    }
 }
 
 /// Values as text: each of them, or the range of many.
@@ -119,6 +155,18 @@ mod tests {
         let inside = |values: &[Option<f64>]| within(values, "x", Some(1.0), Some(2.0)).holds;
         assert!(inside(&[Some(1.0), Some(2.0)]));
         assert!(!inside(&[Some(1.0), Some(2.1)]) && !inside(&[Some(1.5), None]));
+    }
+
+    #[test]
+    fn a_share_is_that_of_the_values_which_are_defined() {
+        let mut values: Vec<Option<f64>> = vec![Some(1.0); 19];
+        values.extend([Some(2.0), None]);
+        let of = |share| share_within(&values, "x", [Some(0.95), Some(1.05)], share);
+        // 19 of 20.
+        assert!(of(0.95).holds && !of(0.96).holds);
+        let found = "x in 19 of 20 (0.95..1.05) (at least 0.95), 1 undefined";
+        assert_eq!(of(0.95).found, found);
+        assert!(!share_within(&[None], "x", [None, Some(1.0)], 0.5).holds);
     }
 
     #[test]

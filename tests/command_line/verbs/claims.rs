@@ -505,6 +505,21 @@ fn expectations_of_reductions_apply_to_groups() {
     // The filter chooses first.
     let (code, text) = judged(&within.replace("\"pi/10\"", "\"pi/10\", \"alpha\": [1, 5]"));
     assert_eq!(code, Some(5), "{text}");
+    // A reduction over that of other cases, which `where` does not choose: 0.0245 over 0.0300, each with its last digit.
+    let over = within.replace(
+        "\"min\": 0.024, \"max\": 0.025",
+        "\"over\": { \"dT\": \"pi/20\" }, \"min\": 0.80, \"max\": 0.83",
+    );
+    let (code, text) = judged(&over);
+    assert_eq!(code, Some(0), "{text}");
+    // One of three errors is that small.
+    let of_three = WITHIN.replace("\"alpha\": 0.1", "\"dT\": \"pi/10\"");
+    for (share, expected) in [("0.3", 0), ("0.4", 5)] {
+        let expect = of_three.replace("\"min\"", &format!("\"share\": {share}, \"min\""));
+        let (code, text) = judged(&expect);
+        assert_eq!(code, Some(expected), "{text}");
+        assert!(text.contains("in 1 of 3 (0.024..0.025)"), "{text}");
+    }
     // 0.0300 at pi/20: the law causes most of the error.
     let along = r#"{ "metric": "least rms_error over alpha", "along": "dT", "trend": "falling" }"#;
     let (code, text) = judged(along);
@@ -516,7 +531,11 @@ fn expectations_of_reductions_apply_to_groups() {
         ),
         (
             along.replace("\"along\"", "\"over\": { \"alpha\": 1 }, \"along\""),
-            "is for metrics of single cases; a reduction is not divided",
+            "the metrics are reduced over alpha",
+        ),
+        (
+            along.replace("\"along\"", "\"share\": 0.5, \"along\""),
+            "is for a \"metric\" with \"min\" or \"max\"",
         ),
         (
             along.replace("least rms", "leest rms"),

@@ -5,10 +5,10 @@ use std::fs;
 
 const PAGE: &str = include_str!("../../../docs/answers.md");
 
-type Row = BTreeMap<String, String>;
+pub type Row = BTreeMap<String, String>;
 
 /// The rows of a table; none of its cells has a comma.
-fn table(path: &str) -> Vec<Row> {
+pub fn table(path: &str) -> Vec<Row> {
     let path = crate::results().join(path);
     let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
     let mut lines = text.lines();

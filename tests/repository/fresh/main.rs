@@ -4,6 +4,7 @@
 //! `make fresh` and `make evidence` compute all studies, and these tests read the results; nothing is computed here.
 
 mod answers;
+mod bridge_answers;
 mod committed;
 mod evidence;
 mod hashes;

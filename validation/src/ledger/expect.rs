@@ -11,9 +11,9 @@ use slipgap_study::scope::Scope;
 use slipgap_study::tree::Node;
 use slipgap_study::value::{name, number};
 
-const EXPECT: [&str; 14] = [
-    "metric", "profile", "later", "where", "over", "min", "max", "along", "trend", "least_at",
-    "times", "away", "flights", "//",
+const EXPECT: [&str; 15] = [
+    "metric", "profile", "later", "where", "over", "min", "max", "share", "along", "trend",
+    "least_at", "times", "away", "flights", "//",
 ];
 
 /// Longest free motion before a later event, in the problem's unit of time.
@@ -64,18 +64,22 @@ pub(super) fn expect(
         }
     };
     let over = match (object.get("over"), &subject) {
-        (Some(node), Subject::Metric(row)) if scope.measures[*row].reduction.is_some() => {
-            let message = "is for metrics of single cases; a reduction is not divided";
-            faults.add(node.at, &object.path("over"), message);
-            return None;
+        (Some(node), Subject::Metric(row)) => {
+            let path = object.path("over");
+            let over = over(node, &path, filter.as_ref()?, scope, faults)?;
+            let reduction = scope.measures[*row].reduction.as_ref();
+            let hidden = reduction.and_then(|reduction| {
+                let mut rows = over.filter.0.iter().map(|(row, _)| *row);
+                rows.find_map(|row| {
+                    reduced::hidden(reduction, row, scope.cases(&over.filter), scope)
+                })
+            });
+            if let Some(message) = hidden {
+                faults.add(node.at, &path, message);
+                return None;
+            }
+            Some(over)
         }
-        (Some(node), Subject::Metric(_)) => Some(over(
-            node,
-            &object.path("over"),
-            filter.as_ref()?,
-            scope,
-            faults,
-        )?),
         (Some(node), Subject::Profile(_) | Subject::Later(_)) => {
             let message = "needs a \"metric\"; a profile and a later event have no \"over\"";
             faults.add(node.at, &object.path("over"), message);
@@ -95,6 +99,20 @@ pub(super) fn expect(
         let at = object.get("max").map_or(node.at, |node| node.at);
         faults.add(at, &object.path("max"), message);
     }
+    let share = object.get("share").and_then(|node| {
+        let path = object.path("share");
+        let share = number(node, &path, Range::Positive, faults)?;
+        if share > 1.0 {
+            faults.must_be(node, &path, "at most 1");
+        } else if !matches!(subject, Subject::Metric(_)) || object.get("along").is_some() {
+            faults.add(
+                node.at,
+                &path,
+                "is for a \"metric\" with \"min\" or \"max\"",
+            );
+        }
+        Some(share)
+    });
     let along = object.get("along").and_then(|node| {
         name(
             node,
@@ -142,7 +160,12 @@ pub(super) fn expect(
         }
         Subject::Metric(metric) => match along {
             Some(along) => sequence(&object, metric, along, filter.as_ref()?, scope, faults)?,
-            None if min.is_some() || max.is_some() => Demand::Within { metric, min, max },
+            None if min.is_some() || max.is_some() => Demand::Within {
+                metric,
+                min,
+                max,
+                share,
+            },
             None => {
                 object.fault("needs \"min\", \"max\" or both, or \"along\"", faults);
                 return None;

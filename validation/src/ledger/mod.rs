@@ -79,7 +79,7 @@ pub struct Expect {
 /// What must be true of the cases. Metrics are rows of the study's measures; `along` is a row of `problem.parameters()`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Demand {
-    /// A metric is within limits in every case.
+    /// A metric is within limits in every case, or in a share of them.
     Within {
         /// The metric.
         metric: usize,
@@ -87,6 +87,8 @@ pub enum Demand {
         min: Option<f64>,
         /// Largest value allowed.
         max: Option<f64>,
+        /// Smallest share of the cases with a value that is within; `None` if all cases must be.
+        share: Option<f64>,
     },
     /// A metric rises or falls from case to case along a parameter.
     Trend {
