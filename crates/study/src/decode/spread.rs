@@ -111,15 +111,18 @@ fn listed(block: &Node) -> Option<(Vec<String>, usize)> {
     all_alike.then_some((together, count))
 }
 
-/// Whether a value is a list with an expression of one of these parameters.
+/// Whether a value is a list with an expression of one of these parameters. A list of names is one of labels, even if one of them is the
+/// name of a parameter.
 fn has_expressions(node: &Node, table: &[Parameter]) -> bool {
-    let uses = |text: &str| Formula::number(text, table).is_ok_and(|one| !one.uses().is_empty());
-    let mut texts = node
-        .list()
-        .unwrap_or_default()
-        .iter()
-        .filter_map(Node::text);
-    texts.any(uses)
+    let items = node.list().unwrap_or_default().iter();
+    let texts: Vec<&str> = items.filter_map(Node::text).collect();
+    let formulas = texts.iter().map(|text| Formula::number(text, table));
+    let Ok(formulas) = formulas.collect::<Result<Vec<Formula>, _>>() else {
+        return false;
+    };
+    let is_name = |text: &str| table.iter().any(|parameter| parameter.name == text);
+    let mut both = texts.iter().zip(formulas);
+    both.any(|(text, formula)| !formula.uses().is_empty() && !is_name(text))
 }
 
 /// The names of a group of a `zip`.
@@ -197,6 +200,22 @@ mod tests {
             why.contains("1:") && why.contains("got \"-alpha\" = -0.3"),
             "{why}"
         );
+    }
+
+    #[test]
+    fn labels_that_are_names_of_parameters_stay_labels() {
+        let text = |girders: &str| {
+            format!(
+                r#"{{"problem": "structure", "parameters": {{"rigid": [1, 1000], "girders": {girders}, "dt": 0.01, "duration": 1}},
+                  "zip": [["rigid", "girders"]], "metrics": ["last(m)"],
+                  "structure": {{"masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": "rigid"}}]}}}}"#
+            )
+        };
+        for labels in [r#"["bars", "rigid"]"#, r#"["rigid", "bars"]"#] {
+            let labelled = study(&text(labels)).unwrap();
+            assert_eq!(labelled.blocks.len(), 1);
+            assert_eq!(values(&labelled, "rigid"), [1.0, 1000.0].map(Some));
+        }
     }
 
     const PAIR: &str = r#""structure": {"masses": {"a": 1, "b": 1}, "start": {"a": {"v": 1}}, "contacts": {"c": {"law": "law",
