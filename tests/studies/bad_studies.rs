@@ -538,8 +538,8 @@ fn expressions_of_parameters() {
             r#"parameters.dt: "duration > 1": must be a number"#,
         ),
         (
-            r#""n": [5, §"2*gamma"], "dt": 0.1"#,
-            r#"parameters.n[1]: "2*gamma": names gamma; an expression with names of parameters is allowed only"#,
+            r#""n": {"range": [5, §"2*gamma", 1]}, "dt": 0.1"#,
+            r#"parameters.n.range[1]: "2*gamma": names gamma; an expression with names of parameters is allowed as the value"#,
         ),
         (
             r#""n": 10, "dt": 0.1, "k_I": §"50 * gamma""#,
@@ -696,7 +696,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"histroy\"",
             &[
-                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, curve, orbit, profile, wave, metric, convergence, budget, map, scatter, front, samples, sobol, distribution, quantiles, fragility, law, spectrum, set, scheme",
+                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, curve, orbit, response, profile, wave, metric, convergence, budget, map, scatter, front, envelope, samples, sobol, distribution, quantiles, fragility, law, spectrum, set, scheme",
             ],
         ),
         (
@@ -722,7 +722,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"wave\"",
             &[
-                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, curve, metric, convergence, budget, map, scatter, front, samples, sobol, distribution, quantiles, fragility, law",
+                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, curve, metric, convergence, budget, map, scatter, front, envelope, samples, sobol, distribution, quantiles, fragility, law",
             ],
         ),
         (
@@ -820,7 +820,7 @@ fn widths_and_limits_of_figures() {
         (r#""kind": "law", "width": §"90 mm""#, "figures[0].width: "),
         (
             r#""kind": "law", "x_range": §[0, 1]"#,
-            "figures[0].x_range: a law figure has no key \"x_range\"; kinds with this key: history, curve, profile, wave, metric, convergence, budget, scatter, front",
+            "figures[0].x_range: a law figure has no key \"x_range\"; kinds with this key: history, curve, response, profile, wave, metric, convergence, budget, scatter, front, envelope",
         ),
         (
             r#""kind": "history", "x_range": §[3, 3]"#,

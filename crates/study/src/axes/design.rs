@@ -14,7 +14,7 @@ use slipgap_problem::problem::numbers::parameter::Parameter;
 pub(crate) const KEYS: Keys = Keys::new(&fields![
     /// how the points are chosen
     needed("kind", Kind::Meant(|| &KINDS)),
-    /// number of points; saltelli: base points; a power of 2 is best for Sobol' sequences
+    /// the number of points; saltelli: base points; a power of 2 is best for Sobol' sequences
     needed("n", Kind::Whole([2, 1_000_000])),
     /// a whole number that selects the sequence of random numbers; if left out, 0
     field("seed", Kind::Whole([0, MOST_SEED])),
