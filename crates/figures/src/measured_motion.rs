@@ -71,11 +71,7 @@ impl MeasuredMotion {
         let last = self.panels.len().saturating_sub(1);
         for (i, (compared, y)) in self.panels.iter().zip(axes).enumerate() {
             let end = if end > 0.0 { end } else { 1.0 };
-            let mut x = ticks::linear(&self.time, [0.0, end], grid.width / 38.0);
-            if i != last {
-                x.title.clear();
-                x.numbered = false;
-            }
+            let x = ticks::linear(&self.time, [0.0, end], grid.width / 38.0).labelled(i == last);
             let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
             panel.zero = true;
             panel.caption = compared.caption.clone();

@@ -103,11 +103,7 @@ impl Misfits {
                 frame.top += below;
                 let x = panel_data.horizontal(grid.width);
                 deepest = deepest.max(layout::below(&x));
-                let mut y = y.clone();
-                if column > 0 {
-                    y.title.clear();
-                    y.numbered = false;
-                }
+                let y = y.clone().labelled(column == 0);
                 let mut panel = Panel::new(frame, grid.margin, x, y);
                 if column == 0 {
                     panel.caption = alternative.label.clone();

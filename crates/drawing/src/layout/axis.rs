@@ -40,6 +40,15 @@ impl Axis {
         }
     }
 
+    /// The same; unless it is `labelled`, without title and numbers, which another panel shows.
+    pub fn labelled(mut self, labelled: bool) -> Axis {
+        if !labelled {
+            self.title.clear();
+            self.numbered = false;
+        }
+        self
+    }
+
     /// The same with whole numbers at the ticks, where there is no room for the power.
     pub fn with_power_at_each(mut self) -> Axis {
         let has_power = std::mem::take(&mut self.power) != 0;

@@ -79,15 +79,8 @@ impl Draw for Budget {
                 .iter()
                 .position(|b| b.name == budget.name)
                 .unwrap_or(0);
-            let (mut x_axis, mut y_axis) = (across.clone(), axes[row].clone());
-            if i + columns < count {
-                x_axis.title.clear();
-                x_axis.numbered = false;
-            }
-            if cell.1 > 0 {
-                y_axis.title.clear();
-                y_axis.numbered = false;
-            }
+            let x_axis = across.clone().labelled(i + columns >= count);
+            let y_axis = axes[row].clone().labelled(cell.1 == 0);
             let mut panel = Panel::new(grid.frames[cell.0][cell.1], grid.margin, x_axis, y_axis);
             if let (Some(row), Some(value)) = (panels, group) {
                 panel.caption =

@@ -77,15 +77,8 @@ impl Draw for Samples {
         let dots = drawn.len() * count * (count + 1) / 2;
         for (i, row) in up.iter().enumerate() {
             for (j, of_it) in across.iter().enumerate().take(i + 1) {
-                let (mut x, mut y) = (xs[j].clone(), ys[i].clone());
-                if i < last {
-                    x.title.clear();
-                    x.numbered = false;
-                }
-                if j > 0 {
-                    y.title.clear();
-                    y.numbered = false;
-                }
+                let x = xs[j].clone().labelled(i == last);
+                let y = ys[i].clone().labelled(j == 0);
                 let frame = grid.frames[i][j];
                 let mut panel = Panel::new(frame, grid.margin, x, y);
                 let points = drawn.iter().filter_map(|shown| {

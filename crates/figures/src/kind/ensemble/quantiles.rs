@@ -58,11 +58,7 @@ impl Draw for Quantiles {
         };
         let count = axes.len();
         for (i, (curves, y)) in panels.iter().zip(axes).enumerate() {
-            let mut x = across.clone();
-            if i + 1 < count {
-                x.title.clear();
-                x.numbered = false;
-            }
+            let x = across.clone().labelled(i + 1 == count);
             let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
             panel.zero =
                 y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;

@@ -70,11 +70,7 @@ impl Draw for Front {
             let mut frame = grid.frames[i][0];
             frame.top += rows[i];
             frame.height = heights[i];
-            let mut x = x.clone();
-            if i < last {
-                x.title.clear();
-                x.numbered = false;
-            }
+            let x = x.clone().labelled(i == last);
             let mut panel = Panel::new(frame, grid.margin, x, y.clone());
             panel.series.push(Series {
                 label: BEST.into(),

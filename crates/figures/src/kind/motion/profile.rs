@@ -72,15 +72,12 @@ impl Draw for Profile {
         };
         for (r, row) in panels.into_iter().enumerate() {
             for (k, series) in row.into_iter().enumerate() {
-                let mut x = position.clone();
                 let (grid, frame) = match across {
                     true => (&grids[k], grids[k].frames[r][0]),
                     false => (&grids[0], grids[0].frames[r * y.len() + k][0]),
                 };
-                if r + 1 < times.len() || (!across && k + 1 < y.len()) {
-                    x.title.clear();
-                    x.numbered = false;
-                }
+                let is_lowest = r + 1 >= times.len() && (across || k + 1 >= y.len());
+                let x = position.clone().labelled(is_lowest);
                 let [low, high] = axes[k].range;
                 let mut panel = Panel::new(frame, grid.margin, x, axes[k].clone());
                 panel.zero = low < 0.0 && high > 0.0;

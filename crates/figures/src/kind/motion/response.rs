@@ -76,11 +76,7 @@ impl Draw for Response {
         };
         let last = axes.len().saturating_sub(1);
         for (i, (curves, y)) in panels.iter().zip(axes).enumerate() {
-            let mut x = across.clone();
-            if i < last {
-                x.title.clear();
-                x.numbered = false;
-            }
+            let x = across.clone().labelled(i == last);
             let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
             // The first ones last, so that the markers of others are seen under them.
             for (k, points) in curves.iter().enumerate().rev() {

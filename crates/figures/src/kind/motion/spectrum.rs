@@ -121,11 +121,7 @@ impl Draw for Spectrum {
         };
         let last = axes.len().saturating_sub(1);
         for (i, (series, y)) in panels.into_iter().zip(axes).enumerate() {
-            let mut x = across.clone();
-            if i < last {
-                x.title.clear();
-                x.numbered = false;
-            }
+            let x = across.clone().labelled(i == last);
             let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
             panel.series = series;
             sheet.panels.push(panel);

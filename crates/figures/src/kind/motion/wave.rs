@@ -95,15 +95,8 @@ impl Draw for Wave {
         };
         for (k, (what, cells)) in panels.into_iter().enumerate() {
             let frame = grid.frames[k / columns][k % columns];
-            let (mut x, mut y) = (position.clone(), time.clone());
-            if k % columns > 0 {
-                y.title.clear();
-                y.numbered = false;
-            }
-            if k + columns < 2 {
-                x.title.clear();
-                x.numbered = false;
-            }
+            let x = position.clone().labelled(k + columns >= 2);
+            let y = time.clone().labelled(k % columns == 0);
             let mut panel = Panel::new(frame, grid.margin, x, y);
             panel.caption = what.into();
             // The contact.

@@ -197,15 +197,10 @@ impl Curves<'_> {
                     Some(grid) if grids.len() > 1 => (grid, grid.frames[r][0]),
                     _ => (&grids[0], grids[0].frames[r][column]),
                 };
-                let (mut x, mut y_axis) = (across.clone(), axes[cell.quantity].clone());
-                if column > 0 && grids.len() == 1 {
-                    y_axis.title.clear();
-                    y_axis.numbered = false;
-                }
-                if r + 1 < rows.len() {
-                    x.title.clear();
-                    x.numbered = false;
-                }
+                let x = across.clone().labelled(r + 1 == rows.len());
+                let y_axis = axes[cell.quantity]
+                    .clone()
+                    .labelled(column == 0 || grids.len() > 1);
                 let mut panel = Panel::new(frame, grid.margin, x, y_axis);
                 panel.zero =
                     y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;

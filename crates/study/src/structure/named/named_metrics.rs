@@ -12,7 +12,6 @@ use slipgap_problem::problem::structure::channels::names::Names;
 use slipgap_problem::problem::structure::metrics::metric::{StructureMetric, looks_like_metric};
 use slipgap_problem::problem::structure::metrics::pieces::{Piece, pieces};
 use slipgap_problem::problem::structure::metrics::reduction::Reduction;
-use slipgap_problem::problem::structure::metrics::window::Window;
 use slipgap_problem::problem::structure::tables::schema::Drawn;
 
 /// The metrics in the list `metrics`, and those that reductions, checks, figures and searches name.
@@ -45,17 +44,8 @@ pub(in crate::structure) fn metrics(
                 );
                 // The name is known from here on, so that it is reported once.
                 metrics.push(StructureMetric {
-                    name: text.trim().to_owned(),
-                    reduction: Reduction::EnergyError,
-                    channel: None,
-                    second: None,
-                    measured: false,
-                    contact: None,
-                    in_plane: false,
-                    threshold: 0.0,
-                    window: Window::default(),
-                    ground: None,
                     place: (at, path.to_owned()),
+                    ..StructureMetric::named(text.trim(), Reduction::EnergyError)
                 });
             }
         }

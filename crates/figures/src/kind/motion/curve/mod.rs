@@ -163,15 +163,10 @@ impl DrawWith for Curve {
                     Some(grid) if grids.len() > 1 => (grid, grid.frames[r][0]),
                     _ => (&grids[0], grids[0].frames[r][column]),
                 };
-                let (mut x, mut y) = (across.clone(), axes[cell.quantity].clone());
-                if column > 0 && grids.len() == 1 {
-                    y.title.clear();
-                    y.numbered = false;
-                }
-                if r + 1 < rows.len() {
-                    x.title.clear();
-                    x.numbered = false;
-                }
+                let x = across.clone().labelled(r + 1 == rows.len());
+                let y = axes[cell.quantity]
+                    .clone()
+                    .labelled(column == 0 || grids.len() > 1);
                 let mut panel = Panel::new(frame, grid.margin, x, y);
                 panel.zero = panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
                 panel.series = series[cell.quantity][cell.group].clone();

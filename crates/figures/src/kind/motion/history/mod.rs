@@ -160,16 +160,10 @@ impl Draw for History {
                     Some(grid) if grids.len() > 1 => (grid, grid.frames[r][0]),
                     _ => (&grids[0], grids[0].frames[r][column]),
                 };
-                let mut y = axes[cell.quantity].clone();
-                if column > 0 && grids.len() == 1 {
-                    y.title.clear();
-                    y.numbered = false;
-                }
-                let mut x = time.clone();
-                if r != last {
-                    x.title.clear();
-                    x.numbered = false;
-                }
+                let mut y = axes[cell.quantity]
+                    .clone()
+                    .labelled(column == 0 || grids.len() > 1);
+                let x = time.clone().labelled(r == last);
                 if inset.is_some() {
                     y = inset::with_strip(y, frame.height);
                 }

@@ -71,11 +71,7 @@ pub fn sheet(figure: &History, data: &FigureData) -> Sheet {
         ..Sheet::default()
     };
     for (row, series) in sums.into_iter().enumerate() {
-        let mut x = time.clone();
-        if row + 1 < drawn.len() {
-            x.title.clear();
-            x.numbered = false;
-        }
+        let x = time.clone().labelled(row + 1 >= drawn.len());
         let mut panel = Panel::new(grid.frames[row][0], grid.margin, x, axis.clone());
         panel.zero = panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
         panel.bands = bands(series.iter().filter(|line| line.label != MEASURED));

@@ -74,15 +74,11 @@ pub fn sheet(data: &FigureData, laws: &[Option<ContactLaw>]) -> Sheet {
             false => displacement,
         };
         let x = ticks::around(title, range.into_iter(), grid.width / 32.0);
-        let mut unlabelled = y.clone();
-        if k % columns > 0 {
-            unlabelled.title.clear();
-            unlabelled.numbered = false;
-        }
+        let up = y.clone().labelled(k % columns == 0);
         let mut frame = grid.frames[k / columns][k % columns];
         // Each row has a horizontal axis.
         frame.top += (k / columns) as f64 * layout::below(&x).ceil();
-        let mut panel = Panel::new(frame, grid.margin, x, unlabelled);
+        let mut panel = Panel::new(frame, grid.margin, x, up);
         panel.zero = true;
         panel.caption = markup::escape(group.0);
         let count = curves.len();

@@ -52,11 +52,7 @@ pub fn sheet(data: &FigureData) -> Sheet {
         let reach = 1.6 * widest;
         let most = grid.width / 32.0;
         let x = ticks::linear(model.title(), [-1.2 * reach, 1.2 * reach], most);
-        let mut y = force.clone();
-        if k % columns > 0 {
-            y.title.clear();
-            y.numbered = false;
-        }
+        let y = force.clone().labelled(k % columns == 0);
         let mut frame = grid.frames[k / columns][k % columns];
         // Each row has a horizontal axis.
         frame.top += (k / columns) as f64 * layout::below(&x).ceil();

@@ -46,6 +46,23 @@ pub fn looks_like_metric(text: &str) -> bool {
 }
 
 impl StructureMetric {
+    /// A reduction with this name, of nothing yet.
+    pub fn named(name: &str, reduction: Reduction) -> StructureMetric {
+        StructureMetric {
+            name: name.to_owned(),
+            reduction,
+            channel: None,
+            second: None,
+            measured: false,
+            contact: None,
+            in_plane: false,
+            threshold: 0.0,
+            window: Window::default(),
+            ground: None,
+            place: (0, String::new()),
+        }
+    }
+
     /// Whether it is this reduction, and not of what was measured.
     pub fn is_exact(&self, reduction: Reduction) -> bool {
         !self.measured && self.reduction == reduction

@@ -31,19 +31,7 @@ impl StructureMetric {
             return Err(format!("no metric '{name}'; allowed: {all}"));
         };
         let takes = reduction.row().takes;
-        let mut metric = StructureMetric {
-            name: text.to_owned(),
-            reduction,
-            channel: None,
-            second: None,
-            measured: false,
-            contact: None,
-            in_plane: false,
-            threshold: 0.0,
-            window: Window::default(),
-            ground: None,
-            place: (0, String::new()),
-        };
+        let mut metric = StructureMetric::named(text, reduction);
         let mut inside = inside.map(str::trim);
         if let Some(whole) = inside {
             let (rest, window) = Window::split(whole)?;
