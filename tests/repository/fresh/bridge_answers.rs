@@ -101,19 +101,19 @@ fn says(page: &str, piece: &str) {
 #[test]
 #[ignore = "reads the results of the evidence; run by `make fresh` and `make evidence`"]
 fn what_decides() {
-    let [laws, stiffness] = ["laws", "stiffness"].map(read);
-    for (name, rows, model) in [
-        ("gap −20 %", &laws, "gap -20 %"),
-        ("gap +20 %", &laws, "gap +20 %"),
-        ("k = EA/L", &stiffness, "1 EA/L"),
-        ("k = 100 EA/L, n = 5", &stiffness, "100 EA/L"),
-        ("n = 5", &stiffness, "n = 5"),
-        ("n = 20", &stiffness, "n = 20"),
-        ("e = 0.65", &laws, "e = 0.65"),
-        ("r^E = 0.5 mm", &laws, "r_E = 0.5 mm"),
+    let rows = read("bridges");
+    for (name, model) in [
+        ("gap −20 %", "gap -20 %"),
+        ("gap +20 %", "gap +20 %"),
+        ("k = EA/L", "1 EA/L"),
+        ("k = 100 EA/L, n = 5", "100 EA/L"),
+        ("n = 5", "n = 5"),
+        ("n = 20", "n = 20"),
+        ("e = 0.65", "e = 0.65"),
+        ("r^E = 0.5 mm", "r_E = 0.5 mm"),
     ] {
         let cell = |metric: &str| {
-            let of = ratios(rows, ["model", model, "base"], metric);
+            let of = ratios(&rows, ["model", model, "base"], metric);
             let ends = [0.5, 0.95].map(|part| percent(&of.motions, part));
             let bridges = match metric {
                 "force" | "impacts" => String::new(),
@@ -126,7 +126,7 @@ fn what_decides() {
     }
     let impulse = |model| {
         percent(
-            &ratios(&laws, ["model", model, "base"], "impulse").motions,
+            &ratios(&rows, ["model", model, "base"], "impulse").motions,
             0.5,
         )
     };
@@ -134,7 +134,7 @@ fn what_decides() {
     says(PAGE, &format!("change by {more} to {less} %"));
     // The scatter of the motions of one bridge.
     let scatter = |metric| {
-        let of_bridge = by_bridge(&stiffness, ("model", "base"), metric).into_values();
+        let of_bridge = by_bridge(&rows, ("model", "base"), metric).into_values();
         let deviations = of_bridge.filter_map(|motions| {
             let logs: Vec<f64> = motions
                 .values()
@@ -155,7 +155,7 @@ fn what_decides() {
 #[test]
 #[ignore = "reads the results of the evidence; run by `make fresh` and `make evidence`"]
 fn stiffness_of_the_gap() {
-    let rows = read("stiffness");
+    let rows = read("bridges");
     let of = |model, metric| ratios(&rows, ["model", model, "base"], metric);
     let (seat, first, soft) = (
         of("100 EA/L", "seat"),
@@ -285,7 +285,7 @@ fn histories_that_repeat() {
 #[test]
 #[ignore = "reads the results of the evidence; run by `make fresh` and `make evidence`"]
 fn laws_of_joints_and_bearings() {
-    let rows = read("laws");
+    let rows = read("bridges");
     let of = |model, metric| ratios(&rows, ["model", model, "base"], metric);
     let (seat, first) = (
         of("velocity-control", "seat"),

@@ -31,15 +31,12 @@ pub fn run<const L: usize>(
         Kind::General(General::new(cases, prepared, steps))
     });
     visit(0, &state);
-    if prepared.has_increments() {
-        step_all(&mut state, steps, &mut visit);
-    } else {
-        for step in 1..=steps {
-            if let Kind::General(general) = &mut state.0 {
-                step_generally(general, step);
-            }
-            visit(step, &state);
+    for step in 1..=steps {
+        match &mut state.0 {
+            Kind::Average(average) => step_by_increments(average, step),
+            Kind::General(general) => step_generally(general, step),
         }
+        visit(step, &state);
     }
     let (finite, failures) = match &state.0 {
         Kind::Average(state) => {
@@ -60,23 +57,13 @@ pub fn run<const L: usize>(
     })
 }
 
-// A separate small function: with other code around it, its loop compiles to slower instructions.
+// Without the visitor: every visitor would compile the steps again.
 for_widest! {
-    fn step_all<const L: usize, V: FnMut(usize, &State<L>)>(
-        state: &mut State<L>,
-        steps: usize,
-        visit: &mut V,
-    ) {
-        for step in 1..=steps {
-            if let Kind::Average(average) = &mut state.0 {
-                average.step(step);
-            }
-            visit(step, state);
-        }
+    fn step_by_increments<const L: usize>(state: &mut Average<L>, step: usize) {
+        state.step(step);
     }
 }
 
-// Without the visitor: every visitor would compile it again.
 for_widest! {
     fn step_generally<const L: usize>(state: &mut General<L>, step: usize) {
         state.step(step);

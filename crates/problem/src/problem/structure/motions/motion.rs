@@ -12,6 +12,9 @@ use crate::system::structure::Structure;
 /// Cases side by side.
 pub const LANES: usize = 16;
 
+/// Fewer cases side by side, as the motions of one structure often are.
+pub const FEW: usize = 8;
+
 /// What is recorded of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct Recording<'a> {

@@ -1,6 +1,6 @@
 //! Cases with the same linear part side by side, whatever their order.
 
-use super::motion::{self, LANES};
+use super::motion::{self, FEW, LANES};
 use crate::methods::Method;
 use crate::problem::Case;
 use crate::problem::structure::StructureProblem;
@@ -34,8 +34,8 @@ const MOST_GROUPS: usize = 16;
 /// Cases of a group that are solved together, some lanes at a time.
 const FULL: usize = 8 * LANES;
 
-/// Most cases that are solved one after the other: that many take as long as full lanes.
-const ALONE: usize = 5;
+/// Most cases that are solved one after the other: that many take as long as few lanes.
+const ALONE: usize = 2;
 
 /// Cases with the same linear part.
 #[derive(Debug)]
@@ -136,16 +136,22 @@ fn solve(
     for cases in lanes {
         solve_lanes(problem, prepared, cases.each_ref(), LANES, table);
     }
-    if rest.len() > ALONE {
-        // The other lanes repeat the last case.
-        let case = |lane: usize| &rest[lane.min(rest.len() - 1)];
-        let cases: [&Ready; LANES] = std::array::from_fn(case);
-        solve_lanes(problem, prepared, cases, rest.len(), table);
-        return;
+    // Curved laws are solved lane by lane: idle lanes would cost as much as cases.
+    let alone = rest.len() <= ALONE || rest.iter().any(is_curved);
+    match rest.len() {
+        _ if alone => {
+            for case in rest {
+                solve_lanes(problem, prepared, [case], 1, table);
+            }
+        }
+        used @ ..=FEW => solve_lanes(problem, prepared, repeated::<FEW>(rest), used, table),
+        used => solve_lanes(problem, prepared, repeated::<LANES>(rest), used, table),
     }
-    for case in rest {
-        solve_lanes(problem, prepared, [case], 1, table);
-    }
+}
+
+fn is_curved(ready: &Ready) -> bool {
+    let mut contacts = ready.structure.contacts.iter();
+    contacts.any(|contact| contact.law.is_curved())
 }
 
 /// Solves cases side by side, of which the first `used` are wanted.
@@ -169,4 +175,9 @@ fn solve_lanes<const L: usize>(
         }
         table.put(ready.place, judged.map(|judged| judged.1));
     }
+}
+
+/// Fewer cases than lanes: the other lanes repeat the last case.
+fn repeated<const L: usize>(cases: &[Ready]) -> [&Ready; L] {
+    std::array::from_fn(|lane| &cases[lane.min(cases.len() - 1)])
 }
