@@ -183,9 +183,20 @@ impl Contact {
             let rate = self.motion.rate + self.scale.pace * (y - self.motion.change);
             return (rate / (self.scale.pace * self.own)).clamp(low, high);
         }
+        if self.is_open(y) {
+            return 0.0;
+        }
         let mut law = self.law;
         let Lane([force]) = ContactResponse::force(&mut law, 0, &self.trial(y));
         force
+    }
+
+    /// Whether this is an impact that stays open if r changes by this: it has no force then, and most are open at most steps.
+    fn is_open(&self, change: f64) -> bool {
+        self.relation.kind() == ContactKind::Impact
+            && self.now.which() != WhichLaw::Own
+            && !self.scale.is_explicit()
+            && self.motion.displacement + change > 0.0
     }
 
     /// 1/f' where the answer to y is `force`: of the line, or of a chord over `width` to both sides of r'.
@@ -214,6 +225,9 @@ impl Contact {
                 Some(std::cmp::Ordering::Greater) => high,
                 _ => 0.0,
             };
+        }
+        if self.is_open(change) {
+            return 0.0;
         }
         let mut law = self.law;
         let Lane([force]) = ContactResponse::force(&mut law, 1, &trial);
