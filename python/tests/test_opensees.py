@@ -536,7 +536,7 @@ def test_the_example_of_the_guide_runs(export: Callable[..., None], tmp_path: Pa
     # The weight over the height.
     assert K[0, 0] == pytest.approx(12.0 * 3e7 * 0.12 / 8.0**3 - 60.0 * 9.81 / 8.0, rel=1e-9, abs=0)
     found = forces_of(tmp_path / "pier.forces.csv")
-    assert {name: quantity for name, (quantity, _) in found.items()} == {"base_shear": "force", "foot": "moment"}
+    assert {name: quantity for name, (quantity, _) in found.items()} == {"base_shear": "force", "base_moment": "moment"}
     assert found["base_shear"][1]["2.x"] == pytest.approx(-K[0, 0], rel=1e-9, abs=0)
 
 
