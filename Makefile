@@ -11,7 +11,7 @@ papers = $(sort $(wildcard studies/friction-fig*.json studies/impact-fig*.json))
 shown = $(papers) structure-skew-deck friction-map-beta plane-circle impact-map-gamma-n laws-front-friction parts-loops laws-front-impact \
   impact-budget plane-width structure-girders parts-degrading structure-blocks plane-uncoupled bridges-friction
 
-.PHONY: help figures evidence hashes report test overflow lint fresh licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test
+.PHONY: help figures evidence hashes report test overflow lint fresh fresh-run fresh-judge licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -50,8 +50,14 @@ lint: ## formatting, clippy and documentation without warnings
 
 fresh: ## run all studies in a folder of their own: checks, claims, numbers of pages, and committed tables, pictures, hashes and schema
 	cargo build --release --locked
+	$(MAKE) fresh-run fresh-judge
+
+# The program must be built already.
+fresh-run:
 	rm -rf $(fresh)
 	$(built)/release/slipgap run --out $(fresh)
+
+fresh-judge:
 	SLIPGAP_RESULTS=$(abspath $(fresh)) cargo test --release --locked --test fresh -- --ignored evidence:: answers::
 	SLIPGAP_RESULTS=$(abspath $(fresh)) cargo test --release --locked --test fresh -- --ignored committed
 

@@ -9,6 +9,7 @@
 //! | [`Bearing`] | min(rdot/`compliance`, nu(rdot) N), nu = nu_max - (nu_max - nu_min) exp(-`rate` abs(rdot)) | `compliance` L/(T F), `limit` nu_max N in F, `ratio` nu_min/nu_max, `rate` T/L | Constantinou, Mokha and Reinhorn 1990 |
 //! | [`Tanh`] | nu(rdot) N tanh(rdot/(`compliance` `limit`)) | as of [`Bearing`] | Andersson, Söderberg and Björklund 2007 |
 //! | [`Stribeck`] | rdot/`compliance` up to `static_limit`, beyond it `limit` + (`static_limit` - `limit`) exp(-x), or /(1 + x) by `decay`, x = (abs(rdot) - rdot^E)/v | `compliance` L/(T F), both limits F, v = `stribeck_velocity` L/T | Tustin 1947; Bo and Pavelescu 1982 |
+//! | [`Decay`] | how the force of [`Stribeck`] falls: exp(-x) or 1/(1 + x) | no number of its own | as of [`Stribeck`] |
 //! | [`BoucWen`] | dS/dr = (1 - abs(S/L)^n (b sgn(rdot S) + 1 - b))/`compliance` | `compliance` L/F, `limit` F, n = `exponent`, b = `beta` | Bouc 1967, Wen 1976 |
 //! | [`Dahl`] | dS/dr = (1 - (S/L) sgn rdot)^n/`compliance` | as of [`BoucWen`] | Dahl 1968 |
 //! | [`Lugre`] | `sigma0` z + `sigma1` dz/dt + `sigma2` rdot, dz/dt = rdot - `sigma0` abs(rdot) z/g(rdot) | `sigma0` F/L, `sigma1` and `sigma2` F T/L, both limits F, `stribeck_velocity` L/T | Canudas de Wit et al. 1995 |

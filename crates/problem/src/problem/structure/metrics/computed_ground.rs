@@ -71,30 +71,30 @@ pub fn measured(
 /// A motion of which too little is computed: a recorded one, or one with a strength that it then has not.
 pub fn cut(template: &Template, case: &Case, steps: Steps) -> Option<(Warning, String)> {
     let motions = template.ground.iter();
-    let ground = motions.map(|own| (format!("ground in {}", own.0.name()), &own.1, 0.0));
-    let supports = template.supports.iter().filter_map(|own| {
-        let amount = own.delay.as_ref();
+    let ground = motions.map(|motion| (format!("ground in {}", motion.0.name()), &motion.1, 0.0));
+    let supports = template.supports.iter().filter_map(|support| {
+        let amount = support.delay.as_ref();
         let delay = amount.map_or(Some(0.0), |amount| amount.value(case).ok())?;
-        let name = format!("support {}", own.full_name());
-        Some((name, own.acceleration()?, delay))
+        let name = format!("support {}", support.full_name());
+        Some((name, support.acceleration()?, delay))
     });
     let contacts = template.contacts.iter();
-    let vertical = contacts.filter_map(|own| match &own.normal {
+    let vertical = contacts.filter_map(|contact| match &contact.normal {
         Some(Normal::Weight { vertical, .. }) => {
-            Some((format!("N of contact {}", own.name), vertical, 0.0))
+            Some((format!("N of contact {}", contact.name), vertical, 0.0))
         }
         _ => None,
     });
-    let mut all = ground.chain(supports).chain(vertical);
-    let accelerations = all.find_map(|(name, motion, delay)| {
+    let mut motions = ground.chain(supports).chain(vertical);
+    let accelerations = motions.find_map(|(name, motion, delay)| {
         let parts = lost(motion, case, template.metre, (delay, steps))?;
         Some(format!("{name}: {parts}"))
     });
     let displacements = || {
         let mut supports = template.supports.iter();
-        supports.find_map(|own| {
-            let parts = lost_displacement(own, case, template.metre, steps)?;
-            Some(format!("support {}: {parts}", own.full_name()))
+        supports.find_map(|support| {
+            let parts = lost_displacement(support, case, template.metre, steps)?;
+            Some(format!("support {}: {parts}", support.full_name()))
         })
     };
     let text = accelerations.or_else(displacements)?;
@@ -116,21 +116,21 @@ fn lost(motion: &Scaled, case: &Case, metre: f64, (delay, steps): (f64, Steps)) 
     let part = later(motion, case, metre, (delay, steps))?;
     let both = [&whole, &part];
     let gravity = STANDARD_GRAVITY / metre;
-    let peak = |own: &Table| Measure::PeakAcceleration.of(own, gravity);
-    let arias = |own: &Table| Some(intensity(own) * PI / 2.0 / gravity);
-    let (periods, ratio) = goal.map_or(Some((Vec::new(), RATIO)), |own| own.periods(case))?;
-    let spectral = |own: &Table| {
-        let ordinates = spectrum(own, &periods, ratio).filter(|own| !own.is_empty())?;
+    let peak = |table: &Table| Measure::PeakAcceleration.of(table, gravity);
+    let arias = |table: &Table| Some(intensity(table) * PI / 2.0 / gravity);
+    let (periods, ratio) = goal.map_or(Some((Vec::new(), RATIO)), |goal| goal.periods(case))?;
+    let spectral = |table: &Table| {
+        let ordinates = spectrum(table, &periods, ratio).filter(|found| !found.is_empty())?;
         let sum: f64 = ordinates.iter().map(Ordinate::pseudo_acceleration).sum();
         Some(sum / ordinates.len() as f64)
     };
-    let all = [
+    let strengths = [
         ("pga", is_record || periods.is_empty(), both.map(peak)),
         ("Arias intensity", is_record, both.map(arias)),
         ("Sa", true, both.map(spectral)),
     ];
-    let wanted = all.into_iter().filter(|own| own.1);
-    compared(&wanted.map(|own| (own.0, own.2)).collect::<Vec<_>>())
+    let wanted = strengths.into_iter().filter(|row| row.1);
+    compared(&wanted.map(|row| (row.0, row.2)).collect::<Vec<_>>())
 }
 
 /// What a recorded displacement of a support has lost; `None` if it is little.

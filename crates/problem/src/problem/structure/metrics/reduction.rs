@@ -77,27 +77,27 @@ reductions! {
     Contact(&[Q::Force], Plane::No, |contact| Some(of::time_where(&contact.force(), contact.dt, |s| s != 0.0)));
     "dt times the number of steps that end with S != 0",
     OpenTime "open_time" Contact Time "open time of {}"
-    Contact(&[Q::Force, Q::Limit], Plane::Same, |own| Some(match own.kind {
-        ContactKind::Impact => of::time_where(&own.force(), own.dt, |s| s == 0.0),
-        ContactKind::Friction => of::time_where(&(own.of)(Q::Limit), own.dt, |limit| limit <= 0.0),
+    Contact(&[Q::Force, Q::Limit], Plane::Same, |contact| Some(match contact.kind {
+        ContactKind::Impact => of::time_where(&contact.force(), contact.dt, |s| s == 0.0),
+        ContactKind::Friction => of::time_where(&(contact.of)(Q::Limit), contact.dt, |limit| limit <= 0.0),
         ContactKind::Link => 0.0,
     }));
     "dt times the number of steps that end with S = 0, of friction with limit 0",
     Work "work" Contact Energy "work of {}"
-    Contact(&[Q::Force, Q::Displacement, Q::Velocity], Plane::Sum, |own| Some(match own.by_impulses {
-        true => of::work_of_impulses(&own.force(), &(own.of)(Q::Velocity), own.dt),
-        false => of::work(&own.force(), &(own.of)(Q::Displacement)),
+    Contact(&[Q::Force, Q::Displacement, Q::Velocity], Plane::Sum, |contact| Some(match contact.by_impulses {
+        true => of::work_of_impulses(&contact.force(), &(contact.of)(Q::Velocity), contact.dt),
+        false => of::work(&contact.force(), &(contact.of)(Q::Displacement)),
     }));
     "integral of S dr by trapezoids; positive where the contact takes energy",
     ResidualSlip "residual_slip" Contact Length "residual slip of {}"
-    Contact(&[Q::Slip], Plane::Vector, |own| {
-        let slip = (own.of)(Q::Slip);
+    Contact(&[Q::Slip], Plane::Vector, |contact| {
+        let slip = (contact.of)(Q::Slip);
         Some(slip.last()? - slip.first()?)
     });
     "slip at the last step minus slip at t = 0",
     Restitution "restitution" Contact None "restitution of {}"
-    Contact(&[Q::Force, Q::Velocity], Plane::No, |own| match own.kind {
-        ContactKind::Impact => of::restitution(&own.force(), &(own.of)(Q::Velocity)),
+    Contact(&[Q::Force, Q::Velocity], Plane::No, |contact| match contact.kind {
+        ContactKind::Impact => of::restitution(&contact.force(), &(contact.of)(Q::Velocity)),
         ContactKind::Friction | ContactKind::Link => None,
     });
     "restitution of the first impact: -rdot at the first step with S = 0 after it over rdot at the last one before it, other forces on the nodes included; empty without impact, with S != 0 at t = 0 or at the last step, and for other contacts",
@@ -129,19 +129,19 @@ reductions! {
     Distance([Computed, Unreduced], |c, f| Some(of::rms_error(c, f)));
     "sqrt(mean (c - f)^2); f is the motion by the same steps with the whole matrices",
     Divergence "divergence" ChannelAndThreshold Time "time of divergence of {} by {threshold}"
-    Perturbed(|own| {
-        let step = of::divergence(own.values, own.other, own.threshold).filter(|_| !(own.is_still)())?;
-        Some(step as f64 * own.dt)
+    Perturbed(|runs| {
+        let step = of::divergence(runs.values, runs.other, runs.threshold).filter(|_| !(runs.is_still)())?;
+        Some(step as f64 * runs.dt)
     });
     "first time at which this run and one with start and loads 1e-10 larger differ by more than the threshold times the peak; empty where never",
     ImpactsBeforeDivergence "impacts_before_divergence" ChannelAndThreshold None "impacts before divergence of {} by {threshold}"
-    Perturbed(|own| {
-        let end = of::divergence(own.values, own.other, own.threshold).filter(|_| !(own.is_still)());
-        Some((own.impacts)(end.unwrap_or(own.values.len())) as f64)
+    Perturbed(|runs| {
+        let end = of::divergence(runs.values, runs.other, runs.threshold).filter(|_| !(runs.is_still)());
+        Some((runs.impacts)(end.unwrap_or(runs.values.len())) as f64)
     });
     "impacts of all contacts before the divergence, or of all steps",
     Difference "difference" Channel None "relative difference of {} of two starts"
-    Perturbed(|own| of::difference(own.values, own.other).filter(|_| !(own.is_still)()));
+    Perturbed(|runs| of::difference(runs.values, runs.other).filter(|_| !(runs.is_still)()));
     "largest difference between these two runs over the peak; empty where the channel is always 0",
     SpragueGeersMagnitude "sprague_geers_magnitude" MeasuredChannel None "magnitude error (Sprague-Geers) of {}"
     Measured(|times, [c, m]| Some(of_measured::sprague_geers(times, c, m)?.magnitude));
@@ -153,7 +153,7 @@ reductions! {
     Measured(|times, [c, m]| Some(of_measured::sprague_geers(times, c, m)?.combined));
     "sqrt(M^2 + P^2)",
     EnergyPerCycle "energy_per_cycle" ContactOrMeasured Energy "energy per cycle of {}"
-    Contact(&[Q::Force, Q::Displacement], Plane::Sum, |own| of_measured::energy_per_cycle(&(own.of)(Q::Displacement), &own.force()));
+    Contact(&[Q::Force, Q::Displacement], Plane::Sum, |contact| of_measured::energy_per_cycle(&(contact.of)(Q::Displacement), &contact.force()));
     "mean of the integral of S dr over whole cycles; a cycle begins where r rises through the middle of its extremes after it was 5 % of the half range below; the first one, from rest, counts unless a window begins later; empty without one",
     LoopDistance "loop_distance" MeasuredLoop None "distance of the loop of {} and {} from the measured one"
     Loop(of_measured::loop_distance);
