@@ -15,7 +15,7 @@ use slipgap_problem::problem::numbers::parameter::{self, Range};
 pub(crate) const KEYS: Keys = Keys::new(&fields![
     /// the parameters to choose, such as ["law", "dt", "n"]; cases that differ only in these, and in what changes with them, are candidates for the same physical case
     needed("over", NAMES),
-    /// the metrics to keep, each with its tolerance, as in {"peak(gap.S)": 0.02}: an error such as rms_error(a) is at most this, any other metric differs by at most this part from that of the exact or finest motion
+    /// the metrics to keep, each with its tolerance, as in {"peak(gap.S)": 0.02}: an error such as rms_error(a) is at most this, any other metric differs by at most this fraction from that of the exact or finest motion
     needed(WITHIN, Kind::Shared("tolerances")),
     /// numbers among those in over whose next smaller and next larger values must keep the metrics, too
     field("neighbours", NAMES),

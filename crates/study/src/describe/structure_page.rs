@@ -6,7 +6,6 @@ use crate::structure::keys::{self, PULSE};
 use slipgap_problem::problem::structure::channels::channel::{
     OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
 };
-use slipgap_problem::problem::structure::channels::channel_words::WORDS;
 use slipgap_problem::problem::structure::metrics::against_measured::of_measured;
 use slipgap_problem::problem::structure::metrics::reduction::REDUCTIONS;
 use slipgap_problem::problem::structure::parts::contact_law::NAMES;
@@ -15,25 +14,18 @@ use slipgap_problem::problem::structure::tables::schema::{FIXED, MEANING, NAME};
 /// Name of the page.
 pub(super) const PAGE: &str = NAME;
 
-/// The channels as figures write them.
-fn in_words() -> String {
-    let words = WORDS.map(|(channel, words)| {
-        let part = match channel {
-            "BAR.3.S" => "3 of BAR",
-            "base.SUPPORT" => "SUPPORT",
-            "MATRICES.FORCE" => "FORCE of MATRICES",
-            _ => channel.split('.').next().unwrap_or_default(),
-        };
-        words.replace("{}", part)
-    });
-    let rows = WORDS.iter().zip(&words);
-    let channels: Vec<(&str, &str)> = rows.map(|(row, words)| (row.0, &**words)).collect();
-    format!(
-        "Figures write channels in words with the unit, as in \"Displacement of g1.right relative to p2, m\". A metric has words before \
-         them: \"Peak contact force of gap12, kN\". `\"names\"` of the study gives other words, to a channel, or to a contact for all of \
-         its channels and metrics:\n\n{}",
-        list(&channels)
-    )
+/// Keys without a meaning if an object before has described them, as `object` writes a key that is its meaning.
+fn once<'a>(
+    keys: &[(&'a str, &'a str)],
+    described: &mut Vec<(&'a str, &'a str)>,
+) -> Vec<(&'a str, &'a str)> {
+    let before = described.clone();
+    described.extend(keys);
+    let short = |key: &(&'a str, &'a str)| match before.contains(key) {
+        true => (key.0, key.0),
+        false => *key,
+    };
+    keys.iter().map(short).collect()
 }
 
 /// docs/study-files-structure.md.
@@ -42,7 +34,10 @@ pub(super) fn reference() -> String {
     let keys = |title: &str, keys: &[(&str, &str)]| format!("{title}\n\n{}", list(keys));
     let table = |title: &str, table: &Keys| keys(title, &table.rows());
     let objects = |title: &str, rows: &[(&str, &Keys)]| {
-        let items = rows.iter().map(|(name, keys)| object(name, &keys.rows()));
+        let mut described = Vec::new();
+        let items = rows
+            .iter()
+            .map(|(name, keys)| object(name, &once(&keys.rows(), &mut described)));
         format!("{title}\n\n{}", items.collect::<Vec<_>>().join("\n"))
     };
     let forms = PULSE
@@ -156,7 +151,7 @@ pub(super) fn reference() -> String {
         keys("`CONTACT.` and one of:", &QUANTITIES),
         keys("Springs, bars and members:", &OF_SPRINGS),
         keys(
-            "The ground and the forces at it:",
+            "The ground and the forces at it; a base moment is one of the `forces` of `matrices`:",
             &[OF_GROUND, OF_BASE].concat(),
         ),
         keys(
@@ -164,14 +159,16 @@ pub(super) fn reference() -> String {
              absolute motion with K of supports at 0 for a support of a given displacement. The exact motion has none:",
             &OF_ENERGY,
         ),
-        in_words(),
+        "Figures write channels in words with the unit, as in \"Displacement of g1.right relative to p2, m\". `\"names\"` of the study gives \
+         other words, to a channel, or to a contact for all of its channels and metrics."
+            .into(),
         "## Metrics".into(),
         keys(
             "`metrics` lists reductions of a channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`, and measures of \
              the ground, with several directions as `ground.y.pga`. c is computed, e exact (`contacts_reference`), g the exact motion of \
-             the softened laws. A window, as in `peak(a, from=10, to=2*T)`, takes the steps at times t with from <= t <= to; either limit may \
-             be left out, and both are numbers or expressions of parameters. All reductions have it but those of energies, the ground and \
-             divergence.",
+             the softened laws. A window, as in `peak(a, from=10, to=2*T)`, takes the steps at times t with from <= t <= to, numbers or expressions of parameters; \
+             either may be left out. All reductions have it but those of energies, the ground and divergence. `residual(a3 - a2)/3.2` is a \
+             residual drift, `sqrt(peak(a.x)^2 + peak(a.y)^2)` the SRSS of two peaks.",
             &REDUCTIONS,
         ),
         keys(

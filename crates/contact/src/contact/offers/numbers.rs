@@ -183,14 +183,14 @@ pub mod structure {
     pub const R_E: Number = Number::new(
         ["rE", "*r*^E^", "length"],
         Range::Positive,
-        "instead of k = limit at rest/r^E; k does not change with N",
+        "instead of k = (limit without motion)/r^E; k does not change with N",
     )
     .instead_of("k");
     /// rdot^E
     pub const RDOT_E: Number = Number::new(
         ["rdotE", "*ṙ*^E^", "length/time"],
         Range::Positive,
-        "instead of c = limit at rest/rdot^E, of stribeck the static limit; c does not change with N",
+        "instead of c = (limit without motion)/rdot^E, of stribeck the static limit; c does not change with N",
     )
     .instead_of("c");
     /// n
@@ -272,7 +272,7 @@ pub mod structure {
     pub const PRESSURE_EXPONENT: Number = Number::new(
         ["pressure_exponent", "*p*", "1"],
         Range::UpToOne,
-        "p from 0 to 1: nu is multiplied by (N/N at rest)^(-p); 0 if left out",
+        "p from 0 to 1: nu is multiplied by (N/N0)^(-p), N0 without motion; 0 if left out",
     )
     .usually(Usual::Is(0.0));
     /// k1

@@ -41,7 +41,7 @@ pub(crate) const MATRICES: Keys = Keys::new(&fields![
     /// CSV file with the header node,direction, if wanted support and X,Y,Z, and a row for each row of the matrices; or a list of [node, direction] or [node, direction, X, Y, Z]
     needed("dofs", Kind::OneOf(&[Kind::Text, Kind::List(&Kind::List(&Kind::Any, [2, 5]), [0, ANY]),
 ])),
-    /// CSV file with lines node,direction and cells dof:factor, or its content: tied dofs as sums of rows, named as nodes are
+    /// CSV file with lines node,direction and cells dof:factor, or its content: dofs that rigid links or diaphragms tie, as sums of others, named as nodes are
     field("ties", Kind::Text),
     /// CSV file with lines name,quantity and cells dof:factor, or its content: sums of displacements of rows that are a force or a moment of members, channels NAME.FORCE
     field("forces", Kind::Text),

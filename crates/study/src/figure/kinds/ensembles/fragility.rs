@@ -12,7 +12,7 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "fragility",
     needs: Needs::Ensemble,
-    meaning: "part of the ensemble in which a metric exceeds a limit, over a parameter such as the scale of records, with 95 % intervals and a lognormal function; or, over a measure such as ground.Sa(T1), the function by incremental scaling or of a cloud",
+    meaning: "fraction of the ensemble in which a metric exceeds a limit, over a parameter such as the scale of records, with 95 % intervals and a lognormal function; or, over a measure such as ground.Sa(T1), the function by incremental scaling or of a cloud",
     keys: &fields![
         /// parameter along the horizontal axis, not of the ensemble; with the fit incremental or cloud also a metric, such as ground.Sa(1)
         needed("x", Takes::Column),
@@ -20,7 +20,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
         needed("y", Takes::Metric),
         /// a case exceeds the limit if its metric is greater
         needed("limit", Takes::Number),
-        /// likelihood: of the parts that exceed at each x (if left out); incremental: of the x at which each member reaches the limit, straight between its cases; cloud: from a line through ln y over ln x
+        /// likelihood (if left out): fitted by maximum likelihood to the fractions that exceed at each x; incremental: of the x at which each member reaches the limit, straight between its cases; cloud: from a line through ln y over ln x
         field("fit", Takes::Fit),
         /// value of y, at least the limit, from which on a case has collapsed, as has one without a value: it exceeds the limit by an unknown amount; if left out, cases without a value are left out
         field("collapse", Takes::Number),
