@@ -17,17 +17,16 @@ const FILES: [(&str, &str); 4] = [
 
 /// A mass on a ground with these parameters and zips, or blocks.
 fn study(parameters: &str, ground: &str) -> Result<Study, String> {
-    let folder = std::env::temp_dir().join(format!("slipgap-record-keys-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
+    let folder = tempfile::tempdir().unwrap();
     for (name, text) in FILES {
-        std::fs::write(folder.join(name), text).unwrap();
+        std::fs::write(folder.path().join(name), text).unwrap();
     }
     let text = format!(
         r#"{{"problem": "structure", {parameters},
 "structure": {{"units": "t, kN, m, s", "masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "mass": 1, "period": 1}}],
 "ground": {{{ground}}}}}, "metrics": ["peak(m)"]}}"#
     );
-    let file = folder.join("s.json").display().to_string();
+    let file = folder.path().join("s.json").display().to_string();
     let study = Input::new(&file, &text).study(1000);
     study.map_err(|error| error.to_string())
 }

@@ -12,16 +12,15 @@ const SYNTHETIC: &str = r#"{"problem": "structure",
 
 /// The study with settings; records are in a folder of its own.
 fn study(text: &str, settings: &[&str]) -> Result<Study, String> {
-    let folder = std::env::temp_dir().join(format!("slipgap-own-records-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
+    let folder = tempfile::tempdir().unwrap();
     for (name, largest) in [("a.csv", 3.0), ("b.csv", -7.0)] {
         std::fs::write(
-            folder.join(name),
+            folder.path().join(name),
             format!("0, 0\n1, {largest}\n2, 1\n3, 0\n"),
         )
         .unwrap();
     }
-    let file = folder.join("s.json").display().to_string();
+    let file = folder.path().join("s.json").display().to_string();
     let settings: Vec<Setting> = settings
         .iter()
         .map(|text| Setting::new(text).unwrap())
