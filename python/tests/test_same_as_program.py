@@ -14,7 +14,7 @@ import slipgap
 ROOT = Path(__file__).resolve().parents[2]
 
 # All problems, and all kinds of figures and tables; all studies with SLIPGAP_ALL_STUDIES=1.
-SOME = """bridges-fragility bridges-spectrum-friction bridges-stiffness building-floors friction-budget friction-fig5 friction-map-beta impact-budget
+SOME = """bridges-fragility bridges-spectrum-friction building-floors ensemble-size friction-budget friction-fig5 friction-map-beta impact-budget
 impact-fig4 impact-fig5 impact-fig6 impact-sobol impact-wave laws-best-width laws-friction laws-front-impact methods-maps-dt
 methods-periods structure-bars-in-a-row structure-block structure-den-hartog structure-girders structure-lift-off structure-response
 structure-stop plane-circle recorded-set""".split()
