@@ -47,42 +47,11 @@ fn says(piece: &str) {
     assert!(PAGE.contains(piece), "not on the page: {piece}");
 }
 
-/// A part is this percentage, within half of its last digit.
-#[track_caller]
-fn rounds_to(part: f64, percent: f64) {
-    let half = if percent == percent.trunc() {
-        0.5
-    } else {
-        0.05
-    };
-    assert!(
-        (100.0 * part - percent).abs() <= half,
-        "{part} is not {percent} %"
-    );
-}
-
 #[test]
 #[ignore = "reads the results of the evidence; run by `make fresh` and `make evidence`"]
 fn steps_in_a_contact() {
-    says("at most 0.5 % of the largest energy, the opening errs by 0.3 %, the peak force by 0.7 %");
-    says("with 12 steps by 1, 0.6 and 2.5 %, with 6 by 4, 3 and 6 %, with 3 by 25, 15 and 27 %");
     says(r#""dt": "pi*sqrt(50/k)/20""#);
     let rows = table("methods/lumped-step/results.csv");
-    for (steps, percent) in [
-        ("20", [0.5, 0.3, 0.7]),
-        ("12", [1.0, 0.6, 2.5]),
-        ("6", [4.0, 3.0, 6.0]),
-        ("3", [25.0, 15.0, 27.0]),
-    ] {
-        for (column, percent) in ["gain", "opening_error", "force_error"].iter().zip(percent) {
-            let [_, largest] = ends(&numbers(
-                &rows,
-                column,
-                &[("steps", steps), ("period", "0.5")],
-            ));
-            rounds_to(largest, percent);
-        }
-    }
     // 0.675 is what the law gives (L4).
     says(
         "With 20 steps in a contact `kelvin-voigt` varies by −0.01 to 0.02, with 40 by less than 0.01",

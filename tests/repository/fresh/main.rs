@@ -10,6 +10,7 @@ mod evidence;
 mod hashes;
 mod pictures;
 mod shown;
+mod tower_answers;
 
 use serde_json::Value as Json;
 use slipgap::study::search::slashes;
