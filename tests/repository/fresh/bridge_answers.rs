@@ -4,7 +4,7 @@ use super::answers::{Row, table};
 use std::collections::BTreeMap;
 
 const PAGE: &str = include_str!("../../../docs/findings-structures.md");
-const ANSWERS: &str = include_str!("../../../docs/answers.md");
+pub(super) const ANSWERS: &str = include_str!("../../../docs/answers.md");
 
 /// Sample and length of the first girder, as the table has them: a bridge.
 type Bridge = (String, String);
@@ -15,7 +15,7 @@ struct Ratios {
     bridges: Vec<f64>,
 }
 
-fn read(study: &str) -> Vec<Row> {
+pub(super) fn read(study: &str) -> Vec<Row> {
     table(&format!("evidence/evidence-{study}/results.csv"))
 }
 
@@ -46,7 +46,7 @@ fn by_bridge(
     found
 }
 
-fn median(values: impl Iterator<Item = f64>) -> f64 {
+pub(super) fn median(values: impl Iterator<Item = f64>) -> f64 {
     let mut rising: Vec<f64> = values.collect();
     rising.sort_by(f64::total_cmp);
     let middle = rising.len() / 2;
@@ -73,7 +73,7 @@ fn ratios(rows: &[Row], [key, value, base]: [&str; 3], metric: &str) -> Ratios {
     Ratios { motions, bridges }
 }
 
-fn within(ratios: &[f64], part: f64) -> usize {
+pub(super) fn within(ratios: &[f64], part: f64) -> usize {
     let near = ratios.iter().filter(|x| (**x - 1.0).abs() <= part);
     near.count()
 }
@@ -94,7 +94,7 @@ fn percent(ratios: &[f64], part: f64) -> String {
 }
 
 #[track_caller]
-fn says(page: &str, piece: &str) {
+pub(super) fn says(page: &str, piece: &str) {
     assert!(page.contains(piece), "not on the page: {piece}");
 }
 
