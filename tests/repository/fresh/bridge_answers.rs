@@ -4,7 +4,7 @@ use super::answers::{Row, table};
 use std::collections::BTreeMap;
 
 const PAGE: &str = include_str!("../../../docs/findings-structures.md");
-const ANSWERS: &str = include_str!("../../../docs/answers.md");
+pub(super) const ANSWERS: &str = include_str!("../../../docs/answers.md");
 
 /// Sample and length of the first girder, as the table has them: a bridge.
 type Bridge = (String, String);

@@ -7,6 +7,7 @@ mod answers;
 mod bridge_answers;
 mod committed;
 mod evidence;
+mod floor_answers;
 mod hashes;
 mod pictures;
 mod shown;
