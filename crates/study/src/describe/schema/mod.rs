@@ -99,6 +99,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
     };
     let mut parameters = parameters(problem.parameters(), "");
     parameters["additionalProperties"] = structure::free_values();
+    let needed = take_needed(&mut parameters);
     let parameters = define("parameters", parameters);
     let metric = define("metric", metric(problem));
     define(
@@ -119,7 +120,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
         "required": ["kind"],
         "allOf": figures,
     });
-    json!({
+    let mut rules = json!({
         "if": { "properties": { "problem": { "const": problem.name() } }, "required": ["problem"] },
         "then": { "properties": {
             "problem": { "description": problem.schema().meaning },
@@ -133,7 +134,25 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
             "figures": { "items": figure },
             "checks": { "items": fields::object(&checks::KEYS, &of_this) },
         } },
-    })
+    });
+    need(&mut rules, &needed);
+    rules
+}
+
+/// Takes out of the schema of parameters which of them a study needs.
+fn take_needed(parameters: &mut Json) -> Json {
+    let needed = parameters
+        .as_object_mut()
+        .and_then(|schema| schema.remove("required"));
+    needed.unwrap_or_else(|| json!([]))
+}
+
+/// Adds that a study needs these parameters: in each block, unless `shared` may have them.
+fn need(rules: &mut Json, needed: &Json) {
+    let study = &mut rules["then"];
+    study["properties"]["parameters"]["required"] = needed.clone();
+    study["if"] = json!({ "not": { "required": ["shared"] } });
+    study["then"] = json!({ "properties": { "blocks": { "items": { "properties": { "parameters": { "required": needed } } } } } });
 }
 
 /// The name of a metric, or of one in the units of the study.

@@ -6,10 +6,10 @@ mod results;
 use results::{figure, metric};
 
 use crate::decode::checks;
-use crate::describe::schema::block;
 use crate::describe::schema::fields::{self, named, object};
 use crate::describe::schema::parts::{calibrate, computed, listed_metrics, reduction, several};
 use crate::describe::schema::values::{self, EXPRESSION, INTERVAL, RULE, names, number, refer};
+use crate::describe::schema::{block, need, take_needed};
 use crate::figure::kinds::KINDS;
 use crate::structure::keys;
 use serde_json::{Map, Value as Json, json};
@@ -27,12 +27,14 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
     define("function", object(&keys::FUNCTION, &shared));
     define("contact", contacts::contact(&shared));
     define("part", contacts::in_list(&shared));
-    let parameters = define("parameters", parameters());
+    let mut parameters = parameters();
+    let needed = take_needed(&mut parameters);
+    let parameters = define("parameters", parameters);
     let structure = define("structure", object(&keys::STRUCTURE, &shared));
     let metric = define("metric", metric());
     let block = block(parameters.clone());
     let figures: Vec<Json> = KINDS.iter().map(figure).collect();
-    json!({
+    let mut rules = json!({
         "if": { "properties": { "problem": { "const": NAME } }, "required": ["problem"] },
         "then": { "required": ["structure"], "properties": {
             "measured": object(&keys::MEASURED, &shared),
@@ -57,7 +59,9 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
             }) },
         } },
         "else": { "properties": { "structure": false, "measured": false } },
-    })
+    });
+    need(&mut rules, &needed);
+    rules
 }
 
 /// The parts that tables of keys name.
