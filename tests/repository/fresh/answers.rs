@@ -20,13 +20,22 @@ pub fn table(path: &str) -> Vec<Row> {
     lines.map(cells).collect()
 }
 
-/// The finite numbers of a column in rows with these values.
-fn numbers(rows: &[Row], column: &str, with: &[(&str, &str)]) -> Vec<f64> {
-    // Numbers by their value: a table has `1.0` where a person writes 1.
-    let same = |cell: &str, value: &str| match (cell.parse::<f64>(), value.parse::<f64>()) {
+/// Whether two cells are equal, numbers by their value: a table has `1.0` where a person writes 1.
+pub(super) fn same(cell: &str, value: &str) -> bool {
+    match (cell.parse::<f64>(), value.parse::<f64>()) {
         (Ok(cell), Ok(value)) => cell == value,
         (Ok(_) | Err(_), _) => cell == value,
-    };
+    }
+}
+
+pub(super) fn number(row: &Row, column: &str) -> f64 {
+    let cell = &row[column];
+    cell.parse()
+        .unwrap_or_else(|e| panic!("{column}: {cell}: {e}"))
+}
+
+/// The finite numbers of a column in rows with these values.
+fn numbers(rows: &[Row], column: &str, with: &[(&str, &str)]) -> Vec<f64> {
     let is_chosen = |row: &&Row| with.iter().all(|(name, value)| same(&row[*name], value));
     let chosen = rows.iter().filter(is_chosen);
     let numbers: Vec<f64> = chosen.filter_map(|row| row[column].parse().ok()).collect();

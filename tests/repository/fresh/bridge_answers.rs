@@ -1,6 +1,6 @@
 //! Numbers of docs/findings-structures.md on the forty bridges of studies/evidence, compared with the tables of these studies.
 
-use super::answers::{Row, table};
+use super::answers::{Row, same, table};
 use std::collections::BTreeMap;
 
 const PAGE: &str = include_str!("../../../docs/findings-structures.md");
@@ -17,13 +17,6 @@ struct Ratios {
 
 pub(super) fn read(study: &str) -> Vec<Row> {
     table(&format!("evidence/evidence-{study}/results.csv"))
-}
-
-pub(super) fn same(cell: &str, value: &str) -> bool {
-    match (cell.parse::<f64>(), value.parse::<f64>()) {
-        (Ok(cell), Ok(value)) => cell == value,
-        (Ok(_) | Err(_), _) => cell == value,
-    }
 }
 
 /// The values of a metric by bridge and motion, of the first two samples.

@@ -1,6 +1,6 @@
 //! Numbers of docs/answers.md on the sixty pairs of buildings of studies/evidence, compared with the table of this study.
 
-use super::answers::Row;
+use super::answers::{Row, number};
 use super::bridge_answers::{ANSWERS, median, read, says, within};
 use std::collections::BTreeMap;
 
@@ -20,10 +20,6 @@ struct Changes {
     tops: Vec<[f64; 2]>,
     forces: Vec<f64>,
     medians: Vec<[f64; 2]>,
-}
-
-fn number(row: &Row, column: &str) -> f64 {
-    row[column].parse().unwrap()
 }
 
 fn by_pair<'a>(rows: &'a [Row], model: &str) -> BTreeMap<Pair, Motions<'a>> {

@@ -1,7 +1,7 @@
 //! Numbers of docs/answers.md, and of the claim E6, on the forty pairs of towers of studies/evidence, compared with the table of that study.
 
-use super::answers::Row;
-use super::bridge_answers::{median, read, same, says, within};
+use super::answers::{Row, number, same};
+use super::bridge_answers::{median, read, says, within};
 use std::collections::BTreeMap;
 
 const PAGE: &str = include_str!("../../../docs/answers.md");
@@ -12,12 +12,6 @@ type Pair = (String, String);
 
 /// What a pair of towers does in a motion, which is named by its seed.
 type Motions<'a> = BTreeMap<(Pair, String), &'a Row>;
-
-fn number(row: &Row, column: &str) -> f64 {
-    let cell = &row[column];
-    cell.parse()
-        .unwrap_or_else(|e| panic!("{column}: {cell}: {e}"))
-}
 
 /// The motions with impact, of a law and a number of steps in a contact.
 fn motions<'a>(rows: &'a [Row], law: &str, steps: &str) -> Motions<'a> {
