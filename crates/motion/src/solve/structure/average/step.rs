@@ -3,6 +3,7 @@
 use super::lane_state::{Average, ContactState};
 use crate::lane::Lane;
 use crate::solve::structure::contacts::curved_lanes::meet_lane;
+use crate::solve::structure::contacts::forces::Found;
 use crate::solve::structure::contacts::laws::friction;
 use crate::solve::structure::contacts::static_friction::{StaticFriction, breaks};
 use crate::solve::structure::linear_part::links::{Elimination, Link};
@@ -174,6 +175,9 @@ impl<const L: usize> Average<'_, L> {
         if self.moving.is_some() {
             self.move_gaps(step);
         }
+        if !self.curved.is_empty() {
+            self.try_lines();
+        }
         let contacts = &self.contacts;
         let size = |c: usize, l: usize| size(&contacts[c], l);
         self.forces.solve(step, &self.trial, size, &mut self.force);
@@ -196,8 +200,27 @@ impl<const L: usize> Average<'_, L> {
         }
     }
 
+    /// Lets lanes whose impacts may stay open be solved as clipped lines.
+    #[inline(never)]
+    fn try_lines(&mut self) {
+        let mut lanes = [Found::Here; L];
+        for (l, curved) in self.curved.iter().enumerate() {
+            let Some(curved) = curved else {
+                continue;
+            };
+            let start = |c: usize| {
+                let contact = &self.contacts[c];
+                [contact.p.0[l] - 0.5 * contact.w.0[l], contact.force.0[l]]
+            };
+            lanes[l] = match curved.is_open(start) {
+                true => Found::HereOrElsewhere,
+                false => Found::Elsewhere,
+            };
+        }
+        self.forces.find(lanes);
+    }
+
     /// The forces S(i+1) of lanes with laws that are not clipped lines.
-    #[cold]
     #[inline(never)]
     fn meet_curved(&mut self, step: usize) {
         let dt = self.prepared.dt;
@@ -223,8 +246,13 @@ impl<const L: usize> Average<'_, L> {
                 }
                 motion
             };
-            let breaks = breaks(&mut self.two_limits, l);
             let forces = &mut self.forces;
+            if forces.found(l) == Found::HereOrElsewhere
+                && curved.pass_open(|c| self.force[c].0[l], |c| motion(c).terms)
+            {
+                continue;
+            }
+            let breaks = breaks(&mut self.two_limits, l);
             meet_lane(curved, motion, &mut self.force, forces, (l, step), breaks);
         }
     }

@@ -7,6 +7,7 @@
 use super::curved_blocks::CurvedBlocks;
 use super::curved_contact::{Contact, Memory, has_curved};
 use super::curved_group::{Group, Groups, LastShares, grouped, groups, of_masses};
+use super::curved_open::OpenImpacts;
 use super::curved_plane::{self};
 use super::curved_step::{Motion, Scale, explicit_line, line};
 use super::static_friction::Bound;
@@ -31,6 +32,7 @@ pub(crate) struct Curved {
     together: Vec<f64>,
     /// Of the contacts.
     pub(super) force: Vec<f64>,
+    pub(super) open_impacts: Option<OpenImpacts>,
 }
 
 impl Curved {
@@ -122,9 +124,9 @@ impl Curved {
                 answered: 0.0,
             }
         };
-        let contacts = contacts.iter().enumerate().map(contact).collect();
         Curved {
-            contacts,
+            contacts: contacts.iter().enumerate().map(contact).collect(),
+            open_impacts: OpenImpacts::new(structure, pace),
             d: vec![0.0; groups.len()],
             size: vec![0.0; groups.len()],
             together: vec![0.0; groups.len()],

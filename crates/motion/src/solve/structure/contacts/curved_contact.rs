@@ -83,8 +83,13 @@ impl Contact {
 
     /// Takes the motion of a step.
     pub(crate) fn move_by(&mut self, motion: Motion) {
-        self.terms = [0, 1].map(|i| self.terms[i].max(motion.terms[i]));
+        self.take_terms(motion.terms);
         self.motion = motion;
+    }
+
+    /// Takes the sizes of the terms of r and rdot in a step.
+    pub(crate) fn take_terms(&mut self, terms: [f64; 2]) {
+        self.terms = [0, 1].map(|i| self.terms[i].max(terms[i]));
     }
 
     /// The trial with this y.

@@ -4,7 +4,7 @@ use super::curved::Curved;
 use super::curved_contact::{Contact, has_curved, has_three_points};
 use super::curved_group::Group;
 use super::curved_step::Motion;
-use super::forces::Forces;
+use super::forces::{Forces, Found};
 use super::static_friction::Bound;
 use crate::contact::{ContactKind, Unsolved};
 use crate::lane::Lane;
@@ -65,14 +65,16 @@ pub(crate) fn curved_lanes<const L: usize>(
     }
     let of = |case: &&Structure| Curved::new(case, flexibility, pace, dt);
     let laws: Vec<Option<Curved>> = cases.iter().map(of).collect();
-    let mut others = [false; L];
-    for (l, (other, curved)) in others.iter_mut().zip(&laws).enumerate() {
-        *other = curved.is_some();
+    let mut lanes = [Found::Here; L];
+    for (l, (found, curved)) in lanes.iter_mut().zip(&laws).enumerate() {
+        if curved.is_some() {
+            *found = Found::Elsewhere;
+        }
         if curved.as_ref().is_some_and(Curved::is_ambiguous) {
             forces.fail(l, 0, Unsolved::Falling);
         }
     }
-    forces.leave(others);
+    forces.find(lanes);
     laws
 }
 

@@ -6,6 +6,7 @@ pub(crate) mod curved_contact;
 pub(crate) mod curved_group;
 pub(crate) mod curved_lanes;
 pub(crate) mod curved_link;
+mod curved_open;
 pub(crate) mod curved_plane;
 pub(crate) mod curved_step;
 pub(crate) mod forces;

@@ -8,6 +8,16 @@ use crate::lane::Lane;
 use crate::solve::structure::linear_part::block_matrix::{BlockMatrix, MatrixBlock};
 use block::Block;
 
+/// Where the forces of a lane are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Found {
+    /// Here, and the lane fails without them.
+    Here,
+    /// Here, and elsewhere without them: then they are NaN.
+    HereOrElsewhere,
+    Elsewhere,
+}
+
 /// The forces of the contacts of L structures with the same flexibility.
 #[derive(Debug, Clone)]
 pub(crate) struct Forces<const L: usize> {
@@ -16,8 +26,8 @@ pub(crate) struct Forces<const L: usize> {
     places: Vec<[usize; 2]>,
     /// The first step at which a lane has no forces, and why.
     failures: [Option<(usize, Unsolved)>; L],
-    /// Lanes whose forces are found elsewhere.
-    others: Option<[bool; L]>,
+    /// Where the forces of each lane are found; `None` if all are here.
+    found: Option<[Found; L]>,
     /// d and the forces of one of several blocks.
     scratch: [Vec<Lane<L>>; 2],
 }
@@ -43,7 +53,7 @@ impl<const L: usize> Forces<L> {
             blocks: flexibility.blocks.iter().map(block).collect(),
             places: flexibility.places.clone(),
             failures: [None; L],
-            others: None,
+            found: None,
             scratch: [zeros(), zeros()],
         }
     }
@@ -88,9 +98,14 @@ impl<const L: usize> Forces<L> {
         self.failures
     }
 
-    /// Leaves these lanes out.
-    pub(crate) fn leave(&mut self, lanes: [bool; L]) {
-        self.others = lanes.contains(&true).then_some(lanes);
+    /// Sets where the forces of each lane are found.
+    pub(crate) fn find(&mut self, lanes: [Found; L]) {
+        self.found = lanes.iter().any(|l| *l != Found::Here).then_some(lanes);
+    }
+
+    /// Where the forces of a lane are found.
+    pub(crate) fn found(&self, lane: usize) -> Found {
+        self.found.map_or(Found::Here, |found| found[lane])
     }
 
     /// H of a contact with itself.
@@ -115,9 +130,9 @@ impl<const L: usize> Forces<L> {
     ) {
         if let [block] = &mut self.blocks[..] {
             let excess = block.follow(d, force);
-            for l in wrong(excess, self.others) {
+            for l in wrong(excess, self.found) {
                 if let Err(why) = block.solve_lane(l, d, &size, force) {
-                    self.failures[l].get_or_insert((step, why));
+                    record(&mut self.failures[l], self.found, (l, step), why);
                 }
             }
             return;
@@ -141,9 +156,9 @@ impl<const L: usize> Forces<L> {
             }
             let (ds, solved) = (&ds[..count], &mut solved[..count]);
             let excess = block.follow(ds, solved);
-            for l in wrong(excess, self.others) {
+            for l in wrong(excess, self.found) {
                 if let Err(why) = block.solve_lane(l, ds, size, solved) {
-                    self.failures[l].get_or_insert((step, why));
+                    record(&mut self.failures[l], self.found, (l, step), why);
                 }
             }
             for (value, contact) in solved.iter().zip(&block.of_all) {
@@ -175,11 +190,23 @@ impl<const L: usize> Forces<L> {
     }
 }
 
-/// The lanes, besides others, whose pattern is contradicted.
+/// Records why lane `l` has no forces, unless they may be found elsewhere.
+fn record<const L: usize>(
+    failure: &mut Option<(usize, Unsolved)>,
+    found: Option<[Found; L]>,
+    (l, step): (usize, usize),
+    why: Unsolved,
+) {
+    if found.is_none_or(|found| found[l] == Found::Here) {
+        failure.get_or_insert((step, why));
+    }
+}
+
+/// The lanes with forces to be found here, whose pattern is contradicted.
 #[inline(always)]
 fn wrong<const L: usize>(
     excess: Lane<L>,
-    others: Option<[bool; L]>,
+    found: Option<[Found; L]>,
 ) -> impl Iterator<Item = usize> {
     let mut stands = true;
     for excess in excess.0 {
@@ -187,7 +214,7 @@ fn wrong<const L: usize>(
     }
     let lanes = if stands { 0..0 } else { 0..L };
     lanes.filter(move |l| {
-        let is_other = others.is_some_and(|others| others[*l]);
-        excess.0[*l] > 0.0 && !is_other
+        let is_elsewhere = found.is_some_and(|found| found[*l] == Found::Elsewhere);
+        excess.0[*l] > 0.0 && !is_elsewhere
     })
 }
