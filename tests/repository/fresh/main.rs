@@ -6,6 +6,7 @@
 mod answers;
 mod bridge_answers;
 mod committed;
+mod deck_answers;
 mod evidence;
 mod floor_answers;
 mod hashes;
