@@ -1,7 +1,7 @@
 //! The contacts of structures in lanes, and what a step changes.
 
 use crate::lane::Lane;
-use crate::solve::structure::contacts::curved::Curved;
+use crate::solve::structure::contacts::curved::contacts::Curved;
 use crate::solve::structure::contacts::static_friction::StaticFriction;
 
 /// The motion of a contact, and its law.

@@ -3,9 +3,9 @@
 use super::lane_contacts::Start;
 pub(crate) use super::lane_contacts::{ContactState, LaneLine};
 use crate::lane::Lane;
-use crate::solve::structure::contacts::curved::Curved;
-use crate::solve::structure::contacts::curved_lanes::curved_lanes;
-use crate::solve::structure::contacts::curved_step::Motion;
+use crate::solve::structure::contacts::curved::contacts::Curved;
+use crate::solve::structure::contacts::curved::lanes::curved_lanes;
+use crate::solve::structure::contacts::curved::step::Motion;
 use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::contacts::laws::Line;
 use crate::solve::structure::contacts::static_friction::StaticFriction;

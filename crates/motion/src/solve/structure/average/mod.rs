@@ -1,5 +1,6 @@
 //! The constant average acceleration method in increments.
 
+mod curved;
 mod lane_contacts;
 pub(crate) mod lane_state;
 pub(crate) mod moves;

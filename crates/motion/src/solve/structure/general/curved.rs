@@ -3,10 +3,10 @@
 use super::stages::General;
 use crate::lane::Lane;
 use crate::solve::structure::Prepared;
-use crate::solve::structure::contacts::curved::Curved;
-use crate::solve::structure::contacts::curved_contact::has_curved;
-use crate::solve::structure::contacts::curved_lanes::{curved_lanes, meet_lane};
-use crate::solve::structure::contacts::curved_step::Motion;
+use crate::solve::structure::contacts::curved::contact::has_curved;
+use crate::solve::structure::contacts::curved::contacts::Curved;
+use crate::solve::structure::contacts::curved::lanes::{curved_lanes, meet_lane};
+use crate::solve::structure::contacts::curved::step::Motion;
 use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::linear_part::linear::Linear;
 use crate::system::structure::Structure;

@@ -5,7 +5,7 @@ use crate::lane::Lane;
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
 use crate::solve::structure::Prepared;
-use crate::solve::structure::contacts::curved::Curved;
+use crate::solve::structure::contacts::curved::contacts::Curved;
 use crate::solve::structure::contacts::forces::Forces;
 use crate::solve::structure::contacts::static_friction::StaticFriction;
 use crate::solve::structure::general::held::corrections::Corrections;

@@ -2,7 +2,7 @@
 
 use crate::contact::{AnyRunningLaw, ContactLaw, ContactResponse, Unsolved};
 use crate::lane::Lane;
-use crate::solve::structure::contacts::curved_step::{Motion, Scale, trial};
+use crate::solve::structure::contacts::curved::step::{Motion, Scale, trial};
 use crate::system::structure::Structure;
 
 /// S(0) of a contact with a law that is not a clipped line: it follows from r and rdot, or from its state, which is unbent without static

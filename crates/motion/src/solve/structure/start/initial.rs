@@ -2,7 +2,7 @@
 
 use super::first_force::first_force;
 use crate::contact::{ClippedLine, RigidForces, Unsolved};
-use crate::solve::structure::contacts::curved_plane::first_forces;
+use crate::solve::structure::contacts::curved::plane::first_forces;
 use crate::solve::structure::contacts::laws::{bounds, friction};
 use crate::system::structure::{Inertia, PlaneRow, Structure};
 

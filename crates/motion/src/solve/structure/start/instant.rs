@@ -7,8 +7,8 @@
 use super::damped::move_damped;
 use crate::contact::ContactKind;
 use crate::solve::Unsolvable;
-use crate::solve::structure::contacts::curved::Curved;
-use crate::solve::structure::contacts::curved_step::{Motion, SHORT};
+use crate::solve::structure::contacts::curved::contacts::Curved;
+use crate::solve::structure::contacts::curved::step::{Motion, SHORT};
 use crate::solve::structure::linear_part::between;
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::sparse::factor::Factor;

@@ -20,8 +20,8 @@ mod weights;
 
 use crate::contact::Unsolved;
 use crate::solve::Unsolvable;
-use crate::solve::structure::contacts::curved::Curved;
-use crate::solve::structure::contacts::curved_contact::Memory;
+use crate::solve::structure::contacts::curved::contact::Memory;
+use crate::solve::structure::contacts::curved::contacts::Curved;
 use crate::system::structure::sparse::factor::negative_pivot;
 use crate::system::structure::{Structure, Symmetric};
 use weights::{

@@ -3,7 +3,7 @@
 use super::Equilibrium;
 use super::weights::{LONG, add, largest};
 use crate::contact::Unsolved;
-use crate::solve::structure::contacts::curved_step::Motion;
+use crate::solve::structure::contacts::curved::step::Motion;
 use crate::system::structure::Limit;
 
 impl Equilibrium<'_> {

@@ -2,7 +2,7 @@
 
 use crate::contact::ContactKind;
 use crate::solve::Unsolvable;
-use crate::solve::structure::contacts::curved::Curved;
+use crate::solve::structure::contacts::curved::contacts::Curved;
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::sparse::factor::Factor;
 use crate::system::structure::{Structure, Symmetric};

@@ -1,6 +1,6 @@
 //! Contacts in a plane: two neighbouring contacts of a structure, which answer together.
 
-use super::curved_step::{Motion, Scale};
+use super::step::{Motion, Scale};
 use crate::contact::coupled::curved::Directions;
 use crate::contact::plane::{AnyPlaneLaw, Pair, PlaneMemory, PlaneStep, PlaneTrial};
 use crate::system::structure::{PlaneRow, Structure};

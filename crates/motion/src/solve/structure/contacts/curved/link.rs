@@ -3,10 +3,10 @@
 //! Contacts side by side have one change, from which the force of each follows; their sum is the force of the link. Contacts without
 //! compliance have the rest of it while they hold, and share it alike as far as they can.
 
-use super::curved_contact::Contact;
-use super::curved_step::{Motion, ROUND_OFF};
-use super::series_root::filled;
+use super::contact::Contact;
+use super::step::{Motion, ROUND_OFF};
 use crate::contact::ClippedLine;
+use crate::solve::structure::contacts::series_root::filled;
 
 /// Contacts with their signs, as [`crate::system::structure::Member`].
 pub(crate) type Link = Vec<(usize, f64)>;

@@ -3,7 +3,7 @@
 //! Such an impact has no force while it is open, and at most steps all are. The other contacts are clipped lines, whose forces are found
 //! in lanes. There the impact is a rigid stop: if it stays open, so does the impact with its law, since one set of forces solves both.
 
-use super::curved::Curved;
+use super::contact::Contact;
 use crate::contact::{ContactKind, WhichLaw};
 use crate::system::structure::{Contact as GivenContact, Structure};
 
@@ -33,34 +33,27 @@ impl OpenImpacts {
             pace.is_finite() && structure.chains().is_empty() && are_simple && have_no_force;
         of_lines.then(|| OpenImpacts(impacts.into_iter().map(|(i, _)| i).collect()))
     }
-}
 
-impl Curved {
-    /// Whether a step that starts with these r and S may be one of clipped lines: all impacts with other laws are open without a force.
+    /// Whether all are open without a force at the start of a step with these r and S.
     #[inline(always)]
-    pub(crate) fn is_open(&self, start: impl Fn(usize) -> [f64; 2]) -> bool {
-        let Some(OpenImpacts(impacts)) = &self.open_impacts else {
-            return false;
-        };
-        impacts.iter().all(|i| {
+    pub(super) fn begin_open(&self, start: impl Fn(usize) -> [f64; 2]) -> bool {
+        self.0.iter().all(|i| {
             let [r, s] = start(*i);
             r > 0.0 && s == 0.0
         })
     }
 
-    /// Ends a step with these forces, if all impacts with such laws stay open in it; false if not. `terms` are the sizes of the terms of
-    /// r and rdot of a contact. Nothing else changes that a law remembers.
-    pub(crate) fn pass_open(
-        &mut self,
+    /// Ends a step with these forces, if all stay open in it; false if not. `terms` are the sizes of the terms of r and rdot. Nothing
+    /// else changes that a law remembers.
+    pub(super) fn end_open(
+        &self,
+        contacts: &mut [Contact],
         force: impl Fn(usize) -> f64,
         terms: impl Fn(usize) -> [f64; 2],
     ) -> bool {
-        let Some(OpenImpacts(impacts)) = &self.open_impacts else {
-            return false;
-        };
-        let stay_open = impacts.iter().all(|i| force(*i) == 0.0);
-        for i in impacts.iter().filter(|_| stay_open) {
-            let contact = &mut self.contacts[*i];
+        let stay_open = self.0.iter().all(|i| force(*i) == 0.0);
+        for i in self.0.iter().filter(|_| stay_open) {
+            let contact = &mut contacts[*i];
             if contact.now.properties().divides_by_closing_speed() {
                 contact.take_terms(terms(*i));
             }

@@ -4,15 +4,15 @@
 //! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact. In an explicit method r' does not depend on
 //! the forces: there y and a are those of rdot' = y - a S.
 
-use super::curved_blocks::CurvedBlocks;
-use super::curved_contact::{Contact, Memory, has_curved};
-use super::curved_group::{Group, Groups, LastShares, grouped, groups, of_masses};
-use super::curved_open::OpenImpacts;
-use super::curved_plane::{self};
-use super::curved_step::{Motion, Scale, explicit_line, line};
-use super::static_friction::Bound;
+use super::blocks::CurvedBlocks;
+use super::contact::{Contact, Memory, has_curved};
+use super::group::{Group, Groups, LastShares, grouped, groups, of_masses};
+use super::open::OpenImpacts;
+use super::plane::{self};
+use super::step::{Motion, Scale, explicit_line, line};
 use crate::contact::plane::PlaneMemory;
 use crate::contact::{AnyRunningLaw, ContactLaw, Unsolved};
+use crate::solve::structure::contacts::static_friction::Bound;
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::{Chain, PlaneRow, Structure};
 
@@ -114,7 +114,7 @@ impl Curved {
                 scale,
                 bounds: law.properties().bounds(),
                 two_limits: false,
-                plane: curved_plane::first(structure, i, limit, scale, flexibility),
+                plane: plane::first(structure, i, limit, scale, flexibility),
                 before: None,
                 relation,
                 motion: Motion::default(),
@@ -176,7 +176,7 @@ impl Curved {
         contact.now = law;
         contact.bounds = law.properties().bounds();
         if let Some(plane) = &mut contact.plane {
-            let step = curved_plane::step(contact.scale, contact.own);
+            let step = plane::step(contact.scale, contact.own);
             plane.law = law.in_plane(&step).unwrap_or(plane.law);
         }
     }

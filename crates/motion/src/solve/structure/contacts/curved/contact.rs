@@ -1,17 +1,11 @@
 //! A contact with a law that is not a clipped line, over a step.
 
-use super::curved_plane::Plane;
-use super::curved_step::{Motion, ROUND_OFF, Scale, line, trial};
+use super::plane::Plane;
+use super::step::{Motion, ROUND_OFF, Scale, line, trial};
 use crate::contact::plane::PlaneMemory;
-use crate::contact::{
-    AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, OwnFault, Trial, WhichLaw,
-};
+use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial, WhichLaw};
 use crate::lane::Lane;
 use crate::system::structure::{PlaneRow, Structure, StructureLaw};
-
-/// Largest difference between the force of a step and the answer of a law of a user's program to it: the search for the forces of many
-/// contacts ends at 1e-12 of their sum.
-const SAME: f64 = 1e-8;
 
 /// A contact.
 #[derive(Debug, Clone)]
@@ -93,7 +87,7 @@ impl Contact {
     }
 
     /// The trial with this y.
-    fn trial(&self, y: f64) -> Trial<1> {
+    pub(super) fn trial(&self, y: f64) -> Trial<1> {
         self.trial_of(&self.motion, y)
     }
 
@@ -279,23 +273,6 @@ impl Contact {
         self.now.properties().divides_by_closing_speed()
             && by_force.abs() <= least
             && (self.motion.displacement + change).abs() <= least
-    }
-
-    /// Why the force of a law of a user's program is not taken, after a step with this force; without one, why its answer to the motion
-    /// without forces is not.
-    pub(crate) fn own_fault(&mut self, force: Option<f64>) -> Option<OwnFault> {
-        if self.now.which() != WhichLaw::Own {
-            return None;
-        }
-        let Some(force) = force else {
-            let mut law = self.law;
-            ContactResponse::force(&mut law, 0, &self.trial(self.motion.change));
-            return law.own_fault();
-        };
-        let differs = (self.answered - force).abs() > SAME * force.abs().max(self.answered.abs());
-        self.law
-            .own_fault()
-            .or(differs.then_some(OwnFault::NoAnswer))
     }
 
     pub(crate) fn stored_energy(&self, r: f64, s: f64) -> f64 {

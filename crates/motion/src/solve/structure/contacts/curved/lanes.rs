@@ -1,13 +1,13 @@
 //! Lanes whose structures have contacts with laws that are not clipped lines.
 
-use super::curved::Curved;
-use super::curved_contact::{Contact, has_curved, has_three_points};
-use super::curved_group::Group;
-use super::curved_step::Motion;
-use super::forces::{Forces, Found};
-use super::static_friction::Bound;
+use super::contact::{Contact, has_curved, has_three_points};
+use super::contacts::Curved;
+use super::group::Group;
+use super::step::Motion;
 use crate::contact::{ContactKind, Unsolved};
 use crate::lane::Lane;
+use crate::solve::structure::contacts::forces::{Forces, Found};
+use crate::solve::structure::contacts::static_friction::Bound;
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::Structure;
 
@@ -23,6 +23,23 @@ impl Curved {
             Some(Unsolved::Own { contact, why })
         });
         faults.next()
+    }
+
+    /// Whether a step that starts with these r and S may be one of clipped lines: all impacts with other laws are open without a force.
+    #[inline(always)]
+    pub(crate) fn begins_open(&self, start: impl Fn(usize) -> [f64; 2]) -> bool {
+        let impacts = self.open_impacts.as_ref();
+        impacts.is_some_and(|impacts| impacts.begin_open(start))
+    }
+
+    /// Ends such a step with these forces, if the impacts stay open in it; false if not. `terms` are the sizes of the terms of r and rdot.
+    pub(crate) fn ends_open(
+        &mut self,
+        force: impl Fn(usize) -> f64,
+        terms: impl Fn(usize) -> [f64; 2],
+    ) -> bool {
+        let impacts = self.open_impacts.as_ref();
+        impacts.is_some_and(|impacts| impacts.end_open(&mut self.contacts, force, terms))
     }
 
     /// Whether a contact's law may have several answers in a step.

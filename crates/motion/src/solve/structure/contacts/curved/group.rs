@@ -1,11 +1,11 @@
 //! Contacts in series as one contact: a chain has one force, and its motion is the sum of those of its members.
 
-use super::curved_contact::Contact;
-use super::curved_link::{self as link, Link, leader};
-use super::curved_step::{ROUND_OFF, SHORT};
-use super::in_series::{Part, Series, Shares};
+use super::contact::Contact;
+use super::link::{self as link, Link, leader};
+use super::step::{ROUND_OFF, SHORT};
 use crate::contact::coupled::curved::{Directions, Laws};
 use crate::contact::plane::{Pair, PlaneMemory};
+use crate::solve::structure::contacts::in_series::{Part, Series, Shares};
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::{Chain, PlaneRow, Structure};
 use std::cell::RefCell;
