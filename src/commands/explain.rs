@@ -92,6 +92,9 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     if let Some(why) = &broken {
         text += &format!("\nthis case cannot be solved: {why}\n");
     }
+    // What is known without a solution is shown at once: that of thousands of contacts takes a minute.
+    print(&text)?;
+    text.clear();
     let (warnings, seconds) = match broken {
         Some(_) => (String::new(), None),
         None => warnings(study, &case),

@@ -165,6 +165,14 @@ impl<'a> Enumeration<'a> {
         (first.or(next_case).unwrap_or(0), cases)
     }
 
+    /// Number of the first case among the raw combinations from `raw` on.
+    pub fn first_from(self, raw: u64) -> u64 {
+        let mut parts = self.parts(raw, self.raw_len());
+        parts
+            .next()
+            .map_or_else(|| self.len(), |(_, _, number)| number)
+    }
+
     /// The part of raw combinations `from..to` in each block, numbered from the start of the block, and the number of the
     /// first case there.
     fn parts(self, from: u64, to: u64) -> impl Iterator<Item = (&'a Block, Range<u64>, u64)> {

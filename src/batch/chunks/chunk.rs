@@ -70,6 +70,17 @@ pub fn count(study: &Study) -> u64 {
     study.raw_len().div_ceil(len(study))
 }
 
+/// The raw combinations of chunk `index`.
+pub fn combinations(study: &Study, index: u64) -> Range<u64> {
+    let from = index * len(study);
+    from..(from + len(study)).min(study.raw_len())
+}
+
+/// The chunk that contains raw combination `raw`.
+pub fn of_combination(study: &Study, raw: u64) -> u64 {
+    raw / len(study)
+}
+
 /// Cases that are computed, stored and loaded together: those of a chunk, or some of them if they are much work.
 #[derive(Debug)]
 pub struct Part {
@@ -105,9 +116,8 @@ impl Part {
 
 /// The parts of chunk `index`; none if conditions exclude all its combinations.
 pub fn parts(study: &Study, index: u64) -> Vec<Part> {
-    let len = len(study);
-    let from = index * len;
-    let (first, cases) = study.columns(from, (from + len).min(study.raw_len()));
+    let Range { start: from, end } = combinations(study, index);
+    let (first, cases) = study.columns(from, end);
     let ranges = split_by_work(study.costs(&cases));
     let chunk = Arc::new(cases);
     let part = |(rows, work): (Range<usize>, u64)| Part {

@@ -6,6 +6,7 @@ use rayon::Yield;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -40,7 +41,10 @@ pub(in crate::batch) fn in_order<R: Send>(
                     let (position, finished) = (begun, &finished);
                     scope.spawn_fifo(move |_| {
                         if !finished.stopped.load(Ordering::Relaxed) {
-                            finished.put(position, work(part));
+                            // Without its result, `take` would wait for ever.
+                            let first = part.first;
+                            let done = catch_unwind(AssertUnwindSafe(|| work(part)));
+                            finished.put(position, done.unwrap_or_else(|_| Err(ended(first))));
                         }
                     });
                     begun += 1;
@@ -57,6 +61,14 @@ pub(in crate::batch) fn in_order<R: Send>(
             taken += 1;
         }
     })
+}
+
+/// The error of a part whose work has panicked, after the message of the panic.
+fn ended(first: u64) -> Error {
+    let what = format!(
+        "the computation of case {first} or of one after it ended by a fault of the program"
+    );
+    Error::Internal(what)
 }
 
 /// Results that are not taken yet, by the places of their parts.
@@ -152,5 +164,27 @@ mod tests {
             assert!(matches!(result, Err(Error::Interrupted)), "{result:?}");
             assert_eq!(firsts, (0..7).collect::<Vec<_>>());
         }
+    }
+
+    #[test]
+    fn a_part_whose_work_panics_is_an_error_and_nobody_waits_for_it() {
+        let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "dT": 0.1, "duration": 3,
+            "beta": {"range": [1, 655360, 1]}}}"#;
+        let study = slipgap_study::parse("s.json", text).unwrap();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(2);
+        let work = |part: Part| {
+            assert!(part.first != 5 * 16_384, "a panic of this test");
+            Ok(())
+        };
+        let mut taken = 0;
+        let result = pool.build().unwrap().install(|| {
+            in_order(&study, PartQueue::new(&study), work, |()| {
+                taken += 1;
+                Ok(())
+            })
+        });
+        let why = result.unwrap_err().to_string();
+        assert!(why.contains("case 81920"), "{why}");
+        assert_eq!(taken, 5);
     }
 }

@@ -5,8 +5,8 @@ use super::atomic::{remove_when_interrupted, writing};
 use super::place::is_object;
 use crate::batch::chunks::shard::Shard;
 use serde_json::{Value, json};
-use std::fs::{self, OpenOptions};
-use std::io::{self, Write};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::{Builder, JoinHandle};
@@ -117,8 +117,10 @@ fn sign(path: &Path) -> Option<Sign> {
     fs::symlink_metadata(path)
         .ok()
         .filter(fs::Metadata::is_file)?;
-    // A client of NFS asks the server when it opens a file, not when it lists one.
-    let text = fs::read(path).ok()?;
+    // A client of NFS asks the server when it opens a file, not when it lists one. A file of any length may have the name.
+    let mut text = Vec::new();
+    let file = File::open(path).ok()?;
+    file.take(LENGTH as u64 + 1).read_to_end(&mut text).ok()?;
     let written = fs::metadata(path).and_then(|file| file.modified());
     Some(Sign {
         shard,

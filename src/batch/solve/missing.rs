@@ -1,26 +1,23 @@
 //! The parts of a study that its store does not have: what is left for shards to compute.
 
-use crate::batch::chunks::chunk;
-use crate::batch::chunks::queue::PartQueue;
 use crate::batch::chunks::shard::shard_of;
-use crate::batch::store::key::Key;
+use crate::batch::status::outline::{Outline, Reading};
 use crate::batch::store::{Miss, Store};
-use rayon::prelude::*;
 use slipgap_study::Study;
 use slipgap_study::error::Error;
 use std::collections::BTreeSet;
 use std::fmt;
-
-/// Number of parts for each thread that are checked at a time.
-const PARTS: usize = 4;
+use std::path::PathBuf;
 
 /// Parts that the store does not have.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct MissingParts {
     /// Number of parts of the study.
     pub parts: u64,
-    /// Number of parts without a file, or with a damaged one.
+    /// Number of parts without a file.
     pub absent: u64,
+    /// Number of parts whose file cannot be read or is damaged, and the first of these files.
+    pub damaged: (u64, Option<PathBuf>),
     /// Number of parts of another version of the study or of the solver.
     pub outdated: u64,
     /// The number of shards, if it is known, and the shards, from 1, that have these parts.
@@ -29,7 +26,7 @@ pub struct MissingParts {
 
 impl MissingParts {
     fn is_empty(&self) -> bool {
-        self.absent + self.outdated == 0
+        self.absent + self.damaged.0 + self.outdated == 0
     }
 }
 
@@ -48,25 +45,9 @@ pub fn missing_parts(
         shards: shards.map(|of| (of, BTreeSet::new())),
         ..MissingParts::default()
     };
-    let mut queue = PartQueue::new(study);
-    let count = chunk::parts_at_a_time(study, PARTS * rayon::current_num_threads());
-    loop {
-        let parts = queue.next(count);
-        if parts.is_empty() {
-            break;
-        }
-        let checked: Vec<(u64, Option<Miss>)> = parts
-            .into_par_iter()
-            .map(|(number, part)| {
-                let (start, first) = (part.start, part.first);
-                let cases = part.cases();
-                let key = Key::new(study, first, &cases);
-                (number, store.check(start, &key, cases.len()).err())
-            })
-            .collect();
-        for (number, miss) in checked {
-            missing.add(number, miss);
-        }
+    let outline = Outline::new(study, store.folder(), Reading::Whole, shards.is_some())?;
+    for (number, part) in outline.parts(study) {
+        missing.add(number, part.found.err());
     }
     Ok(Some(missing).filter(|missing| !missing.is_empty()))
 }
@@ -78,7 +59,11 @@ impl MissingParts {
         match miss {
             None => return,
             Some(Miss::Outdated(_)) => self.outdated += 1,
-            Some(Miss::Absent | Miss::Damaged(_)) => self.absent += 1,
+            Some(Miss::Absent) => self.absent += 1,
+            Some(Miss::Damaged(path)) => {
+                self.damaged.0 += 1;
+                self.damaged.1.get_or_insert(path);
+            }
         }
         if let Some((of, shards)) = &mut self.shards {
             shards.insert(shard_of(number, *of));
@@ -89,11 +74,17 @@ impl MissingParts {
 impl fmt::Display for MissingParts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (parts, absent, outdated) = (self.parts, self.absent, self.outdated);
+        let (damaged, file) = &self.damaged;
+        let missing = absent + damaged + outdated;
         write!(
             f,
-            "{} of {parts} parts are missing ({absent} not there, {outdated} of another version); ",
-            absent + outdated
+            "{missing} of {parts} parts are missing ({absent} not there, "
         )?;
+        if let Some(file) = file {
+            let file = file.display();
+            write!(f, "{damaged} damaged or unreadable, such as {file}, ")?;
+        }
+        write!(f, "{outdated} of another version); ")?;
         match &self.shards {
             Some((of, shards)) => write!(f, "run shards {} of {of} again", ranges(shards)),
             None => f.write_str("with --shards N, this names the shards to run again"),

@@ -47,5 +47,6 @@ pub fn run_shard(
         result.unsolved += part.unsolved;
         Ok(())
     })?;
+    store.check_kept()?;
     Ok(result)
 }

@@ -1,6 +1,6 @@
 //! How many cases of a shard are done, and how long the others take.
 
-use super::Found;
+use super::outline::KnownPart;
 use crate::batch::files::heartbeat::{Computed, DEAD, Sign};
 use std::time::{Duration, SystemTime};
 
@@ -59,15 +59,19 @@ impl Progress {
     }
 
     /// Adds a part, which may be in the store.
-    pub(super) fn part(&mut self, cases: usize, work: u64, found: Option<&Found>) {
-        self.cases += cases as u64;
-        let Some(found) = found else {
-            self.work_left += work as f64;
+    pub(super) fn part(&mut self, part: &KnownPart) {
+        self.cases += part.cases;
+        let Ok(found) = &part.found else {
+            self.work_left += part.work;
             return;
         };
-        self.done += cases as u64;
+        self.done += part.cases;
         self.failed += found.failed;
-        self.latest = self.latest.max(found.saved);
+        // A time ahead of all clocks is none.
+        let known = found
+            .saved
+            .filter(|saved| *saved <= SystemTime::now() + DEAD);
+        self.latest = self.latest.max(known);
     }
 
     /// The rate and the time left, after all signs and parts.
@@ -93,7 +97,18 @@ impl Progress {
 
 #[cfg(test)]
 mod tests {
+    use super::super::outline::Found;
     use super::*;
+    use crate::batch::store::Miss;
+
+    fn part(cases: u64, work: f64, found: Option<(u64, Option<SystemTime>)>) -> KnownPart {
+        let found = found.map(|(failed, saved)| Found { failed, saved });
+        KnownPart {
+            cases,
+            work,
+            found: found.ok_or(Miss::Absent),
+        }
+    }
 
     fn at(seconds: u64) -> SystemTime {
         SystemTime::UNIX_EPOCH + Duration::from_secs(seconds)
@@ -102,12 +117,8 @@ mod tests {
     /// After 100 s: 600 of 1000 cases done, the last at second 80, and a sign at this second.
     fn with_sign_at(second: u64) -> Progress {
         let mut progress = Progress::default();
-        let found = Found {
-            failed: 2,
-            saved: Some(at(80)),
-        };
-        progress.part(600, 6000, Some(&found));
-        progress.part(400, 8000, None);
+        progress.part(&part(600, 6000.0, Some((2, Some(at(80))))));
+        progress.part(&part(400, 8000.0, None));
         let computed = Some(Computed {
             seconds: 50.0,
             cases: 500,
@@ -158,15 +169,11 @@ mod tests {
     fn a_shard_without_parts_and_signs_has_not_begun_or_is_done() {
         let mut progress = Progress::default();
         assert_eq!(progress.state(), State::Done);
-        progress.part(3, 9, None);
+        progress.part(&part(3, 9.0, None));
         progress.finish(at(100));
         assert_eq!(progress.state(), State::NotBegun);
-        let found = Found {
-            failed: 0,
-            saved: None,
-        };
         let mut progress = Progress::default();
-        progress.part(3, 9, Some(&found));
+        progress.part(&part(3, 9.0, Some((0, None))));
         progress.finish(at(100));
         assert_eq!(progress.state(), State::Done);
     }

@@ -22,7 +22,8 @@ mod writing;
 
 pub use earlier_cases::EarlierCases;
 pub use miss::Miss;
-pub use part_file::{STORE, all_in, failures, rows};
+pub use part_file::{STORE, all_in, checked_summary, rows, summary};
+pub use reading::Summary;
 pub use rows::Rows;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -249,12 +250,21 @@ impl Store {
         written
     }
 
+    /// Whether the store has the parts that this process has saved or found, as far as a server may have lost them.
+    ///
+    /// # Errors
+    /// As of [`part_file::check_kept`].
+    pub fn check_kept(&self) -> Result<(), Error> {
+        part_file::check_kept(&self.folder, &self.current())
+    }
+
     /// Removes every part that is not of this run, after all cases were run. All files `part-*.parquet` are removed, also
     /// copies under other names, because programs that read the folder would read them.
     ///
     /// # Errors
     /// A part that cannot be removed.
     pub fn close(self) -> Result<(), Error> {
+        self.check_kept()?;
         let current = self.current();
         let mut failed = None;
         for path in part_file::similar_in(&self.folder)? {

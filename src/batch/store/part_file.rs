@@ -1,13 +1,13 @@
 //! The files of a store: their names, and their content if it has the checksum in the name.
 
 use super::catch_panic::catch_panic;
-use super::key::{Key, checksum};
-use super::miss::Miss;
-use super::reading;
+use super::key::checksum;
+use super::reading::{self, Summary};
 use super::rows::Rows;
 use crate::batch::files::place::{entries, is_object, read_file};
 use bytes::Bytes;
 use slipgap_study::error::Error;
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -89,24 +89,45 @@ pub fn read_checked(path: &Path) -> Option<Vec<u8>> {
     is_undamaged(path, &bytes).then_some(bytes)
 }
 
-/// The number of cases of a part that could not be solved, from its footer. Damage of its rows is not seen.
-pub fn failures(path: &Path, key: &Key, cases: usize) -> Result<u64, Miss> {
-    let damaged = || Miss::Damaged(path.to_owned());
+/// What the footer of a part says; `None` if it is damaged. Damage of its rows is not seen.
+pub fn summary(path: &Path) -> Option<Summary> {
     let caught = match is_object(path) {
         true => {
-            let bytes = Bytes::from(read_file(path).map_err(|_| damaged())?);
-            catch_panic(|| reading::failures(bytes, key, cases).ok())
+            let bytes = Bytes::from(read_file(path).ok()?);
+            catch_panic(|| reading::summary(bytes).ok())
         }
         false => {
             // A pipe would wait for a writer.
             let is_file = fs::metadata(path).is_ok_and(|found| found.is_file());
-            let opened = is_file.then(|| File::open(path).ok()).flatten();
-            let file = opened.ok_or_else(damaged)?;
-            catch_panic(|| reading::failures(file, key, cases).ok())
+            let file = is_file.then(|| File::open(path).ok()).flatten()?;
+            catch_panic(|| reading::summary(file).ok())
         }
     };
-    let read = caught.flatten();
-    read.ok_or_else(damaged)?.map_err(Miss::Outdated)
+    caught.flatten()
+}
+
+/// The same of a part whose bytes have the checksum in its name.
+pub fn checked_summary(path: &Path) -> Option<Summary> {
+    let bytes = Bytes::from(read_checked(path)?);
+    catch_panic(|| reading::summary(bytes).ok()).flatten()
+}
+
+/// Whether an object store lists these parts: a server may answer that it has an object, and not keep it. A folder is not asked.
+///
+/// # Errors
+/// The first part that is not there.
+pub fn check_kept(store: &Path, parts: &BTreeSet<PathBuf>) -> Result<(), Error> {
+    if !is_object(store) || parts.is_empty() {
+        return Ok(());
+    }
+    let listed: BTreeSet<PathBuf> = similar_in(store)?.into_iter().collect();
+    match parts.iter().find(|part| !listed.contains(*part)) {
+        None => Ok(()),
+        Some(part) => {
+            let why = "the server answered that it was written, but does not list it";
+            Err(Error::io("cannot keep", part)(io::Error::other(why)))
+        }
+    }
 }
 
 fn is_undamaged(path: &Path, bytes: &[u8]) -> bool {

@@ -3,12 +3,15 @@
 use crate::batch::output::{differences, of_others};
 use crate::batch::status::{MOST_SHARDS, Progress, State, StudyStatus, study_status};
 use crate::commands::arguments::sources::Source;
-use crate::commands::arguments::{JobsArgs, StudiesArgs, whole};
+use crate::commands::arguments::{JobsArgs, StudiesArgs, results_folder, whole};
 use crate::commands::terminal::{duration, note, print, table};
 use crate::error::Error;
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
+
+/// Most processes with another clock that are named.
+const MOST_NAMED: usize = 5;
 
 /// The arguments of `slipgap status`.
 #[derive(Args)]
@@ -16,7 +19,7 @@ pub struct StatusArgs {
     #[command(flatten)]
     studies: StudiesArgs,
     /// Folder of the results, in which the runs or shards have their stores
-    #[arg(long, value_name = "DIR", default_value = "figures")]
+    #[arg(long, value_name = "DIR", default_value = "figures", value_parser = results_folder())]
     out: PathBuf,
     /// Number of shards; if left out, that of the shards that run
     #[arg(long, value_name = "N", value_parser = whole::<u64>(1, MOST_SHARDS))]
@@ -53,6 +56,14 @@ fn status(sources: &[Source], out: &Path, shards: Option<u64>, as_json: bool) ->
         if let Some((count, why)) = status.outdated {
             let parts = if count == 1 { "part" } else { "parts" };
             note(&source.line(&format!("{count} {parts} of another version: {why}")));
+        }
+        for (shard, ahead) in status.ahead.iter().take(MOST_NAMED) {
+            let process = shard.map_or("a run".into(), |shard| format!("shard {shard}"));
+            let ahead = duration(ahead.as_secs_f64());
+            let what = format!(
+                "the last sign of {process} is {ahead} ahead of the clock of this machine; whether it runs is not known: set the clocks"
+            );
+            note(&source.line(&what));
         }
         let differences = differences(&results, &source.study);
         if !differences.is_empty() {

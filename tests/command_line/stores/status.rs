@@ -196,14 +196,28 @@ fn a_shard_runs_until_it_is_killed_and_again_until_it_is_done() {
     assert!(found["cases_per_second"].is_null() && found["seconds_left"].is_null());
     let text = bench.expect(0, &["status", "s.json"]).out;
     assert!(text.contains("not running for 3 min"), "{text}");
-    // A clock of another machine that is a minute ahead, and a sign that is half written.
+    // A clock of another machine that is an hour ahead, and a sign that is half written: it is named, and no other age changes.
     fs::write(bench.path("figures/s/store/.running-2-of-2"), "{\"sec").unwrap();
-    let file = File::options()
-        .write(true)
-        .open(bench.path("figures/s/store/.running-2-of-2"));
-    file.unwrap()
-        .set_modified(SystemTime::now() + Duration::from_secs(60))
-        .unwrap();
+    let sign_ahead = |seconds: u64| {
+        let file = File::options()
+            .write(true)
+            .open(bench.path("figures/s/store/.running-2-of-2"));
+        let time = SystemTime::now() + Duration::from_secs(seconds);
+        file.unwrap().set_modified(time).unwrap();
+    };
+    sign_ahead(3600);
+    let done = bench.expect(0, &["status", "s.json", "--json"]);
+    let named = "the last sign of shard 2/2 is 60 min ahead of the clock of this machine";
+    assert!(done.err.contains(named), "{done:?}");
+    let found: Json = serde_json::from_str(&done.out).unwrap();
+    assert_eq!(
+        (&found["shards"][0]["state"], &found["shards"][1]["state"]),
+        (&"not running".into(), &"not begun".into())
+    );
+    let quiet = number(&found, "seconds_since_last_sign");
+    assert!((200.0..260.0).contains(&quiet), "{found}");
+    // Clocks may differ by 20 s.
+    sign_ahead(20);
     let found = status(&bench, &[]);
     assert_eq!(
         (&found["shards"][0]["state"], &found["shards"][1]["state"]),
@@ -220,7 +234,9 @@ fn a_shard_runs_until_it_is_killed_and_again_until_it_is_done() {
         (&"done".into(), &found["cases"])
     );
     // A sign that a killed process left is removed by the merge.
-    fs::write(bench.path("figures/s/store/.running-7-of-9"), "").unwrap();
+    fs::write(bench.path("figures/s/store/.running-7-of-99999"), "").unwrap();
+    let shown = bench.expect(0, &["status", "s.json"]).out;
+    assert!(shown.lines().count() < 20, "{shown}");
     bench.expect(0, &["merge", "s.json"]);
     let left = bench.everything("figures").into_iter();
     assert_eq!(left.filter(|name| name.contains("running")).count(), 0);

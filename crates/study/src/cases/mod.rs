@@ -132,6 +132,11 @@ impl Study {
         self.enumeration().columns(from, to)
     }
 
+    /// Number of the first case among the raw combinations from `raw` on, as by [`Enumeration::first_from`].
+    pub fn first_from(&self, raw: u64) -> u64 {
+        self.enumeration().first_from(raw)
+    }
+
     /// The numbers of the cases that a filter selects, in rising order.
     pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
         self.enumeration().select(filter)

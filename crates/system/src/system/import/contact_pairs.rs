@@ -1,6 +1,7 @@
 //! The contacts of a face: a name and factors of degrees of freedom for each.
 
 use super::{ImportFault, cells, fault, is_plain, lines, number, shown};
+use std::collections::BTreeMap;
 
 /// A contact of a face.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +21,7 @@ pub struct Pair {
 pub fn pairs(bytes: &[u8]) -> Result<Vec<Pair>, ImportFault> {
     let lines = lines(bytes)?;
     let mut pairs: Vec<Pair> = Vec::new();
+    let mut first_lines = BTreeMap::new();
     for (index, line) in lines.iter().enumerate() {
         let mut row = cells(line).filter(|cell| !cell.is_empty());
         let Some(name) = row.next() else {
@@ -35,8 +37,8 @@ pub fn pairs(bytes: &[u8]) -> Result<Vec<Pair>, ImportFault> {
             );
             return Err(fault(index, message));
         }
-        if let Some(first) = pairs.iter().find(|pair| pair.name == name) {
-            let message = format!("{name} is there twice, first in line {}", first.line);
+        if let Some(first) = first_lines.insert(name, index + 1) {
+            let message = format!("{name} is there twice, first in line {first}");
             return Err(fault(index, message));
         }
         let mut along: Vec<(String, f64)> = Vec::new();
