@@ -2,7 +2,7 @@
 
 use super::UNSOLVED;
 use super::arguments::sources;
-use super::arguments::{JobsArgs, SettingsArgs, whole};
+use super::arguments::{JobsArgs, SettingsArgs, results_folder, whole};
 use super::terminal::{note, print, progress, table};
 use crate::batch::output::Folder;
 use crate::calibrate::{calibrate, check_folder, text, write};
@@ -21,7 +21,7 @@ pub struct CalibrateArgs {
     /// Study file with the key `calibrate`; `-` is standard input
     study: PathBuf,
     /// Folder for tables, figures and the studies with the best values; the study has its own folder in it
-    #[arg(long, value_name = "DIR", default_value = "figures")]
+    #[arg(long, value_name = "DIR", default_value = "figures", value_parser = results_folder())]
     out: PathBuf,
     #[command(flatten)]
     settings: SettingsArgs,

@@ -6,6 +6,7 @@ use super::terminal::{note, print, progress, table};
 use crate::batch::output::Folder;
 use crate::claims::ledger::{self, Ledger};
 use crate::claims::{self, Judged, Verdict};
+use crate::commands::arguments::results_folder;
 use crate::error::Error;
 use crate::run::{cases_run, files};
 use clap::Args;
@@ -21,7 +22,7 @@ pub struct ClaimsArgs {
     #[arg(value_name = "LEDGER|FOLDER", default_value = "claims")]
     ledgers: Vec<PathBuf>,
     /// Folder for claims.md; files that it names are results of the studies in the same folder
-    #[arg(long, value_name = "DIR", default_value = "figures")]
+    #[arg(long, value_name = "DIR", default_value = "figures", value_parser = results_folder())]
     out: PathBuf,
     #[command(flatten)]
     jobs: JobsArgs,

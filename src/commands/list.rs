@@ -7,19 +7,43 @@ use crate::error::Error;
 use crate::study::{Axis, Block, Study};
 use clap::Args;
 use console::Term;
+use std::path::Path;
 
 /// The arguments of `slipgap list`.
 #[derive(Args)]
 pub struct ListArgs {
     #[command(flatten)]
     studies: StudiesArgs,
+    /// Print only the paths of the studies and of the files that they read, one a line, each once
+    #[arg(long)]
+    files: bool,
 }
 
 impl ListArgs {
     /// Lists the studies; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        list(&self.studies.read()?)
+        let sources = self.studies.read()?;
+        match self.files {
+            true => print(&files(&sources)),
+            false => list(&sources),
+        }
     }
+}
+
+/// The paths of the studies and of their records, matrices and tables, for programs that run studies again when these change.
+fn files(sources: &[Source]) -> String {
+    let mut paths: Vec<String> = Vec::new();
+    for source in sources {
+        let folder = source.file.parent().unwrap_or(Path::new(""));
+        let read = source.study.read.iter().map(|file| folder.join(&file.name));
+        for path in [source.file.clone()].into_iter().chain(read) {
+            let line = format!("{}\n", path.display());
+            if !paths.contains(&line) {
+                paths.push(line);
+            }
+        }
+    }
+    paths.concat()
 }
 
 /// Prints one row for each study; returns the exit code.

@@ -1,7 +1,7 @@
 //! `slipgap report`: one page about studies that needs no other file.
 
 use super::arguments::sources::Source;
-use super::arguments::{JobsArgs, StudiesArgs};
+use super::arguments::{JobsArgs, StudiesArgs, results_folder};
 use super::claims;
 use super::terminal::{Terminal, note, print};
 use crate::batch::groups::sobol::DesignMetrics;
@@ -40,7 +40,7 @@ pub struct ReportArgs {
     #[command(flatten)]
     studies: StudiesArgs,
     /// Folder for report.html and the results of the studies
-    #[arg(long, value_name = "DIR", default_value = "figures")]
+    #[arg(long, value_name = "DIR", default_value = "figures", value_parser = results_folder())]
     out: PathBuf,
     #[command(flatten)]
     jobs: JobsArgs,

@@ -4,7 +4,7 @@ use std::io;
 use std::path::Path;
 
 fn none<T>() -> io::Result<T> {
-    let why = "this slipgap is built without object stores; `cargo install slipgap --features object-store` builds it with them";
+    let why = "this slipgap is built without object stores; `cargo install --path . --features object-store` in its sources builds it with them";
     Err(io::Error::new(io::ErrorKind::Unsupported, why))
 }
 

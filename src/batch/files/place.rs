@@ -11,6 +11,28 @@ pub fn is_object(path: &Path) -> bool {
     path.as_os_str().as_encoded_bytes().starts_with(b"s3:/")
 }
 
+/// The form of a path of objects.
+const FORM: &str = "must be s3://BUCKET or s3://BUCKET/FOLDER, where the name of a bucket has 3 to 63 letters, digits, points, _ and -";
+
+/// A path for results: a folder, or a prefix in a bucket that is named, which else would be the first part of a path inside of it.
+///
+/// # Errors
+/// The form of a path of objects.
+pub fn for_results(path: PathBuf) -> Result<PathBuf, &'static str> {
+    if !is_object(&path) {
+        return Ok(path);
+    }
+    let given = path.to_str().ok_or(FORM)?;
+    let after_scheme = given.strip_prefix("s3:/").unwrap_or(given);
+    let rest = after_scheme.strip_prefix('/').unwrap_or(after_scheme);
+    let bucket = rest.split(['/', '\\']).next().unwrap_or_default();
+    let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-');
+    match (3..=63).contains(&bucket.len()) && bucket.chars().all(plain) {
+        true => Ok(path),
+        false => Err(FORM),
+    }
+}
+
 /// An entry of a folder.
 pub(in crate::batch) struct Entry {
     pub name: String,

@@ -6,7 +6,7 @@ use super::names::{HISTORIES, MANIFEST, history_name};
 use super::origin::{json_of, origin};
 use crate::batch::WarnedCases;
 use crate::batch::files::atomic::write_atomically;
-use crate::batch::files::place::{Entry, entries, read_file};
+use crate::batch::files::place::{Entry, entries, is_object, read_file};
 use serde_json::{Map, Value, json};
 use slipgap_study::Study;
 use slipgap_study::error::Error;
@@ -61,7 +61,15 @@ impl Manifest {
             read => read.map_err(Error::io("cannot read", &path))?,
         };
         let unread = || {
-            let why = "it does not list the files that former runs wrote; remove it, and remove the files that are out of date";
+            let why = match is_object(&path) {
+                // A network that asks for a password answers every request with its page.
+                true => {
+                    "the answer is no manifest of slipgap: a page of the network, or the bucket has one of another program"
+                }
+                false => {
+                    "it does not list the files that former runs wrote; remove it, and remove the files that are out of date"
+                }
+            };
             Error::io("cannot read", path)(io::Error::other(why))
         };
         parse(&bytes).ok_or_else(unread)

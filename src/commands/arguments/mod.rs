@@ -3,10 +3,12 @@
 pub(super) mod sources;
 
 use super::terminal::print;
+use crate::batch::files::place::for_results;
 use crate::error::Error;
 use crate::figures::style;
 use crate::run::{OutputOptions, Written};
 use crate::study::{MOST_CASES, Setting};
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use sources::Source;
 use std::borrow::Cow;
@@ -37,6 +39,11 @@ impl StudiesArgs {
     pub fn read_cheapest_first(&self) -> Result<Vec<Source>, Error> {
         sources::read_cheapest_first(&self.studies, &self.settings.set, self.limit)
     }
+}
+
+/// Reads a folder of results, as by [`for_results`].
+pub fn results_folder() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(for_results)
 }
 
 /// Parameters that the command line sets.

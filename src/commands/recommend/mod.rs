@@ -4,7 +4,7 @@ mod json;
 
 use super::NOT_MET;
 use super::arguments::sources;
-use super::arguments::{JobsArgs, SettingsArgs};
+use super::arguments::{JobsArgs, SettingsArgs, results_folder};
 use super::terminal::{note, print, table};
 use crate::batch::output::Folder;
 use crate::error::Error;
@@ -35,7 +35,7 @@ pub struct RecommendArgs {
     #[arg(long)]
     json: bool,
     /// Folder for the table and picture of cost and error; each study has its own folder in it
-    #[arg(long, value_name = "DIR", default_value = "figures")]
+    #[arg(long, value_name = "DIR", default_value = "figures", value_parser = results_folder())]
     out: PathBuf,
     #[command(flatten)]
     jobs: JobsArgs,

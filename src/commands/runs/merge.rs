@@ -3,7 +3,7 @@
 use crate::batch::output::Folder;
 use crate::batch::store::{STORE, Store};
 use crate::commands::arguments::sources::Source;
-use crate::commands::arguments::{JobsArgs, OutputArgs, StudiesArgs, whole};
+use crate::commands::arguments::{JobsArgs, OutputArgs, StudiesArgs, results_folder, whole};
 use crate::commands::terminal::{Terminal, report_error};
 use crate::commands::{NOT_MET, PARTS_MISSING, UNSOLVED};
 use crate::error::Error;
@@ -18,7 +18,7 @@ pub struct MergeArgs {
     #[command(flatten)]
     studies: StudiesArgs,
     /// Folder of the results, in which the shards have their stores
-    #[arg(long, value_name = "DIR", default_value = "figures")]
+    #[arg(long, value_name = "DIR", default_value = "figures", value_parser = results_folder())]
     out: PathBuf,
     /// Number of shards; if parts are missing, the message then names the shards to run again
     #[arg(long, value_name = "N", value_parser = whole::<u64>(1, u64::MAX))]

@@ -5,7 +5,7 @@ use crate::batch::Shard;
 use crate::batch::output::Folder;
 use crate::batch::store::Store;
 use crate::commands::arguments::sources::Source;
-use crate::commands::arguments::{JobsArgs, OutputArgs, StudiesArgs};
+use crate::commands::arguments::{JobsArgs, OutputArgs, StudiesArgs, results_folder};
 use crate::commands::terminal::Terminal;
 use crate::commands::{NOT_MET, UNSOLVED};
 use crate::error::Error;
@@ -19,7 +19,7 @@ pub struct RunArgs {
     #[command(flatten)]
     studies: StudiesArgs,
     /// Folder for the results; each study has its own folder in it
-    #[arg(long, value_name = "DIR", default_value = "figures")]
+    #[arg(long, value_name = "DIR", default_value = "figures", value_parser = results_folder())]
     out: PathBuf,
     /// Also write the history of every case to histories/CASE.csv; all cases are computed again
     #[arg(long)]

@@ -6,7 +6,7 @@ mod time;
 
 use crate::batch::files::place::is_object;
 use crate::commands::arguments::sources::{DASH, read};
-use crate::commands::arguments::{SettingsArgs, whole};
+use crate::commands::arguments::{SettingsArgs, results_folder, whole};
 use crate::commands::terminal::print;
 use crate::error::Error;
 use crate::run::found;
@@ -36,7 +36,7 @@ pub struct SbatchArgs {
     #[arg(long, value_name = "N", value_parser = whole::<u32>(1, u64::from(u32::MAX)))]
     shards: u32,
     /// Folder for the results, which all nodes must see
-    #[arg(long, value_name = "DIR", default_value = "figures")]
+    #[arg(long, value_name = "DIR", default_value = "figures", value_parser = results_folder())]
     out: PathBuf,
     /// Time limit of a task and of the merge; if left out, that of the partition
     #[arg(long, value_name = "HH:MM:SS")]
