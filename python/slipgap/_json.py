@@ -6,6 +6,7 @@ import json
 import shutil
 from collections.abc import Mapping
 from hashlib import sha256
+from math import isfinite
 from os import PathLike, fspath
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -34,7 +35,10 @@ def _plain(value: object) -> object:
         return _matrix_market(value.shape, rows, columns, entries)  # type: ignore[attr-defined]
     to_list = getattr(value, "tolist", None)
     if callable(to_list):
-        return to_list()
+        dtype = getattr(value, "dtype", None)
+        # Numbers of more digits than those of Python give themselves.
+        longer = getattr(dtype, "kind", "") == "f" and getattr(dtype, "itemsize", 0) > 8
+        return value.astype(float).tolist() if longer else to_list()  # type: ignore[attr-defined]
     if isinstance(value, Mapping):
         return dict(value)
     if isinstance(value, PathLike):
@@ -105,7 +109,23 @@ def text_of(value: Mapping[str, Any]) -> str:
     try:
         return dumps(value)
     except ValueError as error:
-        raise SlipgapError(str(error)) from None
+        found = _not_finite(value, "")
+        raise SlipgapError(f"{found}, which JSON does not have" if found else str(error)) from None
+
+
+def _not_finite(value: object, path: str) -> str | None:
+    """The first number that is not finite, with its key and index."""
+    if isinstance(value, float):
+        return None if isfinite(value) else f"{path} is {value}"
+    if isinstance(value, Mapping):
+        members = ((f"{path}.{key}" if path else str(key), member) for key, member in value.items())
+    elif isinstance(value, list | tuple):
+        members = ((f"{path}[{i}]", item) for i, item in enumerate(value))
+    elif getattr(value, "ndim", 0) > 0:
+        members = ((f"{path}[{i}]", item) for i, item in enumerate(value.tolist()))  # type: ignore[attr-defined]
+    else:
+        return None
+    return next((found for key, member in members if (found := _not_finite(member, key))), None)
 
 
 def read(path: Path) -> str:

@@ -112,8 +112,16 @@ def test_a_dict_may_have_numbers_of_numpy_and_no_others() -> None:
     assert len(slipgap.run(study).table) == 2
     with pytest.raises(TypeError, match="a study cannot contain"):
         slipgap.run({"problem": "friction-oscillator", "parameters": {"alpha": {1, 2}}})
-    with pytest.raises(slipgap.SlipgapError):
+    with pytest.raises(slipgap.SlipgapError, match=r"parameters\.alpha is nan, which JSON does not have"):
         slipgap.run({"problem": "friction-oscillator", "parameters": {"alpha": math.nan}})
+    with pytest.raises(slipgap.SlipgapError, match=r"parameters\.alpha\[1\] is inf"):
+        slipgap.run({"problem": "friction-oscillator", "parameters": {"alpha": numpy.array([0.1, math.inf])}})
+
+
+def test_numbers_of_more_digits_are_rounded() -> None:
+    parameters = {"alpha": numpy.array([0.1, 1.0], dtype=numpy.longdouble), "x0": numpy.longdouble(12)}
+    study = {"problem": "friction-oscillator", "parameters": {"law": "displacement-control", "dT": 0.1, "duration": 3, **parameters}}
+    assert len(slipgap.run(study).table) == 2
 
 
 def test_exact_coulomb() -> None:

@@ -4,7 +4,7 @@ use slipgap_motion::solve::Unsolvable;
 use slipgap_problem::problem::numbers::parameter::real;
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::{Case, HistoryColumn, MeasuredChannel, Solution};
-use slipgap_study::Study;
+use slipgap_study::{Study, printable};
 use std::io::{self, Write};
 
 /// failures.csv: the cases that could not be solved, with their parameters and the reason.
@@ -31,13 +31,22 @@ impl<W: Write> FailureTable<W> {
     /// # Errors
     /// Those of the writer.
     pub fn row(&mut self, number: u64, case: &Case, why: &Unsolvable) -> io::Result<()> {
-        let row = parameters(number, &self.parameters, case).chain([why.to_string()]);
+        let row = parameters(number, &self.parameters, case).chain([plain(&why.to_string())]);
         Ok(self.writer.write_record(row)?)
     }
 
     /// Flushes the table and returns its writer.
     pub fn finish(self) -> io::Result<W> {
         self.writer.into_inner().map_err(|e| e.into_error())
+    }
+}
+
+/// A text as a cell, perhaps from the store of somebody else: no codes that a terminal obeys, and no formula of a table calculator.
+fn plain(text: &str) -> String {
+    let text = printable(text);
+    match text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+        true => format!("'{text}"),
+        false => text,
     }
 }
 
@@ -118,4 +127,25 @@ pub(super) fn cell(value: Option<f64>) -> String {
         .filter(|x| x.is_finite())
         .map(real)
         .unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_reason_from_a_foreign_store_is_no_command_and_no_formula() {
+        for (text, cell) in [
+            ("the step is singular", "the step is singular"),
+            ("=1+1", "'=1+1"),
+            ("@x", "'@x"),
+            ("-2+3", "'-2+3"),
+            (
+                "\u{1b}[2J a \u{202e}b\u{9b}",
+                "\\u{1b}[2J a \\u{202e}b\\u{9b}",
+            ),
+        ] {
+            assert_eq!(plain(text), cell);
+        }
+    }
 }

@@ -6,6 +6,9 @@ use slipgap_cases::axis::group::AxisGroup;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::{Kind, Value};
 
+/// Most characters of the name of a file: file systems allow 255 bytes, also for the temporary name.
+const LONGEST_NAME: usize = 100;
+
 /// Values of the axes that are no tests; each alternative has a search of its own.
 #[derive(Debug, Clone)]
 pub struct Alternative {
@@ -153,7 +156,9 @@ impl Alternative {
         };
         let name: String = self.name.replace(" = ", "=").chars().map(plain).collect();
         let parts = name.split('-').filter(|part| !part.is_empty());
-        parts.collect::<Vec<_>>().join("-")
+        let mut name = parts.collect::<Vec<_>>().join("-");
+        name.truncate(LONGEST_NAME);
+        name
     }
 
     /// Number of cases at a point: one for each test.

@@ -5,6 +5,7 @@ use crate::source::field::{Field, Kind, field};
 use crate::source::object::Object;
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
+use slipgap_problem::problem::expression::printable;
 use slipgap_problem::problem::structure::channels::channel::Channel;
 use slipgap_problem::problem::structure::channels::channel_words::Shown;
 use slipgap_problem::problem::structure::channels::names::Names;
@@ -36,7 +37,7 @@ pub(in crate::structure) fn shown(
         .headings
         .borrow()
         .iter()
-        .map(|(file, heading)| (file.clone(), heading.words()))
+        .map(|(file, heading)| (file.clone(), printable(&heading.words())))
         .collect::<Vec<_>>();
     let mut records = record_names(&headings);
     if let Some(node) = root.get(SHOWN.name) {

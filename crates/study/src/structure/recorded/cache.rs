@@ -43,7 +43,13 @@ impl Cache {
 
     /// The numbers of a key, if they are known and complete.
     pub fn read(&self, key: &str, count: usize) -> Option<Vec<f64>> {
-        let bytes = fs::read(self.0.as_ref()?.join(key)).ok()?;
+        let path = self.0.as_ref()?.join(key);
+        // A pipe would wait for a writer, and a device may have no end.
+        let length = (8 * count + HASH) as u64;
+        fs::metadata(&path)
+            .ok()
+            .filter(|found| found.is_file() && found.len() == length)?;
+        let bytes = fs::read(path).ok()?;
         let (numbers, hash) = bytes.split_at_checked(8 * count)?;
         if Sha256::digest(numbers)[..] != *hash {
             return None;
@@ -96,6 +102,12 @@ mod tests {
         bytes[3] ^= 1;
         fs::write(folder.join(&key), bytes).unwrap();
         assert_eq!(cache.read(&key, 2), None);
+        fs::remove_file(folder.join(&key)).unwrap();
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink("/dev/zero", folder.join(&key)).unwrap();
+            assert_eq!(cache.read(&key, 2), None);
+        }
         fs::remove_dir_all(folder).unwrap();
         assert_eq!(Cache(None).read(&key, 2), None);
     }

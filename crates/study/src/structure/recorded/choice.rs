@@ -142,7 +142,7 @@ fn choice(node: &Node, path: &str, faults: &mut Faults) -> Option<Choice> {
 /// A list of numbers that is needed.
 fn list(object: &Object, key: &str, faults: &mut Faults) -> Option<Vec<f64>> {
     let (node, path) = object.given(key, faults)?;
-    let Some(items) = node.list() else {
+    let Some(items) = node.list().filter(|items| !items.is_empty()) else {
         faults.must_be(node, &path, "a list of numbers");
         return None;
     };
@@ -151,8 +151,7 @@ fn list(object: &Object, key: &str, faults: &mut Faults) -> Option<Vec<f64>> {
         items.map(|(i, item)| number(item, &format!("{path}[{i}]"), object.range(key), faults));
     // Collected first, so that every fault is reported.
     let read: Vec<Option<f64>> = numbers.collect();
-    let values: Option<Vec<f64>> = read.into_iter().collect();
-    values.filter(|values| !values.is_empty())
+    read.into_iter().collect()
 }
 
 impl Choice {
