@@ -15,13 +15,17 @@ def shard(study, out, index, shards):
 
 
 def main(study, out, shards, scheduler=None):
+    # A mistake in the study ends here, before any shard.
+    if code := subprocess.run(["slipgap", "list", study], stdout=subprocess.DEVNULL).returncode:
+        sys.exit(code)
     options = {"address": scheduler} if scheduler else {"threads_per_worker": 1, "dashboard_address": None}
     with Client(**options) as client:
         numbers = range(1, int(shards) + 1)
         # A shard whose worker is lost runs again on another one.
         tasks = [client.submit(shard, study, out, index, shards, pure=False, retries=3) for index in numbers]
         client.gather(tasks)
-    subprocess.run(["slipgap", "merge", study, "--out", out, "--shards", shards], check=True)
+    # 3: a case has no solution, which failures.csv names; the results are complete.
+    sys.exit(subprocess.run(["slipgap", "merge", study, "--out", out, "--shards", shards]).returncode)
 
 
 if __name__ == "__main__":
