@@ -202,6 +202,9 @@ fn bars_have_the_wave_speed_of_a_material() {
         bench.kinds(&bars("kN", "[3e7, 3e10]", "2.5")),
         some(&[("wave-speed", 2, 2)])
     );
+    // 0.5 m/s in mm/s: 14 % of the wave speed.
+    let fast = bars("kN", "3e7", "2.5").replace("0.5", "500");
+    assert_eq!(bench.kinds(&fast), found);
     // A unit of no known size says nothing.
     assert_eq!(
         bench.kinds(&bars("kN", "3e7", "2500").replace("\"m\"", "\"el\"")),

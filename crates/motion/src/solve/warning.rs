@@ -107,8 +107,8 @@ warnings! {
         "have friction contacts of different directions between the same bodies, whose limit together is a polygon: give one contact with \"plane\", whose limit is a disc"
         "Friction contacts act in different directions between the same masses, nodes of matrices (rows or tied) or supports, or between the ground and two equal masses: two at a right angle together resist up to 1.41 times the limit.",
     WaveSpeed "wave-speed"
-        "have a bar with a wave speed below 500 m/s or above 8000 m/s: look at the units of its stiffness, mass and length"
-        "With `units`, sqrt(EA L/mass) of a bar, or sqrt(E/rho) in bar-impact, is below 500 m/s or, with several elements, above 8000 m/s; steel has 5000 m/s, concrete 3500 m/s.",
+        "have a bar with a wave speed below 500 m/s or above 8000 m/s, or V0 above a 20th of it: look at the units of its stiffness, mass, length and V0"
+        "With `units`, sqrt(EA L/mass) of a bar, or sqrt(E/rho) in bar-impact, is below 500 m/s or, with several elements, above 8000 m/s; steel has 5000 m/s, concrete 3500 m/s. Or V0 in bar-impact is above a 20th of it, so that the strain is more than 2.5 %.",
     MotionCut "motion-cut"
         "have a motion or a load of which less than 95 % is computed: the rest lies after `duration` or between steps"
         "The accelerations at the steps up to `duration` have less than 95 % of the peak, the Arias intensity or the target spectrum of a recorded motion, or of the target of another motion; or the file of a support has a larger displacement than the steps. Of other loads, motions and N as functions of time: up to `duration`, the largest value, or the largest velocity of a given displacement, is above that at the steps by more than 5 %, or a sine has less than eight steps in a period, so that its impulse is 5 % too small.",

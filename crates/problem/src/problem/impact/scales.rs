@@ -47,17 +47,25 @@ impl Scales {
     }
 }
 
-/// The first bar whose C0 is none of these, with the unit of velocity in m/s.
+/// Largest velocity before an impact over C0: the strain is half of it, and no material of bars is elastic at 2.5 %.
+const FASTEST: f64 = 0.05;
+
+/// The first bar whose C0 is none of these, or that is too fast for its C0, with the unit of velocity in m/s.
 pub fn strange_speed(case: &Case, velocity: Option<f64>) -> Option<String> {
     let unit = velocity?;
     let right = match Opposite::of(case) {
         Some(Opposite::Wall) => None,
-        None => Some(("right", [rows::RIGHT_E, rows::RIGHT_RHO])),
+        None => Some(("right", [rows::RIGHT_E, rows::RIGHT_RHO, rows::RIGHT_V0])),
     };
-    let bars = [Some(("left", [rows::E, rows::RHO])), right];
-    bars.into_iter().flatten().find_map(|(name, [e, rho])| {
+    let bars = [Some(("left", [rows::E, rows::RHO, rows::V0])), right];
+    bars.into_iter().flatten().find_map(|(name, [e, rho, v0])| {
         let speed = (case.at(e)? / case.at(rho)?).sqrt() * unit;
+        let velocity = case.at(v0)?.abs() * unit;
         let fits = (WAVE_SPEEDS[0]..=WAVE_SPEEDS[1]).contains(&speed);
-        (!fits).then(|| format!("the {name} bar has {} m/s", short(speed)))
+        match (fits, velocity <= FASTEST * speed) {
+            (false, _) => Some(format!("the {name} bar has {} m/s", short(speed))),
+            (true, false) => Some(format!("V0 of the {name} bar is {} m/s", short(velocity))),
+            (true, true) => None,
+        }
     })
 }
