@@ -132,13 +132,13 @@ mod tests {
         // 13 of shard 3, and 5 of shard 7: numbers 6, 22, .., 70.
         assert_eq!(
             missing.to_string(),
-            "18 of 204 parts are missing (18 not there, 0 of another version); run shards 3,7 of 16 again"
+            "18 of 204 parts are missing (13 not there, 5 damaged or unreadable, such as x, 0 of another version); run shards 3,7 of 16 again"
         );
         missing.add(204, Some(Miss::Outdated(Difference::Solver)));
         missing.shards = None;
         assert_eq!(
             missing.to_string(),
-            "19 of 205 parts are missing (18 not there, 1 of another version); \
+            "19 of 205 parts are missing (13 not there, 5 damaged or unreadable, such as x, 1 of another version); \
             with --shards N, this names the shards to run again"
         );
     }
