@@ -75,6 +75,8 @@ CHANGES: list[tuple[str, dict[str, Any], str, Any]] = [
     ("mass misspelt", BARS, "parameters/mass", "lump"),
     ("negative gap", BARS, "parameters/gap", -1),
     ("too many elements", BARS, "parameters/n", 1000000000),
+    ("units in another order", STRUCTURE, "structure/units", "kN, t, m, s"),
+    ("one unit", STRUCTURE, "structure/units", "foo"),
     ("negative mass", STRUCTURE, "structure/masses/a", -1),
     ("negative mass in y", STRUCTURE, "structure/masses/b/mass", -2),
     ("unknown direction", STRUCTURE, "structure/masses/b/direction", "w"),

@@ -73,13 +73,14 @@ fn a_merge_names_missing_parts_and_changes_nothing() {
     for name in bench.everything("figures") {
         assert_eq!(bytes("figures", &name), bytes("whole", &name), "{name}");
     }
-    // A damaged part is not there.
+    // A damaged part is named.
     let part = parts(&bench, "figures").pop().unwrap();
     fs::write(bench.path("figures").join(&part), "damaged").unwrap();
     let done = bench.expect(4, &merge);
-    assert!(done.err.ends_with(
-        "1 of 4 parts are missing (1 not there, 0 of another version); run shards 1 of 3 again\n"
-    ));
+    let what = format!(
+        "1 of 4 parts are missing (0 not there, 1 damaged or unreadable, such as figures/{part}, 0 of another version); run shards 1 of 3 again\n"
+    );
+    assert!(done.err.ends_with(&what), "{done:?}");
     // Parts of another version of the study: the former results stay until all parts are there.
     bench.file("s.json", sweep("").replace("pi/8", "pi/9"));
     let former = bench.text("figures/s/results.csv");

@@ -241,6 +241,12 @@ fn units(object: &Object, structure: &Node, faults: &mut Faults) -> (String, f64
     let Some(text) = value::text(node, &path, faults) else {
         return (String::new(), 1.0);
     };
+    let names = text.split(',').map(str::trim);
+    if names.filter(|name| !name.is_empty()).count() != 4 {
+        let four = "the units of mass, force, length and time, as in \"t, kN, m, s\"";
+        faults.must_be(node, &path, four);
+        return (String::new(), 1.0);
+    }
     if let Some(message) = unit_consistency::fault(&text) {
         faults.add(node.at, &path, message);
         return (String::new(), 1.0);

@@ -25,7 +25,7 @@ pub(crate) use spectra::{
 };
 
 use crate::source::field::Kind::{
-    List, Named, Number, Object, OneOf, Parts, Several, Shared, Text, Words,
+    Like, List, Named, Number, Object, OneOf, Parts, Several, Shared, Words,
 };
 use crate::source::field::{ANY, Field, Keys, Usual, field, fields};
 use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative};
@@ -33,13 +33,17 @@ use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative};
 /// The reference of the softened laws.
 pub(crate) const SOFTENED: &str = "softened";
 
+/// Four names, of which the first is no usual unit of force or length and the second none of mass: an editor shows a wrong order. The
+/// reader compares the sizes of all.
+const FOUR_UNITS: &str = "^\\s*(?!([kMGm]?N|daN|kip|lbf|mm|cm|m)\\s*,)[^,]+,\\s*(?!(t|kg|Mg|slug|m|mm)\\s*,)[^,]+,[^,]+,[^,]+$";
+
 /// The key of damping ratios of modes.
 pub(crate) const MODAL_DAMPING: &str = "modal_damping";
 
 /// A structure.
 pub(crate) const STRUCTURE: Keys = Keys::new(&fields![
     /// units of mass, force, length and time, such as "t, kN, m, s"; only records are converted
-    field("units", Text),
+    field("units", Like(FOUR_UNITS)),
     /// lumped masses: a node for each name, "a|b" two alike; a mass of 0 is held by springs or contacts
     field("masses", Parts(&OneOf(&[Number(NotNegative), Object(&MASS),
 ]))),
