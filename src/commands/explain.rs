@@ -65,6 +65,7 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
             .map(String::from)
             .to_vec(),
     ];
+    let units = study.units.as_ref();
     for (row, parameter) in case.schema.parameters.iter().enumerate() {
         let Some(value) = case.values[row] else {
             continue;
@@ -72,12 +73,17 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         rows.push(vec![
             parameter.name.to_string(),
             value.to_string(),
-            parameter.unit.to_string(),
+            units.map_or(parameter.unit.to_string(), |units| {
+                units.of_words(&parameter.unit)
+            }),
             origin(study, number, row, parameter),
             parameter.meaning.to_string(),
         ]);
     }
     text += &table(&rows);
+    if let Some(scales) = units.and_then(|units| units.scales(&*study.problem, &case)) {
+        text += &format!("\n{scales}");
+    }
     if let Some(description) = study
         .problem
         .as_structure()

@@ -1,7 +1,8 @@
 //! The parameters that distinguish the cases of a figure, and the labels of the legend.
 
 use super::DrawnCase;
-use slipgap_drawing::text::{markup, number};
+use slipgap_drawing::text::markup;
+use slipgap_drawing::text::number::Form;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::{Default, Parameter, Value};
 use slipgap_study::{Filter, Study};
@@ -51,7 +52,7 @@ pub fn value_labels(
     case: &Case,
 ) -> String {
     let distinguishing = rows.iter().filter(|row| !repeats_another(cases, **row));
-    let part = |row: &usize| Some((&table[*row], case.values[*row]?, digits(cases, *row)));
+    let part = |row: &usize| Some((&table[*row], case.values[*row]?, form(cases, *row)));
     joined(distinguishing.filter_map(part))
 }
 
@@ -158,9 +159,9 @@ pub fn labels(
     by: Option<usize>,
     except: &[usize],
 ) -> Vec<String> {
-    let rows: Vec<(usize, usize)> = named(table, cases, by, except)
+    let rows: Vec<(usize, Form)> = named(table, cases, by, except)
         .into_iter()
-        .map(|row| (row, digits(cases, row)))
+        .map(|row| (row, form(cases, row)))
         .collect();
     cases
         .iter()
@@ -168,16 +169,16 @@ pub fn labels(
         .collect()
 }
 
-/// Significant digits that distinguish the values of a parameter.
-pub fn digits(cases: &[DrawnCase], row: usize) -> usize {
+/// The form of number that distinguishes the values of a parameter.
+pub fn form(cases: &[DrawnCase], row: usize) -> Form {
     let values = cases.iter().filter_map(|shown| shown.value(row));
-    number::digits(values.filter_map(|value| value.as_f64()))
+    Form::of(values.filter_map(|value| value.as_f64()))
 }
 
-/// The label of a case by these parameters, each with its number of digits.
-fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, usize)]) -> String {
+/// The label of a case by these parameters, each with its form of numbers.
+fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, Form)]) -> String {
     let pairs = rows.iter();
-    let parts = pairs.filter_map(|(row, digits)| Some((&table[*row], shown.value(*row)?, *digits)));
+    let parts = pairs.filter_map(|(row, form)| Some((&table[*row], shown.value(*row)?, *form)));
     match joined(parts) {
         text if text.is_empty() => "computed".into(),
         text => text,
@@ -185,10 +186,10 @@ fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, usize)]) -> Str
 }
 
 /// Values behind one another. Of a record with the event and station of the one before it, only the component.
-fn joined<'a>(values: impl Iterator<Item = (&'a Parameter, Value, usize)>) -> String {
+fn joined<'a>(values: impl Iterator<Item = (&'a Parameter, Value, Form)>) -> String {
     let mut before = None;
-    let part = |(parameter, value, digits): (&Parameter, Value, usize)| {
-        let whole = value_label(parameter, value, digits);
+    let part = |(parameter, value, form): (&Parameter, Value, Form)| {
+        let whole = value_label(parameter, value, form);
         let split = match value {
             Value::Name(name) if parameter.shown(name) != name => whole.rsplit_once(", "),
             Value::Number(_) | Value::Whole(_) | Value::Name(_) => None,
@@ -205,23 +206,23 @@ fn joined<'a>(values: impl Iterator<Item = (&'a Parameter, Value, usize)>) -> St
     values.map(part).collect::<Vec<_>>().join(", ")
 }
 
-/// A value of a parameter in markup, with this number of significant digits.
-pub fn value(parameter: &Parameter, value: Value, digits: usize) -> String {
+/// A value of a parameter in markup, in this form.
+pub fn value(parameter: &Parameter, value: Value, form: Form) -> String {
     match value {
-        Value::Number(x) => number::rounded(x, digits),
+        Value::Number(x) => form.write(x),
         Value::Whole(n) => n.to_string(),
         Value::Name(name) => markup::escape(parameter.shown(name)),
     }
 }
 
-/// `symbol = value` in markup, with this number of significant digits; only the name for a choice.
-pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String {
+/// `symbol = value` in markup, in this form; only the name for a choice.
+pub fn value_label(parameter: &Parameter, value: Value, form: Form) -> String {
     match value {
-        Value::Name(_) => self::value(parameter, value, digits),
+        Value::Name(_) => self::value(parameter, value, form),
         Value::Number(_) | Value::Whole(_) => {
             let shown_unit = parameter.shown_unit.as_ref();
             let unit = shown_unit.map_or(String::new(), |unit| format!(" {}", markup::unit(unit)));
-            let value = self::value(parameter, value, digits);
+            let value = self::value(parameter, value, form);
             format!("{} = {value}{unit}", parameter.symbol)
         }
     }

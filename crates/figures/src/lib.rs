@@ -110,7 +110,7 @@ pub fn sheet(data: &FigureData) -> Sheet {
         }
     }
     let bands = envelope::meaning(&sheet);
-    let over = taken_over(study, figure);
+    let over = taken_over(data);
     let meanings = coincide::meaning(&sheet).into_iter().chain(bands);
     let sentences = meanings.chain(over.as_deref());
     let notes = sentences.chain(figure.note.as_deref());
@@ -145,13 +145,39 @@ fn run_away(data: &FigureData) -> Option<String> {
 }
 
 /// The remark on a figure of reductions, in markup: axis titles are too short for it.
-fn taken_over(study: &Study, figure: &Figure) -> Option<String> {
-    let rows = figure.kind.measures(&*study.problem).into_iter();
+fn taken_over(data: &FigureData) -> Option<String> {
+    let study = data.study;
+    let rows = data.figure.kind.measures(&*study.problem).into_iter();
     let reduction = { rows }.find_map(|row| study.reduction(row))?;
     let table = study.problem.parameters();
+    let operator = reduction.operator.title();
+    let of = if operator.ends_with(" of") { "" } else { " of" };
     let over = Vec::from_iter(reduction.over.iter().map(|row| &*table[*row].symbol));
-    Some(format!(
-        "Each value is over all values of {}.",
-        over.join(", ")
-    ))
+    let count = number_of_values(data, *reduction.over.first()?);
+    let what = match (&over[..], count) {
+        // A word has a plural.
+        ([one], Some(count)) if one.len() > 3 && one.chars().all(|c| c.is_ascii_lowercase()) => {
+            format!("{count} {one}s")
+        }
+        ([one], Some(count)) => format!("{count} values of {one}"),
+        _ => format!("all values of {}", over.join(", ")),
+    };
+    Some(format!("Each value is the {operator}{of} {what}."))
+}
+
+/// How many values of a parameter all combinations of the others have; `None` if a condition, a filter or several blocks decide.
+fn number_of_values(data: &FigureData, row: usize) -> Option<usize> {
+    let [block] = &data.study.blocks[..] else {
+        return None;
+    };
+    let is_free = block.when.is_none()
+        && block.design.is_none()
+        && data.figure.filter.0.iter().all(|known| known.0 != row);
+    let axis = block.axes().find(|axis| axis.parameter == row)?;
+    let mut values: Vec<_> = (0..axis.values.len())
+        .map(|i| axis.values.at(i).identity())
+        .collect();
+    values.sort_unstable();
+    values.dedup();
+    Some(values.len()).filter(|count| is_free && *count > 1)
 }

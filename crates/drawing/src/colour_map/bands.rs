@@ -6,7 +6,7 @@ use crate::layout::axis::Scale;
 use crate::layout::axis::{Axis, Tick};
 use crate::layout::sheet::{FilledMap, Panel, Series};
 use crate::style::{self, Marker, Stroke};
-use crate::text::number;
+use crate::text::number::{self, Form};
 
 /// Most levels.
 const MOST_LEVELS: usize = 10;
@@ -68,13 +68,13 @@ pub fn levels(colours: &Axis) -> Vec<f64> {
 pub fn limited(colours: Axis, height: f64) -> Axis {
     let [low, high] = colours.range;
     let levels = levels(&colours);
-    let digits = number::digits([low, high].into_iter());
     let height_of = |x: f64| height * colours.fraction(x);
     let mut numbered = vec![height_of(low), height_of(high)];
     let unit = libm::pow(10.0, f64::from(colours.power));
+    let form = Form::of([low, high].map(|x| x / unit).into_iter());
     let end = |at: f64| Tick {
         at,
-        label: number::rounded(at / unit, digits),
+        label: form.write(at / unit),
     };
     let mut ticks = vec![end(low)];
     for at in levels {

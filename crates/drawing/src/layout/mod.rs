@@ -127,6 +127,7 @@ pub fn columns(sheet_width: f64, heights: &[f64], y: &[Axis]) -> Vec<Grid> {
 ///
 /// `keys` has the legend of the first panel, of the second and so on; panels without one may be left out.
 pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
+    limits::keep_numbers_whole(sheet);
     // Without captions, no space for them.
     let has_power = |axis: &Axis| axis.numbered && axis.power != 0;
     let bare =

@@ -15,6 +15,12 @@ const FINEST: f64 = 1e-300;
 /// Most powers of ten that each have a tick.
 const MOST_DECADES: usize = 40;
 
+/// The ticks of a decade.
+const DIGITS: [i32; 9] = [1, 2, 3, 4, 5, 6, 7, 8, 9];
+
+/// Fewest numbers along a logarithmic axis: two do not show that it is one.
+const FEWEST: usize = 3;
+
 /// A linear axis round the values, a little wider, to the next minor ticks; `most` labels at most.
 pub fn around(title: &str, values: impl Iterator<Item = f64>, most: f64) -> Axis {
     let [low, high] = span(values, |x| if x == 0.0 { 1.0 } else { 0.1 * x.abs() });
@@ -142,37 +148,52 @@ pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
     let every = ceil((decades as f64 - 1.0) / most).max(1.0) as i32;
     // Three numbers a decade if that is not much more than `most`.
     let fine = decades < 2 || 3.0 * (log10(range[1]) - log10(range[0])) <= 1.5 * most;
-    let mut ticks = Vec::new();
-    for k in first..=last {
-        for digit in 1..=9 {
-            let at = f64::from(digit) * pow(10.0, f64::from(k));
-            if !inside(at) || (every > 1 && digit > 1) {
-                continue;
+    let all_digits: &[i32] = if every > 1 { &[1] } else { &DIGITS };
+    let within = |k: i32| {
+        let at = move |digit: &i32| (*digit, f64::from(*digit) * pow(10.0, f64::from(k)));
+        all_digits.iter().map(at).filter(move |(_, at)| inside(*at))
+    };
+    // One form of numbers along an axis: without powers if all are short.
+    let plain = fine && (first..=last).all(|k| within(k).all(|(_, at)| (1e-4..1e5).contains(&at)));
+    let with_numbers_at = |numbered_digits: &[i32]| {
+        let mut ticks = Vec::new();
+        for k in first..=last {
+            for (digit, at) in within(k) {
+                let numbered = match digit {
+                    1 => k.rem_euclid(every) == 0,
+                    _ => numbered_digits.contains(&digit),
+                };
+                if decades > MOST_DECADES && !numbered {
+                    continue;
+                }
+                let label = match (numbered, digit) {
+                    (false, _) => String::new(),
+                    (true, _) if plain => number::short(at),
+                    (true, 1) => format!("10^{k}^").replace('-', "−"),
+                    (true, _) => format!("{digit} × 10^{k}^").replace('-', "−"),
+                };
+                ticks.push(Tick { at, label });
             }
-            let numbered = match digit {
-                1 => k.rem_euclid(every) == 0,
-                2 | 5 => fine,
-                _ => false,
-            };
-            if decades > MOST_DECADES && !numbered {
-                continue;
-            }
-            let label = match (numbered, digit) {
-                (false, _) => String::new(),
-                (true, _) if (-4..=2).contains(&k) && fine => number::short(at),
-                (true, 1) => format!("10^{k}^").replace('-', "−"),
-                (true, _) => format!("{digit} × 10^{k}^").replace('-', "−"),
-            };
-            ticks.push(Tick { at, label });
         }
-    }
-    let mut power = 0;
-    // Between two round numbers, steps of a linear axis; they are not evenly spaced here.
+        ticks
+    };
     let numbers = |ticks: &[Tick]| ticks.iter().filter(|tick| !tick.label.is_empty()).count();
-    for most in [most.min(4.0), 5.0] {
-        if numbers(&ticks) < 2 {
+    // As few as possible, but three.
+    let choices: &[&[i32]] = match fine {
+        true => &[&[1, 2, 5], &[1, 2, 3, 5, 7], &DIGITS],
+        false => &[&[1], &[1, 3], &[1, 2, 5]],
+    };
+    let sets = || choices.iter().map(|digits| with_numbers_at(digits));
+    let enough = sets().find(|ticks| numbers(ticks) >= FEWEST);
+    let mut ticks = enough.or_else(|| sets().last()).unwrap_or_default();
+    let mut power = 0;
+    // Between round numbers, steps of a linear axis; they are not evenly spaced here.
+    for most in [most.min(4.0), 5.0, 8.0] {
+        if numbers(&ticks) < FEWEST {
             let even = linear(title, range, most);
-            (ticks, power) = (even.ticks, even.power);
+            if numbers(&even.ticks) > numbers(&ticks) {
+                (ticks, power) = (even.ticks, even.power);
+            }
         }
     }
     Axis {
@@ -351,7 +372,15 @@ mod tests {
         let between = log("", [0.28, 0.39].into_iter(), 6.0);
         assert_eq!(labels(&between), ["0.30", "0.35", "0.40"]);
         let short = log("", [0.02, 0.09].into_iter(), 8.0);
-        assert_eq!(labels(&short), ["0.02", "0.05"]);
+        assert_eq!(labels(&short), ["0.02", "0.03", "0.05", "0.07"]);
+        // One form of numbers along an axis.
+        let thousands = log("", [300.0, 4e4].into_iter(), 12.0);
+        assert_eq!(labels(&thousands)[..3], ["500", "1000", "2000"]);
+        let larger = log("", [3000.0, 4e5].into_iter(), 12.0);
+        assert!(labels(&larger).iter().all(|label| label.contains("10^")));
+        // Two powers of ten alone do not show that an axis is logarithmic.
+        let two = log("", [0.9, 11.0].into_iter(), 2.0);
+        assert_eq!(labels(&two), ["10^0^", "3 × 10^0^", "10^1^"]);
         assert!(
             (axis.fraction(0.1) - (axis.fraction(0.01) + axis.fraction(1.0)) / 2.0).abs() < 1e-12
         );
@@ -418,6 +447,12 @@ mod tests {
         let distinct: std::collections::HashSet<&&str> = labels.iter().collect();
         assert_eq!(distinct.len(), labels.len(), "{axis:?}");
         assert!(labels.len() >= 2, "{axis:?}");
+        // Unless the range has no three numbers of double precision.
+        let is_wide = low > FINEST && high / low > 1.0 + 1e-9;
+        assert!(
+            axis.scale == Scale::Linear || !is_wide || labels.len() >= FEWEST,
+            "{axis:?}"
+        );
         assert!(labels.len() as f64 <= 3.0 * most + 2.0, "{axis:?}");
     }
 

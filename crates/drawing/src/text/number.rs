@@ -10,31 +10,86 @@ const WRITTEN: usize = 5;
 /// Fewest significant digits of a rounded number.
 const FEWEST: usize = 3;
 
-/// Significant digits that distinguish all these numbers.
-pub fn digits(numbers: impl Iterator<Item = f64>) -> usize {
-    let mut numbers: Vec<f64> = numbers.collect();
-    numbers.sort_by(f64::total_cmp);
-    numbers.dedup();
-    let apart = |digits: &usize| {
-        let labels: HashSet<String> = numbers.iter().map(|x| rounded(*x, *digits)).collect();
-        labels.len() == numbers.len()
-    };
-    (FEWEST..MOST).find(apart).unwrap_or(MOST)
+/// The one form of several numbers, as those of a legend.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Form {
+    /// Significant digits of those that were computed.
+    digits: usize,
+    /// Whether all have a power of ten.
+    powers: bool,
+}
+
+impl Form {
+    /// The form of a number alone, with these significant digits if it was computed.
+    pub fn alone(digits: usize, x: f64) -> Form {
+        let powers = !has_decimal_form(rounded_to(digits, x));
+        Form { digits, powers }
+    }
+
+    /// The form that distinguishes all these numbers.
+    pub fn of(numbers: impl Iterator<Item = f64>) -> Form {
+        let mut sorted: Vec<f64> = numbers.collect();
+        sorted.sort_by(f64::total_cmp);
+        sorted.dedup();
+        let form = |digits: usize| {
+            let mut shown = sorted.iter().filter(|x| of_pi(**x).is_none());
+            let powers = shown.any(|x| !has_decimal_form(rounded_to(digits, *x)));
+            Form { digits, powers }
+        };
+        let apart = |form: &Form| {
+            let labels: HashSet<String> = sorted.iter().map(|x| form.write(*x)).collect();
+            labels.len() == sorted.len()
+        };
+        let fewer = (FEWEST..MOST).map(form).find(apart);
+        fewer.unwrap_or_else(|| form(MOST))
+    }
+
+    /// A number in markup; multiples of pi as such.
+    pub fn write(self, x: f64) -> String {
+        of_pi(x).unwrap_or_else(|| match self.powers {
+            true => with_power(rounded_to(self.digits, x)),
+            false => decimal(rounded_to(self.digits, x)),
+        })
+    }
 }
 
 /// Significant digits that distinguish any two doubles.
 const MOST: usize = 17;
 
-/// A number in markup, rounded to `digits` if it has more than `WRITTEN`; multiples of pi as such.
-pub fn rounded(x: f64, digits: usize) -> String {
+/// The number with these significant digits if it has more than `WRITTEN`.
+fn rounded_to(digits: usize, x: f64) -> f64 {
     let written = shortest(x);
     let mantissa = written.split('e').next().unwrap_or_default();
     let figures: String = mantissa.chars().filter(char::is_ascii_digit).collect();
-    match of_pi(x) {
-        Some(multiple) => multiple,
-        None if figures.trim_matches('0').len() <= WRITTEN => plain(x),
-        None => plain(format!("{x:.0$e}", digits - 1).parse().unwrap_or(x)),
+    match figures.trim_matches('0').len() <= WRITTEN {
+        true => x,
+        false => format!("{x:.0$e}", digits - 1).parse().unwrap_or(x),
     }
+}
+
+/// Whether a number is short without a power of ten.
+fn has_decimal_form(x: f64) -> bool {
+    x == 0.0 || (1e-4..1e5).contains(&x.abs())
+}
+
+fn decimal(x: f64) -> String {
+    x.to_string().replace('-', "−")
+}
+
+/// A number as `3 × 10^−5^`; from 1 to 10 without the power.
+fn with_power(x: f64) -> String {
+    let text = format!("{x:e}").replace('-', "−");
+    match text.split_once('e') {
+        None | Some((_, "0")) => decimal(x),
+        Some(("1", power)) => format!("10^{power}^"),
+        Some(("−1", power)) => format!("−10^{power}^"),
+        Some((mantissa, power)) => format!("{mantissa} × 10^{power}^"),
+    }
+}
+
+/// A number alone in markup, rounded to `digits` if it has more than `WRITTEN`; multiples of pi as such.
+pub fn rounded(x: f64, digits: usize) -> String {
+    Form::alone(digits, x).write(x)
 }
 
 /// A number in markup; multiples of pi as `2π`, `π/10`, `2π/3`.
@@ -44,24 +99,21 @@ pub fn number(x: f64) -> String {
 
 /// A number in markup, in decimal form or as `3 × 10^−5^`.
 pub fn plain(x: f64) -> String {
-    let text = shortest(x).replace('-', "−");
-    match text.split_once('e') {
-        None => text,
-        Some(("1", power)) => format!("10^{power}^"),
-        Some(("−1", power)) => format!("−10^{power}^"),
-        Some((mantissa, power)) => format!("{mantissa} × 10^{power}^"),
+    match x.is_finite() && !has_decimal_form(x) {
+        true => with_power(x),
+        false => decimal(x),
     }
 }
 
 /// A number in markup, as `3/4` if it is a fraction with a denominator up to 12.
-pub fn fraction(x: f64, digits: usize) -> String {
+pub fn fraction(x: f64, form: Form) -> String {
     let parts = (2..=12_u32).find_map(|q| {
         let p = x * f64::from(q);
         let whole = p.round();
         (x.fract() != 0.0 && whole.abs() < 100.0 && (p - whole).abs() <= 1e-12 * p.abs())
             .then(|| format!("{whole}/{q}").replace('-', "−"))
     });
-    parts.unwrap_or_else(|| rounded(x, digits))
+    parts.unwrap_or_else(|| form.write(x))
 }
 
 /// `x` as a multiple of pi with a denominator up to 1000, if it is one within rounding.
@@ -88,10 +140,7 @@ pub fn of_pi(x: f64) -> Option<String> {
 /// a power of ten if it is short without one.
 pub fn short(x: f64) -> String {
     let freed: f64 = format!("{x:.6e}").parse().unwrap_or(x);
-    match freed.abs() {
-        1e-4..1e5 => freed.to_string().replace('-', "−"),
-        _ => plain(freed),
-    }
+    plain(freed)
 }
 
 /// A number in plain text: six digits, multiples of pi as such.
@@ -107,8 +156,8 @@ mod tests {
     #[test]
     fn numbers_are_rounded_to_what_tells_them_apart() {
         let labels = |numbers: &[f64]| -> Vec<String> {
-            let digits = digits(numbers.iter().copied());
-            numbers.iter().map(|x| rounded(*x, digits)).collect()
+            let form = Form::of(numbers.iter().copied());
+            numbers.iter().map(|x| form.write(*x)).collect()
         };
         assert_eq!(
             labels(&[1.0 / 68.0, 1.0 / 34.0, 2.5]),
@@ -123,10 +172,38 @@ mod tests {
         assert_ne!(close[0], close[1]);
         // What somebody wrote, and multiples of pi, keep their form.
         assert_eq!(
-            labels(&[1.2345, 12000.0, PI / 80.0, -2.0 * PI / 3.0, 1.5e-7]),
-            ["1.2345", "12000", "π/80", "−2π/3", "1.5 × 10^−7^"]
+            labels(&[1.2345, 12000.0, PI / 80.0, -2.0 * PI / 3.0, 0.0]),
+            ["1.2345", "12000", "π/80", "−2π/3", "0"]
         );
-        assert_eq!(labels(&[1e5 / 3.0, 1.0 / 3e7]), ["33300", "3.33 × 10^−8^"]);
+        assert_eq!(labels(&[1e5 / 3.0, 0.004]), ["33300", "0.004"]);
+    }
+
+    #[test]
+    fn numbers_of_a_legend_have_one_form() {
+        let form = |numbers: &[f64]| {
+            let form = Form::of(numbers.iter().copied());
+            numbers.iter().map(|x| form.write(*x)).collect::<Vec<_>>()
+        };
+        // Half decades, as geomspace makes them.
+        let steps: Vec<f64> = (0..7)
+            .map(|k| 1e4 * 10.0_f64.powf(f64::from(k) / 2.0))
+            .collect();
+        assert_eq!(
+            form(&steps),
+            [
+                "10^4^",
+                "3.16 × 10^4^",
+                "10^5^",
+                "3.16 × 10^5^",
+                "10^6^",
+                "3.16 × 10^6^",
+                "10^7^"
+            ]
+        );
+        assert_eq!(form(&[5e4, 9.9e4]), ["50000", "99000"]);
+        assert_eq!(form(&[0.0, 2.0, 3e-7]), ["0", "2", "3 × 10^−7^"]);
+        assert_eq!(form(&[-1e-6, 1e-6]), ["−10^−6^", "10^−6^"]);
+        assert_eq!(rounded(0.004, 3), "0.004");
     }
 
     #[test]
@@ -138,7 +215,7 @@ mod tests {
             (-1.5, "−3/2"),
             (0.31, "0.31"),
         ] {
-            assert_eq!(fraction(x, 3), text);
+            assert_eq!(fraction(x, Form::alone(3, x)), text);
         }
     }
 

@@ -84,7 +84,7 @@ impl Draw for Budget {
             let mut panel = Panel::new(grid.frames[cell.0][cell.1], grid.margin, x_axis, y_axis);
             if let (Some(row), Some(value)) = (panels, group) {
                 panel.caption =
-                    label::value_label(&parameters[*row], value, label::digits(cases, *row));
+                    label::value_label(&parameters[*row], value, label::form(cases, *row));
             }
             panel.series = series;
             slope::write(&mut panel);

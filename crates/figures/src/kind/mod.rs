@@ -5,6 +5,7 @@ mod ensemble;
 mod front;
 mod map;
 mod motion;
+mod order;
 mod over_parameter;
 mod samples;
 mod scatter;

@@ -1,7 +1,7 @@
 //! What maps, budgets, Sobol' figures and metrics show, held against values made up for the purpose.
 
 use slipgap_drawing::layout::sheet::{PlacedText, Sheet};
-use slipgap_drawing::style::{self, Marker};
+use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_problem::problem::Case;
 use slipgap_study::{self, Study};
 
@@ -308,4 +308,58 @@ fn slopes_name_their_curve_and_the_legend_names_the_reference_lines() {
     let labels: Vec<&str> = sheet.legend.iter().map(|e| e.label.as_str()).collect();
     assert_eq!(labels, ["*X*_0_ = 8", "*X*_0_ = 12", "orders 1 and 2"]);
     assert_eq!(sheet.legend[2].stroke, style::Stroke::Dotted);
+}
+
+#[test]
+fn more_names_than_colours_are_panels_with_their_own_legends() {
+    let methods = r#"["average-acceleration", "linear-acceleration", "newmark", "hht", "bathe", "generalized-alpha", "moreau-jean"]"#;
+    let study = parsed(
+        r#""problem": "bar-impact""#,
+        &format!(
+            r#""parameters": {{"method": {methods}, "gamma": 1, "n": [1, 2, 4], "dt": 0.01, "duration": 1}},
+            "figures": [{{"name": "f", "kind": "metric", "x": "n", "y": ["peak_force"], "by": "method"}}]"#
+        ),
+    );
+    let sheet = drawn(&study, |case, _| Some(number(case, "n")));
+    let [left, right] = &sheet.panels[..] else {
+        panic!("{} panels", sheet.panels.len());
+    };
+    assert_eq!([left.series.len(), right.series.len()], [4, 3]);
+    assert_eq!(left.frame.top, right.frame.top);
+    for panel in [left, right] {
+        let strokes: Vec<Stroke> = panel.series.iter().map(|series| series.stroke).collect();
+        assert_eq!(strokes, [0, 1, 2, 3].map(Stroke::Colour)[..strokes.len()]);
+        // Its entries are over or in its own frame.
+        for series in &panel.series {
+            let entry = sheet
+                .legend
+                .iter()
+                .find(|entry| entry.label == series.label);
+            let at = entry.unwrap().at[0];
+            assert!((panel.frame.left..panel.frame.right()).contains(&at));
+        }
+    }
+}
+
+#[test]
+fn reductions_say_of_how_many_values_they_are() {
+    for (x0, filter, words) in [
+        ("[8, 12, 14]", "", "Each value is the median of 3 values of"),
+        // A filter chooses from them.
+        (
+            "[8, 12, 14]",
+            r#", "where": {"x0": [8, 12]}"#,
+            "Each value is the median of all values of",
+        ),
+    ] {
+        let study = parsed(
+            FRICTION,
+            &format!(
+                r#""parameters": {{{LAW}, "alpha": 0.1, "dT": [0.1, 0.2], "x0": {x0}}}, "reductions": ["median rms_error over x0"],
+                "figures": [{{"name": "m", "kind": "metric", "x": "dT", "y": "median rms_error over x0"{filter}}}]"#
+            ),
+        );
+        let sheet = drawn(&study, |_, _| Some(1.0));
+        assert!(sheet.description.contains(words), "{}", sheet.description);
+    }
 }

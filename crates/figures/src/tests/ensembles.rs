@@ -124,7 +124,7 @@ fn a_distribution_rises_at_its_values_within_its_band() {
     // Each step shows its place to a pointer.
     assert_eq!(hover.matches("<circle").count(), 5);
     assert!(
-        hover.contains("n = 4: ") && hover.contains("part of the cases = 0.75"),
+        hover.contains("n = 4: ") && hover.contains("fraction of the cases = 0.75"),
         "{hover}"
     );
     // Panels do not overlap, each has its own axis.
@@ -187,7 +187,7 @@ fn quantiles_are_those_of_the_cases_at_each_value() {
 }
 
 #[test]
-fn more_than_three_curves_have_no_bands() {
+fn more_than_two_curves_have_bars_instead_of_bands() {
     let bands = |kind: &str, count: usize| {
         let text = format!(
             r#"{{"problem": "bar-impact", "parameters": {{"gamma": [1, 2, 4], "n": {{"linspace": [1, {count}, {count}]}},
@@ -199,19 +199,41 @@ fn more_than_three_curves_have_no_bands() {
             Some(number(case, "gamma") * number(case, "n") + number(case, "gap"))
         });
         let panel = &sheet.panels[0];
-        assert_eq!(panel.series.len(), count);
-        (
-            panel.bands.len(),
-            small_print(&sheet).contains("more than 3"),
-        )
+        let curves = panel
+            .series
+            .iter()
+            .filter(|series| !series.label.is_empty());
+        assert_eq!(curves.count(), count);
+        let bars: Vec<_> = panel
+            .series
+            .iter()
+            .filter(|series| series.label.is_empty())
+            .collect();
+        for bar in &bars {
+            let [a, b] = bar.points[..] else {
+                panic!("{bar:?}");
+            };
+            // Upright, within 4 points of its place, and over the median gamma n + 0.1.
+            let near =
+                |x: f64| (panel.place([x, 0.0])[0] - panel.place([a[0], 0.0])[0]).abs() < 4.0;
+            let gamma = [1.0, 2.0, 4.0].into_iter().find(|x| near(*x)).unwrap();
+            assert_eq!(a[0], b[0]);
+            let holds = |n: &u32| {
+                let median = gamma * f64::from(*n) + 0.1;
+                (a[1] - (median - 0.068)).abs() < 1e-9 && (b[1] - (median + 0.068)).abs() < 1e-9
+            };
+            assert!((1..=count as u32).any(|n| holds(&n)), "{bar:?}");
+        }
+        (panel.bands.len(), bars.len())
     };
     let quantiles = r#""kind": "quantiles", "x": "gamma", "y": "peak_force", "by": "n""#;
     let distribution =
         r#""kind": "distribution", "y": "peak_force", "by": "n", "where": {"gamma": 1}"#;
-    for kind in [quantiles, distribution] {
-        assert_eq!(bands(kind, 3), (3, false));
-        assert_eq!(bands(kind, 4), (0, true));
-    }
+    // 16 % of three values is 0.32 of the way from the first to the second: 0.032.
+    assert_eq!(bands(quantiles, 2), (2, 0));
+    assert_eq!(bands(quantiles, 3), (0, 9));
+    assert_eq!(bands(distribution, 2), (2, 0));
+    assert_eq!(bands(distribution, 3), (0, 0));
 }
 
 #[test]

@@ -80,7 +80,7 @@ fn an_ensemble_has_its_median_on_a_band() {
     assert_eq!(
         words,
         [
-            "Lines: medians. Bands: from the 0 % to the 75 % quantile of the cases.",
+            "Lines: medians of 4 to 5 cases. Bands: from the 0 % to the 75 % quantile.",
             "Without 1 of 5 cases, in which max(b - a) is empty."
         ]
     );

@@ -98,7 +98,7 @@ fn a_history_has_the_measured_points_at_their_own_times() {
     }
     assert_eq!(
         sheet.description,
-        format!("measured; k = 20; k = 30; {MEANING}")
+        format!("measured; k = 20 kN/m; k = 30 kN/m; {MEANING}")
     );
     // A part of the time has the points beside its ends, so that the line does not end within the frame.
     let (sheet, _) = drawn(&study, 1);

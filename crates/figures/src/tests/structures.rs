@@ -3,7 +3,7 @@
 use super::{drawn, fig5};
 use crate::{pdf, png, svg};
 use slipgap_drawing::layout::sheet::{Anchor, Rect, Shape, Sheet};
-use slipgap_drawing::style;
+use slipgap_drawing::style::{self, Stroke};
 use slipgap_drawing::text;
 use slipgap_study::kinds::Curve;
 use slipgap_study::{self, FigureKind, Study};
@@ -572,4 +572,36 @@ fn stacked_energies_reach_up_to_the_input() {
         let why = slipgap_study::parse("s", &text).unwrap_err().to_string();
         assert!(why.contains(what), "{why}");
     }
+}
+
+#[test]
+fn one_ground_motion_is_drawn_once_in_grey() {
+    let history = |ground: &str, dt: &str| {
+        let text = format!(
+            r#"{{"problem": "structure", "parameters": {{"k": [50, 200], "dt": {dt}, "duration": 1}},
+              "structure": {{"masses": {{"a": 1}}, "springs": [{{"between": ["ground", "a"], "k": "k"}}], "ground": {{"sine": {{"amplitude": {ground}, "omega": 7}}}}}},
+              "metrics": ["peak(a)"], "figures": [{{"name": "h", "kind": "history", "y": ["ground", "a"], "by": "k"}}]}}"#
+        );
+        let study = slipgap_study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
+        drawn(&study, 0).0
+    };
+    for dt in ["0.01", "\"2/k\""] {
+        let sheet = history("3", dt);
+        let [input, answers] = &sheet.panels[..] else {
+            panic!("{} panels", sheet.panels.len());
+        };
+        let [curve] = &input.series[..] else {
+            panic!("{} curves", input.series.len());
+        };
+        assert_eq!((curve.stroke, &*curve.label), (Stroke::Grey, ""));
+        // The finest steps, at which it is the sine itself.
+        assert_eq!(curve.points.len(), 101);
+        let [t, a] = curve.points[60];
+        assert!((a - 3.0 * libm::sin(7.0 * t)).abs() < 1e-12);
+        assert_eq!(answers.series.len(), 2);
+        assert_eq!(sheet.legend.len(), 2);
+    }
+    // Two motions are two curves.
+    let two = history("\"k\"", "0.01");
+    assert_eq!(two.panels[0].series.len(), 2);
 }

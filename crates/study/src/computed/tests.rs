@@ -282,7 +282,7 @@ fn names_are_those_of_figures() {
     };
     assert_eq!(titles("h"), ("height\\_1, m".into(), "height\\_1".into()));
     assert_eq!(titles("k"), ("Stiffness".into(), "stiffness".into()));
-    assert_eq!(titles("seed"), ("seed".into(), "seed".into()));
+    assert_eq!(titles("seed"), ("seed, m/s".into(), "seed".into()));
     for (names, says) in [
         (
             r#"{"hh": ["a", "m"]}"#,

@@ -162,6 +162,7 @@ pub(super) fn problem(
     contacts.extend(faulty);
     let names = reader.names.clone().with_contacts(contacts);
     let known = names.with_structure(template.names());
+    crate::structure::named::units::add(node, &template.units, &mut parameters);
     let named = (&mut parameters[..], &known);
     let shown = crate::structure::named::shown::shown(root, named, &reader, faults);
     let mut metrics = crate::structure::named::named_metrics::metrics(root, &known, faults);

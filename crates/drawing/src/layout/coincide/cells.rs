@@ -8,13 +8,19 @@ use crate::style;
 const CELL: f64 = 0.25 * style::CASE_LINE;
 
 /// Width of the fields in which curves that coincide have their turns: the length of a level dash.
-const DASH: f64 = 6.0;
+const DASH: f64 = 9.0;
 
 /// Height of the fields over their width: if it were 1, a line rising by 1 would miss every second one.
 const STEEP: f64 = 1.37;
 
-/// Least length of a stretch in which curves coincide: where they only cross, it is shorter.
+/// Least length of a stretch in which curves coincide without a break: where they only cross, it is shorter.
 pub const LEAST: f64 = 30.0;
+
+/// Least length of a dash: a shorter one is no line.
+const SHORTEST: f64 = 5.0 * style::CASE_LINE;
+
+/// Least part of a line across, the cosine of 80 degrees: on a steeper one, such as a spike, dashes would look like bars.
+const UPRIGHT: f64 = 0.173_648;
 
 /// Length of a dense curve, each place once, over the width and height of its frame: it crosses the frame several times.
 const DENSE: f64 = 3.0;
@@ -49,9 +55,18 @@ pub struct Cells {
     corner: [f64; 2],
 }
 
-/// The cells along a curve, with the length in each.
+/// A cell that a curve crosses.
+struct Crossed {
+    cell: usize,
+    /// Length of the curve in it.
+    length: f64,
+    /// Part of this length across.
+    across: f64,
+}
+
+/// The cells along a curve.
 pub struct Path {
-    cells: Vec<(usize, f64)>,
+    cells: Vec<Crossed>,
     /// The whole length.
     pub length: f64,
 }
@@ -71,22 +86,29 @@ impl Cells {
 
     /// The cells along a curve.
     pub fn path(&self, panel: &Panel, series: &Series) -> Path {
-        let mut cells: Vec<(usize, f64)> = Vec::new();
+        let mut cells: Vec<Crossed> = Vec::new();
         for [a, b] in steps(panel, series) {
             let count = (distance(a, b) / CELL).ceil().max(1.0);
-            let step = distance(a, b) / count;
+            let (step, across) = (distance(a, b) / count, (b[0] - a[0]).abs() / count);
             for k in 0..count as u32 {
                 let t = (f64::from(k) + 0.5) / count;
                 let at = [0, 1].map(|i| a[i] + t * (b[i] - a[i]) - self.corner[i]);
                 let [x, y] = at.map(|x| (x / CELL) as usize);
                 let cell = y * self.columns + x;
                 match cells.last_mut() {
-                    Some((last, length)) if *last == cell => *length += step,
-                    _ => cells.push((cell, step)),
+                    Some(last) if last.cell == cell => {
+                        last.length += step;
+                        last.across += across;
+                    }
+                    _ => cells.push(Crossed {
+                        cell,
+                        length: step,
+                        across,
+                    }),
                 }
             }
         }
-        let length = cells.iter().map(|(_, length)| length).sum();
+        let length = cells.iter().map(|crossed| crossed.length).sum();
         Path { cells, length }
     }
 
@@ -120,7 +142,7 @@ impl Cells {
         let mut visited = vec![false; self.columns * self.rows];
         path.cells
             .iter()
-            .for_each(|(cell, _)| visited[*cell] = true);
+            .for_each(|crossed| visited[crossed.cell] = true);
         visited
     }
 
@@ -151,7 +173,7 @@ impl Cells {
     }
 
     /// The parts of a path that other lines show instead, as lengths along it: where it coincides with some `under` and some `over` it
-    /// for long enough, the sheet has fields, and each of the lines its turn.
+    /// for long enough and is not upright, the sheet has fields, and each of the lines its turn.
     pub fn shown_by_others(&self, path: &Path, [under, over]: [&[&[bool]]; 2]) -> Vec<[f64; 2]> {
         let count =
             |lines: &[&[bool]], cell: usize| lines.iter().filter(|covered| covered[cell]).count();
@@ -162,35 +184,36 @@ impl Cells {
             };
         let (mut stretches, mut parts) = (Vec::new(), Vec::new());
         let mut to = 0.0;
-        for (cell, length) in &path.cells {
-            let from = to;
-            to += length;
-            let (before, after) = (count(under, *cell), count(over, *cell));
+        for crossed in &path.cells {
+            let (from, cell) = (to, crossed.cell);
+            to += crossed.length;
+            let (before, after) = (count(under, cell), count(over, cell));
             if before == 0 {
                 continue;
             }
-            joined(&mut stretches, [from, to], DASH);
+            // Lines at a constant distance may be in neighbouring cells with a short break.
+            joined(&mut stretches, [from, to], style::CASE_LINE);
             let [x, y] = [cell % self.columns, cell / self.columns].map(|k| k as f64 * CELL);
             let field = (x / DASH) as usize + (y / (STEEP * DASH)) as usize;
-            if field % (before + after + 1) != before {
+            let is_upright = crossed.across < UPRIGHT * crossed.length;
+            if field % (before + after + 1) != before && !is_upright {
                 joined(&mut parts, [from, to], 0.0);
             }
         }
-        let long: Vec<[f64; 2]> = stretches
-            .into_iter()
-            .filter(|[from, to]| to - from >= LEAST)
-            .collect();
-        parts.retain(|part| {
-            long.iter()
-                .any(|[from, to]| part[0] >= *from && part[1] <= *to)
-        });
+        let is_long = |part: &[f64; 2]| {
+            let mut long = stretches
+                .iter()
+                .filter(|[from, to]: &&[f64; 2]| to - from >= LEAST);
+            long.any(|[from, to]| part[0] >= *from && part[1] <= *to)
+        };
+        parts.retain(|part| part[1] - part[0] >= SHORTEST && is_long(part));
         parts
     }
 
     /// The cells of a path and their neighbours.
     pub fn covered(&self, path: &Path) -> Vec<bool> {
         let mut covered = vec![false; self.columns * self.rows];
-        for (cell, _) in &path.cells {
+        for Crossed { cell, .. } in &path.cells {
             for row in [cell - self.columns, *cell, cell + self.columns] {
                 covered[row - 1..=row + 1].fill(true);
             }
@@ -203,8 +226,11 @@ impl Path {
     /// Whether nearly all of it is in covered cells.
     pub fn is_in(&self, covered: &[bool]) -> bool {
         let mut outside = 0.0;
-        self.cells.iter().all(|(cell, length)| {
-            outside += if covered[*cell] { 0.0 } else { *length };
+        self.cells.iter().all(|crossed| {
+            outside += match covered[crossed.cell] {
+                true => 0.0,
+                false => crossed.length,
+            };
             outside <= (1.0 - HIDDEN) * self.length
         })
     }

@@ -13,6 +13,9 @@ use cells::{Cells, LEAST, Path, distance};
 /// Distance of the markers of black curves that coincide.
 const APART: f64 = 60.0;
 
+/// A dash longer than this is seen: 3 mm.
+const SEEN: f64 = 3.0 * 72.0 / 25.4;
+
 /// What alternating dashes mean.
 pub const MEANING: &str = "Alternating dashes: curves that coincide.";
 
@@ -35,11 +38,10 @@ pub fn find(sheet: &mut Sheet) {
     }
 }
 
-/// What the dashes of a sheet mean; `None` if it has none.
+/// What the dashes of a sheet mean; `None` if it has none that are seen.
 pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
-    let mut panels = sheet.panels_and_insets();
-    panels
-        .any(|panel| !panel.gaps.is_empty())
+    let mut gaps = sheet.panels_and_insets().flat_map(|panel| &panel.gaps);
+    gaps.any(|gap| gap.ends[1] - gap.ends[0] > SEEN)
         .then_some(MEANING)
 }
 

@@ -36,7 +36,7 @@ pub const IN_COLOUR: &str =
     "Band: between the envelopes of an oscillation too dense to draw, in the colour of its curve.";
 
 /// Most curves of a panel with filled bands; of others only the edges are drawn.
-const MOST_FILLED: usize = 3;
+const MOST_FILLED: usize = 2;
 
 /// Finds the bands of a finished sheet with `dpi` pixels an inch, and adds their meaning under it.
 pub fn find(sheet: &mut Sheet, dpi: u32) {

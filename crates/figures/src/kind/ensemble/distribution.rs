@@ -18,7 +18,7 @@ use slipgap_study::kinds::Distribution;
 const MOST_STEPS: usize = 1000;
 
 /// Title of the vertical axis.
-const TITLE: &str = "part of the cases";
+const TITLE: &str = "fraction of the cases";
 
 /// What the bands are.
 const BANDS: &str = "Bands: contain the distribution function of independent cases everywhere with a probability of 95 % \

@@ -3,8 +3,9 @@
 use crate::DrawnCase;
 use crate::label;
 use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::legend::Key;
-use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Look, Marker, Stroke};
 use slipgap_drawing::text::markup;
 use slipgap_problem::problem::numbers::parameter::Value;
@@ -13,8 +14,14 @@ use slipgap_study::{Study, alike};
 /// Most curves of a figure: as many as a reader can distinguish without markers.
 pub const MOST_CURVES: usize = 6;
 
-/// Most curves of a figure with bands: more bands on one another are not told apart.
-pub const MOST_BANDS: usize = 3;
+/// Most curves of a figure with bands: three on one another have one mixed colour.
+pub const MOST_BANDS: usize = 2;
+
+/// Most points of a curve with the bar of its interval.
+const MOST_BARS: usize = 12;
+
+/// Distance of the bars of two curves at one place.
+const BESIDE: f64 = 2.5;
 
 /// The cases of one curve.
 #[derive(Debug, Clone)]
@@ -78,6 +85,33 @@ pub fn stroke(look: Look, i: usize) -> Stroke {
         Some(before) => Stroke::of_case(before),
         None => look.stroke(i, 1),
     }
+}
+
+/// Adds the intervals of curve `k` of `count` as bars, upright or level, next to those of the others at the same place.
+pub fn bars(panel: &mut Panel, ends: &[[[f64; 2]; 2]], stroke: Stroke, [k, count]: [usize; 2]) {
+    let off = BESIDE * (k as f64 - (count - 1) as f64 / 2.0);
+    let moved = |axis: &Axis, x: f64, length: f64| axis.value(axis.fraction(x) + off / length);
+    let bar = |[a, b]: &[[f64; 2]; 2]| {
+        let place = |[x, y]: [f64; 2]| match a[0] == b[0] {
+            true => [moved(&panel.x, x, panel.frame.width), y],
+            false => [x, moved(&panel.y, y, panel.frame.height)],
+        };
+        [*a, *b].map(place)
+    };
+    let every = ends.len().div_ceil(MOST_BARS).max(1);
+    let shown = ends.iter().step_by(every);
+    let known = shown.filter(|ends| ends.as_flattened().iter().all(|x| x.is_finite()));
+    let rules = Vec::from_iter(known.map(bar));
+    // A short bar has no dashes.
+    let stroke = match stroke.pattern() {
+        [] => stroke,
+        _ => Stroke::Solid,
+    };
+    panel.series.extend(rules.into_iter().map(|ends| Series {
+        stroke,
+        width: style::EXACT_LINE,
+        ..Series::rule(ends)
+    }));
 }
 
 /// Keys of the curves with a label.

@@ -1,6 +1,6 @@
 //! Metrics at positions along the structure, upwards: a curve for each case, of an ensemble its median on a band.
 
-use super::ensembles::{Ensemble, MOST_BANDS, ensembles, keys, stroke, without_value};
+use super::ensembles::{Ensemble, MOST_BANDS, bars, ensembles, keys, stroke, without_value};
 use super::quantiles::{meaning, quantiles};
 use crate::FigureData;
 use crate::kind::Draw;
@@ -42,7 +42,7 @@ impl Draw for Envelope {
         let most = (height / 24.0f64).min(self.at.len().max(2) as f64);
         let up = limits::axis(at_title, places, Scale::Linear, y_range, most);
         let grid = layout::grid(width, 1, &[height], std::slice::from_ref(&up), 4.0);
-        let shown = if banded { 0..3 } else { 1..2 };
+        let shown = if sampled { 0..3 } else { 1..2 };
         let values = curves
             .iter()
             .flatten()
@@ -76,6 +76,10 @@ impl Draw for Envelope {
                         lower,
                         stroke: stroke(look, k),
                     });
+                } else if sampled && !banded {
+                    let ends = lower.into_iter().zip(upper);
+                    let ends: Vec<_> = ends.map(|(low, high)| [low, high]).collect();
+                    bars(&mut panel, &ends, stroke(look, k), [k, curves.len()]);
                 }
                 panel.series.push(Series {
                     label: found[k].label.clone(),
@@ -96,7 +100,14 @@ impl Draw for Envelope {
         let keys = keys(look, &found, |k| look.marker(k));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         if sampled {
-            layout::small_print(&mut sheet, &meaning(self.band, banded));
+            let rows = found
+                .iter()
+                .flat_map(|of| self.x.iter().map(move |row| (of, *row)));
+            let counts = rows.map(|(of, row)| {
+                let known = of.cases.iter().filter(|shown| shown.metric(row).is_some());
+                known.count()
+            });
+            layout::small_print(&mut sheet, &meaning(self.band, banded, counts));
         }
         without_value(&mut sheet, study, cases, &self.x);
         sheet

@@ -13,11 +13,11 @@ use slipgap_study::kinds::{Fit, Fragility};
 fn words(fit: Fit) -> [&'static str; 2] {
     match fit {
         Fit::Likelihood => [
-            "Points: part of the cases, with 95 % intervals (Clopper and Pearson).",
-            "Curves: the lognormal function of the largest likelihood; in brackets 95 % intervals.",
+            "Points: fraction of the cases that exceed, with 95 % intervals (Clopper and Pearson).",
+            "Curves: lognormal function, fitted by maximum likelihood; in brackets 95 % intervals.",
         ],
         Fit::Incremental => [
-            "Points: part of the ensemble that has reached the limit, with 95 % intervals (Clopper and Pearson).",
+            "Points: fraction of the ensemble that has reached the limit, with 95 % intervals (Clopper and Pearson).",
             "Curves: the lognormal function of the values at which it does; in brackets 95 % intervals.",
         ],
         Fit::Cloud => [
@@ -61,7 +61,7 @@ fn without_capacity(sheet: &mut Sheet, curves: &[FragilityCurve]) {
     });
     if beyond + before > 0 {
         let words = format!(
-            "Members of the ensemble that do not reach the limit: {beyond}; that exceed it at the smallest value: {before}. With these bounds the functions are of the largest likelihood."
+            "Members of the ensemble that do not reach the limit: {beyond}; that exceed it at the smallest value: {before}. With these bounds the functions are fitted by maximum likelihood."
         );
         layout::small_print(sheet, &words);
     }

@@ -1,6 +1,6 @@
 //! Quantiles of metrics over a parameter: the median as a line on a band, a panel for each metric.
 
-use super::ensembles::{Ensemble, MOST_BANDS, ensembles, keys, stroke, without_value};
+use super::ensembles::{Ensemble, MOST_BANDS, bars, ensembles, keys, stroke, without_value};
 use crate::kind::Draw;
 use crate::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
@@ -16,8 +16,8 @@ use slipgap_study::kinds::Quantiles;
 /// Most points of a curve that each have a marker.
 const MOST_MARKED: usize = 40;
 
-/// A value of x with the lower edge of the band, the median and the upper edge; not finite without values.
-type Point = (f64, [f64; 3]);
+/// A value of x, the lower edge of the band, the median and the upper edge, not finite without values, and the number of values.
+type Point = (f64, [f64; 3], usize);
 
 impl Draw for Quantiles {
     fn sheet(&self, data: &FigureData) -> Sheet {
@@ -39,14 +39,14 @@ impl Draw for Quantiles {
         let [x_scale, y_scale] = self.scales;
         let up = |(metric, curves): (&usize, &Vec<Vec<Point>>)| {
             let points = curves.iter().flatten();
-            let ends = Vec::from_iter(points.flat_map(|(x, of)| of.map(|y| [*x, y])));
+            let ends = Vec::from_iter(points.flat_map(|(x, of, _)| of.map(|y| [*x, y])));
             let values = limits::heights(ends.iter(), x_range).into_iter();
             let title = &study.title(*metric);
             limits::axis(title, values, y_scale, y_range, height / 24.0)
         };
         let axes: Vec<Axis> = self.y.iter().zip(&panels).map(up).collect();
         let grid = layout::grid(width, 1, &vec![height; self.y.len()], &axes, 4.0);
-        let places = panels.iter().flatten().flatten().map(|(x, _)| *x);
+        let places = panels.iter().flatten().flatten().map(|(x, ..)| *x);
         let title = &study.problem.parameters()[self.x].title();
         let across = limits::axis(title, places, x_scale, x_range, grid.width / 40.0);
         let longest = panels.iter().flatten().map(Vec::len).max().unwrap_or(0);
@@ -63,14 +63,19 @@ impl Draw for Quantiles {
             panel.zero =
                 y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
             for (k, points) in curves.iter().enumerate() {
-                if banded {
-                    bands(&mut panel, points, stroke(look, k));
+                match banded {
+                    true => bands(&mut panel, points, stroke(look, k)),
+                    false => {
+                        let interval = |(x, [low, _, high], _): &Point| [[*x, *low], [*x, *high]];
+                        let ends: Vec<_> = points.iter().map(interval).collect();
+                        bars(&mut panel, &ends, stroke(look, k), [k, curves.len()]);
+                    }
                 }
                 panel.series.push(Series {
                     label: found[k].label.clone(),
                     points: points
                         .iter()
-                        .map(|(x, [_, median, _])| [*x, *median])
+                        .map(|(x, [_, median, _], _)| [*x, *median])
                         .collect(),
                     stroke: stroke(look, k),
                     width: style::CASE_LINE,
@@ -84,35 +89,41 @@ impl Draw for Quantiles {
         layout::left_out(&mut sheet, found.len(), ensemble_count);
         let keys = keys(look, &found, marker);
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
-        layout::small_print(&mut sheet, &meaning(self.band, banded));
+        let points = panels.iter().flatten().flatten();
+        let counts = points.map(|(.., count)| *count).filter(|count| *count > 0);
+        layout::small_print(&mut sheet, &meaning(self.band, banded, counts));
         without_value(&mut sheet, study, cases, &self.y);
         sheet
     }
 }
 
-/// What lines and bands are.
-pub fn meaning(band: [f64; 2], banded: bool) -> String {
-    if !banded {
-        return format!(
-            "Lines: medians, without bands, because there are more than {MOST_BANDS} curves."
-        );
-    }
+/// What lines and bands, or bars, are, with the numbers of cases of the medians.
+pub fn meaning(
+    band: [f64; 2],
+    banded: bool,
+    counts: impl Iterator<Item = usize> + Clone,
+) -> String {
+    let [least, most] = [counts.clone().min(), counts.max()].map(Option::unwrap_or_default);
+    let cases = match (least, most) {
+        (1, 1) => "1 case".to_owned(),
+        _ if least < most => format!("{least} to {most} cases"),
+        _ => format!("{most} cases"),
+    };
+    let are = if banded { "Bands" } else { "Bars" };
     let [low, high] = band.map(|p| number::plain(1e-9 * (1e11 * p).round()));
-    match band {
-        [0.0, 1.0] => {
-            "Lines: medians. Bands: from the smallest to the largest of the cases.".into()
-        }
-        _ => format!(
-            "Lines: medians. Bands: from the {low} % to the {high} % quantile of the cases."
-        ),
-    }
+    let ends = match band {
+        [0.0, 1.0] => "smallest to the largest value".to_owned(),
+        _ => format!("{low} % to the {high} % quantile"),
+    };
+    format!("Lines: medians of {cases}. {are}: from the {ends}.")
 }
 
 /// The points of a curve, by rising x.
 fn points_of(figure: &Quantiles, ensemble: &Ensemble, metric: usize) -> Vec<Point> {
     let point = |(x, cases): (f64, Vec<&DrawnCase>)| {
         let values = cases.iter().filter_map(|shown| shown.metric(metric));
-        (x, quantiles(values, figure.band))
+        let count = values.clone().count();
+        (x, quantiles(values, figure.band), count)
     };
     ensemble.at_each(figure.x).into_iter().map(point).collect()
 }
@@ -129,14 +140,14 @@ pub fn quantiles(values: impl Iterator<Item = f64>, [low, high]: [f64; 2]) -> [f
 
 /// Adds the bands of a curve: one for each part without a gap.
 fn bands(panel: &mut Panel, points: &[Point], stroke: Stroke) {
-    let has_place = |(x, of): &Point| {
+    let has_place = |(x, of, _): &Point| {
         let mut ends = of.iter().map(|y| panel.place([*x, *y]));
         ends.all(|end| end.iter().all(|v| v.is_finite()))
     };
     let chunks = points.chunk_by(|a, b| has_place(a) == has_place(b));
     let parts: Vec<&[Point]> = chunks.filter(|part| has_place(&part[0])).collect();
     for part in parts {
-        let edge = |which: usize| part.iter().map(|(x, of)| [*x, of[which]]).collect();
+        let edge = |which: usize| part.iter().map(|(x, of, _)| [*x, of[which]]).collect();
         panel.bands.push(Band {
             upper: edge(2),
             lower: edge(0),

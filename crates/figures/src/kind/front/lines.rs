@@ -6,6 +6,7 @@ use crate::label;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Panel, Series};
 use slipgap_drawing::style::{self, Look};
+use slipgap_drawing::text::number::Form;
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::Study;
 
@@ -70,12 +71,12 @@ pub fn lines(
     points: &[Point],
     row: usize,
 ) -> Vec<Line> {
-    let digits = label::digits(cases, row);
+    let form = label::form(cases, row);
     let values = label::values(cases, row)
         .into_iter()
         .take(style::MOST_STYLES);
     let line = |(index, value): (usize, Option<Value>)| Line {
-        label: name(study, row, value, digits),
+        label: name(study, row, value, form),
         index,
         look,
         best: best_of(points, |point| label::same(point.shown.value(row), value)),
@@ -92,10 +93,10 @@ pub fn best_of(points: &[Point], chosen: impl Fn(&Point) -> bool) -> Vec<usize> 
 }
 
 /// A value of a parameter, in markup.
-fn name(study: &Study, row: usize, value: Option<Value>, digits: usize) -> String {
+fn name(study: &Study, row: usize, value: Option<Value>, form: Form) -> String {
     let parameter = &study.problem.parameters()[row];
     match value {
-        Some(value) => label::value_label(parameter, value, digits),
+        Some(value) => label::value_label(parameter, value, form),
         None => format!("without {}", parameter.symbol),
     }
 }

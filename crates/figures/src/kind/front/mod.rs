@@ -159,10 +159,10 @@ fn small_print(
         ));
     }
     let among = |row: &usize| {
-        let digits = label::digits(best, *row);
+        let form = label::form(best, *row);
         let levels = label::values(best, *row).into_iter().flatten();
         let values: Vec<String> = levels
-            .map(|value| label::value(&table[*row], value, digits))
+            .map(|value| label::value(&table[*row], value, form))
             .collect();
         let is = match table[*row].kind {
             parameter::Kind::Choice(_) => ":",

@@ -10,7 +10,7 @@ use slipgap_drawing::layout::legend::{self, Key};
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Look};
-use slipgap_drawing::text::number;
+use slipgap_drawing::text::number::{self, Form};
 use slipgap_study::kinds::Profile;
 use slipgap_study::{Scale, Study};
 
@@ -179,10 +179,10 @@ fn moment(study: &Study, cases: &[DrawnCase], row: usize) -> String {
     times.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
     let title = &study.problem.schema().time.title;
     let symbol = title.strip_prefix("Time ").unwrap_or(title);
-    let digits = number::digits(times.iter().copied());
+    let form = Form::of(times.iter().copied());
     let times: Vec<String> = times
         .into_iter()
-        .map(|time| number::fraction(time, digits))
+        .map(|time| number::fraction(time, form))
         .collect();
     format!("{symbol} = {}", times.join(", "))
 }

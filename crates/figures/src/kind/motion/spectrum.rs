@@ -10,7 +10,8 @@ use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style;
-use slipgap_drawing::text::{markup, number};
+use slipgap_drawing::text::markup;
+use slipgap_drawing::text::number::Form;
 use slipgap_problem::problem::Quantity;
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::GroundMotion;
@@ -42,7 +43,7 @@ impl Draw for Spectrum {
                 .map_or(&*of.title, |parts| parts.0)
         });
         let named = label::labels(study.problem.parameters(), &shown, None, &[]);
-        let ratios = number::digits(self.damping.iter().copied());
+        let ratios = Form::of(self.damping.iter().copied());
         let periods = over_periods(self.periods);
         let mut curves: Vec<(String, Vec<spectrum::Ordinate>)> = Vec::new();
         let curve_count = motions.len() * self.damping.len();
@@ -51,7 +52,7 @@ impl Draw for Spectrum {
                 let Some(ordinates) = spectrum(&motion.acceleration, &periods, *ratio) else {
                     continue;
                 };
-                let ratio = format!("*ζ* = {}", number::rounded(*ratio, ratios));
+                let ratio = format!("*ζ* = {}", ratios.write(*ratio));
                 let words = [
                     of.map(str::to_owned),
                     (motions.len() > 1).then(|| name.clone()),

@@ -4,15 +4,14 @@
 pub(super) mod convergence;
 mod limits_of_checks;
 pub(super) mod metric;
-mod order;
 mod orders;
 mod reference;
 
 use super::motion::history::arrangement::Arrangement;
 use super::motion::history::curves::members;
+use super::order::{graded, order};
 use crate::label;
 use crate::{DrawnCase, FigureData};
-use order::{graded, order};
 use orders::{ORDERS, order_lines};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
@@ -21,9 +20,12 @@ use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::slope;
 use slipgap_drawing::layout::ticks;
-use slipgap_drawing::style::{self, Stroke};
+use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::number;
 use slipgap_study::Scale;
+
+/// Most panels side by side for the curves of one metric.
+const MOST_PARTS: usize = 3;
 
 /// Metrics over a parameter.
 pub struct Curves<'a> {
@@ -76,17 +78,27 @@ impl Curves<'_> {
         let label_count = labels.len();
         labels.truncate(style::MOST_STYLES);
         let order = order(&named, &cases, &indices, labels.len());
+        // More names than colours: panels side by side, each with some of the curves and its own legend.
+        let parts = match (&order, self.panels) {
+            (None, None) if look.colour => {
+                let parts = labels.len().div_ceil(Marker::KINDS);
+                layout::side_by_side(parts.clamp(1, MOST_PARTS), figure.width)
+            }
+            _ => 1,
+        };
+        let per_part = labels.len().div_ceil(parts).max(1);
         let (strokes, width, marked) = match &order {
             Some(order) => (graded(order), 1.3 * style::CASE_LINE, false),
             None => (
                 (0..labels.len())
-                    .map(|i| look.stroke(i, labels.len()))
+                    .map(|i| look.stroke(i % per_part, labels.len()))
                     .collect(),
                 style::CASE_LINE,
                 true,
             ),
         };
-        let marker = |index| look.marker(index).filter(|_| marked);
+        let marker = |index: usize| look.marker(index % per_part).filter(|_| marked);
+        let groups_are_one = self.panels.is_none() && parts == 1;
         let curves = |metric: usize, group: &[usize]| -> Vec<Series> {
             let curve = |(index, label): (usize, &String)| {
                 let members = group.iter().filter(|i| indices[**i] == index);
@@ -108,7 +120,7 @@ impl Curves<'_> {
             };
             let curves = labels.iter().enumerate().map(curve);
             curves
-                .filter(|curve| self.panels.is_none() || !curve.points.is_empty())
+                .filter(|curve| groups_are_one || !curve.points.is_empty())
                 .collect()
         };
         // The exact values under the curves.
@@ -124,10 +136,18 @@ impl Curves<'_> {
             Some(row) if !cases.is_empty() => label::values(&cases, row),
             Some(_) | None => vec![None],
         };
-        let groups: Vec<Vec<usize>> = levels
-            .into_iter()
-            .map(|value| members(&cases, self.panels.map(|row| (row, value))))
-            .collect();
+        let groups: Vec<Vec<usize>> = match parts {
+            1 => levels
+                .into_iter()
+                .map(|value| members(&cases, self.panels.map(|row| (row, value))))
+                .collect(),
+            parts => {
+                let part_of = |i: usize| indices[i] / per_part;
+                (0..parts)
+                    .map(|part| (0..cases.len()).filter(|i| part_of(*i) == part).collect())
+                    .collect()
+            }
+        };
         let panel = |metric: usize, group: &Vec<usize>| {
             [exact(metric, group), curves(metric, group)].concat()
         };
@@ -142,7 +162,10 @@ impl Curves<'_> {
             }
             false => Vec::new(),
         };
-        let arranged = Arrangement::of(y.len(), groups.len(), figure.width);
+        let arranged = match parts {
+            1 => Arrangement::of(y.len(), groups.len(), figure.width),
+            _ => Arrangement::GroupsAcross,
+        };
         let columns = arranged.columns(y.len(), groups.len());
         let rows = arranged.rows(y.len(), groups.len());
         let height = if rows.len() == 1 { 190.0 } else { 130.0 };
@@ -262,7 +285,13 @@ impl Curves<'_> {
         if limited {
             keys.push(limits_of_checks::key());
         }
-        layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+        // The first legend has what is no curve, too.
+        let mut legends = vec![Vec::new(); parts];
+        for key in keys {
+            let index = labels.iter().position(|label| *label == key.label);
+            legends[index.map_or(0, |index| index / per_part)].push(key);
+        }
+        layout::finish(&mut sheet, legends, figure.title.as_deref());
         sheet
     }
 }

@@ -1,9 +1,11 @@
 //! What only structures answer, beside [`Problem`].
 
+use super::channels::channel::Term;
 use super::described::ground_motion::GroundMotion;
 use super::described::scheme::picture::Scheme;
 use super::described::{describe, excitation, ground_motion, participation, scheme};
 use super::given::motion_set::SetSpectra;
+use super::given::shape::Scaled;
 use super::given::signal_cache;
 use super::metrics::unit_names::UnitNames;
 use super::model::assemble::{Model, assemble, inertia};
@@ -78,6 +80,26 @@ impl StructureProblem {
     pub fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
         let duration = case.at(self.schema.duration)?;
         ground_motion::ground_motion(&self.template, case, duration)
+    }
+
+    /// Whether a channel of figures is a motion of the ground, which the study gives, and the same in these cases.
+    pub fn is_one_input(&self, channel: usize, cases: &[Case]) -> bool {
+        let terms = self.drawn.get(channel).map(|drawn| &drawn.channel.terms);
+        let is_ground = terms.is_some_and(|terms| {
+            terms
+                .iter()
+                .all(|(_, term)| matches!(term, Term::Ground(..)))
+        });
+        let motions = |case: &Case| {
+            let of_case =
+                |(_, motion): &(_, Scaled)| motion.in_case(case, self.template.metre).ok();
+            Vec::from_iter(self.template.ground.iter().map(of_case))
+        };
+        let Some((first, others)) = cases.split_first().filter(|_| is_ground) else {
+            return false;
+        };
+        let known = motions(first);
+        others.iter().all(|case| motions(case) == known)
     }
 
     /// The whole cycles of the loads and motions of a completed case.

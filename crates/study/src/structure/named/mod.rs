@@ -6,3 +6,4 @@ pub(super) mod labels;
 pub(super) mod named_metrics;
 pub(crate) mod names;
 pub(crate) mod shown;
+pub(super) mod units;

@@ -110,6 +110,7 @@ pub(in crate::structure) fn parameters(
             name: name.clone(),
             choices: part.or(label),
             shown: None,
+            unit: None,
             shown_values: Vec::new(),
             required: part.is_some() || FIXED.iter().any(|fixed| fixed.0 == name),
         });
@@ -120,6 +121,7 @@ pub(in crate::structure) fn parameters(
                 name: name.to_owned(),
                 choices: None,
                 shown: None,
+                unit: None,
                 shown_values: Vec::new(),
                 required: true,
             });
@@ -130,6 +132,7 @@ pub(in crate::structure) fn parameters(
         name: parameter.name.to_string(),
         choices: None,
         shown: None,
+        unit: None,
         shown_values: Vec::new(),
         required: true,
     }));

@@ -8,6 +8,7 @@ use super::history::arrangement::Arrangement;
 use super::history::curves::{members, unmark_alone};
 use crate::FigureData;
 use crate::kind::Draw;
+use crate::kind::order::{order, strokes};
 use crate::label;
 use pairs::Pairs;
 use slipgap_drawing::layout;
@@ -81,12 +82,12 @@ impl DrawWith for Curve {
             times: self.times,
             section: self.section,
         };
+        let named = label::named(table, drawn, self.by, &except);
+        let order = order(&named, drawn, &indices, labels.len());
+        let strokes = strokes(look, order.as_deref(), labels.len());
         let curve = |quantity, i: usize| {
             let (index, count) = (indices[i], labels.len());
-            let (points, stroke) = (
-                pairs.computed(quantity, &drawn[i]),
-                look.stroke(index, count),
-            );
+            let (points, stroke) = (pairs.computed(quantity, &drawn[i]), strokes[index]);
             if self.section {
                 return scattered(&points, &labels[index], stroke, (index, count));
             }

@@ -4,7 +4,7 @@ use super::measured_curves::Measured;
 use crate::DrawnCase;
 use crate::label;
 use slipgap_drawing::layout::sheet::{MEASURED, Series};
-use slipgap_drawing::style::{self, Look};
+use slipgap_drawing::style::{self, Look, Stroke};
 use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::{Case, Jumps, Quantity, Solution};
@@ -25,6 +25,8 @@ pub struct Curves<'a> {
     pub labels: &'a [String],
     /// How curves are told apart.
     pub look: Look,
+    /// The stroke of each label.
+    pub strokes: &'a [Stroke],
     /// Whether axes are in the units of the study.
     pub in_units: bool,
     /// First and last time shown.
@@ -51,24 +53,47 @@ impl Curves<'_> {
                 series.push(Series::exact(points));
             }
         }
+        if let Some(points) = self.input(quantity, members) {
+            series.push(Series {
+                label: String::new(),
+                ..Series::measured(points)
+            });
+            return series;
+        }
         for &i in members {
-            let Some(solution) = self.cases[i].solution() else {
+            let Some(points) = self.computed(quantity, i) else {
                 continue;
             };
-            let sizes = sizes(self.study, self.in_units, &self.cases[i].case(), quantity);
-            let unscaled = points(quantity, solution).into_iter();
-            let points: Vec<[f64; 2]> = unscaled.map(|p| times(p, sizes)).collect();
             let index = self.indices[i];
             series.push(Series {
                 label: self.labels[index].clone(),
                 marked: self.marked(&points, index),
                 points,
-                stroke: self.look.stroke(index, self.labels.len()),
+                stroke: self.strokes[index],
                 width: style::CASE_LINE,
                 marker: self.look.marker(index),
             });
         }
         series
+    }
+
+    /// The computed points of a case.
+    fn computed(&self, quantity: &Quantity, i: usize) -> Option<Vec<[f64; 2]>> {
+        let shown = &self.cases[i];
+        let sizes = sizes(self.study, self.in_units, &shown.case(), quantity);
+        let unscaled = points(quantity, shown.solution()?).into_iter();
+        Some(unscaled.map(|p| times(p, sizes)).collect())
+    }
+
+    /// The points of a motion of the ground that all cases of the figure have, with the finest steps.
+    fn input(&self, quantity: &Quantity, members: &[usize]) -> Option<Vec<[f64; 2]>> {
+        let structure = self.study.problem.as_structure()?;
+        let cases: Vec<Case> = self.cases.iter().map(DrawnCase::case).collect();
+        let is_one = !quantity.error && structure.is_one_input(quantity.channel, &cases);
+        let curves = members.iter().filter(|_| is_one);
+        curves
+            .filter_map(|i| self.computed(quantity, *i))
+            .max_by_key(Vec::len)
     }
 
     /// The measured points in the window, with the next ones on both sides if the motion goes on there; none if there are none.
@@ -137,13 +162,13 @@ impl Curves<'_> {
     }
 }
 
-/// Takes the marker from the only curve of each panel: it needs none if no exact curve is with it. Measured ones are grey.
+/// Takes the marker from the only curve of each panel: it needs none if no exact curve is with it. Measured ones and inputs are grey.
 pub fn unmark_alone<'a>(series: impl Iterator<Item = &'a mut Series>, labels: &[String]) {
     let lines: Vec<&mut Series> = series.collect();
     let alone = labels.len() == 1
         && lines
             .iter()
-            .all(|series| series.label == labels[0] || series.label == MEASURED);
+            .all(|series| ["", MEASURED, &labels[0]].contains(&&*series.label));
     for series in lines.into_iter().filter(|_| alone) {
         series.marker = None;
     }

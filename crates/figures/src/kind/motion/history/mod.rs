@@ -7,6 +7,7 @@ pub(in crate::kind) mod measured_curves;
 mod stacked;
 
 use crate::kind::Draw;
+use crate::kind::order::{order, strokes};
 use crate::label;
 use crate::{DrawnCase, FigureData};
 use arrangement::Arrangement;
@@ -14,7 +15,7 @@ use curves::Curves;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::inset;
-use slipgap_drawing::layout::legend;
+use slipgap_drawing::layout::legend::{self, Key};
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
@@ -82,12 +83,16 @@ impl Draw for History {
             Some(units) => units.title(&*study.problem, scaled, dimension),
             None => scaled.to_owned(),
         };
+        let named = label::named(table, drawn, *by, &except);
+        let order = order(&named, drawn, &indices, labels.len());
+        let strokes = strokes(data.look(), order.as_deref(), labels.len());
         let curves = Curves {
             study,
             cases: drawn,
             indices: &indices,
             labels: &labels,
             look: data.look(),
+            strokes: &strokes,
             in_units,
             window: window(x_range, end),
             // Fewer in narrow panels.
@@ -183,7 +188,15 @@ impl Draw for History {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, drawn.len(), solved.len());
-        let keys = legend::keys(&sheet.panels);
+        let mut keys = legend::keys(&sheet.panels);
+        // By rising number behind the measured and exact ones.
+        if let Some(order) = &order {
+            let rank = |key: &Key| {
+                let index = labels.iter().position(|label| *label == key.label);
+                index.map(|index| order.iter().position(|other| *other == index))
+            };
+            keys.sort_by_key(rank);
+        }
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet
     }

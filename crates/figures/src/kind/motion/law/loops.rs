@@ -8,6 +8,7 @@ use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::{self, ticks};
 use slipgap_drawing::style;
 use slipgap_drawing::text::markup;
+use slipgap_drawing::text::number::Form;
 use slipgap_study::Study;
 
 const HEIGHT: f64 = 120.0;
@@ -134,7 +135,8 @@ fn curves(
             let varies =
                 parameter.name == "law" || group.iter().any(|(_, other)| other.value(row) != value);
             (of_law && varies).then_some(())?;
-            Some(label::value_label(parameter, value?, 3))
+            let form = Form::of(group.iter().filter_map(|(_, other)| other.number(row)));
+            Some(label::value_label(parameter, value?, form))
         });
         curves.push(Curve {
             label: values.collect::<Vec<_>>().join(", "),

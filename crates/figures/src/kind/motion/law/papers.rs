@@ -152,11 +152,11 @@ fn widths(model: Model, study: &Study, cases: &[DrawnCase]) -> Vec<(f64, String)
     let Some(row) = table.iter().position(|p| p.name == model.parameter()) else {
         return Vec::new();
     };
-    let digits = label::digits(cases, row);
+    let form = label::form(cases, row);
     let labelled = |value: Value| {
         Some((
             value.as_f64()?,
-            label::value_label(&table[row], value, digits),
+            label::value_label(&table[row], value, form),
         ))
     };
     let values = label::values(cases, row).into_iter().flatten();

@@ -36,6 +36,8 @@ pub struct Named {
     pub choices: Option<&'static [(&'static str, &'static str)]>,
     /// The name and the unit that figures have instead of its own, if the study gives them.
     pub shown: Option<[String; 2]>,
+    /// Its unit, if the parts that contain it and the units of the study tell it.
+    pub unit: Option<String>,
     /// The names of records that figures have instead of their files.
     pub shown_values: Vec<(String, String)>,
     /// Whether the structure itself contains it. If not, other parameters or a condition do, and a block may lack it.
@@ -187,6 +189,7 @@ pub fn named(name: &str) -> Parameter {
         name: name.to_owned(),
         choices: None,
         shown: None,
+        unit: None,
         shown_values: Vec::new(),
         required: false,
     })
@@ -200,6 +203,10 @@ pub fn of_method(name: &str) -> bool {
 fn parameter(named: &Named) -> Parameter {
     let known = PARAMETERS.iter().find(|known| known.name == named.name);
     let mut parameter = known.cloned().unwrap_or_else(|| own_parameter(named));
+    if let Some(unit) = &named.unit {
+        parameter.unit = unit.clone().into();
+        parameter.shown_unit = Some(unit.clone().into());
+    }
     if let Some([name, unit]) = &named.shown {
         parameter.symbol = escape(name).into();
         parameter.shown_unit = (!unit.is_empty()).then(|| unit.clone().into());

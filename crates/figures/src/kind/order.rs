@@ -1,7 +1,7 @@
 //! Curves that one numeric parameter distinguishes: their order by this number, and their strokes from dark to light.
 
 use crate::DrawnCase;
-use slipgap_drawing::style::{Marker, Stroke};
+use slipgap_drawing::style::{Look, Marker, Stroke};
 
 /// The indices of the labels by rising number, if one numeric parameter distinguishes more curves than there are markers.
 pub fn order(
@@ -24,6 +24,14 @@ pub fn order(
     let mut order: Vec<usize> = (0..count).collect();
     order.sort_by(|a, b| numbers[*a].total_cmp(&numbers[*b]));
     Some(order)
+}
+
+/// The strokes of labels: from dark to light by their numbers if these distinguish many in colour, or else those of the look.
+pub fn strokes(look: Look, order: Option<&[usize]>, count: usize) -> Vec<Stroke> {
+    match order.filter(|_| look.colour) {
+        Some(order) => graded(order),
+        None => (0..count).map(|i| look.stroke(i, count)).collect(),
+    }
 }
 
 /// The stroke of each curve by its place in the order.
