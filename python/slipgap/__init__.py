@@ -92,6 +92,7 @@ def run(
     jobs: int | None = None,
     set: Mapping[str, Any] | None = None,
     progress: bool | Callable[[int, int], object] | None = None,
+    allow_programs: bool = False,
 ) -> Results:
     """Run every case of a study.
 
@@ -105,30 +106,35 @@ def run(
     :param set: parameters to set, as ``--set`` does: names with numbers, lists, or text (a name or an expression)
     :param progress: whether a bar of tqdm shows the progress; if left out, on a terminal and in a notebook; or a function
         that is called some times a second with the numbers of finished and of all cases
+    :param allow_programs: whether the programs of others that the study names may be started, as ``--allow-programs`` does
     Each kind of warning is issued once, as a :class:`SlipgapWarning`, and is in ``results.warnings``.
 
     :returns: table, figures, checks, failures and warnings; a case that cannot be solved is a row without metrics
     :raises SlipgapError: a study with mistakes, or a file that cannot be read or written
     """
     with reporter(progress) as report:
-        results = Results(_slipgap.run(study, out, jobs, set, report))
+        results = Results(_slipgap.run(study, out, jobs, set, report, allow_programs))
     for warned in results.warnings:
         warnings.warn(warned.message, SlipgapWarning, stacklevel=2)
     return results
 
 
 def solve(
-    study_or_parameters: str | PathLike[str] | Mapping[str, Any], case: int = 0
+    study_or_parameters: str | PathLike[str] | Mapping[str, Any],
+    case: int = 0,
+    *,
+    allow_programs: bool = False,
 ) -> Solution:
     """Solve one case, with its motion at every step.
 
     :param study_or_parameters: a study as in :func:`run`, or a dict of the problem and its parameters, such as
         ``{"problem": "friction-oscillator", "law": "displacement-control", "alpha": 0.1, "dT": 0.3, "duration": 25}``
     :param case: number of the case of a study, from 0
+    :param allow_programs: whether the programs of others that the study names may be started, as ``--allow-programs`` does
     :returns: channels and exact motion as arrays of shape (N + 1,) for N time steps, metrics and parameters
     :raises SlipgapError: mistakes, or a case that cannot be solved
     """
-    return Solution(_slipgap.solve(study_or_parameters, case))
+    return Solution(_slipgap.solve(study_or_parameters, case, allow_programs))
 
 
 def animate(
@@ -136,6 +142,7 @@ def animate(
     *cases: int,
     exact: bool = False,
     set: Mapping[str, Any] | None = None,
+    allow_programs: bool = False,
 ) -> Animation:
     """Show cases of a study in motion.
 
@@ -147,9 +154,10 @@ def animate(
         case
     :param exact: whether the exact motion of the one case is shown beside it
     :param set: parameters to set, as in :func:`run`
+    :param allow_programs: whether the programs of others that the study names may be started, as ``--allow-programs`` does
     :raises SlipgapError: mistakes, a case that cannot be solved, or one without an exact motion
     """
-    return _slipgap.animate(study, list(cases), exact, set)
+    return _slipgap.animate(study, list(cases), exact, set, allow_programs)
 
 
 def exact(
@@ -189,6 +197,7 @@ def calibrate(
     jobs: int | None = None,
     set: Mapping[str, Any] | None = None,
     progress: bool | Callable[[int, int], object] | None = None,
+    allow_programs: bool = False,
 ) -> Calibration:
     """Find the values of free parameters with which a study comes nearest to what was measured.
 
@@ -200,11 +209,12 @@ def calibrate(
     :param jobs: number of threads; if left out, one for each core
     :param set: parameters to set, as in :func:`run`
     :param progress: as in :func:`run`; the number of all cases is the most that the search takes
+    :param allow_programs: whether the programs of others that the study names may be started, as ``--allow-programs`` does
     :returns: the alternatives, the smallest misfit first, with best values and intervals
     :raises SlipgapError: a study with mistakes or without ``calibrate``, or a file that cannot be read or written
     """
     with reporter(progress) as report:
-        return _slipgap.calibrate(study, out, jobs, set, report)
+        return _slipgap.calibrate(study, out, jobs, set, report, allow_programs)
 
 
 def recommend(
@@ -212,6 +222,7 @@ def recommend(
     *,
     jobs: int | None = None,
     set: Mapping[str, Any] | None = None,
+    allow_programs: bool = False,
 ) -> Recommendation:
     """Find the cheapest candidate of a study that keeps metrics within tolerances.
 
@@ -219,10 +230,11 @@ def recommend(
         the program, as of ``slipgap recommend``
     :param jobs: number of threads; if left out, one for each core
     :param set: parameters to set, as in :func:`run`
+    :param allow_programs: whether the programs of others that the study names may be started, as ``--allow-programs`` does
     :returns: the candidates, the cheapest first, and the recommended one
     :raises SlipgapError: a study with mistakes or without ``recommend``, or a file that cannot be read
     """
-    return _slipgap.recommend(study, jobs, set)
+    return _slipgap.recommend(study, jobs, set, allow_programs)
 
 
 def claims(
@@ -230,16 +242,18 @@ def claims(
     *,
     out: str | PathLike[str] | None = None,
     jobs: int | None = None,
+    allow_programs: bool = False,
 ) -> list[Claim]:
     """Test the statements of ledgers by their studies.
 
     :param ledgers: path of a ledger, or of a folder of them
     :param out: folder with results of studies, whose cases are not computed again; nothing else is written there
     :param jobs: number of threads; if left out, one for each core
+    :param allow_programs: whether the programs of others that the study names may be started, as ``--allow-programs`` does
     :returns: each statement with its verdict and the values of its readings
     :raises SlipgapError: a ledger or a study with mistakes
     """
-    return _slipgap.claims(ledgers, out, jobs)
+    return _slipgap.claims(ledgers, out, jobs, allow_programs)
 
 
 def schema() -> dict[str, Any]:

@@ -70,6 +70,7 @@ def report(
     out: str | PathLike[str] = "figures",
     jobs: int | None = None,
     set: Mapping[str, Any] | None = None,
+    allow_programs: bool = False,
 ) -> Path:
     """Write one page about a study, or about all studies of a folder, with checks, warnings, figures and tables.
 
@@ -79,6 +80,7 @@ def report(
     :param out: folder for ``report.html`` and the results; cases that it has already are not computed again
     :param jobs: number of threads; if left out, one for each core
     :param set: parameters to set, as in :func:`run`
+    :param allow_programs: whether the programs of others that the study names may be started, as ``--allow-programs`` does
     :returns: path of the page, which needs no other file
     :raises SlipgapError: mistakes, or a file that cannot be read or written
     """
@@ -87,6 +89,8 @@ def report(
     words = ["--out", fspath(folder), *settings(set)]
     if jobs is not None:
         words += ["--jobs", str(jobs)]
+    if allow_programs:
+        words.append("--allow-programs")
     return Path(call("report", words, study).rstrip("\n"))
 
 

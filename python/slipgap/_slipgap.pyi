@@ -120,14 +120,18 @@ def run(
     jobs: int | None,
     set: Mapping[str, Any] | None,
     progress: Callable[[int, int], object] | None,
+    allow_programs: bool,
 ) -> Results: ...
 def animate(
     study: str | PathLike[str] | Mapping[str, Any],
     cases: list[int],
     exact: bool,
     set: Mapping[str, Any] | None,
+    allow_programs: bool,
 ) -> Animation: ...
-def solve(study: str | PathLike[str] | Mapping[str, Any], case: int) -> Solution: ...
+def solve(
+    study: str | PathLike[str] | Mapping[str, Any], case: int, allow_programs: bool
+) -> Solution: ...
 def exact(
     problem: str, t: bytes, parameters: dict[str, Any]
 ) -> dict[str, NDArray[numpy.float64]]: ...
@@ -137,6 +141,7 @@ def calibrate(
     jobs: int | None,
     set: Mapping[str, Any] | None,
     progress: Callable[[int, int], object] | None,
+    allow_programs: bool,
 ) -> Calibration: ...
 def count(study: str | PathLike[str] | Mapping[str, Any]) -> int: ...
 def expand(study: str | PathLike[str] | Mapping[str, Any]) -> Table: ...
@@ -144,10 +149,14 @@ def recommend(
     study: str | PathLike[str] | Mapping[str, Any],
     jobs: int | None,
     set: Mapping[str, Any] | None,
+    allow_programs: bool,
 ) -> Recommendation: ...
 def schema() -> str: ...
 def claims(
-    ledgers: str | PathLike[str], out: str | PathLike[str] | None, jobs: int | None
+    ledgers: str | PathLike[str],
+    out: str | PathLike[str] | None,
+    jobs: int | None,
+    allow_programs: bool,
 ) -> list[Claim]: ...
 def compare(
     a: str | PathLike[str], b: str | PathLike[str], tolerance: float

@@ -158,17 +158,18 @@ class Study(Mapping[str, Any]):
         out: str | PathLike[str] | None = None,
         jobs: int | None = None,
         progress: bool | Callable[[int, int], object] | None = None,
+        allow_programs: bool = False,
     ) -> Results:
         """Run every case; see :func:`slipgap.run`."""
         from . import run
 
-        return run(self, out=out, jobs=jobs, progress=progress)
+        return run(self, out=out, jobs=jobs, progress=progress, allow_programs=allow_programs)
 
-    def solve(self, case: int = 0) -> Solution:
+    def solve(self, case: int = 0, *, allow_programs: bool = False) -> Solution:
         """Solve one case with its motion; see :func:`slipgap.solve`."""
         from . import solve
 
-        return solve(self, case)
+        return solve(self, case, allow_programs=allow_programs)
 
     def to_json(self) -> str:
         """The text of the study, as a file has it."""

@@ -24,15 +24,16 @@ const HEIGHT: u32 = 860;
 
 /// The animation of cases of a study.
 #[pyfunction]
-#[pyo3(signature = (study, cases, exact, set))]
+#[pyo3(signature = (study, cases, exact, set, allow_programs))]
 pub fn animate(
     py: Python<'_>,
     study: &Bound<'_, PyAny>,
     cases: Vec<i64>,
     exact: bool,
     set: Option<&Bound<'_, PyAny>>,
+    allow_programs: bool,
 ) -> PyResult<Animation> {
-    let source = given::source(py, study, set)?;
+    let source = given::computed(py, study, set, allow_programs)?;
     let mut numbers = Vec::new();
     for case in cases {
         let number = u64::try_from(case);

@@ -21,7 +21,7 @@ static FREE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 
 /// Calibrates a study; `progress` is called with the number of solved cases and the most that the search takes.
 #[pyfunction]
-#[pyo3(signature = (study, out, jobs, set, progress))]
+#[pyo3(signature = (study, out, jobs, set, progress, allow_programs))]
 pub fn calibrate<'py>(
     py: Python<'py>,
     study: &Bound<'py, PyAny>,
@@ -29,9 +29,10 @@ pub fn calibrate<'py>(
     jobs: Option<i64>,
     set: Option<&Bound<'py, PyAny>>,
     progress: Option<&Bound<'py, PyAny>>,
+    allow_programs: bool,
 ) -> PyResult<Bound<'py, PyAny>> {
     let jobs = worker::jobs(py, jobs)?;
-    let source = given::source(py, study, set)?;
+    let source = given::computed(py, study, set, allow_programs)?;
     let folder = out.map(|out| out.join(&source.name));
     let (stop, bar) = (Stop::default(), ProgressBar::hidden());
     let (stops, path, counter) = (stop.clone(), folder.clone(), bar.clone());

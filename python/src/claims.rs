@@ -5,6 +5,7 @@ use indicatif::ProgressBar;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
+use slipgap::batch::programs::allow;
 use slipgap::claims::ledger::{self, Ledger};
 use slipgap::claims::{Judged, Verdict, compute};
 use slipgap::error::Error;
@@ -17,18 +18,19 @@ static READING: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 
 /// Tests every claim of a ledger, or of the ledgers in a folder.
 #[pyfunction]
-#[pyo3(signature = (ledgers, out, jobs))]
+#[pyo3(signature = (ledgers, out, jobs, allow_programs))]
 pub fn claims(
     py: Python<'_>,
     ledgers: PathBuf,
     out: Option<PathBuf>,
     jobs: Option<i64>,
+    allow_programs: bool,
 ) -> PyResult<Vec<Py<PyAny>>> {
     let jobs = worker::jobs(py, jobs)?;
     let judged = worker::wait(
         py,
         jobs,
-        move || judge(&ledgers, out.as_deref()),
+        move || judge(&ledgers, out.as_deref(), allow_programs),
         || (),
         |_| Ok(()),
     )?;
@@ -64,12 +66,15 @@ pub fn claims(
 }
 
 /// Computes the studies of the ledgers; cases in the stores of `out` are not computed again.
-fn judge(path: &Path, out: Option<&Path>) -> Result<Vec<Judged>, Error> {
+fn judge(path: &Path, out: Option<&Path>, allow_programs: bool) -> Result<Vec<Judged>, Error> {
     let ledger_files = match path.is_dir() {
         true => files::find(path, "ledgers (*.json)", files::is_json)?,
         false => vec![path.to_owned()],
     };
     let ledgers: Vec<Ledger> = files::read_all(ledger_files, |file| ledger::read(&file))?;
+    for named in ledgers.iter().flat_map(|ledger| &ledger.studies) {
+        allow(&named.file, &named.study, allow_programs)?;
+    }
     // A folder without results has no stores.
     let out = out.unwrap_or(Path::new(""));
     let judged = ledgers.into_iter().map(|ledger| {

@@ -64,6 +64,21 @@ pub fn source(
     read.map_err(|error| raise(py, error))
 }
 
+/// The same, with the programs of others that it has started where that is allowed.
+///
+/// It is an error if the study has programs, and they are not allowed.
+pub fn computed(
+    py: Python<'_>,
+    study: &Bound<'_, PyAny>,
+    set: Option<&Bound<'_, PyAny>>,
+    allow_programs: bool,
+) -> PyResult<Source> {
+    let source = source(py, study, set)?;
+    let allowed = slipgap::batch::programs::allow(&source.file, &source.study, allow_programs);
+    allowed.map_err(|error| raise(py, error))?;
+    Ok(source)
+}
+
 /// A study that is part of the program.
 pub fn shipped(
     py: Python<'_>,

@@ -20,6 +20,7 @@ pub fn recommend<'py>(
     study: &Bound<'py, PyAny>,
     jobs: Option<i64>,
     set: Option<&Bound<'py, PyAny>>,
+    allow_programs: bool,
 ) -> PyResult<Bound<'py, PyAny>> {
     let jobs = worker::jobs(py, jobs)?;
     let name: Option<String> = study.extract().ok();
@@ -28,7 +29,7 @@ pub fn recommend<'py>(
         .and_then(|name| Some((name, shipped(name)?)));
     let source = match text {
         Some((name, text)) => given::shipped(py, name, text, set)?,
-        None => given::source(py, study, set)?,
+        None => given::computed(py, study, set, allow_programs)?,
     };
     let stop = Stop::default();
     let stops = stop.clone();

@@ -44,7 +44,7 @@ struct Collected {
 
 /// Runs a study; `progress` is called with the numbers of finished and of all cases.
 #[pyfunction]
-#[pyo3(signature = (study, out, jobs, set, progress))]
+#[pyo3(signature = (study, out, jobs, set, progress, allow_programs))]
 pub fn run(
     py: Python<'_>,
     study: &Bound<'_, PyAny>,
@@ -52,9 +52,10 @@ pub fn run(
     jobs: Option<i64>,
     set: Option<&Bound<'_, PyAny>>,
     progress: Option<&Bound<'_, PyAny>>,
+    allow_programs: bool,
 ) -> PyResult<Results> {
     let jobs = worker::jobs(py, jobs)?;
-    let source = given::source(py, study, set)?;
+    let source = given::computed(py, study, set, allow_programs)?;
     let cases = source.study.len();
     let folder = out.map(|out| out.join(&source.name));
     let (bar, stop) = (ProgressBar::hidden(), Arc::new(WorkProgress::new(0.0)));

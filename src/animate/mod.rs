@@ -40,6 +40,10 @@ pub fn animate(study: &Study, name: &str, shown: &Shown) -> Result<String, Error
         let what = "an animation shows one case, two cases, or one case and its exact motion";
         return Err(Error::Usage(what.into()));
     }
+    // A film shows all nodes.
+    if let Some(programs) = study.programs() {
+        programs.ask_for_all();
+    }
     let mut solved: Vec<(u64, Case, Solution)> = Vec::new();
     for number in numbers {
         let case = case(study, number)?;

@@ -3,6 +3,7 @@
 pub mod chunks;
 pub mod files;
 pub mod output;
+pub mod programs;
 pub mod solve;
 pub mod status;
 pub mod store;
@@ -60,6 +61,10 @@ fn run_parts(
     take: impl FnMut(PartResult) -> Result<(), Error>,
 ) -> Result<(), Error> {
     keep_memory();
+    programs::start(study)?;
+    if let (Some(programs), Some(_)) = (study.programs(), options.on_solution) {
+        programs.ask_for_all();
+    }
     let work = |part| run_part(study, part, bar, options);
     in_order(study, PartQueue::new(study), work, take)
 }

@@ -1,7 +1,7 @@
 //! `slipgap animate`: one page that shows cases of a study in motion.
 
 use super::arguments::sources::{self, Source};
-use super::arguments::{SettingsArgs, whole};
+use super::arguments::{ProgramsArgs, SettingsArgs, whole};
 use super::terminal::{note, print};
 use crate::animate::{Shown, animate};
 use crate::batch::output::Folder;
@@ -35,6 +35,8 @@ pub struct AnimateArgs {
     out: Option<PathBuf>,
     #[command(flatten)]
     settings: SettingsArgs,
+    #[command(flatten)]
+    programs: ProgramsArgs,
 }
 
 impl AnimateArgs {
@@ -44,7 +46,8 @@ impl AnimateArgs {
             let what = format!("{} is a folder; name one study", self.study.display());
             return Err(Error::Usage(what));
         }
-        let sources = sources::read(&[self.study], &self.settings.set, u64::MAX)?;
+        let read = sources::read(&[self.study], &self.settings.set, u64::MAX)?;
+        let sources = self.programs.allow(read)?;
         let Some(source) = sources.first() else {
             return Ok(0);
         };

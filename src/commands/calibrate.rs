@@ -2,7 +2,7 @@
 
 use super::UNSOLVED;
 use super::arguments::sources;
-use super::arguments::{JobsArgs, SettingsArgs, results_folder, whole};
+use super::arguments::{JobsArgs, ProgramsArgs, SettingsArgs, results_folder, whole};
 use super::terminal::{note, print, progress, table};
 use crate::batch::output::Folder;
 use crate::calibrate::{calibrate, check_folder, text, write};
@@ -30,6 +30,8 @@ pub struct CalibrateArgs {
     dpi: u32,
     #[command(flatten)]
     jobs: JobsArgs,
+    #[command(flatten)]
+    programs: ProgramsArgs,
 }
 
 impl CalibrateArgs {
@@ -39,11 +41,11 @@ impl CalibrateArgs {
             let what = format!("{} is a folder; name one study", self.study.display());
             return Err(Error::Usage(what));
         }
-        let sources = sources::read(
+        let sources = self.programs.allow(sources::read(
             std::slice::from_ref(&self.study),
             &self.settings.set,
             MOST_CASES,
-        )?;
+        )?)?;
         let source = sources.first();
         source.map_or(Ok(0), |source| self.jobs.run(|| self.run(source)))
     }

@@ -1,7 +1,7 @@
 //! `slipgap claims`: the statements of the papers and of the literature with their verdicts, and the page about them.
 
 use super::NOT_MET;
-use super::arguments::JobsArgs;
+use super::arguments::{JobsArgs, ProgramsArgs};
 use super::terminal::{note, print, progress, table};
 use crate::batch::output::Folder;
 use crate::claims::ledger::{self, Ledger};
@@ -26,18 +26,21 @@ pub struct ClaimsArgs {
     out: PathBuf,
     #[command(flatten)]
     jobs: JobsArgs,
+    #[command(flatten)]
+    programs: ProgramsArgs,
 }
 
 impl ClaimsArgs {
     /// Tests the claims; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        self.jobs.run(|| claims(&self.ledgers, &self.out))
+        let programs = self.programs;
+        self.jobs.run(|| claims(&self.ledgers, &self.out, programs))
     }
 }
 
 /// Tests the claims of the ledgers, prints the verdicts and writes the page into `out`; returns the exit code.
-fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
-    let ledgers = read(paths)?;
+fn claims(paths: &[PathBuf], out: &Path, programs: ProgramsArgs) -> Result<u8, Error> {
+    let ledgers = read(paths, programs)?;
     let mut folder = Folder::open(out)?;
     let mut judged = Vec::new();
     for ledger in ledgers {
@@ -91,7 +94,7 @@ fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
 }
 
 /// Reads the ledgers in files and folders, in order. All faults of all ledgers are reported.
-pub fn read(paths: &[PathBuf]) -> Result<Vec<Ledger>, Error> {
+pub fn read(paths: &[PathBuf], programs: ProgramsArgs) -> Result<Vec<Ledger>, Error> {
     let mut files = Vec::new();
     for path in paths {
         if !path.is_dir() {
@@ -100,5 +103,9 @@ pub fn read(paths: &[PathBuf]) -> Result<Vec<Ledger>, Error> {
         }
         files.extend(files::find(path, "ledgers (*.json)", files::is_json)?);
     }
-    files::read_all(files, |file| ledger::read(&file))
+    let ledgers = files::read_all(files, |file| ledger::read(&file))?;
+    for named in ledgers.iter().flat_map(|ledger| &ledger.studies) {
+        programs.allow_study(&named.file, &named.study)?;
+    }
+    Ok(ledgers)
 }

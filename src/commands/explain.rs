@@ -4,6 +4,7 @@ use super::UNSOLVED;
 use super::arguments::sources::{self, Source};
 use super::arguments::{SettingsArgs, whole};
 use super::list::cases;
+use super::request::{case_of, programs, request};
 use super::terminal::{duration, print, table};
 use crate::batch::solve::cost::{MEASURING, measure, of_one, sampling, total};
 use crate::batch::{RunOptions, chunks::chunk, solve::divergence};
@@ -26,6 +27,9 @@ pub struct ExplainArgs {
     /// Number of the case, from 0
     #[arg(default_value_t = 0, value_parser = whole::<u64>(0, u64::MAX))]
     case: u64,
+    /// Print the request of the case that a program of `programs` gets, a line of JSON, and nothing else; nothing is started
+    #[arg(long)]
+    request: bool,
     #[command(flatten)]
     settings: SettingsArgs,
 }
@@ -39,21 +43,17 @@ impl ExplainArgs {
         }
         let sources = sources::read(&[self.study], &self.settings.set, u64::MAX)?;
         let source = sources.first();
-        source.map_or(Ok(0), |source| explain(source, self.case))
+        source.map_or(Ok(0), |source| match self.request {
+            true => request(source, self.case),
+            false => explain(source, self.case),
+        })
     }
 }
 
 /// Prints case `number` of a study; returns the exit code.
 fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     let study = &source.study;
-    let Some(case) = study.case(number) else {
-        let (name, last) = (&source.name, study.len() - 1);
-        let allowed = match number > last {
-            true => format!("{name} has cases 0 to {last}"),
-            false => "this combination does not meet the condition".into(),
-        };
-        return Err(Error::Usage(format!("case {number}: {allowed}")));
-    };
+    let case = case_of(source, number)?;
     let mut text = format!(
         "{}: case {number} of {} ({})\n\n",
         source.name,
@@ -94,6 +94,7 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     for note in study.notes() {
         text += &format!("note: {note}\n");
     }
+    text += &programs(study);
     let broken = Violation::all(&study.violations(number));
     if let Some(why) = &broken {
         text += &format!("\nthis case cannot be solved: {why}\n");

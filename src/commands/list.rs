@@ -71,7 +71,15 @@ fn list(sources: &[Source]) -> Result<u8, Error> {
     if let Some((_, width)) = Term::stdout().size_checked() {
         shorten(&mut rows, usize::from(width));
     }
-    print(&table(&rows))
+    let mut text = table(&rows);
+    for source in sources {
+        let programs = source.study.programs();
+        for program in programs.map_or(&[][..], |programs| &programs.list) {
+            let (name, command) = (program.name, program.shown_command());
+            text += &format!("{}: program {name}: {command} (not started)\n", source.name);
+        }
+    }
+    print(&text)
 }
 
 /// Fewest characters that are left of a cell.

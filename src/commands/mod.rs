@@ -11,6 +11,7 @@ mod init;
 mod list;
 mod recommend;
 mod report;
+mod request;
 mod runs;
 pub mod terminal;
 

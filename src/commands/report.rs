@@ -1,7 +1,7 @@
 //! `slipgap report`: one page about studies that needs no other file.
 
 use super::arguments::sources::Source;
-use super::arguments::{JobsArgs, StudiesArgs, results_folder};
+use super::arguments::{JobsArgs, ProgramsArgs, StudiesArgs, results_folder};
 use super::claims;
 use super::terminal::{Terminal, note, print};
 use crate::batch::groups::sobol::DesignMetrics;
@@ -44,22 +44,25 @@ pub struct ReportArgs {
     out: PathBuf,
     #[command(flatten)]
     jobs: JobsArgs,
+    #[command(flatten)]
+    programs: ProgramsArgs,
 }
 
 impl ReportArgs {
     /// Writes the page; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        let studies = self.studies.read()?;
-        self.jobs.run(|| report(&studies, &self.out))
+        let studies = self.programs.allow(self.studies.read()?)?;
+        let programs = self.programs;
+        self.jobs.run(|| report(&studies, &self.out, programs))
     }
 }
 
 /// Runs the studies with the stores in `out` and writes the page there; returns the exit code.
-fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
+fn report(sources: &[Source], out: &Path, programs: ProgramsArgs) -> Result<u8, Error> {
     let folder = Folder::open(out)?;
     // Before anything is computed, because a ledger may have faults.
     let ledgers = match Path::new(LEDGERS).is_dir() {
-        true => claims::read(&[PathBuf::from(LEDGERS)])?,
+        true => claims::read(&[PathBuf::from(LEDGERS)], programs)?,
         false => Vec::new(),
     };
     let mut sections = Vec::new();

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use slipgap_problem::problem::numbers::parameter::{self, ColumnRule, Parameter};
-use slipgap_problem::problem::structure::metrics::metric::looks_like_metric;
+use slipgap_problem::problem::structure::metrics::metric::{OF_PROGRAMS, looks_like_metric};
 use slipgap_problem::problem::structure::tables::schema::{NAME, named};
 use slipgap_problem::problem::{PROBLEMS, Problem, find};
 use slipgap_study::units::scaled;
@@ -67,6 +67,9 @@ pub fn parameters(name: &str, a: &Rows, b: &Rows) -> Option<Vec<Parameter>> {
     Some(names.into_iter().map(|name| named(name)).collect())
 }
 
+/// The metric that is not compared.
+const WALL: &str = OF_PROGRAMS[1];
+
 /// The problem whose parameters are columns of a table: a guess for folders without a problem in the manifest.
 pub fn problem_of_columns(columns: &[String]) -> Option<Arc<dyn Problem>> {
     let has_all = |problem: &&Arc<dyn Problem>| {
@@ -108,7 +111,9 @@ pub fn compare(parameters: &[Parameter], a: &Rows, b: &Rows, tolerance: f64) -> 
         columns: [only(a, b), only(b, a)],
         ..Comparison::default()
     };
-    for metric in metrics(a).into_iter().filter(|name| has(b, name)) {
+    // Seconds are others in each run.
+    let compared = |name: &String| name != WALL && has(b, name);
+    for metric in metrics(a).into_iter().filter(compared) {
         let places = [a, b].map(|rows| rows.columns.iter().position(|c| *c == metric));
         let [Some(left), Some(right)] = places else {
             continue;

@@ -53,7 +53,10 @@ impl Source {
 
     /// The text of the file and the settings of the command line.
     pub fn input(&self) -> Input {
-        Input::new(&self.file.display().to_string(), &self.text).with(&self.study.settings)
+        let programs = self.study.programs();
+        Input::new(&self.file.display().to_string(), &self.text)
+            .with(&self.study.settings)
+            .with_programs(programs.and_then(|programs| programs.runner().cloned()))
     }
 
     /// The file and the settings of the command line.

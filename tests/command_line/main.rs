@@ -2,6 +2,7 @@
 
 mod bad;
 mod files;
+mod programs;
 mod results;
 mod settings;
 mod stores;

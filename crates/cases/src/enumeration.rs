@@ -42,7 +42,11 @@ impl<'a> Enumeration<'a> {
     /// Case `index`, from 0, completed; `None` from `len` on, and for a combination that is no case.
     pub fn case(self, index: u64) -> Option<Case> {
         let (block, raw) = self.place(index)?;
-        Some(block.completed(self.problem, raw))
+        let case = block.completed(self.problem, raw);
+        Some(Case {
+            number: index,
+            ..case
+        })
     }
 
     /// The block of case `index`, and the combination of the case in it; `None` from `len` on.
@@ -107,7 +111,8 @@ impl<'a> Enumeration<'a> {
                 } else {
                     next
                 };
-                (number, block.completed(self.problem, raw))
+                let case = block.completed(self.problem, raw);
+                (number, Case { number, ..case })
             })
         })
     }

@@ -7,6 +7,7 @@
 pub mod alike;
 pub mod axis;
 pub mod block;
+mod collapse;
 mod complete;
 mod counts;
 mod enumeration;

@@ -23,12 +23,21 @@ const OF_STUDIES: [&str; 3] = ["parameters", "blocks", "structure"];
 
 /// A case of a study, or of a dictionary of parameters.
 #[pyfunction]
-#[pyo3(signature = (study, case))]
-pub fn solve(py: Python<'_>, study: &Bound<'_, PyAny>, case: i64) -> PyResult<Solution> {
+#[pyo3(signature = (study, case, allow_programs))]
+pub fn solve(
+    py: Python<'_>,
+    study: &Bound<'_, PyAny>,
+    case: i64,
+    allow_programs: bool,
+) -> PyResult<Solution> {
     let parameters = match study.cast::<PyDict>() {
         Ok(dict) if !is_study(dict)? => dict,
         Ok(_) | Err(_) => {
-            let source = given::source(py, study, None)?;
+            let source = given::computed(py, study, None, allow_programs)?;
+            // A solution has all channels.
+            if let Some(programs) = source.study.programs() {
+                programs.ask_for_all();
+            }
             return of_study(py, source, case);
         }
     };

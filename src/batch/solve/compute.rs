@@ -4,6 +4,7 @@ use super::options::RunOptions;
 use super::part_result::Solutions;
 use super::signal_order::signal_order;
 use crate::batch::chunks::chunk::WORK;
+use crate::batch::programs::go_on;
 use rayon::prelude::*;
 use slipgap_motion::solve::{MetricTable, Unsolvable, Warnings};
 use slipgap_problem::problem::table::cases::Cases;
@@ -75,12 +76,16 @@ pub(in crate::batch) fn compute_rows(
     let table = study.problem.metrics();
     let lanes = lanes_possible(study, options);
     let mut shown = cases.shown();
+    let programs = study.programs();
     let mut kept = |row: &u32| {
+        let case = shown.at(*row as usize);
         let keep = options.keep_history;
-        keep.is_some_and(|keep| keep(shown.at(*row as usize)))
+        // Each worker asks its own process.
+        keep.is_some_and(|keep| keep(case))
+            || programs.is_some_and(|programs| programs.named(case.choice("method")).is_some())
     };
     let (in_lanes, single): (Vec<u32>, Vec<u32>) = match options.keep_history {
-        None if lanes => (rows.to_vec(), Vec::new()),
+        None if lanes && programs.is_none() => (rows.to_vec(), Vec::new()),
         _ => rows.iter().partition(|row| lanes && !kept(row)),
     };
     let slice = match rayon::current_num_threads() {
@@ -116,7 +121,19 @@ pub(in crate::batch) fn compute_rows(
     let mut shown = cases.shown();
     let solve = |(row, case): &(usize, Case)| {
         options.go_on()?;
-        let solved = solve_case(study, first + cases.offset(*row), case, options);
+        let number = first + cases.offset(*row);
+        let solved = match programs {
+            None => solve_case(study, number, case, options),
+            Some(_) => {
+                let numbered = Case {
+                    number,
+                    ..case.clone()
+                };
+                let solved = solve_case(study, number, &numbered, options);
+                go_on(study)?;
+                solved
+            }
+        };
         tick(1);
         solved.map(|solved| (*row, solved))
     };
@@ -157,6 +174,18 @@ fn solve_case(
     case: &Case,
     options: &RunOptions,
 ) -> Result<SolvedCase, Error> {
+    let is_kept = options.keep_history.is_some_and(|keep| keep(case));
+    let structure = study.problem.as_structure();
+    // Programs are only asked for what is needed.
+    if let (Some(_), Some(structure)) = (study.programs(), structure)
+        && !is_kept
+        && options.on_solution.is_none()
+    {
+        return Ok(match structure.solve_metrics(case) {
+            Ok((metrics, warnings)) => (Ok(metrics), warnings, None),
+            Err(why) => (Err(why), Warnings::NONE, None),
+        });
+    }
     let solution = match study.solve(case) {
         Ok(solution) => solution,
         Err(why) => return Ok((Err(why), Warnings::NONE, None)),
@@ -165,10 +194,7 @@ fn solve_case(
         on_solution(number, &solution)?;
     }
     let (metrics, warnings) = (solution.metrics.clone(), solution.warnings);
-    let kept = options
-        .keep_history
-        .is_some_and(|keep| keep(case))
-        .then(|| Box::new(solution));
+    let kept = is_kept.then(|| Box::new(solution));
     Ok((Ok(metrics), warnings, kept))
 }
 

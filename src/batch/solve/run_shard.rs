@@ -7,6 +7,7 @@ use crate::batch::chunks::pipeline::in_order;
 use crate::batch::chunks::queue::PartQueue;
 use crate::batch::chunks::shard::Shard;
 use crate::batch::files::heartbeat::Heartbeat;
+use crate::batch::programs;
 use crate::batch::store::Store;
 use indicatif::ProgressBar;
 use slipgap_study::Study;
@@ -35,6 +36,7 @@ pub fn run_shard(
     bar: &ProgressBar,
 ) -> Result<ShardResult, Error> {
     compute::keep_memory();
+    programs::start(study)?;
     let progress = Arc::new(WorkProgress::new(0.0));
     let shown = progress.clone();
     let _heart = Heartbeat::start(store.folder(), Some(shard), move || shown.computed());

@@ -1,5 +1,6 @@
 //! Keys: everything that determines the results of a part. Stored results are used again only if their key is the same.
 
+use crate::batch::programs;
 use slipgap_problem::problem::numbers::parameter::{ColumnRule, Value};
 use slipgap_problem::problem::table::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
 use slipgap_study::Study;
@@ -76,8 +77,12 @@ impl Key {
         let once = if study.once { "once" } else { "converged" };
         Key {
             solver: format!(
-                "{SOLVER_VERSION}.{ENCODING_VERSION} {}",
-                CODE.concat().join(" ")
+                "{SOLVER_VERSION}.{ENCODING_VERSION} {}{}",
+                CODE.concat().join(" "),
+                match programs::versions(study) {
+                    None => String::new(),
+                    Some(versions) => format!("{BEFORE_PROGRAMS}{versions}"),
+                }
             ),
             columns: format!(
                 "{}{} {once} {}",
@@ -99,7 +104,7 @@ impl Key {
 
     /// The first difference from the key of a stored part; `None` if they are equal.
     pub fn difference(&self, stored: &Key) -> Option<Difference> {
-        if self.solver != stored.solver {
+        if !self.has_solver(stored) {
             Some(Difference::Solver)
         } else if self.columns != stored.columns {
             Some(self.difference_of_columns(stored))
@@ -111,7 +116,22 @@ impl Key {
     }
 }
 
+/// What is between the versions of the solver and those of programs.
+const BEFORE_PROGRAMS: &str = " with ";
+
 impl Key {
+    /// Whether the same versions computed the results. Where the versions of programs are not known, any will do: only a verb that
+    /// computes nothing does not know them.
+    fn has_solver(&self, stored: &Key) -> bool {
+        match self.solver.split_once(BEFORE_PROGRAMS) {
+            Some((solver, programs::UNKNOWN)) => {
+                let of_stored = stored.solver.split_once(BEFORE_PROGRAMS);
+                of_stored.is_some_and(|(of_stored, _)| of_stored == solver)
+            }
+            _ => self.solver == stored.solver,
+        }
+    }
+
     /// The difference of two `columns`, which begin with the identity of the problem: that of a structure ends with a hash of its
     /// records behind a point.
     fn difference_of_columns(&self, stored: &Key) -> Difference {

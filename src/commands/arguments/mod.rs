@@ -1,6 +1,9 @@
 //! Arguments that several verbs share.
 
+mod programs;
 pub(super) mod sources;
+
+pub use programs::ProgramsArgs;
 
 use super::terminal::print;
 use crate::batch::files::place::for_results;

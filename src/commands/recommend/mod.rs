@@ -4,7 +4,7 @@ mod json;
 
 use super::NOT_MET;
 use super::arguments::sources;
-use super::arguments::{JobsArgs, SettingsArgs, results_folder};
+use super::arguments::{JobsArgs, ProgramsArgs, SettingsArgs, results_folder};
 use super::terminal::{note, print, table};
 use crate::batch::output::Folder;
 use crate::error::Error;
@@ -39,6 +39,8 @@ pub struct RecommendArgs {
     out: PathBuf,
     #[command(flatten)]
     jobs: JobsArgs,
+    #[command(flatten)]
+    programs: ProgramsArgs,
 }
 
 impl RecommendArgs {
@@ -56,7 +58,8 @@ impl RecommendArgs {
             return Err(Error::Usage(what));
         }
         let study = std::slice::from_ref(&self.study);
-        let sources = sources::read(study, &self.settings.set, MOST_CASES)?;
+        let read = sources::read(study, &self.settings.set, MOST_CASES)?;
+        let sources = self.programs.allow(read)?;
         let run = |source: &Source| self.jobs.run(|| self.run(source, None));
         sources.first().map_or(Ok(0), run)
     }

@@ -4,7 +4,7 @@ use crate::batch::output::{differences, of_others};
 use crate::batch::{self, RunOptions};
 use crate::checks::{CheckCollector, TestedValues, Verdict};
 use crate::commands::arguments::sources::Source;
-use crate::commands::arguments::{JobsArgs, StudiesArgs};
+use crate::commands::arguments::{JobsArgs, ProgramsArgs, StudiesArgs};
 use crate::commands::terminal::{note, print_all, progress, table_lines};
 use crate::commands::{NOT_MET, UNSOLVED};
 use crate::error::Error;
@@ -24,12 +24,14 @@ pub struct CheckArgs {
     studies: StudiesArgs,
     #[command(flatten)]
     jobs: JobsArgs,
+    #[command(flatten)]
+    programs: ProgramsArgs,
 }
 
 impl CheckArgs {
     /// Tests the checks; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        let studies = self.studies.read()?;
+        let studies = self.programs.allow(self.studies.read()?)?;
         self.jobs.run(|| check(&studies))
     }
 }

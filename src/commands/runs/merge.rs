@@ -3,7 +3,9 @@
 use crate::batch::output::Folder;
 use crate::batch::store::{STORE, Store};
 use crate::commands::arguments::sources::Source;
-use crate::commands::arguments::{JobsArgs, OutputArgs, StudiesArgs, results_folder, whole};
+use crate::commands::arguments::{
+    JobsArgs, OutputArgs, ProgramsArgs, StudiesArgs, results_folder, whole,
+};
 use crate::commands::terminal::{Terminal, report_error};
 use crate::commands::{NOT_MET, PARTS_MISSING, UNSOLVED};
 use crate::error::Error;
@@ -27,12 +29,14 @@ pub struct MergeArgs {
     output: OutputArgs,
     #[command(flatten)]
     jobs: JobsArgs,
+    #[command(flatten)]
+    programs: ProgramsArgs,
 }
 
 impl MergeArgs {
     /// Merges the studies; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        let studies = self.studies.read()?;
+        let studies = self.programs.allow(self.studies.read()?)?;
         self.jobs
             .run(|| merge(&studies, &self.out, self.shards, &self.output))
     }

@@ -5,7 +5,7 @@ use crate::batch::Shard;
 use crate::batch::output::Folder;
 use crate::batch::store::Store;
 use crate::commands::arguments::sources::Source;
-use crate::commands::arguments::{JobsArgs, OutputArgs, StudiesArgs, results_folder};
+use crate::commands::arguments::{JobsArgs, OutputArgs, ProgramsArgs, StudiesArgs, results_folder};
 use crate::commands::terminal::Terminal;
 use crate::commands::{NOT_MET, UNSOLVED};
 use crate::error::Error;
@@ -35,6 +35,8 @@ pub struct RunArgs {
     shard: Option<Shard>,
     #[command(flatten)]
     jobs: JobsArgs,
+    #[command(flatten)]
+    programs: ProgramsArgs,
 }
 
 impl RunArgs {
@@ -46,7 +48,7 @@ impl RunArgs {
             ..self.output.options()
         };
         self.jobs.run(|| {
-            let studies = self.studies.read_cheapest_first()?;
+            let studies = self.programs.allow(self.studies.read_cheapest_first()?)?;
             match self.shard {
                 Some(shard) => shard::run(&studies, &self.out, shard),
                 None => run(&studies, &self.out, &options, &self.output),

@@ -44,7 +44,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        37_000,
+        39_000,
     ),
     (
         "drawing, figures",
@@ -60,7 +60,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
             "validation",
             "python",
         ],
-        22_600,
+        23_200,
     ),
 ];
 

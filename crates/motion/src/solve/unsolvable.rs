@@ -66,6 +66,8 @@ pub enum Unsolvable {
     NoModes,
     /// The parameters break rules of the problem, in these words.
     BrokenRules(String),
+    /// A program of others does not compute the case, for this reason.
+    Program(String),
     /// A reason that a store contains.
     Stored(String),
 }
@@ -120,7 +122,9 @@ impl fmt::Display for Unsolvable {
             Unsolvable::NotPrinted => f.write_str("the law has no un-iterated form"),
             Unsolvable::Reference(why) => write!(f, "no exact motion: {why}"),
             Unsolvable::NoModes => f.write_str("modal damping is allowed for at most 1000 nodes"),
-            Unsolvable::BrokenRules(words) | Unsolvable::Stored(words) => f.write_str(words),
+            Unsolvable::BrokenRules(words)
+            | Unsolvable::Program(words)
+            | Unsolvable::Stored(words) => f.write_str(words),
         }
     }
 }

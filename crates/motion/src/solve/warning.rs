@@ -148,6 +148,18 @@ warnings! {
     Runaway "runaway"
         "have a structure that has lost its stability and runs away: peaks grow with `duration` and are no measure of the motion; a fragility figure counts it with `collapse`"
         "K is not positive semidefinite, or a link softens, and at the last step the structure is further from its equilibrium than ever, moves on, and its own forces push it further.",
+    ProgramSize "program-size"
+        "have a displacement more than 1000 times the exact one, by a program of others: it is no motion any more"
+        "The peak of a displacement that a metric or figure needs, by a program of `programs`, is more than 1000 times that of the exact motion, where a metric compares with it.",
+    ProgramGain "program-gain"
+        "have an energy above what went in by more than 1 % of the largest, by a program of others: it makes energy"
+        "Of a program of `programs` whose energies a metric or figure needs: at some step the energy is above that at t = 0 and the work of loads and supports by more than 1 % of the largest energy.",
+    ProgramUnheld "program-unheld"
+        "have a body that rests without a force that holds it, by a program of others: S is not the force with which it computes"
+        "Of a program of `programs` whose energies a metric or figure needs: over the last tenth of the steps a body does not move, and the forces on it are out of equilibrium by more than 1 % of their sum.",
+    ProgramNull "program-null"
+        "have no value of a channel at some instants, by a program of others: metrics of it are empty"
+        "A note: a channel of a program of `programs` has a null.",
     CheckNotMet "check-not-met"
         "do not meet a check; `slipgap check` lists all checks"
         "A check of the study is not met.",
@@ -210,9 +222,12 @@ impl Warning {
         )
     }
 
-    /// Whether a contact may make energy: what such a case gives is no measure of the motion, and `recommend` does not choose it.
+    /// Whether a contact or a program may make energy: what such a case gives is no measure of the motion, and `recommend` does not choose it.
     pub const fn is_contact_energy(self) -> bool {
-        matches!(self, Warning::ShortContact | Warning::ContactGain)
+        matches!(
+            self,
+            Warning::ShortContact | Warning::ContactGain | Warning::ProgramGain
+        )
     }
 
     /// Whether it is a note, which is not denied with the warnings.
@@ -224,6 +239,7 @@ impl Warning {
                 | Warning::Undamped
                 | Warning::EndsEarly
                 | Warning::TimeBefore
+                | Warning::ProgramNull
         )
     }
 

@@ -53,7 +53,9 @@ pub(super) fn check_applicability(
             faults.add(given.at, &given.path, message);
         }
         // One value of a parameter that may be left out: the other cases do without.
-        Some(given) if !others.is_empty() && (required || given.values.len() > 1) => {
+        Some(given)
+            if !on.collapses && !others.is_empty() && (required || given.values.len() > 1) =>
+        {
             faults.add(given.at, &given.path, separate());
         }
         None if applies && required && others.is_empty() => {

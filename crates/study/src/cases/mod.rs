@@ -6,6 +6,7 @@ pub mod scope;
 use super::Study;
 use slipgap_cases::{Block, Enumeration, Filter};
 use slipgap_motion::solve::Unsolvable;
+use slipgap_problem::problem::structure::programs::Programs;
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_problem::problem::{Case, MeasuredChannel, Samples, Solution, Violation};
 
@@ -83,6 +84,12 @@ impl Study {
             (true, None) => self.work(shown.at(row)),
             (false, _) => 0,
         })
+    }
+
+    /// The programs of others that compute some of its cases; `None` without.
+    pub fn programs(&self) -> Option<&Programs> {
+        let programs = self.problem.as_structure()?.programs();
+        (!programs.list.is_empty()).then_some(programs)
     }
 
     /// What identifies the sampled signals of a completed case.

@@ -6,6 +6,7 @@ use crate::reduction::decode::KEY as REDUCTIONS;
 use crate::source::field::{ANY, Keys, Kind, Rule, field, fields, needed};
 use crate::structure::keys::KEY as MEASURED;
 use crate::structure::named::shown::SHOWN;
+use crate::structure::programs::KEY as PROGRAMS;
 use slipgap_problem::problem;
 
 /// The keys of a study, each with its meaning.
@@ -21,6 +22,7 @@ pub(crate) const OF_STUDY: Keys = Keys::new(&fields![
     /// masses, bars, springs, contacts and loads of a study of structures
     field("structure", Kind::Any),
     MEASURED,
+    PROGRAMS,
     /// several sets of parameters instead of one; their cases follow one another
     field("blocks", LIST),
     SHARED,

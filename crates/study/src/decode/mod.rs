@@ -31,6 +31,7 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::keys::KEY as MEASURED;
 use crate::structure::named::free_names::with_free_names;
 use crate::structure::named::shown::SHOWN;
+use crate::structure::programs::KEY as PROGRAMS;
 use crate::structure::{
     self,
     recorded::{own_records, record_axis},
@@ -103,7 +104,7 @@ impl Input {
             .flatten();
         setting::put_all(&mut root, &self.settings, &starts, &mut faults);
         let before = faults.count();
-        let folder = Folder::new(&self.folder);
+        let folder = Folder::new(&self.folder, &self.file);
         record_axis::expand(&mut root, &folder, &mut faults);
         if faults.count() > before {
             // Without its files, an axis would be a fault of its own.
@@ -136,12 +137,17 @@ impl Input {
             mut faults,
         } = expanded;
         match study(&root, limit, &folder, (set, whole), &mut faults) {
-            Some(study) if faults.count() == 0 => Ok(Study {
-                settings: self.settings.clone(),
-                sha256: self.sha256(),
-                read: folder.into_files(),
-                ..study
-            }),
+            Some(study) if faults.count() == 0 => {
+                if let (Some(runner), Some(programs)) = (&self.programs, study.programs()) {
+                    programs.allow(runner.clone());
+                }
+                Ok(Study {
+                    settings: self.settings.clone(),
+                    sha256: self.sha256(),
+                    read: folder.into_files(),
+                    ..study
+                })
+            }
             Some(_) | None => Err(Error::Faults(faults.in_file_order(texts))),
         }
     }
@@ -254,6 +260,7 @@ fn problem(
             ("structure", "has this key"),
             (MEASURED.name, "compares with measurements"),
             (SHOWN.name, "names its parameters"),
+            (PROGRAMS.name, "is computed by programs of others"),
         ] {
             if let Some(node) = object.get(key) {
                 let message = format!("only a study with \"problem\": \"{NAME}\" {what}");

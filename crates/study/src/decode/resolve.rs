@@ -74,6 +74,7 @@ pub(crate) fn resolve(
             Ok(()) => {}
         }
     }
+    block.collapse(problem);
     (faults.count() == before).then_some(block)
 }
 

@@ -22,14 +22,18 @@ pub struct ReadFile {
 pub(crate) struct Folder<'a> {
     /// Its path.
     pub path: &'a Path,
+    /// The name of the study in it.
+    pub study: String,
     read: Mutex<BTreeMap<String, ReadFile>>,
 }
 
 impl<'a> Folder<'a> {
-    /// The folder at a path, of which nothing is read yet.
-    pub fn new(path: &'a Path) -> Folder<'a> {
+    /// The folder at a path, of which nothing is read yet, with a study.
+    pub fn new(path: &'a Path, study: &str) -> Folder<'a> {
         let read = Mutex::default();
-        Folder { path, read }
+        let stem = Path::new(study).file_stem().unwrap_or_default();
+        let study = stem.to_string_lossy().into_owned();
+        Folder { path, study, read }
     }
 
     /// The bytes of a file of bounded size, or why there are none.
@@ -78,7 +82,7 @@ mod tests {
         let temporary = tempfile::tempdir().unwrap();
         std::fs::write(temporary.path().join("b.csv"), "abc").unwrap();
         std::fs::write(temporary.path().join("a.csv"), "").unwrap();
-        let folder = Folder::new(temporary.path());
+        let folder = Folder::new(temporary.path(), "s.json");
         for name in ["b.csv", "a.csv", "b.csv"] {
             folder.bytes(name, 3).unwrap();
         }

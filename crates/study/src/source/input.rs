@@ -5,6 +5,8 @@ use std::io::{self, Read, Take, stdin};
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
+use slipgap_problem::problem::structure::programs::Runner;
+use std::sync::Arc;
 
 use super::place::{self, Texts};
 use super::setting::Setting;
@@ -27,6 +29,8 @@ pub struct Input {
     pub folder: PathBuf,
     /// Parameters that the command line set.
     pub settings: Vec<Setting>,
+    /// What may start the programs of the study, if anything may.
+    pub programs: Option<Arc<dyn Runner>>,
 }
 
 impl Input {
@@ -37,6 +41,7 @@ impl Input {
             text: text.to_owned(),
             folder: folder_of(Path::new(file)),
             settings: Vec::new(),
+            programs: None,
         }
     }
 
@@ -50,6 +55,7 @@ impl Input {
             text: text_of(file)?,
             folder: folder_of(file),
             settings: Vec::new(),
+            programs: None,
         })
     }
 
@@ -64,6 +70,7 @@ impl Input {
             text,
             folder: PathBuf::new(),
             settings: Vec::new(),
+            programs: None,
         })
     }
 
@@ -73,6 +80,11 @@ impl Input {
             settings: settings.to_vec(),
             ..self
         }
+    }
+
+    /// The same with what may start its programs.
+    pub fn with_programs(self, programs: Option<Arc<dyn Runner>>) -> Input {
+        Input { programs, ..self }
     }
 
     /// The text, without the settings.

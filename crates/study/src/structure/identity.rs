@@ -28,12 +28,15 @@ impl Records {
 /// A hash of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records. What
 /// `measured` says belongs to it, with the range of the delays, which decides the points that are compared.
 pub(super) fn identity(
-    structure: &Node,
+    (structure, programs): (&Node, Option<&Node>),
     (measured, set): (Option<(&Node, [f64; 2])>, Option<&Set>),
     records: &Records,
 ) -> String {
     let hex = |bytes: &[u8]| -> String { bytes.iter().map(|byte| format!("{byte:02x}")).collect() };
     let mut written = written(structure);
+    if let Some(programs) = programs {
+        written += &self::written(programs);
+    }
     if let Some((node, delays)) = measured {
         written += &self::written(node);
         written += &format!("{delays:?}");

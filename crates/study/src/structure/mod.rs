@@ -10,6 +10,7 @@ pub(super) mod measured;
 mod motions;
 pub(super) mod named;
 mod parts;
+pub(super) mod programs;
 pub(super) mod reading;
 pub(super) mod recorded;
 #[cfg(test)]
@@ -186,6 +187,7 @@ pub(super) fn problem(
         template.reference.is_some(),
         faults,
     );
+    let programs = programs::programs(root, &reader, &mut parameters, faults);
     let used = reader.used.borrow();
     let parameters: Vec<Named> = parameters
         .into_iter()
@@ -213,7 +215,11 @@ pub(super) fn problem(
     let given = root.get(keys::KEY.name).zip(template.measured.as_ref());
     let of_measured = given.map(|(node, measured)| (node, measured.delays));
     let set = template.set().map(|set| set.1);
-    let identity = identity::identity(node, (of_measured, set), &reader.records.borrow());
+    let identity = identity::identity(
+        (node, root.get(programs::KEY.name)),
+        (of_measured, set),
+        &reader.records.borrow(),
+    );
     let schema = schema::schema(
         &parameters,
         &metrics,
@@ -228,7 +234,7 @@ pub(super) fn problem(
     );
     (faults.count() == before).then(|| {
         Arc::new(StructureProblem::new(
-            template, schema, metrics, drawn, identity, notes,
+            template, schema, metrics, drawn, identity, notes, programs,
         )) as _
     })
 }

@@ -6,7 +6,7 @@ mod time;
 
 use crate::batch::files::place::is_object;
 use crate::commands::arguments::sources::{DASH, read};
-use crate::commands::arguments::{SettingsArgs, results_folder, whole};
+use crate::commands::arguments::{ProgramsArgs, SettingsArgs, results_folder, whole};
 use crate::commands::terminal::print;
 use crate::error::Error;
 use crate::run::found;
@@ -52,6 +52,8 @@ pub struct SbatchArgs {
     limit: u64,
     #[command(flatten)]
     settings: SettingsArgs,
+    #[command(flatten)]
+    programs: ProgramsArgs,
 }
 
 impl SbatchArgs {
@@ -77,7 +79,8 @@ fn sbatch(args: &SbatchArgs) -> Result<u8, Error> {
         )));
     }
     // A mistake in a study is reported now, not by every task.
-    read(slice::from_ref(&args.study), &args.settings.set, args.limit)?;
+    let read = read(slice::from_ref(&args.study), &args.settings.set, args.limit)?;
+    args.programs.allow(read)?;
     print(&script(args)?)
 }
 
@@ -93,6 +96,9 @@ fn script(args: &SbatchArgs) -> Result<String, Error> {
     }
     if args.limit != MOST_CASES {
         arguments.extend(["--limit".into(), args.limit.to_string()]);
+    }
+    if args.programs.allow_programs {
+        arguments.push("--allow-programs".into());
     }
     let time = args.time.as_ref().map(|time| format!("--time={time}"));
     let partition = args

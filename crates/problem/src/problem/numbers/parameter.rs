@@ -65,6 +65,7 @@ impl Parameter {
         let applies = Condition {
             governor,
             names: chosen,
+            collapses: false,
         };
         Parameter::row(names, kind, default, Some(applies), meaning)
     }
@@ -150,6 +151,8 @@ pub struct Condition {
     pub governor: &'static str,
     /// Its names with which the parameter applies.
     pub names: &'static [&'static str],
+    /// Whether a list of it is no axis for the other names, instead of a fault.
+    pub collapses: bool,
 }
 
 impl Condition {

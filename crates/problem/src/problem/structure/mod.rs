@@ -9,6 +9,7 @@ pub mod model;
 mod motions;
 pub mod parts;
 mod prepared;
+pub mod programs;
 mod refused;
 pub mod tables;
 mod warn;
@@ -82,9 +83,10 @@ impl Problem for StructureProblem {
     fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let ready = self.ready(0, case)?;
         // A whole history that does not fit is refused where one is asked for; figures need their own channels.
+        let is_asked = self.program_of(case).is_some() && !self.programs.is_whole();
         let numbers = match self.history_fault(case) {
-            None => all_numbers(&ready.structure, &self.template),
-            Some(_) => Vec::new(),
+            None if !is_asked => all_numbers(&ready.structure, &self.template),
+            None | Some(_) => Vec::new(),
         };
         let drawn = self.drawn_numbers(&ready.numbering);
         let recorded = distinct(drawn.into_iter().chain(numbers.iter().copied()));
@@ -107,7 +109,8 @@ impl Problem for StructureProblem {
             metrics,
             warnings,
         };
-        match solution.computed.is_finite() {
+        // A program may have no value at some instants.
+        match solution.computed.is_finite() || self.program_of(case).is_some() {
             true => Ok(solution),
             false => Err(Unsolvable::OutOfRange),
         }

@@ -12,8 +12,9 @@ use super::motions::recorded::{Recorded, distinct};
 use super::motions::sweep::Ready;
 use super::motions::{exact_motion, motion};
 use super::parts::template::Template;
+use super::programs::Programs;
 use super::tables::schema::Drawn;
-use crate::methods::Method;
+use crate::methods::{AverageAcceleration, Method};
 use crate::problem::{Case, Schema, Violation, method};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{balance, settle};
@@ -30,6 +31,7 @@ pub struct StructureProblem {
     pub(super) drawn: Vec<Drawn>,
     pub(super) identity: String,
     pub(super) notes: Vec<String>,
+    pub(super) programs: Programs,
 }
 
 impl StructureProblem {
@@ -37,8 +39,15 @@ impl StructureProblem {
     pub(super) fn equations(&self, case: &Case) -> Option<String> {
         let ready = self.ready(0, case).ok()?;
         Some(format!(
-            "{:?} {:?} {:?} {}",
-            ready.structure, ready.method, ready.dt, ready.last
+            "{:?} {:?} {:?} {}{}",
+            ready.structure,
+            ready.method,
+            ready.dt,
+            ready.last,
+            self.program_of(case).map_or(String::new(), |program| {
+                let numbers = program.numbers.iter().map(|(_, amount)| amount.value(case));
+                format!(" {} {:?}", program.name, numbers.collect::<Vec<_>>())
+            })
         ))
     }
 
@@ -63,10 +72,12 @@ impl StructureProblem {
         drawn: Vec<Drawn>,
         identity: String,
         notes: Vec<String>,
+        programs: Programs,
     ) -> StructureProblem {
         let of_metrics = metrics.iter().filter_map(|metric| metric.channel.as_ref());
         let mut channels = of_metrics.chain(drawn.iter().map(|drawn| &drawn.channel));
-        let observed = channels.any(Channel::is_derived);
+        // A request has the accelerations at t = 0.
+        let observed = channels.any(Channel::is_derived) || !programs.list.is_empty();
         StructureProblem {
             schema,
             template: Template {
@@ -77,6 +88,7 @@ impl StructureProblem {
             drawn,
             identity,
             notes,
+            programs,
         }
     }
 
@@ -143,7 +155,11 @@ impl StructureProblem {
             case: case.clone(),
             structure,
             numbering,
-            method: self.method(case).ok_or(Unsolvable::ParameterMissing)?,
+            method: match self.program_of(case) {
+                // It has no rule of a method and no impulses.
+                Some(_) => AverageAcceleration.into(),
+                None => self.method(case).ok_or(Unsolvable::ParameterMissing)?,
+            },
             dt: dt.ok_or(Unsolvable::ParameterMissing)?,
             last: case.steps(),
         })
@@ -166,6 +182,9 @@ impl StructureProblem {
 
     /// The method of a completed case.
     pub(super) fn method(&self, case: &Case) -> Option<Method> {
+        if self.program_of(case).is_some() {
+            return None;
+        }
         let name = method::PARAMETERS[0].name.as_ref();
         let mut parameters = self.schema.parameters.iter();
         let row = parameters.position(|parameter| parameter.name == name)?;

@@ -32,6 +32,8 @@ pub struct Case {
     pub schema: Arc<Schema>,
     /// One entry for each row of the table.
     pub values: Vec<Option<Value>>,
+    /// Its number in the study, for programs of others; 0 where it is not known.
+    pub number: u64,
 }
 
 impl Case {
@@ -41,6 +43,7 @@ impl Case {
         Case {
             schema: schema.clone(),
             values,
+            number: 0,
         }
     }
 

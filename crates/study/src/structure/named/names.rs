@@ -5,6 +5,7 @@ use crate::source::faults::{Faults, quoted};
 use crate::source::hint::nearest;
 use crate::source::tree::Node;
 use crate::structure::keys::KEY;
+use crate::structure::programs;
 use crate::structure::reading::given::{Choices, Choosing, given, interned_choices, texts, under};
 use crate::structure::reading::reader::is_name;
 use slipgap_problem::problem::expression::FUNCTIONS;
@@ -12,7 +13,7 @@ use slipgap_problem::problem::expression::Formula;
 use slipgap_problem::problem::interned;
 use slipgap_problem::problem::method::PARAMETERS;
 use slipgap_problem::problem::numbers::parameter::Parameter;
-use slipgap_problem::problem::structure::metrics::metric::OF_ALL;
+use slipgap_problem::problem::structure::metrics::metric::{OF_ALL, OF_PROGRAMS};
 use slipgap_problem::problem::structure::parts::contact_law::NAMES;
 use slipgap_problem::problem::structure::tables::schema::{FIXED, Named, of_method};
 use slipgap_system::system::loads::Unit;
@@ -97,7 +98,9 @@ pub(in crate::structure) fn parameters(
         }
         report_texts_of_tables(&member.node, &path, name, choices, faults);
         // Columns of results that are not parameters.
-        let is_column = name == "case" || OF_ALL.contains(&name.as_str());
+        let is_column = name == "case"
+            || OF_ALL.contains(&name.as_str())
+            || root.get(programs::KEY.name).is_some() && OF_PROGRAMS.contains(&name.as_str());
         if let Some(message) = name_fault(name, is_column) {
             faults.add(member.at, &path, message);
         }
@@ -112,6 +115,7 @@ pub(in crate::structure) fn parameters(
             shown: None,
             unit: None,
             shown_values: Vec::new(),
+            programs: &[],
             required: part.is_some() || FIXED.iter().any(|fixed| fixed.0 == name),
         });
     }
@@ -123,18 +127,24 @@ pub(in crate::structure) fn parameters(
                 shown: None,
                 unit: None,
                 shown_values: Vec::new(),
+                programs: &[],
                 required: true,
             });
         }
     }
     // One behind the other, as `method::of_case` reads them.
-    parameters.extend(PARAMETERS.iter().map(|parameter| Named {
-        name: parameter.name.to_string(),
-        choices: None,
-        shown: None,
-        unit: None,
-        shown_values: Vec::new(),
-        required: true,
+    parameters.extend(PARAMETERS.iter().map(|parameter| {
+        Named {
+            name: parameter.name.to_string(),
+            choices: (parameter.name == PARAMETERS[0].name)
+                .then(|| programs::choices(root))
+                .flatten(),
+            shown: None,
+            unit: None,
+            shown_values: Vec::new(),
+            programs: &[],
+            required: true,
+        }
     }));
     parameters
 }

@@ -38,6 +38,8 @@ pub enum Function {
     Loop(OfLoop),
     /// Of the motion of the ground.
     Ground(OfGround),
+    /// What a program of others tells of a case besides its motion.
+    Told,
 }
 
 /// A motion of a case.

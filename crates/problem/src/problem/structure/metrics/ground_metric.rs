@@ -157,6 +157,7 @@ fn of_ground(reduction: Reduction) -> Option<OfGround> {
         | Function::Perturbed(_)
         | Function::Contact(..)
         | Function::Energies(_)
+        | Function::Told
         | Function::Measured(_)
         | Function::Loop(_) => None,
     }

@@ -36,13 +36,17 @@ pub struct StructureMetric {
 /// Names of metrics of the whole structure.
 pub const OF_ALL: [&str; 2] = ["energy_error", "numerical_dissipation"];
 
-/// Whether a text has the form of a metric: `name(...)`, or one of [`OF_ALL`].
+/// Names of what programs of others tell of a case; in arithmetic they are parameters.
+pub const OF_PROGRAMS: [&str; 2] = ["cost", "wall"];
+
+/// Whether a text has the form of a metric: `name(...)`, or one of [`OF_ALL`] or [`OF_PROGRAMS`].
 pub fn looks_like_metric(text: &str) -> bool {
     let word = text.split('(').next().unwrap_or_default().trim();
     let name = &*without_direction(word).0;
     let with_brackets = text.contains('(') && text.trim_end().ends_with(')');
-    Reduction::named(name).is_some()
-        && (with_brackets || OF_ALL.contains(&name) || name.starts_with(PREFIX))
+    OF_PROGRAMS.contains(&text.trim())
+        || Reduction::named(name).is_some()
+            && (with_brackets || OF_ALL.contains(&name) || name.starts_with(PREFIX))
 }
 
 impl StructureMetric {

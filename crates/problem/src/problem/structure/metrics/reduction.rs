@@ -46,7 +46,7 @@ macro_rules! reductions {
 }
 
 use Function::{
-    Contact, Distance, Energies, Estimated, Ground, Loop, Measured, Pair, Perturbed, Values,
+    Contact, Distance, Energies, Estimated, Ground, Loop, Measured, Pair, Perturbed, Told, Values,
 };
 use Motion::{Computed, Finer, Reference, Rigid, Softened, Unreduced};
 
@@ -105,6 +105,10 @@ reductions! {
     "largest work of unbalanced forces up to any step, over the largest energy (kinetic, strain, in contacts); numerical dissipation does not count",
     NumericalDissipation "numerical_dissipation" Nothing None "numerical dissipation" Energies(|[_, dissipation]| dissipation);
     "energy that the method takes, over the largest energy; below 0 where it adds energy; round-off for average-acceleration",
+    Cost "cost" Nothing None "cost" Told;
+    "the count that a program of `programs` gives of its work on a case, such as steps or evaluations; empty for the product's methods",
+    Wall "wall" Nothing Time "seconds of a case" Told;
+    "seconds from the request of a case to the answer of a program of `programs`; other in each run; empty for the product's methods",
     RmsError "rms_error" ChannelOrMeasured Channel "rms error of {}"
     Distance([Computed, Reference], |c, e| Some(of::rms_error(c, e)));
     "sqrt(mean (c - e)^2); e is the exact motion of contacts_reference",
@@ -236,7 +240,9 @@ impl Reduction {
             Distance(motions, _) | Pair(motions, _) => motions.contains(&motion),
             Estimated => motion == Softened,
             Perturbed(_) => motion == Motion::Perturbed,
-            Values(_) | Contact(..) | Energies(_) | Measured(_) | Loop(_) | Ground(_) => false,
+            Values(_) | Contact(..) | Energies(_) | Measured(_) | Loop(_) | Ground(_) | Told => {
+                false
+            }
         }
     }
 
@@ -246,7 +252,7 @@ impl Reduction {
             Distance(motions, _) | Pair(motions, _) => motions.iter().any(|own| own.is_exact()),
             Estimated => true,
             Perturbed(_) | Values(_) | Contact(..) | Energies(_) | Measured(_) | Loop(_)
-            | Ground(_) => false,
+            | Ground(_) | Told => false,
         }
     }
 
@@ -296,7 +302,7 @@ mod tests {
                 Distance(..) | Pair(..) => row.takes == Takes::Channel,
                 Perturbed(_) => [Takes::Channel, Takes::ChannelAndThreshold].contains(&row.takes),
                 Contact(..) => [Takes::Contact, Takes::ContactOrMeasured].contains(&row.takes),
-                Energies(_) => row.takes == Takes::Nothing,
+                Energies(_) | Told => row.takes == Takes::Nothing,
                 Measured(_) => row.takes == Takes::MeasuredChannel,
                 Loop(_) => row.takes == Takes::MeasuredLoop,
                 Ground(OfGround::Oscillator) => row.takes == Takes::GroundAndOscillator,

@@ -221,7 +221,7 @@ impl Reduction {
             | Function::Measured(_)
             | Function::Loop(_) => true,
             Function::Perturbed(_) => self == Reduction::Difference,
-            Function::Energies(_) | Function::Ground(_) => false,
+            Function::Energies(_) | Function::Ground(_) | Function::Told => false,
         }
     }
 }

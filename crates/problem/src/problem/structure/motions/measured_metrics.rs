@@ -120,7 +120,8 @@ pub fn value(metric: &StructureMetric, of: MetricContext, computed: &Recorded) -
             | Function::Perturbed(_)
             | Function::Contact(..)
             | Function::Energies(_)
-            | Function::Ground(_),
+            | Function::Ground(_)
+            | Function::Told,
         ) => None,
     }
 }

@@ -33,7 +33,8 @@ pub fn needed(metric: &StructureMetric, numbering: &Numbering, contacts: usize) 
         | Function::Energies(_)
         | Function::Measured(_)
         | Function::Loop(_)
-        | Function::Ground(_) => &[],
+        | Function::Ground(_)
+        | Function::Told => &[],
     };
     let of_contact = rows.flat_map(|contact| {
         quantities
@@ -140,8 +141,8 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
             let energies = motions.energies?;
             Some(function([energies.error, energies.dissipation]))
         }
-        // Of what was measured and of the ground, which have other values.
-        Function::Measured(_) | Function::Loop(_) | Function::Ground(_) => None,
+        // Of what was measured, of the ground and of programs, which have other values.
+        Function::Measured(_) | Function::Loop(_) | Function::Ground(_) | Function::Told => None,
     }
 }
 

@@ -132,6 +132,9 @@ impl StructureProblem {
         ready: &Ready,
         more: &[Number],
     ) -> Result<JudgedCase, Unsolvable> {
+        if let Some(program) = self.program_of(&ready.case) {
+            return self.solve_by_program(program, ready, more);
+        }
         let of_metrics = self.numbers(&ready.numbering, |_| true);
         let numbers = distinct(of_metrics.into_iter().chain(more.iter().copied()));
         let recording = self.recording(ready, &numbers);

@@ -6,7 +6,7 @@ use crate::problem::Case;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::given::node::Numbering;
 use crate::solve::structure::Prepared;
-use crate::solve::{MetricTable, Unsolvable};
+use crate::solve::{MetricTable, Unsolvable, Warnings};
 use crate::system::structure::Structure;
 
 /// A case ready to be stepped.
@@ -70,6 +70,11 @@ impl Groups<'_> {
 
     /// Adds a case to the group with its linear part.
     pub fn add(&mut self, ready: Ready) {
+        if self.problem.program_of(&ready.case).is_some() {
+            let judged = self.problem.solve_ready(&ready, &[]);
+            put(&mut self.table, ready.place, judged);
+            return;
+        }
         let fits = |group: &Group| {
             group.last == ready.last
                 && group
@@ -170,11 +175,20 @@ fn solve_lanes<const L: usize>(
     let runs = runs.into_iter().zip(perturbed);
     for (ready, (run, perturbed)) in cases.iter().zip(runs).take(used) {
         let judged = problem.judge(ready, run, perturbed, &[]);
-        if let Ok((_, _, warnings)) = &judged {
-            table.warn(ready.place, *warnings);
-        }
-        table.put(ready.place, judged.map(|judged| judged.1));
+        put(table, ready.place, judged);
     }
+}
+
+/// The result of a case.
+fn put<M>(
+    table: &mut MetricTable,
+    place: usize,
+    judged: Result<(M, Vec<Option<f64>>, Warnings), Unsolvable>,
+) {
+    if let Ok((_, _, warnings)) = &judged {
+        table.warn(place, *warnings);
+    }
+    table.put(place, judged.map(|judged| judged.1));
 }
 
 /// Fewer cases than lanes: the other lanes repeat the last case.

@@ -28,7 +28,7 @@ pub const FIXED: [(&str, &str); 2] = [
 ];
 
 /// A parameter that the study names.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Named {
     /// Its name.
     pub name: String,
@@ -42,6 +42,8 @@ pub struct Named {
     pub shown_values: Vec<(String, String)>,
     /// Whether the structure itself contains it. If not, other parameters or a condition do, and a block may lack it.
     pub required: bool,
+    /// The programs that alone have it; empty for a parameter of all methods.
+    pub programs: &'static [&'static str],
 }
 
 /// A quantity of history figures.
@@ -187,11 +189,7 @@ fn budgets(
 pub fn named(name: &str) -> Parameter {
     parameter(&Named {
         name: name.to_owned(),
-        choices: None,
-        shown: None,
-        unit: None,
-        shown_values: Vec::new(),
-        required: false,
+        ..Named::default()
     })
 }
 
@@ -203,6 +201,9 @@ pub fn of_method(name: &str) -> bool {
 fn parameter(named: &Named) -> Parameter {
     let known = PARAMETERS.iter().find(|known| known.name == named.name);
     let mut parameter = known.cloned().unwrap_or_else(|| own_parameter(named));
+    if let (Some(choices), Some(_)) = (named.choices, known) {
+        parameter.kind = Kind::Choice(choices);
+    }
     if let Some(unit) = &named.unit {
         parameter.unit = unit.clone().into();
         parameter.shown_unit = Some(unit.clone().into());
@@ -244,10 +245,10 @@ fn own_parameter(named: &Named) -> Parameter {
             .collect(),
         kind,
         default: match named.required {
-            true => Default::Required,
-            false => Default::Follows(Text::Borrowed("not needed by the structure")),
+            true if named.programs.is_empty() => Default::Required,
+            true | false => Default::Follows(Text::Borrowed("not needed by the structure")),
         },
-        applies: None,
+        applies: super::of_programs(named.programs),
         column: ColumnRule::Always,
         heading: None,
         meaning: Borrowed(fixed.map_or("parameter of the study", |fixed| fixed.1)),

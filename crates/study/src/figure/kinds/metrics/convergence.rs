@@ -8,6 +8,7 @@ use crate::figure::keys::{BY_OTHERS, COLOUR, MARKERS, METRICS, Takes, X_RANGE, Y
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::sampled;
 use slipgap_problem::problem::Problem;
+use slipgap_problem::problem::numbers::parameter::Value;
 
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "convergence",
@@ -43,6 +44,29 @@ pub struct Convergence {
     pub by: Option<usize>,
 }
 
+impl Convergence {
+    /// The error of a program that chooses its own steps is not over dt.
+    fn refuse_adaptive(&self, checker: &mut Checker) {
+        let problem = &checker.scope.problem;
+        let programs = problem.as_structure().map(|structure| structure.programs());
+        let listed = programs.map_or(&[][..], |programs| &programs.list);
+        let mut adaptive = listed.iter().filter(|program| program.adaptive);
+        let table = problem.parameters();
+        let row = table.iter().position(|known| known.name == "method");
+        let (true, Some(row)) = (self.x == problem.schema().step, row) else {
+            return;
+        };
+        let shown = checker.levels(row);
+        if let Some(program) = adaptive.find(|program| shown.contains(&Value::Name(program.name))) {
+            let message = format!(
+                "{} is adaptive: dt is only the spacing of its answers; give a number of its own as x, or leave it out by \"where\"",
+                program.name
+            );
+            checker.fault("x", message);
+        }
+    }
+}
+
 impl Decoded for Convergence {
     fn limited_axes(&self) -> Option<([Scale; 2], usize)> {
         Some(([Scale::Log; 2], self.y.len()))
@@ -52,6 +76,7 @@ impl Decoded for Convergence {
         if !sampled::refused(checker, KIND.name) {
             metric::check(checker, self.x, Scale::Log, [self.by, None], KIND.name);
             checker.has_two_values("x", self.x, KIND.name);
+            self.refuse_adaptive(checker);
         }
     }
 

@@ -18,6 +18,9 @@ const DIFFERENT: f64 = 0.01;
 impl StructureProblem {
     /// Whether a change of 1e-10 in start and loads reaches 1 % of the peak of a channel that metrics are of; `None` if not known.
     pub fn diverges(&self, case: &Case) -> Option<bool> {
+        if self.program_of(case).is_some() {
+            return None;
+        }
         let Ready {
             structure,
             numbering,
