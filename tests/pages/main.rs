@@ -192,6 +192,7 @@ pages! {
     parts "docs/parts.md",
     performance "docs/performance.md",
     platforms "docs/platforms.md",
+    programs "docs/programs.md",
     recommend "docs/recommend.md",
     results "docs/results.md",
     scope "docs/scope.md",
