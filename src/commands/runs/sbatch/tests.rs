@@ -48,6 +48,9 @@ fn args(requeue: bool) -> SbatchArgs {
         settings: SettingsArgs {
             set: vec![Setting::new("alpha=[0.1, 1]").unwrap()],
         },
+        programs: ProgramsArgs {
+            allow_programs: false,
+        },
     }
 }
 
