@@ -4,6 +4,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     slipgap_code_hash::print(
         "SLIPGAP_CODE",
         &["src"],
-        &["libm", "multiversion", "nalgebra"],
+        &[
+            "base64",
+            "libm",
+            "multiversion",
+            "nalgebra",
+            "serde",
+            "serde_json",
+        ],
     )
 }

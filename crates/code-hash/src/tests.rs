@@ -6,7 +6,16 @@ use std::fs;
 use std::path::Path;
 
 /// The crates that the solver computes with.
-const CRATES: [&str; 5] = ["feral-amd", "libm", "multiversion", "nalgebra", "zmij"];
+const CRATES: [&str; 8] = [
+    "base64",
+    "feral-amd",
+    "libm",
+    "multiversion",
+    "nalgebra",
+    "serde",
+    "serde_json",
+    "zmij",
+];
 
 /// The text of a file of the workspace.
 fn text(path: &str) -> String {

@@ -19,7 +19,7 @@ use std::time::{Duration, SystemTime};
 /// Largest number of shards that are listed.
 pub const MOST_SHARDS: u64 = 100_000;
 
-/// Most shards that are listed before they begin if their number is only that in a sign, which a mistake may have left.
+/// Most shards that are listed if their number is only that in a sign, which a mistake may have left. Of more, those with a sign are.
 const MOST_UNASKED: u64 = 1000;
 
 /// How far a study is.
@@ -89,9 +89,10 @@ pub fn study_status(
     let now = newest.unwrap_or(SystemTime::UNIX_EPOCH);
     let progresses = shards.iter_mut().chain([&mut status.all]);
     progresses.for_each(|progress| progress.finish(now));
-    let listed = |(_, progress): &(Shard, Progress)| {
-        let few = shards_given || of.unwrap_or(0) <= MOST_UNASKED;
-        few || progress.state() != State::NotBegun
+    let few = shards_given || of.unwrap_or(0) <= MOST_UNASKED;
+    let listed = |(shard, _): &(Shard, Progress)| {
+        let mut of_signs = signs.iter().filter_map(|sign| sign.shard);
+        few || of_signs.any(|of_sign| of_sign == *shard)
     };
     let numbered = Shard::all(of.unwrap_or(0)).zip(shards);
     status.shards = numbered.filter(listed).collect();

@@ -280,16 +280,11 @@ impl Store {
         for folder in part_file::folders(&self.folder)?.iter().skip(1) {
             remove_empty_folder(folder);
         }
-        match failed {
-            None => Ok(()),
-            Some((path, e)) => {
-                let why = format!("{e}; its rows are not of this study");
-                Err(Error::io("cannot remove", path)(io::Error::new(
-                    e.kind(),
-                    why,
-                )))
-            }
-        }
+        let Some((path, e)) = failed else {
+            return Ok(());
+        };
+        let why = io::Error::new(e.kind(), format!("{e}; its rows are not of this study"));
+        Err(Error::io("cannot remove", path)(why))
     }
 
     /// Closes the store without a change. If it has no parts, its lock is removed.

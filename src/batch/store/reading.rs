@@ -30,13 +30,11 @@ pub fn general(message: &str) -> ParquetError {
     ParquetError::General(message.into())
 }
 
-/// The metrics of a part with so many cases, or the difference of its key.
-pub fn read(
-    study: &Study,
-    bytes: Vec<u8>,
-    key: &Key,
-    cases: usize,
-) -> Result<std::result::Result<MetricTable, Difference>> {
+/// What a part has, or the difference of its key.
+type OfPart<T> = Result<std::result::Result<T, Difference>>;
+
+/// The metrics of a part with so many cases.
+pub fn read(study: &Study, bytes: Vec<u8>, key: &Key, cases: usize) -> OfPart<MetricTable> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     match check_file(&file, key, cases)? {
         Ok(()) => Ok(Ok(metrics(study, &file, cases)?)),
@@ -44,12 +42,8 @@ pub fn read(
     }
 }
 
-/// Whether a part has this key and so many cases, or the difference of its key.
-pub fn check(
-    bytes: Vec<u8>,
-    key: &Key,
-    cases: usize,
-) -> Result<std::result::Result<(), Difference>> {
+/// Whether a part has this key and so many cases.
+pub fn check(bytes: Vec<u8>, key: &Key, cases: usize) -> OfPart<()> {
     check_file(&SerializedFileReader::new(Bytes::from(bytes))?, key, cases)
 }
 

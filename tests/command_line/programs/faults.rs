@@ -29,7 +29,7 @@ fn faults_are_those_of_cases() {
         ),
         (
             "nan",
-            "case 0 could not be solved: fake: its answer has NaN or an infinity, which is not JSON; null is no value",
+            "case 0 could not be solved: fake: its answer is not JSON; NaN and Infinity are none, null is no value",
         ),
         (
             "broken",

@@ -119,8 +119,12 @@ fn matrices_in_other_units_or_exchanged_have_strange_periods() {
     bench.file("p.dofs.csv", dofs);
     bench.file("I.mtx", matrix([1.0, 0.0, 1.0]));
     let study = |mass: &str, stiffness: &str, units: &str| {
+        let units = match units {
+            "" => String::new(),
+            units => format!(r#""units": "{units}","#),
+        };
         format!(
-            r#"{{"problem": "structure", "parameters": {{"dt": 0.001, "duration": 1}}, "structure": {{"units": "{units}",
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.001, "duration": 1}}, "structure": {{{units}
               "matrices": {{"p": {{"M": "{mass}", "K": "{stiffness}", "dofs": "p.dofs.csv"}}}}, "start": {{"p.1.x": {{"v": 1}}}}}},
               "metrics": ["peak(p.1.x)"]}}"#
         )

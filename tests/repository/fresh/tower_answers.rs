@@ -62,7 +62,7 @@ fn steps_of_towers() {
     says(
         PAGE,
         &format!(
-            "openings stay within 1 % in {opening} of {all} motions of forty tower pairs, forces within 2 % in {force};"
+            "Openings stay within 1 % in {opening} of {all} motions of forty tower pairs, forces within 2 % in {force};"
         ),
     );
     let coarse = ["12", "6", "3"].map(of);

@@ -218,11 +218,8 @@ fn parameter(named: &Named) -> Parameter {
 /// A parameter that only studies of structures have.
 fn own_parameter(named: &Named) -> Parameter {
     let fixed = FIXED.iter().find(|fixed| fixed.0 == named.name);
-    let kind = match (named.choices, fixed) {
-        (Some(choices), _) => Kind::Choice(choices),
-        (None, Some(_)) => Kind::Number(Range::Positive),
-        (None, None) => Kind::Number(Range::Any),
-    };
+    let range = fixed.map_or(Range::Any, |_| Range::Positive);
+    let shown = named.shown_values.iter();
     let symbol = match fixed {
         Some(("dt", _)) => "Δ*t*".to_owned(),
         Some(_) => "*t*_end_".to_owned(),
@@ -238,12 +235,10 @@ fn own_parameter(named: &Named) -> Parameter {
             None => "the study's units",
         }),
         shown_unit: None,
-        shown_values: named
-            .shown_values
-            .iter()
+        shown_values: shown
             .map(|(file, words)| (file.clone().into(), words.clone().into()))
             .collect(),
-        kind,
+        kind: named.choices.map_or(Kind::Number(range), Kind::Choice),
         default: match named.required {
             true if named.programs.is_empty() => Default::Required,
             true | false => Default::Follows(Text::Borrowed("not needed by the structure")),
