@@ -52,9 +52,12 @@ pub(in crate::batch) struct Found {
     pub saved: Option<SystemTime>,
 }
 
+/// Why a file was not taken, and what its footer says.
+type FoundFile = (Miss, Option<(Summary, Found)>);
+
 /// The files of a store, and a sample of the work of the chunks without any.
 pub(in crate::batch) struct Outline {
-    files: BTreeMap<u64, Vec<(Miss, Option<(Summary, Found)>)>>,
+    files: BTreeMap<u64, Vec<FoundFile>>,
     /// Of each chunk without a file: the mean work of its cases.
     sampled: BTreeMap<u64, f64>,
     /// Number of cases of a part of such a chunk; `None` if only the cases tell it.

@@ -253,7 +253,7 @@ impl Store {
     /// Whether the store has the parts that this process has saved or found, as far as a server may have lost them.
     ///
     /// # Errors
-    /// As of [`part_file::check_kept`].
+    /// A part is not there any more.
     pub fn check_kept(&self) -> Result<(), Error> {
         part_file::check_kept(&self.folder, &self.current())
     }

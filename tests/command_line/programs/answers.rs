@@ -26,7 +26,7 @@ fn the_shipped_program_agrees_with_the_method_of_the_product() {
     );
     let parameters =
         r#""method": ["average-acceleration", "plain"], "tol": [1e-6, 1e-8], "gap": [0.01, 0.02]"#;
-    bench.file("s.json", &towers(&plain(), parameters, &metrics));
+    bench.file("s.json", towers(&plain(), parameters, &metrics));
     bench.expect(0, &["run", "s.json", "--allow-programs", "--jobs", "2"]);
     let folder = "figures/s";
     // Two cases of the method, and four of the program, whose parameter is an axis for it alone.
@@ -73,7 +73,7 @@ fn the_shipped_program_agrees_with_the_method_of_the_product() {
     bench.expect(0, &["run", "s.json", "--allow-programs", "--out", "again"]);
     bench.expect(0, &["compare", "figures", "again"]);
     let without = metrics.replace(", \"wall\"", "");
-    bench.file("s.json", &towers(&plain(), parameters, &without));
+    bench.file("s.json", towers(&plain(), parameters, &without));
     bench.expect(0, &["run", "s.json", "--allow-programs"]);
     let results = bench.text("figures/s/results.csv");
     for words in [
@@ -118,7 +118,7 @@ fn a_program_is_asked_for_what_metrics_need() {
         let bench = bench();
         let more = format!(r#", "metrics": [{metrics}]"#);
         let parameters = r#""method": "fake", "gap": 0.01"#;
-        bench.file("s.json", &towers(&fake("asked"), parameters, &more));
+        bench.file("s.json", towers(&fake("asked"), parameters, &more));
         let said = bench.expect(3, &["run", "s.json", "--allow-programs"]).err;
         let (_, rest) = said.split_once("asked for ").unwrap();
         rest.lines().next().unwrap().to_owned()
@@ -139,7 +139,7 @@ fn the_version_of_a_program_and_its_files_are_in_the_keys_of_stores() {
     let program = fake("version").replace("\"timeout\"", file);
     let parameters = r#""method": "fake", "gap": [0.01, 0.02]"#;
     let metrics = r#", "metrics": ["peak(a)"]"#;
-    bench.file("s.json", &towers(&program, parameters, metrics));
+    bench.file("s.json", towers(&program, parameters, metrics));
     let run = || bench.expect(0, &["run", "s.json", "--allow-programs"]).err;
     assert!(run().contains("s: 2 cases run\n"));
     assert!(
@@ -162,7 +162,7 @@ fn a_request_has_the_equations_of_its_case() {
     let parameters =
         r#""method": ["average-acceleration", "plain"], "tol": [1e-6, 1e-8], "gap": [0.01, 0.02]"#;
     let metrics = r#", "metrics": ["peak(a)", "peak(joint.S)"]"#;
-    bench.file("s.json", &towers(&plain(), parameters, metrics));
+    bench.file("s.json", towers(&plain(), parameters, metrics));
     let line = bench
         .expect(0, &["explain", "s.json", "5", "--request"])
         .out;

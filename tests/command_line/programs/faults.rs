@@ -7,7 +7,7 @@ fn said(way: &str) -> (i32, String) {
     let bench = bench();
     let parameters = r#""method": "fake", "gap": [0.01, 0.02, 0.03]"#;
     let metrics = r#", "metrics": ["peak(a)", "rms_error(a)"]"#;
-    bench.file("s.json", &towers(&fake(way), parameters, metrics));
+    bench.file("s.json", towers(&fake(way), parameters, metrics));
     let done = bench.run(&["run", "s.json", "--allow-programs", "--jobs", "1"]);
     (done.code.unwrap(), done.err)
 }
@@ -111,7 +111,7 @@ fn nonsense_is_a_warning_and_other_lines_are_no_answers() {
         let bench = bench();
         let parameters = r#""method": "fake", "gap": 0.01"#;
         let metrics = r#", "metrics": ["peak(a)", "rms_error(a)", "energy_error"]"#;
-        bench.file("s.json", &towers(&fake(way), parameters, metrics));
+        bench.file("s.json", towers(&fake(way), parameters, metrics));
         bench.expect(0, &["run", "s.json", "--allow-programs"]).err
     };
     assert!(warnings("huge").contains("(warning program-size"));
@@ -125,7 +125,7 @@ fn nonsense_is_a_warning_and_other_lines_are_no_answers() {
 fn mistakes_of_programs_are_faults_of_the_study() {
     let bench = bench();
     let fault = |programs: &str, parameters: &str| {
-        bench.file("s.json", &towers(programs, parameters, ""));
+        bench.file("s.json", towers(programs, parameters, ""));
         bench.expect(2, &["list", "s.json"]).err
     };
     let gap = r#""gap": 0.01"#;

@@ -26,7 +26,7 @@ fn no_verb_starts_a_program_without_being_asked() {
     let bench = bench();
     let check = r#", "metrics": ["peak(a)"], "checks": [{ "metric": "peak(a)", "max": 1 }]"#;
     let parameters = r#""method": "fake", "gap": [0.01, 0.02]"#;
-    bench.file("s.json", &towers(&fake("banner"), parameters, check));
+    bench.file("s.json", towers(&fake("banner"), parameters, check));
     bench.file("claims/c.json", LEDGER);
     for words in VERBS {
         let mut command = bench.command();
@@ -51,7 +51,7 @@ fn no_verb_starts_a_program_without_being_asked() {
     // No key of a study allows it.
     let parameters = r#""method": "fake", "gap": 0.01"#;
     let key = r#", "allow_programs": true"#;
-    bench.file("t.json", &towers(&fake("banner"), parameters, key));
+    bench.file("t.json", towers(&fake("banner"), parameters, key));
     let done = bench.expect(2, &["run", "t.json"]);
     assert!(done.err.contains("unknown key"), "{done:?}");
     assert!(!bench.path("started").exists());

@@ -185,7 +185,7 @@ pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
     };
     let sets = || choices.iter().map(|digits| with_numbers_at(digits));
     let enough = sets().find(|ticks| numbers(ticks) >= FEWEST);
-    let mut ticks = enough.or_else(|| sets().last()).unwrap_or_default();
+    let mut ticks = enough.or_else(|| sets().next_back()).unwrap_or_default();
     let mut power = 0;
     // Between round numbers, steps of a linear axis; they are not evenly spaced here.
     for most in [most.min(4.0), 5.0, 8.0] {

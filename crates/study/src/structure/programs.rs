@@ -125,9 +125,9 @@ fn program(member: &Member, path: &str, reader: &Reader, faults: &mut Faults) ->
     drop(files);
     let mut numbers = Vec::new();
     if let Some((node, path)) = object.given("parameters", faults)
-        && let Some(own) = Object::of_any_keys(node, &path, faults)
+        && let Some(given) = Object::of_any_keys(node, &path, faults)
     {
-        for member in &own.members {
+        for member in &given.members {
             let path = join(&path, &member.key);
             let amount = reader.amount(&member.node, &path, Range::Any, faults);
             numbers.extend(amount.map(|amount| (member.key.clone(), amount)));
@@ -141,7 +141,7 @@ fn program(member: &Member, path: &str, reader: &Reader, faults: &mut Faults) ->
         None => false,
         Some((node, path)) => match node.tree {
             Tree::Bool(adaptive) => adaptive,
-            _ => {
+            Tree::Object(_) | Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Null => {
                 faults.must_be(node, &path, "true or false");
                 false
             }

@@ -124,7 +124,10 @@ impl<'a> Known<'a> {
                     instants.map(value).collect()
                 }
                 Number::Energy(energy) => energies(*energy),
-                number => instants.map(|i| self.number(*number, i)).collect(),
+                Number::Displacement(_)
+                | Number::Velocity(_)
+                | Number::Acceleration(_)
+                | Number::Contact(..) => instants.map(|i| self.number(*number, i)).collect(),
             });
         }
         Ok(Recorded::new(numbers, all_series, self.steps + 1))

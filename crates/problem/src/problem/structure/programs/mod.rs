@@ -142,10 +142,11 @@ impl StructureProblem {
         let computed = (run.recorded, run.energies, None);
         let (motions, mut values, warnings) = self.judge(ready, Ok(computed), perturbed, more)?;
         for (metric, value) in self.metrics.iter().zip(&mut values) {
-            match metric.reduction {
-                Reduction::Cost => *value = run.cost,
-                Reduction::Wall => *value = Some(run.wall),
-                _ => {}
+            if metric.reduction == Reduction::Cost {
+                *value = run.cost;
+            }
+            if metric.reduction == Reduction::Wall {
+                *value = Some(run.wall);
             }
         }
         let is_far = |exact: &Option<Recorded>| {
