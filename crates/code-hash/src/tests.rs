@@ -30,7 +30,7 @@ fn locked(lock: &str) -> String {
 /// A text without spaces and the commas at the ends of lists.
 fn tokens(text: &str) -> String {
     let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-    text.replace(",)", ")")
+    text.replace(",)", ")").replace(",]", "]")
 }
 
 /// What cargo writes for a crate.

@@ -44,12 +44,12 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        39_000,
+        39_100,
     ),
     (
         "drawing, figures",
         &["crates/drawing", "crates/figures"],
-        13_900,
+        14_100,
     ),
     (
         "product",
@@ -60,7 +60,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
             "validation",
             "python",
         ],
-        23_200,
+        23_400,
     ),
 ];
 
