@@ -11,7 +11,7 @@ papers = $(sort $(wildcard studies/friction-fig*.json studies/impact-fig*.json))
 shown = $(papers) structure-skew-deck friction-map-beta plane-circle impact-map-gamma-n laws-front-friction parts-loops laws-front-impact \
   impact-budget plane-width structure-girders parts-degrading structure-blocks plane-uncoupled bridges-friction
 
-.PHONY: help figures evidence hashes report test overflow lint fresh fresh-run fresh-judge licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test
+.PHONY: help figures evidence hashes report test overflow lint fresh fresh-run fresh-judge licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test programs
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -108,6 +108,12 @@ recipes: ## the recipes of docs/clusters.md with GNU parallel, HyperQueue, Snake
 	$(recipes_env)/bin/python -c "import snakemake, distributed, hyperqueue" 2> /dev/null || { $(PYTHON) -m venv $(recipes_env) && $(recipes_env)/bin/pip install --quiet snakemake "dask[distributed]" hyperqueue; } \
 	  || echo "no packages to be had: only engines that are installed are tried"
 	PATH="$(CURDIR)/$(recipes_env)/bin:$$PATH" cargo test --release --locked --test recipes -- --ignored --nocapture
+
+# Not part of CI, which tests those of its own environment. MuJoCo and OpenSees come from PyPI; OpenSees needs libblas3 and liblapack3.
+programs_env = target/programs
+programs: ## a sliding mass by OpenSees, MuJoCo and scipy, against the exact motion, in target/programs/results
+	$(programs_env)/bin/python -c "import scipy, mujoco, openseespy" 2> /dev/null || { $(PYTHON) -m venv $(programs_env) && $(programs_env)/bin/pip install --no-compile --quiet numpy scipy mujoco openseespy; }
+	PATH="$(CURDIR)/$(programs_env)/bin:$$PATH" cargo run --release --locked -- run examples/programs/release.json --allow-programs --out $(programs_env)/results
 
 # A server of moto keeps the objects in memory, on free ports of this machine. Not part of CI, since the HTTP client takes minutes to
 # compile.

@@ -1,0 +1,72 @@
+"""Lines between slipgap and a program: requests in, answers out, for the programs of this folder."""
+import json
+import os
+import sys
+
+import numpy as np
+
+
+def serve(program, version, laws, run):
+    """Answers requests: `run` gives u and v at the instants by rows, S of the contacts by name, and the count of its work."""
+    answers = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)  # What the engine prints goes to standard error.
+    print(json.dumps({"format": 1, "program": program, "version": version, "laws": laws}), file=answers, flush=True)
+    for line in sys.stdin:
+        case = json.loads(line)
+        try:
+            u, v, forces, cost = run(case)
+            answer = {"channels": {name: channel(case, name, u, v, forces) for name in case["channels"]}, "cost": cost}
+        except Exception as why:  # A case that fails is a fault of this case alone.
+            answer = {"error": f"{type(why).__name__}: {why}"}
+        print(json.dumps({"case": case["case"], **answer}), file=answers, flush=True)
+
+
+def channel(case, name, u, v, forces):
+    """The values of a channel that was asked for."""
+    if name in case["dofs"]:
+        return [float(x) for x in u[:, case["dofs"].index(name)]]
+    of, _, quantity = name.rpartition(".")
+    if quantity == "v" and of in case["dofs"]:
+        return [float(x) for x in v[:, case["dofs"].index(of)]]
+    if quantity == "S" and of in forces:
+        return [float(x) for x in forces[of]]
+    raise ValueError(f"no channel {name}")
+
+
+def matrix(case, name):
+    """M, K or C as an array."""
+    n = len(case["dofs"])
+    full = np.zeros((n, n))
+    for i, j, value in case[name]:
+        full[i, j] = value
+    return full
+
+
+def loads(case, mass):
+    """The loads of all degrees of freedom at the instants, by rows: those of the nodes, and of the ground."""
+    if case["supports"]:
+        raise ValueError("no supports that move")
+    p = np.zeros((case["steps"] + 1, len(case["dofs"])))
+    for name, values in case["loads"].items():
+        p[:, case["dofs"].index(name)] = values
+    for ground in case["ground"].values():
+        p -= np.outer(ground["a"], mass @ np.array(ground["influence"]))
+    return p
+
+
+def direction(case, contact):
+    """B of a contact: r = gap + B u."""
+    if "plane" in contact:
+        raise ValueError("no contacts in a plane")
+    b = np.zeros(len(case["dofs"]))
+    for i, value in contact["along"]:
+        b[i] = value
+    return b
+
+
+def constant_limit(contact):
+    """The limit of friction, which must not change."""
+    numbers = contact["numbers"]
+    if isinstance(contact.get("N"), (list, dict)):
+        raise ValueError("no normal force that changes")
+    return numbers["limit"] if "limit" in numbers else numbers["nu"] * contact["N"]
