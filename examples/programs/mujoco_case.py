@@ -3,7 +3,7 @@
 
 Friction is `frictionloss` of a tendon, which MuJoCo softens: it creeps where it should stick. M must be diagonal. Numbers: `timeconst` of
 `solreffriction` (0.02 s), `impedance` (0.9, of `solimpfriction`; nearer 1 is harder), `substeps` of dt (1), `integrator` (0: Euler,
-1: RK4, 2: implicit), `tolerance` of the solver (1e-8).
+1: implicit), `tolerance` of the solver (1e-8).
 """
 import mujoco
 import numpy as np
@@ -52,7 +52,7 @@ def model(case):
         f'<body><joint name="q{i}" type="slide" axis="1 0 0"/><inertial pos="0 0 0" mass="{float(m)!r}" diaginertia="1 1 1"/></body>'
         for i, m in enumerate(np.diag(mass))
     )
-    integrator = ["Euler", "RK4", "implicit"][int(numbers.get("integrator", 0))]
+    integrator = ["Euler", "implicit"][int(numbers.get("integrator", 0))]
     dt = case["dt"] / int(numbers.get("substeps", 1))
     option = f'timestep="{dt!r}" gravity="0 0 0" integrator="{integrator}" tolerance="{numbers.get("tolerance", 1e-8)!r}" iterations="500"'
     # Otherwise the impedance and the mass of a body have bounds that are not those of the case.
@@ -77,6 +77,8 @@ def run(case):
             raise RuntimeError(f"not finite at t = {(step + 1) * case['dt']:.6g}")
         u.append(data.qpos.copy())
         v.append(data.qvel.copy())
+        data.qfrc_applied[:] = p[step + 1]
+        mujoco.mj_forward(system, data)  # Otherwise the forces are those at the start of the last step.
         rows = {int(i): float(f) for i, f, kind in zip(data.efc_id, data.efc_force, data.efc_type) if kind == mujoco.mjtConstraint.mjCNSTR_FRICTION_TENDON}
         for name in names:
             forces[name].append(-rows.get(place[name], 0.0))

@@ -79,6 +79,8 @@ def run(case):
                 ops.setNodeVel(i + 2, 1, case["start"]["v"][i], "-commit")
                 ops.setNodeAccel(i + 2, 1, case["start"]["a"][i], "-commit")
         for contact in contacts:
+            if contact["law"] == "displacement-control" and case["start"]["S"][contact["name"]] != 0:
+                raise ValueError(f"contact {contact['name']}: no force at the start")
             if (contact["law"] != "impact-spring") == friction:
                 tag += 1
                 gaps[contact["name"]] = tag
