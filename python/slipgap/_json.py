@@ -19,7 +19,11 @@ def dumps(value: object) -> str:
     """The JSON of a study or of a value in it."""
     if isinstance(value, Mapping):
         value = _measured(value)
-    return json.dumps(value, default=_plain, allow_nan=False)
+    try:
+        return json.dumps(value, default=_plain, allow_nan=False)
+    except ValueError as error:
+        found = _not_finite(value, "")
+        raise ValueError(f"{found}, which JSON does not have" if found else str(error)) from None
 
 
 def _plain(value: object) -> object:
@@ -109,8 +113,7 @@ def text_of(value: Mapping[str, Any]) -> str:
     try:
         return dumps(value)
     except ValueError as error:
-        found = _not_finite(value, "")
-        raise SlipgapError(f"{found}, which JSON does not have" if found else str(error)) from None
+        raise SlipgapError(str(error)) from None
 
 
 def _not_finite(value: object, path: str) -> str | None:

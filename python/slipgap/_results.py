@@ -104,7 +104,7 @@ class Results:
         """A case of the study with its motion, as :func:`slipgap.solve` gives it."""
         if isinstance(self._own, _slipgap.Results):
             return Solution(self._own.solution(case))
-        return Solution(_slipgap.solve(self.study, case))
+        return Solution(_slipgap.solve(self.study, case, False))
 
     def plot(
         self,

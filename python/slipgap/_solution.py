@@ -151,7 +151,7 @@ class Solution:
         figure = {"name": "channel", "kind": "history", "y": [name], "where": case}
         drawn = self._study.replace(figures=[figure], checks=None)
         try:
-            return _in(_slipgap.solve(drawn, self.case_number), name, part)
+            return _in(_slipgap.solve(drawn, self.case_number, False), name, part)
         except SlipgapError as error:
             message = f"{UnknownNameError.of('channel', name, self._arrays(part))}; {error}"
             raise UnknownNameError(message) from None

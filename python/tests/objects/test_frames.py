@@ -88,8 +88,8 @@ def test_units_are_those_of_the_study(results: slipgap.Results) -> None:
     units = results.table.units
     assert units["gap"] == "m" and units["dt"] == units["duration"] == "s"
     assert units["peak(a)"] == "m" and units["peak(stop.S)"] == "kN" and units["impacts(stop)"] == "1"
-    # The study does not say what k is.
-    assert "k" not in units and "law" not in units
+    # A parameter has the unit of the key of the structure that it is the value of.
+    assert units["k"] == "kN/m" and units["m"] == "t" and "law" not in units
     solution = results.solution(0)
     assert (solution.units["t"], solution.units["a.v"], solution.units["stop.S"]) == ("s", "m/s", "kN")
     assert pyarrow.table(results.table).schema.field("peak(a)").metadata == {b"units": b"m"}

@@ -14,6 +14,12 @@ import slipgap
 PROGRAM = Path(__file__).parents[3] / "examples" / "programs" / "average_acceleration.py"
 
 
+@pytest.fixture(autouse=True)
+def in_path(program: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The tests have the program that was built from the same sources, not an installed one."""
+    monkeypatch.setattr("slipgap._program.program", lambda: program)
+
+
 def study(folder: Path) -> Path:
     """Write a study whose program leaves a file when it starts."""
     code = f"open('started', 'w').close(); exec(open({str(PROGRAM)!r}).read())"
