@@ -7,3 +7,4 @@ pub(crate) mod laws;
 pub(crate) mod series_newton;
 pub(crate) mod series_root;
 pub(crate) mod static_friction;
+pub(crate) mod static_in_plane;
