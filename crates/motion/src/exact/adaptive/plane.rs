@@ -78,16 +78,9 @@ pub struct PlaneState {
 
 impl PlaneContact {
     /// A contact with rdot, rigid with this static limit over its limit, which was at rest under S before, if static loads act.
-    pub fn new(
-        law: ContactLaw,
-        rigid: Option<f64>,
-        at_rest: Option<Pair>,
-        rdot: Pair,
-    ) -> PlaneContact {
-        let phase = match rdot == [0.0; 2] {
-            true => Phase::Sticks,
-            false => Phase::Slides,
-        };
+    pub fn new(law: ContactLaw, rigid: Option<f64>, at_rest: Option<Pair>, rdot: Pair) -> Self {
+        let sticks = rdot == [0.0; 2];
+        let phase = if sticks { Phase::Sticks } else { Phase::Slides };
         PlaneContact {
             law,
             at_rest,
@@ -204,12 +197,9 @@ impl PlaneContact {
             one_sided: true,
         };
         if let Some(phase) = self.phase {
-            let bound = self.limit(limit);
+            let [bound, most] = [self.limit(limit), self.static_limit(limit)];
             to.push(match phase {
-                Phase::Sticks => {
-                    let bound = self.static_limit(limit);
-                    one_sided(bound - length(state.held), BEGINS * bound)
-                }
+                Phase::Sticks => one_sided(most - length(state.held), BEGINS * most),
                 Phase::Begins { .. } => one_sided(1.0, 0.0),
                 Phase::Slides if bound > 0.0 => match self.line(state) {
                     Some(line) => line.least_velocity(state.t, [state.r[0], state.rdot[0]]),

@@ -137,12 +137,12 @@ impl Moving<'_> {
         let [_, held] = self.sums(t, y, &mut vec![0.0; self.model.len()]);
         let rows = Self::rows(rests);
         let mut limits = self.static_limits(rests, t, y);
-        let kinetic = self.kinetic_limits(rests, t, y);
         let held_size = |i: usize| length([held[rows[2 * i]], held[rows[2 * i + 1]]]);
         let m = rows.len();
         if (0..rests.len()).all(|i| held_size(i) < limits[2 * i]) {
             return false;
         }
+        let kinetic = self.kinetic_limits(rests, t, y);
         let matrix = self.model.flexibility(&rows);
         let held: Vec<f64> = rows.iter().map(|row| held[*row]).collect();
         let product = |size: fn(f64) -> f64| -> Vec<f64> {

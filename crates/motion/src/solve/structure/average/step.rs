@@ -3,7 +3,8 @@
 use super::lane_state::{Average, ContactState};
 use crate::lane::Lane;
 use crate::solve::structure::contacts::laws::friction;
-use crate::solve::structure::contacts::static_friction::{Admissible, StaticFriction};
+use crate::solve::structure::contacts::static_friction::StaticFriction;
+use crate::solve::structure::contacts::static_in_plane::Admissible;
 use crate::solve::structure::linear_part::links::{Elimination, Link};
 
 impl<const L: usize> Average<'_, L> {

@@ -16,14 +16,10 @@
 //! the energy of its springs into motion and back, until S has fallen by twice Ls - L. It sticks there, at S = 2 L - Ls. So S has
 //! distant bounds, and falls by this as often as it would be beyond Ls.
 
-use super::static_in_plane::{Disc, PlaneLimits};
+use super::static_in_plane::{Admissible, Admit, Disc, PlaneLimits, ROUND_OFF};
 use crate::contact::plane::Pair;
 use crate::lane::Lane;
-use crate::methods::Method;
 use crate::system::structure::Structure;
-
-/// Round-off of a force at a bound over both bounds: some multiples of the unit round-off.
-pub(crate) const ROUND_OFF: f64 = 1e-14;
 
 /// Bounds of S over the static limit at a node without mass, before it is known how often the contact breaks loose.
 const REACH: f64 = 1e4;
@@ -194,18 +190,6 @@ impl StaticFriction {
     }
 }
 
-/// Where the force of a contact may be.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Admissible {
-    /// Within these bounds.
-    Between([f64; 2]),
-    /// In this disc, of a contact in a plane by its first direction.
-    Disc(Disc),
-}
-
-/// Takes where the force of a contact may be from now on.
-pub(crate) type Admit<'a> = dyn FnMut(usize, Admissible) + 'a;
-
 /// The bounds of contacts of a lane that break loose with these forces, if there are any.
 pub(crate) fn breaks(
     friction: &mut Option<StaticFriction>,
@@ -311,32 +295,4 @@ impl TwoLimits {
             (_, None) => force,
         }
     }
-}
-
-/// The first contact with two limits that a method or a structure cannot have: its index, and why.
-pub fn static_ratio_fault(structure: &Structure, method: &Method) -> Option<(usize, String)> {
-    let chains = structure.chains();
-    let massless = structure.massless();
-    let is_massless = |i: usize| structure.column(i).any(|(node, _)| massless[node]);
-    let mut contacts = structure.contacts.iter().enumerate();
-    contacts.find_map(|(i, contact)| {
-        if contact.law.static_ratio() == 1.0 {
-            return None;
-        }
-        let has_static = matches!(method, Method::AverageAcceleration(_)) || method.has_impulses();
-        let is_in_series = || chains.iter().any(|chain| chain.members().any(|m| m.contact == i));
-        let why = match has_static {
-            false => {
-                "static_ratio above 1: the force of a contact that sticks alternates from step to step in this method, and would break it loose; allowed: average-acceleration or moreau-jean"
-            }
-            true if contact.law.row().is_some() && is_massless(i) => {
-                "static_ratio above 1 in a plane is not known at a node without mass, where the way of the jump depends on the springs; give the node a mass"
-            }
-            true if is_in_series() => {
-                "static_ratio above 1 is not known in series: the other contacts share the jump of the force; put a spring in their place, or give the node between them a mass"
-            }
-            true => return None,
-        };
-        Some((i, why.into()))
-    })
 }

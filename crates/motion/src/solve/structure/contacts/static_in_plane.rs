@@ -17,10 +17,24 @@
 //! falls, and never is 0. So the motion is not continuous in its start there, and a step stops the contact also where its velocity
 //! would have turned by more than a right angle within the step. These starts are fewer, the shorter the step is.
 
-use super::static_friction::ROUND_OFF;
 use crate::contact::plane::{Pair, dot, length};
 use crate::lane::Lane;
 use crate::system::structure::{PlaneRow, Structure};
+
+/// Round-off of a force at a bound over both bounds: some multiples of the unit round-off.
+pub(crate) const ROUND_OFF: f64 = 1e-14;
+
+/// Where the force of a contact may be.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Admissible {
+    /// Within these bounds.
+    Between([f64; 2]),
+    /// In this disc, of a contact in a plane by its first direction.
+    Disc(Disc),
+}
+
+/// Takes where the force of a contact may be from now on.
+pub(crate) type Admit<'a> = dyn FnMut(usize, Admissible) + 'a;
 
 /// Where the force of both directions may be at the end of a step.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,8 @@
 //! Friction with two limits in a sub-step.
 
 use super::stages::General;
-use crate::solve::structure::contacts::static_friction::{Admissible, StaticFriction};
+use crate::solve::structure::contacts::static_friction::StaticFriction;
+use crate::solve::structure::contacts::static_in_plane::Admissible;
 
 impl<const L: usize> General<'_, L> {
     /// Bounds of contacts with two limits: S' is the mean over the step.

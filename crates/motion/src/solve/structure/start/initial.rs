@@ -5,7 +5,7 @@ use crate::contact::plane::length;
 use crate::contact::{ClippedLine, RigidForces, Unsolved};
 use crate::solve::structure::contacts::curved::plane::first_forces;
 use crate::solve::structure::contacts::laws::{bounds, friction};
-use crate::solve::structure::contacts::static_friction::ROUND_OFF;
+use crate::solve::structure::contacts::static_in_plane::ROUND_OFF;
 use crate::system::structure::{Inertia, PlaneRow, Structure};
 
 /// S(0) of every contact.

@@ -13,7 +13,6 @@ mod methods;
 mod motion;
 mod preload;
 mod pushed;
-mod static_in_plane;
 mod static_ratio;
 
 use crate::contact::ClippedLine;

@@ -5,7 +5,7 @@ use super::step::{Motion, ROUND_OFF, Scale, line, trial};
 use crate::contact::plane::PlaneMemory;
 use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial, WhichLaw};
 use crate::lane::Lane;
-use crate::solve::structure::contacts::static_friction::Admissible;
+use crate::solve::structure::contacts::static_in_plane::Admissible;
 use crate::system::structure::{PlaneRow, Structure, StructureLaw};
 
 /// A contact.

@@ -12,7 +12,7 @@ use super::plane::{self};
 use super::step::{Motion, Scale, explicit_line, line};
 use crate::contact::plane::PlaneMemory;
 use crate::contact::{AnyRunningLaw, ContactLaw, Unsolved};
-use crate::solve::structure::contacts::static_friction::{Admissible, Admit};
+use crate::solve::structure::contacts::static_in_plane::{Admissible, Admit};
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::{Chain, PlaneRow, Structure};
 

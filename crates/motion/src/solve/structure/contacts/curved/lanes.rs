@@ -7,7 +7,7 @@ use super::step::Motion;
 use crate::contact::{ContactKind, Unsolved};
 use crate::lane::Lane;
 use crate::solve::structure::contacts::forces::{Forces, Found};
-use crate::solve::structure::contacts::static_friction::Admit;
+use crate::solve::structure::contacts::static_in_plane::Admit;
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::Structure;
 
