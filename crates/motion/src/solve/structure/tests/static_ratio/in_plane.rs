@@ -271,9 +271,18 @@ fn steps_tend_to_the_exact_motion_with_order_one() {
     let mut two = blocks(Some([0.6, 0.8]), &[1.5, 1.3], varying);
     // It pulls in another direction as well.
     load(&mut two, vec![(0, 1.0), (3, -0.7)], wave(4.0, 2.1, 0.0));
+    // It opens and closes while it moves, and starts with a velocity.
+    let opening = Limit {
+        varying: Some((1.5, Arc::new(sine(1.1)))),
+        ..limit(0)
+    };
+    let mut launched = turned(Limit::constant(0.6), 3.0);
+    launched.velocity = vec![0.7, -0.4];
     for s in [
         turned(Limit::constant(1.0), 1.4),
         turned(varying(0), 1.2),
+        turned(opening, 1.3),
+        launched,
         two,
     ] {
         for method in [AVERAGE, IMPULSES] {
