@@ -105,17 +105,6 @@ fn what_is_not_known_is_refused_with_a_reason() {
         one["metrics"] = json!(["last(m1)"]);
         metrics(&one, 0);
     }
-    let mut plane = two_masses("average-acceleration", 1e-5);
-    plane["structure"]["masses"]["m1"] = json!({"mass": 5, "direction": ["x", "y"]});
-    plane["structure"]["springs"] =
-        json!([{"between": ["ground", "m1"], "directions": ["x", "y"], "k": 1e4}]);
-    plane["structure"]["contacts"]["f"] = json!({"law": "coulomb", "between": ["ground", "m1"], "directions": ["x", "y"], "limit": 2000, "static_ratio": 1.5});
-    plane["metrics"] = json!(["last(m2)"]);
-    let why = refused(&plane);
-    assert!(
-        why.contains("static_ratio above 1 is not known in a plane"),
-        "{why}"
-    );
     let mut series = two_masses("average-acceleration", 1e-5);
     series["structure"]["contacts"]["f"] = json!({"between": ["ground", "m1"], "series": [
         {"law": "coulomb", "limit": 2000, "static_ratio": 1.5},

@@ -39,7 +39,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "contact, system, motion",
         &["crates/contact", "crates/system", "crates/motion"],
-        37_700,
+        37_900,
     ),
     (
         "problem, cases, study",

@@ -24,6 +24,8 @@ pub struct PlaneContact {
     slides: bool,
     /// What a rigid contact does; `None` of a law with compliance.
     pub phase: Option<Phase>,
+    /// Of a rigid contact: up to so many times its limit it sticks.
+    static_ratio: f64,
     /// A force in place of that of the motion, while one that begins to slide is sought.
     pub imposed: Option<Imposed>,
     /// Whether one that begins to slide is fast enough for explicit steps at the end of the last step.
@@ -75,17 +77,16 @@ pub struct PlaneState {
 }
 
 impl PlaneContact {
-    /// A contact with rdot, which was at rest under S before, if static loads act.
-    pub fn new(law: ContactLaw, is_rigid: bool, at_rest: Option<Pair>, rdot: Pair) -> PlaneContact {
-        let phase = match rdot == [0.0; 2] {
-            true => Phase::Sticks,
-            false => Phase::Slides,
-        };
+    /// A contact with rdot, rigid with this static limit over its limit, which was at rest under S before, if static loads act.
+    pub fn new(law: ContactLaw, rigid: Option<f64>, at_rest: Option<Pair>, rdot: Pair) -> Self {
+        let sticks = rdot == [0.0; 2];
+        let phase = if sticks { Phase::Sticks } else { Phase::Slides };
         PlaneContact {
             law,
             at_rest,
             slides: false,
-            phase: is_rigid.then_some(phase),
+            phase: rigid.map(|_| phase),
+            static_ratio: rigid.unwrap_or(1.0),
             largest: [0.0; 2],
             imposed: None,
             is_fast: false,
@@ -110,6 +111,11 @@ impl PlaneContact {
     pub fn limit(&self, limit: Option<LimitAt>) -> f64 {
         let [_, bound] = self.law.properties().bounds();
         limit.map_or(bound, |limit| limit.value)
+    }
+
+    /// The limit up to which one sticks.
+    pub fn static_limit(&self, limit: Option<LimitAt>) -> f64 {
+        self.static_ratio * self.limit(limit)
     }
 
     /// z at its bound, or not beyond it.
@@ -191,9 +197,9 @@ impl PlaneContact {
             one_sided: true,
         };
         if let Some(phase) = self.phase {
-            let bound = self.limit(limit);
+            let [bound, most] = [self.limit(limit), self.static_limit(limit)];
             to.push(match phase {
-                Phase::Sticks => one_sided(bound - length(state.held), BEGINS * bound),
+                Phase::Sticks => one_sided(most - length(state.held), BEGINS * most),
                 Phase::Begins { .. } => one_sided(1.0, 0.0),
                 Phase::Slides if bound > 0.0 => match self.line(state) {
                     Some(line) => line.least_velocity(state.t, [state.r[0], state.rdot[0]]),

@@ -20,8 +20,7 @@ pub struct Widened {
 /// Both directions of friction without compliance in one; `None` of another law.
 fn in_plane(law: &StructureLaw) -> Option<[StructureLaw; 2]> {
     let is_friction = law.row().is_none() && law.is_rigid() && law.limit().is_some();
-    let in_plane = || law.clone().in_plane();
-    (is_friction && law.static_ratio() <= 1.0).then(in_plane)?
+    is_friction.then(|| law.clone().in_plane())?
 }
 
 impl Widened {

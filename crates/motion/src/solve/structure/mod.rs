@@ -56,7 +56,7 @@ mod run;
 mod seen;
 mod start;
 
-pub use crate::solve::structure::contacts::static_friction::static_ratio_fault;
+pub use crate::solve::structure::contacts::static_fault::static_ratio_fault;
 pub use crate::solve::structure::linear_part::block_matrix::sizes_of_blocks;
 pub use crate::solve::structure::linear_part::prepared::Prepared;
 pub use crate::solve::structure::seen::books::{Books, Work};

@@ -139,7 +139,12 @@ impl StructureLaw {
 
     /// Static limit over the kinetic one; 1 where both are the same, or where the law itself has both.
     pub fn static_ratio(&self) -> f64 {
-        match (self.line(), &self.limit) {
+        // In a plane, too, where its answer is its own.
+        let line = match self.row {
+            Some(_) => self.given.line().filter(|line| line.is_rigid()),
+            None => self.line(),
+        };
+        match (line, &self.limit) {
             (Some(ClippedLine::Coulomb), Some(limit)) => limit.static_ratio,
             // In series with nodes without mass.
             (Some(ClippedLine::Elastic { stiffness }), Some(limit)) if stiffness.is_infinite() => {

@@ -25,6 +25,9 @@ const ROUND_OFF: f64 = 1e-12;
 /// Friction in a plane that is rigid or elastic up to its limit, in series with springs of this compliance; `None` of another law.
 pub fn in_series(law: &StructureLaw, compliance: f64) -> Option<ContactLaw> {
     let limit = law.limit().map_or(0.0, |limit| limit.at(0.0));
+    if law.static_ratio() > 1.0 {
+        return None;
+    }
     if law.row().is_some() && law.is_rigid() {
         return Some(DisplacementControl { compliance, limit }.into());
     }

@@ -4,7 +4,8 @@ use super::rigid_planes::{self, Accelerations};
 use super::structure::{Moving, moved_gap};
 use crate::contact::RigidForces;
 use crate::contact::plane::length;
-use crate::exact::adaptive::plane::Phase;
+use crate::exact::adaptive::plane::{Phase, PlaneContact};
+use crate::exact::adaptive::watched::LimitAt;
 use crate::system::structure::Structure;
 
 /// Part of its limit that a force which begins to slide may miss by round-off: shares of contacts that hold a body together have 1e-10.
@@ -12,6 +13,9 @@ const ROUND_OFF: f64 = 1e-9;
 
 /// Part of its terms from which on the acceleration of a contact at its limit is none of round-off.
 const MOVES: f64 = 1e-11;
+
+/// A limit of a contact.
+type LimitOf = fn(&PlaneContact, Option<LimitAt>) -> f64;
 
 impl Moving<'_> {
     /// Both rows of these contacts, by their first ones.
@@ -22,11 +26,20 @@ impl Moving<'_> {
             .collect()
     }
 
-    /// The limits of both rows of these contacts.
-    fn limits(&self, firsts: &[usize], t: f64, y: &[f64]) -> Vec<f64> {
+    /// The limits of both rows of these contacts up to which they stick.
+    fn static_limits(&self, firsts: &[usize], t: f64, y: &[f64]) -> Vec<f64> {
+        self.limits(firsts, t, y, PlaneContact::static_limit)
+    }
+
+    /// Those with which they slide.
+    fn kinetic_limits(&self, firsts: &[usize], t: f64, y: &[f64]) -> Vec<f64> {
+        self.limits(firsts, t, y, PlaneContact::limit)
+    }
+
+    fn limits(&self, firsts: &[usize], t: f64, y: &[f64], limit: LimitOf) -> Vec<f64> {
         let of = |first: usize| {
             let plane = self.planes[first].as_ref();
-            plane.map_or(0.0, |plane| plane.limit(self.limit(first, t, y)))
+            plane.map_or(0.0, |plane| limit(plane, self.limit(first, t, y)))
         };
         let limits: Vec<f64> = firsts.iter().map(|first| of(*first)).collect();
         limits.iter().flat_map(|limit| [*limit; 2]).collect()
@@ -65,7 +78,8 @@ impl Moving<'_> {
         let find = |firsts: &[usize], sums: &[f64], held: &mut Vec<f64>| {
             let rows = Self::rows(firsts);
             let of = Accelerations { sums, gaps: &gaps };
-            let found = rigid_planes::held(&self.model, &rows, &of, &self.limits(firsts, t, y));
+            let found =
+                rigid_planes::held(&self.model, &rows, &of, &self.static_limits(firsts, t, y));
             for (row, force) in rows.iter().zip(found) {
                 held[*row] = force;
             }
@@ -118,15 +132,17 @@ impl Moving<'_> {
     }
 
     /// Whether contacts that rest begin to slide: the forces within the discs that leave the least accelerations are at their limits.
+    /// Those at static limits break loose together: their limits become the kinetic ones, and the forces are found again.
     fn begin_from(&mut self, rests: &[usize], t: f64, y: &[f64]) -> bool {
         let [_, held] = self.sums(t, y, &mut vec![0.0; self.model.len()]);
         let rows = Self::rows(rests);
-        let limits = self.limits(rests, t, y);
+        let mut limits = self.static_limits(rests, t, y);
         let held_size = |i: usize| length([held[rows[2 * i]], held[rows[2 * i + 1]]]);
         let m = rows.len();
         if (0..rests.len()).all(|i| held_size(i) < limits[2 * i]) {
             return false;
         }
+        let kinetic = self.kinetic_limits(rests, t, y);
         let matrix = self.model.flexibility(&rows);
         let held: Vec<f64> = rows.iter().map(|row| held[*row]).collect();
         let product = |size: fn(f64) -> f64| -> Vec<f64> {
@@ -134,43 +150,50 @@ impl Moving<'_> {
             (0..m).map(row).collect()
         };
         let [d, sizes] = [product(|x| x), product(f64::abs)];
-        let low: Vec<f64> = limits.iter().map(|limit| -limit).collect();
-        let mut forces: Vec<f64> = (0..m)
-            .map(|i| held[i] * (limits[i] / held_size(i / 2)).min(1.0))
-            .collect();
         let firsts = (0..m).map(|i| i % 2 == 0).collect();
-        // Forces that are not unique move the bodies alike.
-        let _ = RigidForces::new(matrix.clone(), firsts).solve(
-            &d,
-            [&low, &limits],
-            &sizes,
-            &mut forces,
-        );
-        let moves = |row: usize| {
-            let taken = (0..m).map(|j| matrix[row * m + j] * forces[j]);
-            (d[row] - taken.sum::<f64>()).abs() > MOVES * sizes[row]
+        let mut problem = RigidForces::new(matrix.clone(), firsts);
+        let beginning = loop {
+            let low: Vec<f64> = limits.iter().map(|limit| -limit).collect();
+            let mut forces: Vec<f64> = (0..m)
+                .map(|i| held[i] * (limits[i] / held_size(i / 2)).min(1.0))
+                .collect();
+            // Forces that are not unique move the bodies alike.
+            let _ = problem.solve(&d, [&low, &limits], &sizes, &mut forces);
+            let moves = |row: usize| {
+                let taken = (0..m).map(|j| matrix[row * m + j] * forces[j]);
+                (d[row] - taken.sum::<f64>()).abs() > MOVES * sizes[row]
+            };
+            let begins = |i: &usize| {
+                let size = length([forces[2 * i], forces[2 * i + 1]]);
+                let at_limit = size >= (1.0 - ROUND_OFF) * limits[2 * i];
+                at_limit && (moves(2 * i) || moves(2 * i + 1))
+            };
+            let beginning: Vec<usize> = (0..rests.len()).filter(begins).collect();
+            let sticks = |i: &&usize| limits[2 * **i] > kinetic[2 * **i];
+            let loose: Vec<usize> = beginning.iter().filter(sticks).copied().collect();
+            if loose.is_empty() {
+                break beginning;
+            }
+            for row in loose.iter().flat_map(|i| [2 * i, 2 * i + 1]) {
+                limits[row] = kinetic[row];
+            }
         };
-        let mut any = false;
-        for (i, first) in rests.iter().enumerate() {
-            let size = length([forces[2 * i], forces[2 * i + 1]]);
-            let at_limit = size >= (1.0 - ROUND_OFF) * limits[2 * i];
-            let begins = at_limit && (moves(2 * i) || moves(2 * i + 1));
-            if let (Some(plane), true) = (&mut self.planes[*first], begins) {
+        for i in &beginning {
+            if let Some(plane) = &mut self.planes[rests[*i]] {
                 plane.phase = Some(match limits[2 * i] > 0.0 {
                     true => Phase::Begins { since: t },
                     // Without friction it has no direction.
                     false => Phase::Slides,
                 });
-                any = true;
             }
         }
-        any
+        !beginning.is_empty()
     }
 
     /// An impulse that takes the rest of the velocity: B^T (v - M^-1 B p) + G' = 0.
     fn stop(&self, rests: &[usize], t: f64, y: &mut [f64]) {
         let n = self.model.len();
-        let limits = self.limits(rests, t, y);
+        let limits = self.static_limits(rests, t, y);
         let velocities = &mut y[n..2 * n];
         let weights = &self.model.inverse_masses;
         let sums: Vec<f64> = velocities.iter().zip(weights).map(|(v, w)| v / w).collect();

@@ -77,7 +77,8 @@ impl<'a> Moving<'a> {
                     .map(|(first, second)| [first, second]);
                 let behind = braces[i].and_then(|brace| in_series(&given.law, brace));
                 let is_rigid = behind.is_none() && given.law.is_rigid();
-                let plane = PlaneContact::new(behind.unwrap_or(law), is_rigid, at_rest, rdot);
+                let rigid = is_rigid.then(|| given.law.static_ratio());
+                let plane = PlaneContact::new(behind.unwrap_or(law), rigid, at_rest, rdot);
                 let state = plane.state(r).filter(|_| plane.phase.is_none());
                 places.push(state.map(|z| {
                     y.extend(z);

@@ -4,6 +4,7 @@ use super::lane_state::{Average, ContactState};
 use crate::lane::Lane;
 use crate::solve::structure::contacts::laws::friction;
 use crate::solve::structure::contacts::static_friction::StaticFriction;
+use crate::solve::structure::contacts::static_in_plane::Admissible;
 use crate::solve::structure::linear_part::links::{Elimination, Link};
 
 impl<const L: usize> Average<'_, L> {
@@ -81,7 +82,14 @@ impl<const L: usize> Average<'_, L> {
             let bounds = limits.begin(Some(self.contacts[c].force.0[l]));
             self.forces.bound_lane([c, l], bounds);
             if let Some(Some(curved)) = self.curved.get_mut(l) {
-                curved.bound(c, bounds);
+                curved.bound(c, Admissible::Between(bounds));
+            }
+        }
+        for limits in friction.planes() {
+            let (first, l) = (limits.first, limits.lane);
+            let start = [first, first + 1].map(|c| self.contacts[c].force.0[l]);
+            if let Some(Some(curved)) = self.curved.get_mut(l) {
+                curved.bound(first, Admissible::Disc(limits.begin(Some(start))));
             }
         }
         self.forces.hold();
@@ -116,6 +124,13 @@ impl<const L: usize> Average<'_, L> {
         for limits in self.two_limits.iter_mut().flat_map(StaticFriction::all) {
             let force = &mut self.contacts[limits.contact].force.0[limits.lane];
             *force = limits.end(*force);
+        }
+        for limits in self.two_limits.iter_mut().flat_map(StaticFriction::planes) {
+            let (first, l) = (limits.first, limits.lane);
+            let force = limits.end([first, first + 1].map(|c| self.contacts[c].force.0[l]));
+            for (contact, force) in self.contacts[first..].iter_mut().zip(force) {
+                contact.force.0[l] = force;
+            }
         }
     }
 

@@ -16,12 +16,10 @@
 //! the energy of its springs into motion and back, until S has fallen by twice Ls - L. It sticks there, at S = 2 L - Ls. So S has
 //! distant bounds, and falls by this as often as it would be beyond Ls.
 
+use super::static_in_plane::{Admissible, Admit, Disc, PlaneLimits, ROUND_OFF};
+use crate::contact::plane::Pair;
 use crate::lane::Lane;
-use crate::methods::Method;
 use crate::system::structure::Structure;
-
-/// Round-off of a force at a bound over both bounds: some multiples of the unit round-off.
-const ROUND_OFF: f64 = 1e-14;
 
 /// Bounds of S over the static limit at a node without mass, before it is known how often the contact breaks loose.
 const REACH: f64 = 1e4;
@@ -47,17 +45,22 @@ pub(crate) struct TwoLimits {
 
 /// The contacts with two limits of L structures; no item without any.
 #[derive(Debug, Clone)]
-pub(crate) struct StaticFriction(Vec<TwoLimits>);
+pub(crate) struct StaticFriction {
+    contacts: Vec<TwoLimits>,
+    planes: Vec<PlaneLimits>,
+}
 
 impl StaticFriction {
     /// `None` if no contact has two limits.
     pub(crate) fn new<const L: usize>(cases: &[&Structure; L]) -> Option<StaticFriction> {
-        let mut two_limits = Vec::new();
+        let (mut two_limits, mut planes) = (Vec::new(), Vec::new());
         for (lane, case) in cases.iter().enumerate() {
             let massless = case.massless();
             for (contact, given) in case.contacts.iter().enumerate() {
                 let ratio = given.law.static_ratio();
-                if ratio > 1.0 {
+                if given.law.row().is_some() {
+                    planes.extend(PlaneLimits::new(case, contact, lane));
+                } else if ratio > 1.0 {
                     let limit = given.law.limit().map_or(0.0, |limit| limit.at(0.0));
                     let rate = case.rate_at_start(contact);
                     two_limits.push(TwoLimits {
@@ -74,21 +77,35 @@ impl StaticFriction {
                 }
             }
         }
-        (!two_limits.is_empty()).then_some(StaticFriction(two_limits))
+        let has_none = two_limits.is_empty() && planes.is_empty();
+        (!has_none).then_some(StaticFriction {
+            contacts: two_limits,
+            planes,
+        })
     }
 
     /// Takes the limit of a contact at the end of a step.
     pub(crate) fn limit<const L: usize>(&mut self, contact: usize, limit: Lane<L>) {
-        for limits in self.0.iter_mut().filter(|limits| limits.contact == contact) {
+        let contacts = self.contacts.iter_mut();
+        for limits in contacts.filter(|limits| limits.contact == contact) {
             let limit = limit.0[limits.lane];
             limits.mean = 0.5 * (limits.limit + limit);
             limits.limit = limit;
+        }
+        let planes = self.planes.iter_mut();
+        for limits in planes.filter(|limits| limits.first == contact) {
+            limits.limit(limit);
         }
     }
 
     /// The contacts, at the start of a step.
     pub(crate) fn all(&mut self) -> &mut [TwoLimits] {
-        &mut self.0
+        &mut self.contacts
+    }
+
+    /// The same in a plane.
+    pub(crate) fn planes(&mut self) -> &mut [PlaneLimits] {
+        &mut self.planes
     }
 
     /// Gives the bounds of the contacts of a lane that break loose with these forces at the end of the step; whether there are any.
@@ -99,7 +116,8 @@ impl StaticFriction {
         mut bound: impl FnMut(usize, [f64; 2]),
     ) -> bool {
         let mut any = false;
-        for limits in self.0.iter_mut().filter(|limits| limits.lane == lane) {
+        let contacts = self.contacts.iter_mut();
+        for limits in contacts.filter(|limits| limits.lane == lane) {
             if let Some(bounds) = limits.breaks(force(limits.contact)) {
                 bound(limits.contact, bounds);
                 any = true;
@@ -108,21 +126,50 @@ impl StaticFriction {
         any
     }
 
+    /// Changes the discs of contacts in a plane of a lane that these forces change so; whether there are any.
+    fn change_discs(
+        &mut self,
+        lane: usize,
+        change: fn(&mut PlaneLimits, Pair) -> Option<Disc>,
+        forces: &[f64],
+        admit: &mut Admit,
+    ) -> bool {
+        let mut any = false;
+        let planes = self.planes.iter_mut();
+        for limits in planes.filter(|limits| limits.lane == lane) {
+            let first = limits.first;
+            if let Some(disc) = change(limits, [forces[first], forces[first + 1]]) {
+                admit(first, Admissible::Disc(disc));
+                any = true;
+            }
+        }
+        any
+    }
+
     /// The kinetic limit of a contact, in the lanes where it has two.
     pub(crate) fn show<const L: usize>(&self, contact: usize, limit: &mut Lane<L>) {
-        for limits in self.0.iter().filter(|limits| limits.contact == contact) {
+        let contacts = self.contacts.iter();
+        for limits in contacts.filter(|limits| limits.contact == contact) {
             limit.0[limits.lane] = limits.limit;
+        }
+        for limits in self.planes.iter().filter(|limits| limits.has(contact)) {
+            limit.0[limits.lane] = limits.kinetic();
         }
     }
 
     /// The part of the static limit that a contact has used, 1 if it slides, in the lanes where it has two limits.
     pub(crate) fn show_share<const L: usize>(&self, contact: usize, share: &mut Lane<L>) {
-        for limits in self.0.iter().filter(|limits| limits.contact == contact) {
+        let contacts = self.contacts.iter();
+        for limits in contacts.filter(|limits| limits.contact == contact) {
             let l = limits.lane;
             share.0[l] = match limits.kinetic {
                 [false, false] => share.0[l] / limits.ratio,
                 _ => 1.0,
             };
+        }
+        for limits in self.planes.iter().filter(|limits| limits.has(contact)) {
+            let share = &mut share.0[limits.lane];
+            *share = limits.share(*share);
         }
     }
 
@@ -134,23 +181,30 @@ impl StaticFriction {
         mean: &mut Lane<L>,
     ) {
         let with_mean = |limits: &&TwoLimits| limits.contact == contact && !limits.is_massless;
-        for limits in self.0.iter().filter(with_mean) {
+        for limits in self.contacts.iter().filter(with_mean) {
+            mean.0[limits.lane] = force.0[limits.lane];
+        }
+        for limits in self.planes.iter().filter(|limits| limits.has(contact)) {
             mean.0[limits.lane] = force.0[limits.lane];
         }
     }
 }
 
-/// Takes new bounds of the force of a contact.
-pub(crate) type Bound<'a> = dyn FnMut(usize, [f64; 2]) + 'a;
-
 /// The bounds of contacts of a lane that break loose with these forces, if there are any.
 pub(crate) fn breaks(
     friction: &mut Option<StaticFriction>,
     lane: usize,
-) -> impl FnMut(&[f64], &mut Bound) -> bool {
-    move |forces, bound| match friction {
-        Some(friction) => friction.break_loose(lane, |c| forces[c], bound),
-        None => false,
+) -> impl FnMut(&[f64], &mut Admit) -> bool {
+    move |forces, admit| {
+        let Some(friction) = friction else {
+            return false;
+        };
+        if friction.change_discs(lane, PlaneLimits::turns_back, forces, admit) {
+            return true;
+        }
+        let in_plane = friction.change_discs(lane, PlaneLimits::breaks, forces, admit);
+        let between = |c: usize, bounds: [f64; 2]| admit(c, Admissible::Between(bounds));
+        friction.break_loose(lane, |c| forces[c], between) || in_plane
     }
 }
 
@@ -241,27 +295,4 @@ impl TwoLimits {
             (_, None) => force,
         }
     }
-}
-
-/// The first contact with two limits that a method or a structure cannot have: its index, and why.
-pub fn static_ratio_fault(structure: &Structure, method: &Method) -> Option<(usize, String)> {
-    let chains = structure.chains();
-    let mut contacts = structure.contacts.iter().enumerate();
-    contacts.find_map(|(i, contact)| {
-        if contact.law.static_ratio() == 1.0 {
-            return None;
-        }
-        let has_static = matches!(method, Method::AverageAcceleration(_)) || method.has_impulses();
-        let is_in_series = || chains.iter().any(|chain| chain.members().any(|m| m.contact == i));
-        let why = match has_static {
-            false => {
-                "static_ratio above 1: the force of a contact that sticks alternates from step to step in this method, and would break it loose; allowed: average-acceleration or moreau-jean"
-            }
-            true if is_in_series() => {
-                "static_ratio above 1 is not known in series: the other contacts share the jump of the force; put a spring in their place, or give the node between them a mass"
-            }
-            true => return None,
-        };
-        Some((i, why.into()))
-    })
 }

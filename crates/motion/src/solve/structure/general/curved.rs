@@ -8,6 +8,7 @@ use crate::solve::structure::contacts::curved::contacts::Curved;
 use crate::solve::structure::contacts::curved::lanes::{curved_lanes, meet_lane};
 use crate::solve::structure::contacts::curved::step::Motion;
 use crate::solve::structure::contacts::forces::Forces;
+use crate::solve::structure::contacts::static_friction::breaks;
 use crate::solve::structure::linear_part::linear::Linear;
 use crate::system::structure::Structure;
 
@@ -88,10 +89,11 @@ impl<const L: usize> General<'_, L> {
                 }
             };
             let forces = &mut self.forces[part];
-            // Methods with two limits of friction have no such laws beside them.
-            meet_lane(curved, motion, &mut self.force, forces, (l, end), |_, _| {
-                false
-            });
+            let breaks = breaks(&mut self.two_limits, l);
+            meet_lane(curved, motion, &mut self.force, forces, (l, end), breaks);
+        }
+        if self.two_limits.is_some() {
+            self.end_planes();
         }
         // The first sub-step of the next step goes on from the last one.
         if part > 0 {

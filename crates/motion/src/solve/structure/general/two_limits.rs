@@ -2,6 +2,7 @@
 
 use super::stages::General;
 use crate::solve::structure::contacts::static_friction::StaticFriction;
+use crate::solve::structure::contacts::static_in_plane::Admissible;
 
 impl<const L: usize> General<'_, L> {
     /// Bounds of contacts with two limits: S' is the mean over the step.
@@ -12,7 +13,22 @@ impl<const L: usize> General<'_, L> {
             self.contacts[limits.contact].bound_lane(limits.lane, bounds);
             self.forces[part].bound_lane([limits.contact, limits.lane], bounds);
         }
+        for limits in self.two_limits.iter_mut().flat_map(StaticFriction::planes) {
+            let curved = self.curved.get_mut(part);
+            if let Some(Some(curved)) = curved.and_then(|lanes| lanes.get_mut(limits.lane)) {
+                curved.bound(limits.first, Admissible::Disc(limits.begin(None)));
+            }
+        }
         self.forces[part].hold();
+    }
+
+    /// Ends the step of contacts in a plane.
+    #[cold]
+    pub(super) fn end_planes(&mut self) {
+        for limits in self.two_limits.iter_mut().flat_map(StaticFriction::planes) {
+            let (first, l) = (limits.first, limits.lane);
+            limits.end([first, first + 1].map(|c| self.force[c].0[l]));
+        }
     }
 
     /// Finds the forces again as long as contacts break loose.

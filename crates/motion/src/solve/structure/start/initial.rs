@@ -1,9 +1,11 @@
 //! The contact forces at t = 0.
 
 use super::first_force::first_force;
+use crate::contact::plane::length;
 use crate::contact::{ClippedLine, RigidForces, Unsolved};
 use crate::solve::structure::contacts::curved::plane::first_forces;
 use crate::solve::structure::contacts::laws::{bounds, friction};
+use crate::solve::structure::contacts::static_in_plane::ROUND_OFF;
 use crate::system::structure::{Inertia, PlaneRow, Structure};
 
 /// S(0) of every contact.
@@ -139,8 +141,22 @@ fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(
         problem.solve(&d, [&low, &high], &sizes, &mut held)?;
         // Those at their static limit break loose together, as in a step.
         let mut breaks = false;
-        for ((contact, bounds), force) in active.iter().zip(&mut bounds).zip(&held) {
+        for (at, (contact, bounds)) in active.iter().zip(&mut bounds).enumerate() {
             let kinetic = bounds_at_start(structure, *contact);
+            let force = &held[at];
+            if let Some(row) = structure.contacts[*contact].law.row() {
+                let first = match row {
+                    PlaneRow::First => at,
+                    PlaneRow::Second => at - 1,
+                };
+                let rim = bounds[1] * (1.0 - ROUND_OFF);
+                let is_at_rim = length([held[first], held[first + 1]]) >= rim;
+                if is_at_rim && *bounds != kinetic {
+                    *bounds = kinetic;
+                    breaks = true;
+                }
+                continue;
+            }
             for end in 0..2 {
                 if *force == bounds[end] && bounds[end] != kinetic[end] {
                     bounds[end] = kinetic[end];

@@ -5,6 +5,7 @@ use super::step::{Motion, ROUND_OFF, Scale, line, trial};
 use crate::contact::plane::PlaneMemory;
 use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial, WhichLaw};
 use crate::lane::Lane;
+use crate::solve::structure::contacts::static_in_plane::Admissible;
 use crate::system::structure::{PlaneRow, Structure, StructureLaw};
 
 /// A contact.
@@ -73,6 +74,17 @@ impl Contact {
             self.line = line(&self.relation, self.scale.pace);
         }
         self.before = before;
+    }
+
+    /// Takes where a force with two limits may be.
+    pub(crate) fn admit(&mut self, to: Admissible) {
+        match (to, &mut self.plane) {
+            (Admissible::Between(bounds), _) => {
+                (self.bounds, self.two_limits) = (bounds, true);
+            }
+            (Admissible::Disc(disc), Some(plane)) => plane.disc = Some(disc),
+            (Admissible::Disc(_), None) => {}
+        }
     }
 
     /// Takes the motion of a step.

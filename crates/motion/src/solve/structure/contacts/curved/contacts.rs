@@ -12,7 +12,7 @@ use super::plane::{self};
 use super::step::{Motion, Scale, explicit_line, line};
 use crate::contact::plane::PlaneMemory;
 use crate::contact::{AnyRunningLaw, ContactLaw, Unsolved};
-use crate::solve::structure::contacts::static_friction::Bound;
+use crate::solve::structure::contacts::static_in_plane::{Admissible, Admit};
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::{Chain, PlaneRow, Structure};
 
@@ -200,9 +200,8 @@ impl Curved {
     }
 
     /// Changes the bounds of Coulomb friction with two limits.
-    pub(crate) fn bound(&mut self, contact: usize, bounds: [f64; 2]) {
-        let contact = &mut self.contacts[contact];
-        (contact.bounds, contact.two_limits) = (bounds, true);
+    pub(crate) fn bound(&mut self, contact: usize, to: Admissible) {
+        self.contacts[contact].admit(to);
     }
 
     /// Takes over what the laws remember from the sub-step before.
@@ -215,11 +214,11 @@ impl Curved {
         self.solve_until(motion, |_, _| false)
     }
 
-    /// The same; `breaks` changes bounds as long as contacts break loose.
+    /// The same; `breaks` changes where forces may be as long as contacts break loose.
     pub(crate) fn solve_until(
         &mut self,
         motion: impl Fn(usize) -> Motion,
-        mut breaks: impl FnMut(&[f64], &mut Bound) -> bool,
+        mut breaks: impl FnMut(&[f64], &mut Admit) -> bool,
     ) -> Result<&[f64], Unsolved> {
         for (g, group) in self.groups.iter().enumerate() {
             for i in group.contacts() {
@@ -262,7 +261,7 @@ impl Curved {
                 group.write(self.together[g], &mut self.force);
             }
             let contacts = &mut self.contacts;
-            if !breaks(&self.force, &mut |c, bounds| contacts[c].bounds = bounds) {
+            if !breaks(&self.force, &mut |c, to| contacts[c].admit(to)) {
                 break;
             }
         }

@@ -7,7 +7,7 @@ use super::step::Motion;
 use crate::contact::{ContactKind, Unsolved};
 use crate::lane::Lane;
 use crate::solve::structure::contacts::forces::{Forces, Found};
-use crate::solve::structure::contacts::static_friction::Bound;
+use crate::solve::structure::contacts::static_in_plane::Admit;
 use crate::solve::structure::linear_part::block_matrix::BlockMatrix;
 use crate::system::structure::Structure;
 
@@ -103,7 +103,7 @@ pub(crate) fn meet_lane<const L: usize>(
     force: &mut [Lane<L>],
     forces: &mut Forces<L>,
     (l, end): (usize, usize),
-    breaks: impl FnMut(&[f64], &mut Bound) -> bool,
+    breaks: impl FnMut(&[f64], &mut Admit) -> bool,
 ) {
     let finite = (0..force.len()).all(|c| motion(c).change.is_finite());
     match curved.solve_until(motion, breaks) {

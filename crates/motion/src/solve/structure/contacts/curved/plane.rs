@@ -2,7 +2,8 @@
 
 use super::step::{Motion, Scale};
 use crate::contact::coupled::curved::Directions;
-use crate::contact::plane::{AnyPlaneLaw, Pair, PlaneMemory, PlaneStep, PlaneTrial};
+use crate::contact::plane::{AnyPlaneLaw, Pair, PlaneMemory, PlaneStep, PlaneTrial, length};
+use crate::solve::structure::contacts::static_in_plane::Disc;
 use crate::system::structure::{PlaneRow, Structure};
 
 /// The law of both directions with its memory, beside the first one.
@@ -11,6 +12,9 @@ pub(crate) struct Plane {
     pub(crate) law: AnyPlaneLaw,
     pub(crate) memory: PlaneMemory,
     scale: Scale,
+    on: PlaneStep,
+    /// Where S may be, of Coulomb friction with two limits.
+    pub(super) disc: Option<Disc>,
 }
 
 /// The law of a contact in a plane that is its first direction.
@@ -27,6 +31,8 @@ pub(crate) fn first(
         law,
         memory: remembers.unwrap_or_default(),
         scale,
+        on: step(scale, flexibility),
+        disc: None,
     })
 }
 
@@ -99,15 +105,53 @@ impl Plane {
         }
     }
 
+    /// The force that keeps rdot' = 0 with these y.
+    fn held(&self, motions: [&Motion; 2], y: Pair) -> Pair {
+        let PlaneTrial { rate, .. } = self.trial(motions, y);
+        rate.map(|rate| rate / self.on.h_rate)
+    }
+
     /// J(y).
     pub(crate) fn answer(&self, motions: [&Motion; 2], y: Pair) -> (Pair, PlaneMemory) {
+        if let Some(disc) = self.disc {
+            return (disc.nearest(self.held(motions, y)), self.memory);
+        }
         self.law.answer(&self.trial(motions, y), &self.memory)
     }
 
     /// 1/f' where J(y) is `force`.
     pub(crate) fn directions(&self, motions: [&Motion; 2], y: Pair, force: Pair) -> Directions {
+        if let Some(disc) = self.disc {
+            return self.directions_of(disc, disc.from_centre(self.held(motions, y)));
+        }
         let trial = self.trial(motions, y);
         self.law
             .directions(&trial, &self.memory, force, self.scale.pace)
+    }
+
+    /// The same at the rim of a disc or within it, for the force that would hold from its centre.
+    fn directions_of(&self, disc: Disc, held: Pair) -> Directions {
+        let size = length(held);
+        if size < disc.radius {
+            return Directions {
+                along: [1.0, 0.0],
+                slopes: [0.0; 2],
+            };
+        }
+        if size == 0.0 {
+            return Directions {
+                along: [1.0, 0.0],
+                slopes: [f64::INFINITY; 2],
+            };
+        }
+        // J turns with y by R/|held| of it, and 1/f' = 1/J' - a.
+        let own = match self.scale.is_explicit() {
+            true => self.on.h_rate,
+            false => self.on.h,
+        };
+        Directions {
+            along: held.map(|s| s / size),
+            slopes: [f64::INFINITY, own * (size / disc.radius - 1.0)],
+        }
     }
 }

@@ -19,11 +19,12 @@ mod proximal_step;
 mod weights;
 
 use crate::contact::Unsolved;
+use crate::contact::plane::length;
 use crate::solve::Unsolvable;
 use crate::solve::structure::contacts::curved::contact::Memory;
 use crate::solve::structure::contacts::curved::contacts::Curved;
 use crate::system::structure::sparse::factor::negative_pivot;
-use crate::system::structure::{Structure, Symmetric};
+use crate::system::structure::{PlaneRow, Structure, Symmetric};
 use weights::{
     LARGE, Linear, Weights, curved, diagonal, first_q, holds, largest, linear, softens, stiffened,
     stiffnesses,
@@ -253,10 +254,15 @@ impl<'a> Equilibrium<'a> {
 
     /// Refuses a contact that the load breaks loose: where it comes to rest depends on the motion.
     pub(crate) fn refuse_loose(&self) -> Result<(), Unsolvable> {
+        let size = |c: usize, row: Option<PlaneRow>| match row {
+            None => self.forces[c].abs(),
+            Some(PlaneRow::First) => length([self.forces[c], self.forces[c + 1]]),
+            Some(PlaneRow::Second) => length([self.forces[c - 1], self.forces[c]]),
+        };
         for (c, contact) in self.structure.contacts.iter().enumerate() {
             let ratio = contact.law.static_ratio();
             let limit = contact.law.limit().map_or(0.0, |limit| self.pressed(limit));
-            if ratio > 1.0 && self.forces[c].abs() >= ratio * limit * (1.0 - TARGET) {
+            if ratio > 1.0 && size(c, contact.law.row()) >= ratio * limit * (1.0 - TARGET) {
                 let name = &contact.name;
                 return Err(Unsolvable::BrokenRules(format!(
                     "the static loads break contact '{name}' loose: where it comes to rest depends on the motion; apply them as loads in time, or choose static_ratio 1"

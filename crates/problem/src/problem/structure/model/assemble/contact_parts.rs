@@ -56,10 +56,6 @@ impl Draft<'_> {
             return Ok(law);
         };
         let name = contact.law.name(self.case);
-        if law.static_ratio() > 1.0 {
-            let message = "static_ratio above 1 is not known in a plane; allowed: 1, or a contact with one direction";
-            return Err(violation(contact, message));
-        }
         let Some([first, second]) = law.clone().in_plane() else {
             let names = plane::names().collect::<Vec<_>>().join(", ");
             let message = format!("{name} does not act in a plane; allowed: {names}");

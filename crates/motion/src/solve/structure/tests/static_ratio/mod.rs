@@ -1,5 +1,7 @@
 //! Coulomb friction with a static limit above the kinetic one, beside the exact motion by events.
 
+mod in_plane;
+
 use super::*;
 use crate::contact::{ClippedLine, ContactLaw, Tanh};
 use crate::exact::events;
