@@ -72,8 +72,10 @@ impl Formula {
     /// # Errors
     /// The result of a step is not finite, or a parameter has no value.
     pub fn value(&self, of: &dyn Fn(usize) -> Option<Value>) -> Result<f64, ExpressionFault> {
-        let mut stack: Vec<f64> = Vec::with_capacity(8);
+        // The last value stands beside the others: a formula of one step needs no stack.
+        let (mut stack, mut last): (Vec<f64>, Option<f64>) = (Vec::new(), None);
         for &(step, offset) in &self.steps {
+            stack.extend(last);
             let missing = |row: usize| ExpressionFault {
                 offset,
                 message: format!("{} has no value here", self.name(row)),
@@ -103,8 +105,8 @@ impl Formula {
                     unknown: None,
                 });
             }
-            stack.push(value);
+            last = Some(value);
         }
-        Ok(stack.pop().unwrap_or(f64::NAN))
+        Ok(last.unwrap_or(f64::NAN))
     }
 }

@@ -60,13 +60,14 @@ impl Structure {
             grounded[first.0] |= sum != 0.0;
         }
         let part: Vec<usize> = (0..size).map(|i| root(&part, i)).collect();
-        let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         let mut is_held = vec![false; size];
-        for i in 0..size {
-            members.entry(part[i]).or_default().push(i);
-            is_held[part[i]] |= grounded[i];
+        for (part, grounded) in part.iter().zip(grounded) {
+            is_held[*part] |= grounded;
         }
-        members.retain(|part, _| !is_held[*part]);
+        let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (i, part) in part.iter().enumerate().filter(|(_, part)| !is_held[**part]) {
+            members.entry(*part).or_default().push(i);
+        }
         if members.is_empty() {
             return Vec::new();
         }

@@ -108,6 +108,9 @@ impl Structure {
 
     /// Whether each node has neither mass nor damping: K u + B S = p holds there at every instant.
     pub fn massless(&self) -> Vec<bool> {
+        if self.has_mass_everywhere() {
+            return vec![false; self.nodes.len()];
+        }
         let coupled = self.coupled_mass.nonzero_rows();
         let rows = self
             .nodes

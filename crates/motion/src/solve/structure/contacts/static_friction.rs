@@ -55,7 +55,6 @@ impl StaticFriction {
     pub(crate) fn new<const L: usize>(cases: &[&Structure; L]) -> Option<StaticFriction> {
         let (mut two_limits, mut planes) = (Vec::new(), Vec::new());
         for (lane, case) in cases.iter().enumerate() {
-            let massless = case.massless();
             for (contact, given) in case.contacts.iter().enumerate() {
                 let ratio = given.law.static_ratio();
                 if given.law.row().is_some() {
@@ -63,6 +62,7 @@ impl StaticFriction {
                 } else if ratio > 1.0 {
                     let limit = given.law.limit().map_or(0.0, |limit| limit.at(0.0));
                     let rate = case.rate_at_start(contact);
+                    let massless = case.massless();
                     two_limits.push(TwoLimits {
                         contact,
                         lane,
@@ -85,6 +85,7 @@ impl StaticFriction {
     }
 
     /// Takes the limit of a contact at the end of a step.
+    #[cold]
     pub(crate) fn limit<const L: usize>(&mut self, contact: usize, limit: Lane<L>) {
         let contacts = self.contacts.iter_mut();
         for limits in contacts.filter(|limits| limits.contact == contact) {
@@ -147,6 +148,7 @@ impl StaticFriction {
     }
 
     /// The kinetic limit of a contact, in the lanes where it has two.
+    #[cold]
     pub(crate) fn show<const L: usize>(&self, contact: usize, limit: &mut Lane<L>) {
         let contacts = self.contacts.iter();
         for limits in contacts.filter(|limits| limits.contact == contact) {
@@ -158,6 +160,7 @@ impl StaticFriction {
     }
 
     /// The part of the static limit that a contact has used, 1 if it slides, in the lanes where it has two limits.
+    #[cold]
     pub(crate) fn show_share<const L: usize>(&self, contact: usize, share: &mut Lane<L>) {
         let contacts = self.contacts.iter();
         for limits in contacts.filter(|limits| limits.contact == contact) {
@@ -174,6 +177,7 @@ impl StaticFriction {
     }
 
     /// The mean force of a contact over a step that ended with `force`, in the lanes where it has two limits.
+    #[cold]
     pub(crate) fn show_mean<const L: usize>(
         &self,
         contact: usize,

@@ -32,6 +32,9 @@ pub fn with_springs_in_series(structure: &Structure) -> Option<Structure> {
 
 /// Holds nodes but those which are held already.
 fn hold_others(structure: &mut Structure, is_between: &[bool]) {
+    if structure.has_mass_everywhere() {
+        return;
+    }
     // Supports come after the nodes.
     let is_held = structure.stiffness.nonzero_rows();
     let mass = |node: usize| structure.nodes[node].mass;
