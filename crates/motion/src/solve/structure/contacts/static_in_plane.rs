@@ -46,7 +46,7 @@ pub(crate) struct Disc {
 impl Disc {
     /// The nearest force.
     pub(crate) fn nearest(&self, force: Pair) -> Pair {
-        let from = self.from_centre(force);
+        let from = self.centred(force);
         match length(from) {
             size if size > self.radius => {
                 std::array::from_fn(|i| self.centre[i] + from[i] * (self.radius / size))
@@ -55,14 +55,14 @@ impl Disc {
         }
     }
 
-    pub(crate) fn from_centre(&self, force: Pair) -> Pair {
+    pub(crate) fn centred(&self, force: Pair) -> Pair {
         std::array::from_fn(|i| force[i] - self.centre[i])
     }
 
     /// Whether a force is at the rim.
     fn ends_at(&self, force: Pair) -> bool {
         let near = ROUND_OFF * (length(self.centre) + self.radius);
-        length(self.from_centre(force)) >= self.radius - near
+        length(self.centred(force)) >= self.radius - near
     }
 }
 
@@ -177,7 +177,7 @@ impl PlaneLimits {
             return None;
         };
         let disc = self.disc();
-        let turns = disc.ends_at(force) && dot(disc.from_centre(force), along) < 0.0;
+        let turns = disc.ends_at(force) && dot(disc.centred(force), along) < 0.0;
         self.becomes(turns, Doing::Sticks)
     }
 
@@ -197,7 +197,7 @@ impl PlaneLimits {
     /// Ends a step with this force at its end; returns S.
     pub(crate) fn end(&mut self, force: Pair) -> Pair {
         let (disc, radius) = (self.disc(), self.radius());
-        let from = disc.from_centre(force);
+        let from = disc.centred(force);
         let slides = disc.ends_at(force);
         self.mean = self.limit;
         let size = length(from);

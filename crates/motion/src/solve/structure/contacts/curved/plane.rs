@@ -122,7 +122,7 @@ impl Plane {
     /// 1/f' where J(y) is `force`.
     pub(crate) fn directions(&self, motions: [&Motion; 2], y: Pair, force: Pair) -> Directions {
         if let Some(disc) = self.disc {
-            return self.directions_of(disc, disc.from_centre(self.held(motions, y)));
+            return self.directions_of(disc, disc.centred(self.held(motions, y)));
         }
         let trial = self.trial(motions, y);
         self.law

@@ -447,8 +447,8 @@ fn signs_units_and_order_do_not_matter() {
     for method in [AVERAGE, IMPULSES] {
         let of = |s: &Structure| steps(&method, s, 0.003, 8.0).0;
         let cases = [&given, &mirrored, &scaled, &other, &beside].map(of);
-        for step in 0..cases[0].len() {
-            let [given, mirrored, scaled, other, beside] = [0, 1, 2, 3, 4].map(|c| &cases[c][step]);
+        for (step, given) in cases[0].iter().enumerate() {
+            let [mirrored, scaled, other, beside] = [1, 2, 3, 4].map(|c| &cases[c][step]);
             for i in 0..2 {
                 assert_eq!(given[i], -mirrored[i], "{method:?} {step}");
                 assert_eq!(8.0 * given[i], scaled[i]);
