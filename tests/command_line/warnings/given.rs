@@ -26,6 +26,15 @@ fn a_contact_that_is_soft_beside_the_motion_overlaps_too_far() {
     };
     let soft = some(&[("deep-overlap", 2, 0)]);
     assert_eq!(bench.kinds(&study("[0.1, 2.4, 2.7, 1000]", UNITS)), soft);
+    // Where only some have it, the units are those of the others.
+    let message = |bench: &Bench| bench.warnings()[0]["message"].to_string();
+    let of_some = message(&bench);
+    assert!(
+        of_some.contains("its k is small") && !of_some.contains("units"),
+        "{of_some}"
+    );
+    bench.kinds(&study("[0.1, 2.4]", UNITS));
+    assert!(message(&bench).contains("look at the units of k"));
     assert_eq!(bench.kinds(&study("[0.1, 2.4, 2.7, 1000]", "")), []);
     // With a mass of the wrong unit, too.
     let heavy = study("1000", UNITS);

@@ -222,6 +222,14 @@ impl Warning {
         )
     }
 
+    /// What some cases of a study have and others do not: their parameters are the reason, not the units.
+    pub const fn message_of_some(self) -> &'static str {
+        if matches!(self, Warning::DeepOverlap) {
+            return "have an impact that overlaps by more than its gap: its k is small for these masses";
+        }
+        self.message()
+    }
+
     /// Whether a contact or a program may make energy: what such a case gives is no measure of the motion, and `recommend` does not choose it.
     pub const fn is_contact_energy(self) -> bool {
         matches!(
