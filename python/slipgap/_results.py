@@ -115,7 +115,8 @@ class Results:
         case: int | Sequence[int] | None = None,
         ax: Any = None,
     ) -> Any:
-        """A figure of matplotlib, in its own style: a metric over a parameter, a metric over two, or the history of cases.
+        """A figure of matplotlib with the words, units and colours of the program: a metric over a parameter, a metric over two, or the
+        history of cases. Members of an ensemble are thin lines, with their median. Where pyplot is in use, its current figure is this one.
 
         ``plot(y)`` draws the metric over the parameter with the most values, and ``plot(y, x)`` over another one, a line for each
         combination of the others that vary; ``plot(z, x, y)`` draws a map. ``plot(case=3)`` draws the channels of a case over time,
