@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 from . import _slipgap
 from ._errors import Fault, SlipgapError, SlipgapWarning, UnknownNameError
 from ._program import explain, report
-from ._progress import reporter
+from ._run.progress import reporter
 from ._records import (
     Alternative,
     Calibration,
@@ -40,7 +40,7 @@ from ._slipgap import Animation, Figure, __version__
 from ._solution import Channels, Solution
 from ._study import Study
 from ._table import Table
-from ._warn import issue
+from ._run.warn import issue
 
 if TYPE_CHECKING:
     import numpy

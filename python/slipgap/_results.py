@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import _grid, _slipgap
+from . import _slipgap
+from ._frame import grid
 from ._records import Check, Failure, WarnedCases
 from ._show import html, plot
 from ._solution import Solution
@@ -142,7 +143,7 @@ class Results:
         two cases are at one place, or if more than half of the places have no case, the one dimension is ``case``.
         """
         attributes = {"study": self.study.name, "title": self.study.get("title")}
-        return _grid.dataset(self.table, self.parameters, self.metrics, self.study, attributes)
+        return grid.dataset(self.table, self.parameters, self.metrics, self.study, attributes)
 
     def __getstate__(self) -> dict[str, Any]:
         parts = {name: self._part(name) for name in PARTS}

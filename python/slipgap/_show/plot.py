@@ -8,7 +8,7 @@ from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 from .._errors import SlipgapError, UnknownNameError
-from .._frames import library
+from .._frame.library import library
 from .titles import Titles
 
 if TYPE_CHECKING:

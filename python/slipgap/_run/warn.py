@@ -9,13 +9,13 @@ import warnings
 from collections.abc import Iterable
 from pathlib import Path
 
-from ._errors import SlipgapWarning
-from ._records import WarnedCases
+from .._errors import SlipgapWarning
+from .._records import WarnedCases
 
 LOG = logging.getLogger("slipgap")
 LOG.addHandler(logging.NullHandler())
 
-_HERE = f"{Path(__file__).parent}{os.sep}"
+_HERE = f"{Path(__file__).parent.parent}{os.sep}"
 
 
 def issue(warned: Iterable[WarnedCases]) -> None:

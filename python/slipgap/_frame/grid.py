@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ._frames import library
+from .library import library
 
 if TYPE_CHECKING:
     import xarray
 
-    from ._study import Study
-    from ._table import Table
+    from .._study import Study
+    from .._table import Table
 
 CASE = "case"
 """The dimension of results that are no grid, and the coordinate with the numbers of cases."""
