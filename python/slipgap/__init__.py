@@ -13,7 +13,6 @@ Every case is compared with its exact solution. A study is the path of a study f
 from __future__ import annotations
 
 import json
-import warnings
 from collections.abc import Callable, Mapping
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -21,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 from . import _slipgap
 from ._errors import Fault, SlipgapError, SlipgapWarning, UnknownNameError
 from ._program import explain, report
-from ._progress import reporter
+from ._run.progress import reporter
 from ._records import (
     Alternative,
     Calibration,
@@ -41,6 +40,7 @@ from ._slipgap import Animation, Figure, __version__
 from ._solution import Channels, Solution
 from ._study import Study
 from ._table import Table
+from ._run.warn import issue
 
 if TYPE_CHECKING:
     import numpy
@@ -107,15 +107,15 @@ def run(
     :param progress: whether a bar of tqdm shows the progress; if left out, on a terminal and in a notebook; or a function
         that is called some times a second with the numbers of finished and of all cases
     :param allow_programs: whether the programs of others that the study names may be started, as ``--allow-programs`` does
-    Each kind of warning is issued once, as a :class:`SlipgapWarning`, and is in ``results.warnings``.
+    Each kind of warning is issued once, as a :class:`SlipgapWarning`; a note goes to the log ``slipgap`` of :mod:`logging`, with the
+    level INFO. ``results.warnings`` has both.
 
     :returns: table, figures, checks, failures and warnings; a case that cannot be solved is a row without metrics
     :raises SlipgapError: a study with mistakes, or a file that cannot be read or written
     """
     with reporter(progress) as report:
         results = Results(_slipgap.run(study, out, jobs, set, report, allow_programs))
-    for warned in results.warnings:
-        warnings.warn(warned.message, SlipgapWarning, stacklevel=2)
+    issue(results.warnings)
     return results
 
 

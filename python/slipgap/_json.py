@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Mapping
-from hashlib import sha256
 from math import isfinite
 from os import PathLike, fspath
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
+from ._arrays import axis, with_files
 from ._errors import SlipgapError
 
 
 def dumps(value: object) -> str:
     """The JSON of a study or of a value in it."""
     if isinstance(value, Mapping):
-        value = _measured(value)
+        value = with_files(value)
     try:
+        # A list of `set`.
+        value = axis("value", value) if isinstance(value, list | tuple) else value
         return json.dumps(value, default=_plain, allow_nan=False)
     except ValueError as error:
         found = _not_finite(value, "")
@@ -61,46 +61,6 @@ def _matrix_market(shape: tuple[int, int], rows: Any, columns: Any, entries: Any
     lines = [f"{i + 1} {j + 1} {float(x)!r}" for i, j, x in each]
     header = "%%MatrixMarket matrix coordinate real general"
     return "\n".join([header, f"{shape[0]} {shape[1]} {len(lines)}", *lines])
-
-
-def _measured(study: Mapping[str, Any]) -> dict[str, Any]:
-    """A study whose measurement has arrays in place of a file: with a file of them."""
-    given = study.get("measured")
-    columns = given.get("columns") if isinstance(given, Mapping) and "file" not in given else None
-    if not isinstance(given, Mapping) or not isinstance(columns, Mapping) or "time" not in given:
-        return dict(study)
-    arrays = [given["time"], *columns.values()]
-    if any(isinstance(values, str | Mapping) for values in arrays):
-        return dict(study)
-    names = ["t", *(f"c{i}" for i in range(len(columns)))]
-    rows = zip(*([float(x) for x in values] for values in arrays), strict=True)
-    content = "\n".join([",".join(names), *(",".join(map(repr, row)) for row in rows)]) + "\n"
-    file = _folder() / f"measured-{sha256(content.encode()).hexdigest()[:16]}.csv"
-    if not file.exists():
-        file.write_text(content, encoding="utf-8")
-    columns = dict(zip(columns, names[1:], strict=True))
-    return {**study, "measured": {**given, "file": str(file), "time": "t", "columns": columns}}
-
-
-_folders: list[TemporaryDirectory[str]] = []
-
-
-def _folder() -> Path:
-    """The folder of such files, which the end of Python removes."""
-    if not _folders:
-        _folders.append(TemporaryDirectory(prefix="slipgap-"))
-    return Path(_folders[0].name)
-
-
-def keep_beside(study: dict[str, Any], path: Path) -> dict[str, Any]:
-    """A study to save: a file of arrays is copied beside it."""
-    given = study.get("measured")
-    file = Path(str(given.get("file", ""))) if isinstance(given, dict) else Path()
-    if not isinstance(given, dict) or file.parent != _folder():
-        return study
-    copied = path.with_name(f"{path.stem}-{file.name}")
-    shutil.copyfile(file, copied)
-    return {**study, "measured": {**given, "file": copied.name}}
 
 
 def pretty(data: dict[str, Any]) -> str:

@@ -47,6 +47,8 @@ class WarnedCases(NamedTuple):
     """Its parameters that vary in the study."""
     message: str
     """What the cases have, as on stderr of the program."""
+    is_note: bool
+    """Whether it is a note: worth to know, and no reason to doubt the results."""
 
 
 class Reading(NamedTuple):

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import _grid, _slipgap
+from . import _slipgap
+from ._frame import grid
 from ._records import Check, Failure, WarnedCases
 from ._show import html, plot
 from ._solution import Solution
@@ -115,7 +116,8 @@ class Results:
         case: int | Sequence[int] | None = None,
         ax: Any = None,
     ) -> Any:
-        """A figure of matplotlib, in its own style: a metric over a parameter, a metric over two, or the history of cases.
+        """A figure of matplotlib with the words, units and colours of the program: a metric over a parameter, a metric over two, or the
+        history of cases. Members of an ensemble are thin lines, with their median. Where pyplot is in use, its current figure is this one.
 
         ``plot(y)`` draws the metric over the parameter with the most values, and ``plot(y, x)`` over another one, a line for each
         combination of the others that vary; ``plot(z, x, y)`` draws a map. ``plot(case=3)`` draws the channels of a case over time,
@@ -141,7 +143,7 @@ class Results:
         two cases are at one place, or if more than half of the places have no case, the one dimension is ``case``.
         """
         attributes = {"study": self.study.name, "title": self.study.get("title")}
-        return _grid.dataset(self.table, self.parameters, self.metrics, self.study, attributes)
+        return grid.dataset(self.table, self.parameters, self.metrics, self.study, attributes)
 
     def __getstate__(self) -> dict[str, Any]:
         parts = {name: self._part(name) for name in PARTS}

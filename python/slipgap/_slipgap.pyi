@@ -26,6 +26,7 @@ __all__ = [
     "run",
     "schema",
     "solve",
+    "titles",
 ]
 
 __version__: str
@@ -145,6 +146,7 @@ def calibrate(
 ) -> Calibration: ...
 def count(study: str | PathLike[str] | Mapping[str, Any]) -> int: ...
 def expand(study: str | PathLike[str] | Mapping[str, Any]) -> Table: ...
+def titles(study: str | PathLike[str] | Mapping[str, Any]) -> dict[str, str]: ...
 def recommend(
     study: str | PathLike[str] | Mapping[str, Any],
     jobs: int | None,

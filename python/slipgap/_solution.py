@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _slipgap
 from ._errors import SlipgapError, UnknownNameError
-from ._frames import library
+from ._frame.library import library
 from ._show import html
 from ._study import Study
 from ._table import Table, kept

@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _slipgap
+from ._arrays import keep_beside
 from ._errors import SlipgapError, UnknownNameError
-from ._json import axes, keep_beside, pretty, put, read, text_of
+from ._json import axes, pretty, put, read, text_of
 from ._show import html
 from ._table import Table
 
@@ -129,7 +130,7 @@ class Study(Mapping[str, Any]):
         """
         data = copy.deepcopy(self._content())
         for name, value in {**(parameters or {}), **more}.items():
-            put(data, name, json.loads(text_of({"value": value}))["value"])
+            put(data, name, json.loads(text_of({"parameters": {name: value}}))["parameters"][name])
         return self._with(data)
 
     def replace(self, **keys: Any) -> Study:

@@ -7,19 +7,20 @@ from typing import TYPE_CHECKING, Any
 
 from . import _slipgap
 from ._errors import UnknownNameError
-from ._frames import library
+from ._frame.library import library
 from ._show import html
 
 if TYPE_CHECKING:
     import pandas
     import polars
+    from numpy.typing import NDArray
 
 
 class Table:
     """A table with the columns of a file of the program, such as results.csv with one row for each case.
 
     ``len(table)`` is the number of rows. ``table["rms_error"]`` is a column without any other library: an array of shape (rows,)
-    that cannot be written, with NaN for null, or for names a list of str and None. ``list(table)`` are the names of the columns,
+    that cannot be written, with NaN for null; names are an array of str and None. ``list(table)`` are the names of the columns,
     ``dict(table)`` is a dict of them all.
 
     ``to_pandas`` and ``to_polars`` make frames. Other libraries take the table by the Arrow PyCapsule interface, and do not copy it:
@@ -35,7 +36,7 @@ class Table:
     def __init__(
         self, rows: _slipgap.Table | Mapping[str, Any], units: Mapping[str, str] | None = None
     ) -> None:
-        """A table of columns: arrays of numbers, or lists of str and None."""
+        """A table of columns: arrays of numbers, or of str and None."""
         # The columns that were asked for.
         self._cells: dict[str, Any] = {}
         self._given: _slipgap.Table | None = None
@@ -50,7 +51,8 @@ class Table:
     @property
     def _rows(self) -> _slipgap.Table:
         if self._given is None:
-            self._given = _slipgap.Table(self._cells, self._units)
+            cells = {name: plain(column) for name, column in self._cells.items()}
+            self._given = _slipgap.Table(cells, self._units)
         return self._given
 
     @property
@@ -68,14 +70,14 @@ class Table:
             return max((len(column) for column in self._cells.values()), default=0)
         return len(self._given)
 
-    def __getitem__(self, name: str) -> Any:
-        """A column: an array of shape (rows,) with NaN for null, or for names a list of str and None."""
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        """A column: an array of shape (rows,), of numbers with NaN for null, or of str and None."""
         if name not in self._cells:
             if name not in self._columns:
                 raise UnknownNameError.of("column", name, self._columns)
             self._cells[name] = kept(self._rows[name])
-        column = self._cells[name]
-        return list(column) if isinstance(column, list) else column
+        column: NDArray[Any] = self._cells[name]
+        return column
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._columns)
@@ -87,11 +89,11 @@ class Table:
         """Names of the columns."""
         return self.columns
 
-    def values(self) -> list[Any]:
+    def values(self) -> list[NDArray[Any]]:
         """The columns."""
         return [self[name] for name in self._columns]
 
-    def items(self) -> list[tuple[str, Any]]:
+    def items(self) -> list[tuple[str, NDArray[Any]]]:
         """The columns with their names."""
         return [(name, self[name]) for name in self._columns]
 
@@ -118,9 +120,15 @@ class Table:
         """The rows, by the Arrow PyCapsule interface; they are not copied. The types are always those of the table."""
         return self._rows.__arrow_c_stream__(requested_schema)
 
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """Refused: the columns have types and names. ``pandas.DataFrame(table)`` asks for it, since pandas takes columns of dicts only."""
+        raise TypeError("a table has columns with names: use table.to_pandas(), pandas.DataFrame(dict(table)) or one column, table[name]")
+
     def to_pandas(self) -> pandas.DataFrame:
         """A frame of pandas with these columns; its ``attrs["units"]`` has the units."""
-        frame: pandas.DataFrame = library("pandas", "to_pandas").DataFrame(dict(self.items()))
+        frame: pandas.DataFrame = library("pandas", "to_pandas").DataFrame(
+            {name: plain(column) for name, column in self.items()}
+        )
         frame.attrs["units"] = self.units
         return frame
 
@@ -136,22 +144,25 @@ class Table:
         return html.rows(self)
 
 
-def kept(column: Any) -> Any:
-    """A column that is handed out again: a list of names, or an array that cannot be written."""
-    if isinstance(column, list | tuple):
-        return list(column)
+def kept(column: Any) -> NDArray[Any]:
+    """A column that is handed out again: an array that cannot be written."""
     import numpy
 
-    array = numpy.asarray(column)
+    is_names = isinstance(column, list | tuple)
+    array = numpy.array(column, dtype=object) if is_names else numpy.asarray(column)
     if array.flags.writeable:
         array = array.view()
         array.flags.writeable = False
     return array
 
 
-def _same(one: Any, other: Any) -> bool:
-    if isinstance(one, list) or isinstance(other, list):
-        return bool(isinstance(one, list) and isinstance(other, list) and one == other)
+def plain(column: NDArray[Any]) -> Any:
+    """A column as the compiled module takes it: names are a list."""
+    return column.tolist() if column.dtype == object else column
+
+
+def _same(one: NDArray[Any], other: NDArray[Any]) -> bool:
     import numpy
 
-    return one.dtype == other.dtype and numpy.array_equal(one, other, equal_nan=True)
+    numbers = one.dtype != object
+    return one.dtype == other.dtype and numpy.array_equal(one, other, equal_nan=numbers)

@@ -43,7 +43,7 @@ mod _slipgap {
     #[pymodule_export]
     use super::results::arrow_table::Table;
     #[pymodule_export]
-    use super::results::expand::{count, expand};
+    use super::results::expand::{count, expand, titles};
     #[pymodule_export]
     use super::results::figure::Figure;
     #[pymodule_export]

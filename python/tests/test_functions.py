@@ -339,7 +339,7 @@ def test_errors_can_be_copied() -> None:
         assert str(other) == str(caught.value) and other.path == caught.value.path
 
 
-def test_a_run_warns_of_cases_that_may_mislead() -> None:
+def test_a_run_warns_of_cases_that_may_mislead(caplog: pytest.LogCaptureFixture) -> None:
     """A body on a spring far too stiff for the step: once with a record of each kind, and once without any."""
     structure = {
         "masses": {"a": 1},
@@ -353,15 +353,22 @@ def test_a_run_warns_of_cases_that_may_mislead() -> None:
         "structure": structure,
         "metrics": ["peak(a)"],
     }
-    with pytest.warns(slipgap.SlipgapWarning, match="1 of 2 cases have an impact that touches") as issued:
-        results = slipgap.run(study)
-    by_kind = {warned.kind: warned for warned in results.warnings}
-    assert len(issued) == len(by_kind)
+    # By the function and by the object, a warning is placed here, and a note is in the log.
+    for run in (slipgap.run, lambda study: slipgap.Study(study).run()):
+        caplog.clear()
+        with caplog.at_level("INFO"), pytest.warns(slipgap.SlipgapWarning, match="1 of 2 cases have an impact that touches") as issued:
+            results = run(study)
+        by_kind = {warned.kind: warned for warned in results.warnings}
+        assert {warning.filename for warning in issued} == {__file__}
+        [note] = [warned for warned in results.warnings if warned.is_note]
+        [logged] = [record for record in caplog.records if record.name == "slipgap"]
+        assert (logged.getMessage(), logged.pathname) == (note.message, __file__)
+        assert len(issued) == len(by_kind) - 1
     # pi sqrt(1/1e6) is 0.3 steps.
     short = by_kind["short-contact"]
     assert (short.cases, short.case, short.parameters) == (1, 1, {"gap": 0.1})
-    # A gap that stays open in some cases is a result: a note says it.
-    note = by_kind["no-contact"]
+    # A gap that stays open in some cases is a result: a note says it, which is no warning.
+    assert note is by_kind["no-contact"]
     assert (note.cases, note.case, note.parameters) == (1, 0, {"gap": 9})
     assert f"(note {note.kind};" in note.message
     assert "never-slides" not in by_kind

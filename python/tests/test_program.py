@@ -1,6 +1,9 @@
 """Functions that run the program or test claims."""
 
 import json
+import os
+import re
+import struct
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -70,3 +73,45 @@ def test_claims_have_verdicts(tmp_path: Path) -> None:
         ("P", "B", "fails", True),
     ]
     assert "rms_error" in found[0].readings[0].found[0]
+
+
+def _on_a_terminal(words: list[str], folder: Path, columns: int, **environment: str) -> str:
+    """What a program writes to a terminal of so many columns."""
+    fcntl, termios = pytest.importorskip("fcntl"), pytest.importorskip("termios")
+    here, there = os.openpty()
+    fcntl.ioctl(there, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
+    variables = {name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "CLICOLOR_FORCE", "TERM")}
+    with subprocess.Popen(words, stdin=there, stdout=there, stderr=there, cwd=folder, env={**variables, "TERM": "xterm", **environment}) as process:
+        os.close(there)
+        written = b""
+        try:
+            while chunk := os.read(here, 65536):
+                written += chunk
+        except OSError:
+            # The other end is closed.
+            pass
+    os.close(here)
+    assert process.returncode == 0
+    return written.decode()
+
+
+def test_a_terminal_has_colour_progress_and_lines_that_fit(program: str, tmp_path: Path) -> None:
+    (tmp_path / "s.json").write_text(json.dumps({**STUDY, "parameters": {**STUDY["parameters"], "dT": 1.2}}))
+    words = [program, "run", "s.json"]
+    text = _on_a_terminal(words, tmp_path, 60)
+    lines = [line.rsplit("\r", 1)[-1].removeprefix("\x1b[2K") for line in text.replace("\r\n", "\n").splitlines()]
+    first = next(i for i, line in enumerate(lines) if "warning:" in line)
+    assert lines[first].startswith("\x1b[33m\x1b[1mwarning:\x1b[0m s.json: 2 of 2 cases have a step")
+    plain = [re.sub(r"\x1b\[\d+m", "", line) for line in lines[first:]]
+    assert all(len(line) <= 60 for line in plain) and plain[1].startswith(" " * 9)
+    # The metrics of a few cases, in rows or columns.
+    assert any(line.split() == ["case", "0", "1"] for line in lines) and any(line.startswith("rms_error ") for line in lines)
+    # Progress is there before the first cases are finished.
+    many = {**STUDY["parameters"], "beta": {"range": [1, 300, 1]}, "dT": 0.005}
+    (tmp_path / "many.json").write_text(json.dumps({**STUDY, "parameters": many}))
+    assert " 0/300 cases" in _on_a_terminal([program, "run", "many.json"], tmp_path, 60)
+    assert "\x1b[33m" not in _on_a_terminal(words, tmp_path, 60, NO_COLOR="1")
+    # Elsewhere a warning is one line, and there is no table.
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert "rms_error" not in done.stderr and "\x1b" not in done.stderr
+    assert [line for line in done.stderr.splitlines() if "(warning long-step; case 0: beta = 0.5; " in line]

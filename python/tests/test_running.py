@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 import slipgap
-from slipgap._progress import reporter
+from slipgap._run.progress import reporter
 
 # Minutes of computing.
 LONG: dict[str, Any] = {

@@ -3,7 +3,7 @@
 use super::UNSOLVED;
 use super::arguments::sources;
 use super::arguments::{JobsArgs, ProgramsArgs, SettingsArgs, results_folder, whole};
-use super::terminal::{note, print, progress, table};
+use super::terminal::{input_note, print, progress, table};
 use crate::batch::output::Folder;
 use crate::calibrate::{calibrate, check_folder, text, write};
 use crate::error::Error;
@@ -62,7 +62,7 @@ impl CalibrateArgs {
             .as_structure()
             .map_or(&[][..], |structure| structure.notes())
         {
-            note(&source.line(message));
+            input_note(&source.line(message));
         }
         let (bar, start) = (progress::counter(&source.name), Instant::now());
         let found = calibrate(source, &bar, &Stop::default())?;

@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::problem;
 use crate::study;
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -20,9 +21,9 @@ pub struct InitArgs {
     /// Name of the study, without .json
     #[arg(value_parser = name)]
     name: String,
-    /// Problem of the study: friction-oscillator, bar-impact or structure
-    #[arg(long, value_parser = problem)]
-    problem: Option<&'static str>,
+    /// Problem of the study
+    #[arg(long, value_parser = PossibleValuesParser::new(problem::names()))]
+    problem: Option<String>,
 }
 
 impl InitArgs {
@@ -32,18 +33,8 @@ impl InitArgs {
             let names: Vec<&str> = problem::names().collect();
             Error::Usage(format!("missing: --problem; one of {}", names.join(", ")))
         })?;
-        init(&self.name, problem)
+        init(&self.name, &problem)
     }
-}
-
-/// The problem of a name on the command line.
-fn problem(name: &str) -> Result<&'static str, Expected> {
-    problem::names()
-        .find(|known| *known == name)
-        .ok_or_else(|| {
-            let names: Vec<&str> = problem::names().collect();
-            Expected(format!("one of {}", names.join(", ")).into())
-        })
 }
 
 /// The name of a study without extension: a file name, also in sub-folders.

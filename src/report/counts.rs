@@ -1,4 +1,4 @@
-//! Numbers of cases without a solution, and the warnings.
+//! Numbers of cases without a solution, and warnings and notes.
 
 use super::text::{code, escape};
 use crate::batch::solve::divergence::{self, Divergence};
@@ -71,10 +71,10 @@ impl Counts {
         }
         for warning in &self.warnings {
             let [sentence, example] = [warning.sentence(), warning.example()];
-            let (kind, example) = (warning.kind.name(), escape(&example));
+            let (word, kind, example) = (warning.word(), warning.kind.name(), escape(&example));
             writeln!(
                 out,
-                "<p>{}.</p>\n<p class=\"facts\">warning {kind}; {example}</p>",
+                "<p>{}.</p>\n<p class=\"facts\">{word} {kind}; {example}</p>",
                 code(&escape(&sentence))
             )?;
         }

@@ -195,13 +195,8 @@ pub fn run_study(
     folder.list(histories.into_iter());
     let mut paths = Vec::new();
     let solved = tables.finish(&mut folder, &store, &mut paths, observer)?;
-    for note in &study.notes() {
-        observer.note(&source.line(note));
-    }
     let warnings = warnings.list();
-    for warning in &warnings {
-        observer.note(&source.line(&warning.to_string()));
-    }
+    observer.results(source, &warnings);
     if let Some(indices) = indices(source, &designs, observer)? {
         paths.push(folder.write(INDICES, &indices)?);
     }

@@ -1,8 +1,8 @@
 //! What a run reports while it goes on.
 
 use super::Source;
-use crate::batch::PartResult;
 use crate::batch::solve::work_progress::WorkProgress;
+use crate::batch::{PartResult, WarnedCases};
 use indicatif::ProgressBar;
 use std::sync::Arc;
 
@@ -25,4 +25,7 @@ pub trait Observer: Send {
 
     /// A line about the results, as about cases without a solution.
     fn note(&mut self, line: &str);
+
+    /// The warnings of all cases. The study has notes on its input, too.
+    fn results(&mut self, _source: &Source, _warnings: &[WarnedCases]) {}
 }

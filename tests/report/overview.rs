@@ -66,6 +66,7 @@ fn checks_and_warnings_come_first() {
     assert!(summary.contains("✓ 74 of 74 cases are solved."));
     // Bars with a gap of 2 c T_I/2 meet after the duration of 1 T_I, which is a result; those without a gap touch until then.
     assert!(!summary.contains("Warning no-contact"));
+    assert!(rest.contains("note no-contact; case ") && !rest.contains("warning no-contact"));
     assert!(summary.contains("Warning ends-in-contact in 1 study"));
     assert!(summary.contains(">bars</a>: 1 of 3 cases</li>"));
     // The studies by problem and by tag: bars shares no tag.

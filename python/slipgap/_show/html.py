@@ -138,14 +138,15 @@ def results(found: Results) -> str:
             checks,
             notes("Checks that are not met", failed),
             notes("Cases without a solution", unsolved),
-            notes("Warnings", [warned.message for warned in found.warnings]),
+            notes("Warnings", [warned.message for warned in found.warnings if not warned.is_note]),
+            notes("Notes", [warned.message for warned in found.warnings if warned.is_note]),
         ]
     )
 
 
 def _is_one(column: Any) -> bool:
     """Whether a column has the same value in all rows."""
-    if isinstance(column, list):
+    if column.dtype == object:
         return len(set(column)) == 1
     same = (column == column[:1]) | (column != column) & (column[:1] != column[:1])
     return bool(same.all() and len(column))

@@ -118,6 +118,7 @@ impl Results {
                 warning.case,
                 parameters,
                 message,
+                warning.is_note,
             ))
         };
         self.warnings.iter().map(record).collect()

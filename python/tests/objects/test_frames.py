@@ -71,9 +71,10 @@ def test_arrays_cannot_be_written(results: slipgap.Results) -> None:
     assert not column.flags.writeable and results.table["gap"] is column
     with pytest.raises(ValueError, match="read-only"):
         column[0] = 1
-    # A list of names is a copy.
-    results.table["law"].clear()
-    assert len(results.table["law"]) == 12
+    # Names are an array, too, and select rows.
+    names = results.table["law"]
+    assert not names.flags.writeable and names.dtype == object
+    assert len(results.table["gap"][names == "hertz"]) == 6
     solution = results.solution(0)
     for part in (solution.channels, solution.references, solution.measured):
         assert not any(array.flags.writeable for array in part.values())
@@ -170,6 +171,14 @@ def test_a_motion_has_the_columns_of_a_history(program: str, tmp_path: Path) -> 
         cells = [float(line[index]) for line in lines]
         assert polars[name].to_list() == dataset[name].values.tolist() == cells
         assert (pandas.reset_index()[name].tolist()) == cells
+
+
+def test_pandas_is_not_given_a_column_of_names(results: slipgap.Results) -> None:
+    pandas = pytest.importorskip("pandas")
+    with pytest.raises(TypeError, match="use table.to_pandas()"):
+        pandas.DataFrame(results.table)
+    frame = pandas.DataFrame(dict(results.table))
+    assert list(frame) == list(results.table) and len(frame) == 12
 
 
 @pytest.mark.parametrize("name", ["pandas", "polars", "xarray"])

@@ -43,6 +43,25 @@ def test_mistakes_are_refused_by_both(name: str, program: str, tmp_path: Path) -
     assert SCHEMA.is_valid(study) == (name in ONLY_THE_PROGRAM)
 
 
+def test_a_damping_ratio_in_percent_is_shown(program: str, tmp_path: Path) -> None:
+    """A run of it warns; an editor shows it before."""
+    percent = copy.deepcopy(STRUCTURE)
+    percent["structure"]["springs"][1] = {"between": ["ground", "c"], "mass": 3, "period": 1, "ratio": 5}
+    assert not SCHEMA.is_valid(percent) and not refused(program, percent, tmp_path)
+    percent["structure"]["springs"][1]["ratio"] = 0.05
+    assert SCHEMA.is_valid(percent)
+    modal = copy.deepcopy(STRUCTURE)
+    modal["structure"]["modal_damping"] = 5
+    assert not SCHEMA.is_valid(modal)
+
+
+def test_channels_of_matrices_have_any_name() -> None:
+    study = copy.deepcopy(STRUCTURE)
+    study["structure"]["matrices"] = {"tower": {"M": "M.mtx", "K": "K.mtx", "dofs": "d.csv", "forces": "f.csv"}}
+    study["metrics"] = ["peak(tower.F)"]
+    assert SCHEMA.is_valid(study)
+
+
 def laws() -> list[tuple[str, list[str]]]:
     """The laws of structures, each with the keys of its numbers."""
     definitions = SCHEMA.schema["definitions"]

@@ -29,12 +29,19 @@ pub struct WarnedCases {
 impl WarnedCases {
     /// What they have, as a sentence without its full stop.
     pub fn sentence(&self) -> String {
-        format!(
-            "{} of {} cases {}",
-            self.cases,
-            self.of,
-            self.kind.message()
-        )
+        let message = match self.cases < self.of {
+            true => self.kind.message_of_some(),
+            false => self.kind.message(),
+        };
+        format!("{} of {} cases {message}", self.cases, self.of)
+    }
+
+    /// What it is called: a warning, or a note.
+    pub fn word(&self) -> &'static str {
+        match self.is_note {
+            true => "note",
+            false => "warning",
+        }
     }
 
     /// The example, as in `case 3: gap = 0.1, n = 5`.
@@ -77,8 +84,7 @@ impl WarnedCases {
 
 impl fmt::Display for WarnedCases {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let word = if self.is_note { "note" } else { "warning" };
-        let (sentence, kind) = (self.sentence(), self.kind.name());
+        let (sentence, word, kind) = (self.sentence(), self.word(), self.kind.name());
         write!(f, "{sentence} ({word} {kind}; {})", self.example())
     }
 }

@@ -5,7 +5,7 @@ use crate::batch::{self, RunOptions};
 use crate::checks::{CheckCollector, TestedValues, Verdict};
 use crate::commands::arguments::sources::Source;
 use crate::commands::arguments::{JobsArgs, ProgramsArgs, StudiesArgs};
-use crate::commands::terminal::{note, print_all, progress, table_lines};
+use crate::commands::terminal::{Summary, note, print_all, progress, table_lines};
 use crate::commands::{NOT_MET, UNSOLVED};
 use crate::error::Error;
 use crate::problem::numbers::parameter::shortest;
@@ -45,16 +45,18 @@ struct Tested<'a> {
 /// Runs the studies without writing files and prints the verdicts; returns the exit code.
 fn check(sources: &[Source]) -> Result<u8, Error> {
     let (mut studies, mut all_solved) = (Vec::new(), true);
+    let mut summary = Summary::new(sources.len());
     for source in sources {
         let results = Path::new(RESULTS).join(&source.name);
         let differences = differences(&results, &source.study);
         if !differences.is_empty() {
             note(&source.line(&of_others(&results, &differences)));
         }
-        let (checked, solved) = run_study(source)?;
+        let (checked, solved) = run_study(source, &mut summary)?;
         studies.push(checked);
         all_solved &= solved;
     }
+    summary.print();
     let header = ["study", "case", "metric", "value", "limits", "verdict"];
     print_all(table_lines(|| {
         let rows = studies.iter().flat_map(|checked| {
@@ -78,8 +80,8 @@ fn check(sources: &[Source]) -> Result<u8, Error> {
     })
 }
 
-/// Runs one study; returns the checked values, and whether every case was solved.
-fn run_study(source: &Source) -> Result<(Tested<'_>, bool), Error> {
+/// Runs one study and adds its warnings; returns the checked values, and whether every case was solved.
+fn run_study<'a>(source: &'a Source, summary: &mut Summary) -> Result<(Tested<'a>, bool), Error> {
     let study = &source.study;
     let bar = progress::bar(&source.name, study.len());
     let mut checks = CheckCollector::new(study);
@@ -97,12 +99,7 @@ fn run_study(source: &Source) -> Result<(Tested<'_>, bool), Error> {
     })?;
     progress::finish(&bar, &source.name, &cases_run(cases));
     unsolved.lines().for_each(|line| note(&line));
-    for message in &study.notes() {
-        note(&source.line(message));
-    }
-    for warning in warnings.list() {
-        note(&source.line(&warning.to_string()));
-    }
+    summary.add(source, &warnings.list());
     for (name, empty, cases) in checks.empty() {
         note(&without_value(source, name, empty, cases));
     }

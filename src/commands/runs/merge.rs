@@ -52,7 +52,7 @@ fn merge(
 ) -> Result<u8, Error> {
     let (mut unsolved, mut warned, mut missing) = (None, None, None);
     let (options, mut terminal) = (args.options(), Terminal::new(sources));
-    for source in sources {
+    let mut merge = |source: &Source| {
         let path = out.join(&source.name);
         let made = not_there(&path.join(STORE));
         let (folder, store) = (Folder::of_study(&path)?, Store::open(&path)?);
@@ -75,7 +75,11 @@ fn merge(
             }
             Err(other) => return Err(other),
         }
-    }
+        Ok(())
+    };
+    let ended = sources.iter().try_for_each(&mut merge);
+    terminal.end();
+    ended?;
     if missing.is_none() {
         args.print_folder(sources, out)?;
     }

@@ -72,14 +72,18 @@ fn run(
     }
     let (mut solved, mut warned) = (true, false);
     let mut terminal = Terminal::new(sources);
-    for source in sources {
+    let mut run = |source: &Source| {
         let path = out.join(&source.name);
         let folder = Folder::of_study(&path)?;
         let written = run_study(source, folder, Store::open(&path)?, options, &mut terminal)?;
         args.print_files(&written)?;
         solved &= written.solved;
         warned |= written.has_warnings();
-    }
+        Ok(())
+    };
+    let ended = sources.iter().try_for_each(&mut run);
+    terminal.end();
+    ended?;
     args.print_folder(sources, out)?;
     Ok(match (solved, args.deny_warnings && warned) {
         (false, _) => UNSOLVED,

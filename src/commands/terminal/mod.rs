@@ -1,17 +1,22 @@
 //! Output on the terminal: results to stdout, notes and errors to stderr.
 
 mod duration;
+mod message;
 mod metrics;
 mod observer;
 pub mod progress;
 mod studies;
+mod summary;
 
 pub use duration::duration;
+pub use message::{input_note, line, note, warn};
 pub use observer::Terminal;
+pub use summary::Summary;
 
 use crate::error::Error;
 use crate::study::printable;
-use std::io::{BufWriter, ErrorKind, Write, stderr, stdout};
+use message::labelled;
+use std::io::{BufWriter, ErrorKind, Write, stdout};
 use std::iter::repeat_n;
 
 /// Writes results to stdout and returns the exit code. Control characters are replaced by visible text. A closed pipe is
@@ -31,21 +36,17 @@ pub fn print_all(pieces: impl IntoIterator<Item = impl AsRef<str>>) -> Result<u8
     }
 }
 
-/// Writes a line about the run to stderr, at once: several processes may have the same stderr. A closed stderr is no error.
-pub fn note(line: &str) {
-    let line = format!("{}\n", printable(line));
-    let _ = stderr().write_all(line.as_bytes());
-}
-
 /// Writes an error to stderr; each fault of a study with its line and a caret.
 pub fn report_error(error: &Error) {
     let Error::Faults(faults) = error else {
-        return note(&format!("slipgap: {error}"));
+        let text = error.to_string();
+        return labelled("error", &text, || line(&format!("slipgap: {text}")));
     };
     for fault in faults {
-        note(&fault.to_string());
+        let text = fault.to_string();
+        labelled("error", &text, || line(&text));
         if !fault.shown.is_empty() {
-            note(&fault.shown);
+            line(&fault.shown);
         }
     }
 }

@@ -2,12 +2,13 @@
 
 use super::metrics::Metrics;
 use super::studies::Studies;
-use super::{note, progress};
-use crate::batch::PartResult;
+use super::summary::Summary;
+use super::{line, note, progress};
 use crate::batch::solve::work_progress::WorkProgress;
+use crate::batch::{PartResult, WarnedCases};
 use crate::run::{Observer, Source};
 use indicatif::ProgressBar;
-use std::io::{IsTerminal, stdout};
+use std::io::{IsTerminal, stderr};
 use std::sync::Arc;
 
 /// Number of cases from which the indices of a design take seconds.
@@ -20,6 +21,7 @@ pub struct Terminal {
     work: Arc<WorkProgress>,
     /// Those of the current study, which are shown to a person.
     metrics: Metrics,
+    summary: Summary,
 }
 
 impl Terminal {
@@ -29,7 +31,13 @@ impl Terminal {
             studies: Studies::new(sources),
             work: Arc::new(WorkProgress::new(0.0)),
             metrics: Metrics::default(),
+            summary: Summary::new(sources.len()),
         }
+    }
+
+    /// All studies are finished, or one of them ends the command.
+    pub fn end(&self) {
+        self.summary.print();
     }
 
     /// The next study is left out.
@@ -47,7 +55,7 @@ impl Observer for Terminal {
             .map(|estimate| (estimate, studies.outputs()));
         let (bar, work) = progress::bar_with_store(&studies.name(source), study, rest);
         self.work = work.clone();
-        self.metrics = match stdout().is_terminal() {
+        self.metrics = match stderr().is_terminal() {
             true => Metrics::of(source),
             false => Metrics::default(),
         };
@@ -71,7 +79,7 @@ impl Observer for Terminal {
             &(summary.to_owned() + &left),
         );
         let table = self.metrics.text();
-        table.lines().for_each(note);
+        table.lines().for_each(line);
     }
 
     fn begin_indices(&mut self, source: &Source, estimates: usize) -> ProgressBar {
@@ -88,7 +96,11 @@ impl Observer for Terminal {
         progress::figures(&self.studies.name(source), figures, self.studies.estimate())
     }
 
-    fn note(&mut self, line: &str) {
-        note(line);
+    fn note(&mut self, text: &str) {
+        note(text);
+    }
+
+    fn results(&mut self, source: &Source, warnings: &[WarnedCases]) {
+        self.summary.add(source, warnings);
     }
 }

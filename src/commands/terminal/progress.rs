@@ -15,8 +15,14 @@ use std::time::Duration;
 /// Time between two frames of a spinner.
 const TICK: Duration = Duration::from_millis(100);
 
-/// A progress bar with rate and time left on a terminal, else a hidden one.
+/// A progress bar with rate and time left on a terminal, else a hidden one. It is there before the first cases are finished.
 pub fn bar(name: &str, cases: u64) -> ProgressBar {
+    let bar = bar_of_cases(name, cases);
+    bar.enable_steady_tick(TICK);
+    bar
+}
+
+fn bar_of_cases(name: &str, cases: u64) -> ProgressBar {
     if !stderr().is_terminal() {
         return ProgressBar::hidden();
     }
@@ -27,6 +33,17 @@ pub fn bar(name: &str, cases: u64) -> ProgressBar {
     ProgressBar::new(cases)
         .with_style(style)
         .with_prefix(name.to_owned())
+}
+
+/// A spinner while the studies of a command are read, which may select records; hidden without a terminal.
+pub fn reading() -> ProgressBar {
+    let hidden = !stderr().is_terminal();
+    let bar = match hidden {
+        true => ProgressBar::hidden(),
+        false => ProgressBar::new_spinner().with_message("reading studies"),
+    };
+    bar.enable_steady_tick(TICK);
+    bar
 }
 
 /// A counter of cases, for work of which the number of cases is not known before; hidden without a terminal.
@@ -50,7 +67,7 @@ pub fn bar_with_store(
     study: &Study,
     of_studies: Option<(Estimate, usize)>,
 ) -> (ProgressBar, Arc<WorkProgress>) {
-    let bar = bar(name, study.len());
+    let bar = bar_of_cases(name, study.len());
     if bar.is_hidden() {
         return (bar, Arc::new(WorkProgress::new(0.0)));
     }
@@ -75,7 +92,9 @@ pub fn bar_with_store(
     )
     .unwrap_or_else(|_| ProgressStyle::default_bar())
     .with_key("time_left", time_left);
-    (bar.with_style(style), work)
+    let bar = bar.with_style(style);
+    bar.enable_steady_tick(TICK);
+    (bar, work)
 }
 
 /// The progress bar of the figures of a study; hidden without a terminal. `all` is the estimate of all studies.

@@ -5,7 +5,7 @@ use crate::Bench;
 #[test]
 fn a_study_of_init_runs_and_meets_its_checks() {
     let bench = Bench::new();
-    for problem in ["friction-oscillator", "bar-impact"] {
+    for problem in ["friction-oscillator", "bar-impact", "structure"] {
         let name = format!("mine/{problem}");
         let done = bench.expect(0, &["init", &name, "--problem", problem]);
         assert!(
@@ -17,7 +17,8 @@ fn a_study_of_init_runs_and_meets_its_checks() {
         let text = bench.text(&file);
         assert!(text.contains("\"//\"") && text.contains("\"../../schema/study.json\""));
         bench.expect(0, &["check", &file]);
-        bench.expect(0, &["run", &file]);
+        let done = bench.expect(0, &["run", &file, "--deny-warnings"]);
+        assert!(!done.err.contains("warning"), "{}", done.err);
         assert!(bench.path("schema/study.json").is_file());
         // An existing file is not replaced.
         let done = bench.expect(2, &["init", &name, "--problem", problem]);

@@ -26,6 +26,15 @@ fn a_contact_that_is_soft_beside_the_motion_overlaps_too_far() {
     };
     let soft = some(&[("deep-overlap", 2, 0)]);
     assert_eq!(bench.kinds(&study("[0.1, 2.4, 2.7, 1000]", UNITS)), soft);
+    // Where only some have it, the units are those of the others.
+    let message = |bench: &Bench| bench.warnings()[0]["message"].to_string();
+    let of_some = message(&bench);
+    assert!(
+        of_some.contains("its k is small") && !of_some.contains("units"),
+        "{of_some}"
+    );
+    bench.kinds(&study("[0.1, 2.4]", UNITS));
+    assert!(message(&bench).contains("look at the units of k"));
     assert_eq!(bench.kinds(&study("[0.1, 2.4, 2.7, 1000]", "")), []);
     // With a mass of the wrong unit, too.
     let heavy = study("1000", UNITS);
@@ -49,6 +58,115 @@ fn the_mass_of_a_spring_is_that_of_its_nodes() {
     let study = sprung(r#""m": [0.49, 0.5, 1, 2.5, 2.6]"#, of_two, "")
         .replace(r#""a": 1}"#, r#""a": 1, "b": 1, "d": 0.5}"#);
     assert_eq!(bench.kinds(&study), some(&[("spring-mass", 2, 0)]));
+}
+
+#[test]
+fn a_spring_with_a_period_of_milliseconds_is_named() {
+    let bench = Bench::new();
+    // It is far from the motion of the other spring, which has all of the displacement.
+    let stiff = r#", {"between": ["a", "b"], "mass": 0.5, "period": "T"}"#;
+    let study = |units: &str| {
+        sprung(r#""T": [0.0099, 0.0101]"#, stiff, units).replace(r#""a": 1}"#, r#""a": 1, "b": 1}"#)
+    };
+    let of_period = |kinds: Vec<(String, u64, u64)>| -> Vec<(String, u64, u64)> {
+        kinds
+            .into_iter()
+            .filter(|kind| kind.0 == "spring-period")
+            .collect()
+    };
+    assert_eq!(
+        of_period(bench.kinds(&study(UNITS))),
+        some(&[("spring-period", 1, 0)])
+    );
+    assert!(
+        bench
+            .text("figures/s/manifest.json")
+            .contains("structure.springs[1].period is 0.0099 s")
+    );
+    assert_eq!(of_period(bench.kinds(&study(""))), []);
+}
+
+#[test]
+fn two_impacts_that_are_the_same_are_noted() {
+    let bench = Bench::new();
+    let study = |other: &str| {
+        let contact = r#""law": "impact", "between": ["ground", "a"], "gap": 0.1, "k": "k""#;
+        let two = format!(r#"{contact}}}, "d": {{{other}"#);
+        body(
+            r#""k": [10, 20], "dt": 0.001, "duration": 1"#,
+            &two,
+            "",
+            r#""peak(a)""#,
+        )
+    };
+    let same = r#""law": "impact", "between": ["ground", "a"], "gap": "0.05 + 0.05", "k": "2*k/2""#;
+    assert_eq!(bench.kinds(&study(same)), some(&[("impacts-twice", 2, 0)]));
+    assert!(
+        bench
+            .text("figures/s/manifest.json")
+            .contains("contacts c and d")
+    );
+    // In one of the cases only, with another gap or law, or on the other side.
+    assert_eq!(
+        bench.kinds(&study(&same.replace("2*k/2", "20"))),
+        some(&[("impacts-twice", 1, 1)])
+    );
+    for (old, new) in [
+        ("0.05 + 0.05", "0.2"),
+        (
+            r#"impact", "between": ["ground", "a"], "gap": "0.05 + 0.05""#,
+            r#"kelvin-voigt", "restitution": 0.9, "colliding_mass": 1, "between": ["ground", "a"], "gap": "0.1""#,
+        ),
+        (r#"["ground", "a"]"#, r#"["a", "ground"]"#),
+    ] {
+        let study = study(&same.replace(old, new));
+        assert_eq!(bench.kinds(&study), [], "{new}");
+    }
+}
+
+#[test]
+fn an_oscillator_whose_friction_never_slides_is_found() {
+    let bench = Bench::new();
+    let study = |law: &str, x0: &str| {
+        crate::friction(
+            &format!(r#"{law}, "x0": {x0}, "dT": 0.001, "duration": 7"#),
+            r#", "metrics": ["rms_error"]"#,
+        )
+    };
+    // The force in half a period of X'' + X + (X - x0)/alpha = 0, released at x0: 2 x0/(1 + alpha). Of a weak dashpot, whose
+    // X'' + X'/beta + X = 0 has nearly the velocity of free vibration: x0/beta.
+    for (law, at_095) in [
+        (r#""law": "displacement-control", "alpha": 99"#, 0.95 * 50.0),
+        (r#""law": "velocity-control", "beta": 50"#, 0.95 * 50.0),
+    ] {
+        let [below, above] = [0.99 * at_095, 1.01 * at_095];
+        assert_eq!(
+            bench.kinds(&study(law, &below.to_string())),
+            some(&[("never-slides", 1, 0)]),
+            "{law}"
+        );
+        // The motion itself: its largest force is that of the detail, for the dashpot at most.
+        bench.expect(0, &["run", "s.json", "--histories"]);
+        let history = bench.text("figures/s/histories/0.csv");
+        let forces = history.lines().skip(1).map(|line| {
+            let cell = line.split(',').nth(3).unwrap();
+            cell.parse::<f64>().unwrap().abs()
+        });
+        let most = forces.fold(0.0, f64::max);
+        assert!(
+            most <= below / 50.0 * (1.0 + 1e-6) && most > 0.98 * below / 50.0,
+            "{law}: {most}"
+        );
+        assert_eq!(bench.kinds(&study(law, &above.to_string())), [], "{law}");
+        // Where it slides in one case, it is a result in the others.
+        assert_eq!(
+            bench.kinds(&study(law, &format!("[{below}, {above}]"))),
+            [],
+            "{law}"
+        );
+    }
+    let pulled = r#""law": "displacement-control", "alpha": 99, "initial_slip": "pulled""#;
+    assert_eq!(bench.kinds(&study(pulled, "5")), []);
 }
 
 #[test]

@@ -377,3 +377,71 @@ fn a_motion_that_ends_before_the_shaking_is_no_earthquake() {
         "{explained:?}"
     );
 }
+
+#[test]
+fn several_studies_end_with_one_line_for_each_kind() {
+    let bench = Bench::new();
+    // 3 and 8 steps in a touch of pi/100 s, as above; gaps of 4 and 5 stay open.
+    let contact = r#""law": "impact", "k": 1e4, "between": ["ground", "a"], "gap": "gap""#;
+    let study = |gaps: &str| {
+        let parameters = format!(r#""gap": {gaps}, "dt": [0.004, 0.01], "duration": 1"#);
+        body(&parameters, contact, "", r#""peak(a)""#)
+    };
+    bench.file("studies/one.json", &study("[0.1, 5]"));
+    bench.file("studies/two.json", &study("[0.1, 0.2, 5]"));
+    bench.file("studies/three.json", &study("[4, 5]"));
+    bench.file(
+        "studies/clean.json",
+        &study("[0.1]").replace("[0.004, 0.01]", "0.001"),
+    );
+    for verb in ["run", "merge", "check"] {
+        let done = bench.expect(0, &[verb]);
+        let lines: Vec<&str> = done.err.lines().collect();
+        let of_word = |word: &str| -> Vec<(usize, &str)> {
+            let numbered = lines.iter().copied().enumerate();
+            numbered.filter(|(_, line)| line.contains(word)).collect()
+        };
+        let [(first, short), (_, gain), (_, open)] = of_word("warning: ")[..] else {
+            panic!("{verb}: {}", done.err);
+        };
+        assert!(
+            short.starts_with("warning: short-contact: 3 of 10 cases in 2 of 4 studies have "),
+            "{short}"
+        );
+        assert!(short.ends_with(": one (1), two (2)"), "{short}");
+        assert!(
+            gain.starts_with("warning: contact-gain: 3 of 10 cases "),
+            "{gain}"
+        );
+        assert!(
+            open.starts_with("warning: no-contact: 4 of 4 cases in 1 of 4 studies have "),
+            "{open}"
+        );
+        // How many cases have no contact is said where others have one, too.
+        let [(_, note)] = of_word("note: ")[..] else {
+            panic!("{verb}: {}", done.err);
+        };
+        assert!(
+            note.starts_with("note: no-contact: 4 of 10 cases in 2 of 4 studies have "),
+            "{note}"
+        );
+        // They come after the last study.
+        let last = of_word("cases")
+            .into_iter()
+            .rfind(|(_, line)| line.contains(" run") || line.contains(" store"));
+        assert!(
+            last.is_some_and(|(last, _)| last < first),
+            "{verb}: {}",
+            done.err
+        );
+    }
+    // Of one study the lines have an example.
+    let done = bench.expect(0, &["run", "one"]);
+    assert!(
+        done.err
+            .contains("(warning short-contact; case 1: gap = 0.1, dt = 0.01)"),
+        "{}",
+        done.err
+    );
+    assert_eq!(bench.run(&["run", "--deny-warnings"]).code, Some(5));
+}

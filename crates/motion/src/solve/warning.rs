@@ -85,6 +85,9 @@ warnings! {
     SpringMass "spring-mass"
         "have a spring whose `mass` is not that of its nodes"
         "`mass` of a spring with a period is 1 % or more below the mass of its node (of two, m1 m2/(m1 + m2)), or above that of all nodes that springs and bars connect with it; rows of matrices are left out.",
+    SpringPeriod "spring-period"
+        "have a spring with a period below 0.01 s: look at its unit"
+        "With `units`, `period` of a spring is above 0 and below 0.01 s.",
     DampingRatio "damping-ratio"
         "have a damping ratio above 1: 0.05 is 5 %"
         "`ratio` of a spring or `modal_damping` is above 1.",
@@ -133,9 +136,12 @@ warnings! {
     ImpactsAtOnce "impacts-at-once"
         "have rigid impacts that touch at t = 0 and bounce at once with others: Newton's rule acts on all of them together, and with a gap, one after the other, bodies part with other velocities"
         "A note: a rigid impact with `e` > 0, or one beside it, is closed at t = 0 and shares a body with another one. The order of impacts decides (Newton's cradle), and gap 0 has none.",
+    ImpactsTwice "impacts-twice"
+        "have two impacts with the same nodes, law and numbers: both act, so that the stiffness is twice theirs"
+        "A note: two impacts have the same nodes with the same factors, the same gap, law and numbers.",
     NeverSlides "never-slides"
         "have friction that never slides: look at the units of N or of the limit"
-        "The force of a friction contact is below 95 % of its limit (of nu_min N, if it has nu_min) at every step, in every case of the study. An elastic contact in series with one that slides, yields or damps is left out.",
+        "The force of a friction contact is below 95 % of its limit (of nu_min N, if it has nu_min) at every step, in every case of the study. An elastic contact in series with one that slides, yields or damps is left out. In friction-oscillator with a law of [F]: 2 x0/(1 + alpha), from an unloaded start, or x0/beta is below 0.95.",
     NoContact "no-contact"
         "have no contact before `duration`; their contact metrics are undefined or 0"
         "No impact touches before `duration`, in every case of the study: a gap that stays open in some cases is a result.",
@@ -222,6 +228,14 @@ impl Warning {
         )
     }
 
+    /// What some cases of a study have and others do not: their parameters are the reason, not the units.
+    pub const fn message_of_some(self) -> &'static str {
+        if matches!(self, Warning::DeepOverlap) {
+            return "have an impact that overlaps by more than its gap: its k is small for these masses";
+        }
+        self.message()
+    }
+
     /// Whether a contact or a program may make energy: what such a case gives is no measure of the motion, and `recommend` does not choose it.
     pub const fn is_contact_energy(self) -> bool {
         matches!(
@@ -240,6 +254,7 @@ impl Warning {
                 | Warning::EndsEarly
                 | Warning::TimeBefore
                 | Warning::ProgramNull
+                | Warning::ImpactsTwice
         )
     }
 

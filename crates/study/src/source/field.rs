@@ -34,7 +34,9 @@ pub enum Kind {
     Any,
     /// A number or an expression.
     Number(Range),
-    /// The same without parameters.
+    /// A number or an expression in the first range, of which a run warns outside of the second: an editor shows it there.
+    Likely(Range, Range),
+    /// The same as a number without parameters.
     Constant,
     /// A whole number from the first to the second, or an expression.
     Whole([u64; 2]),
@@ -48,6 +50,8 @@ pub enum Kind {
     Words(&'static str, Names, Option<Usual>),
     /// One of several names, which have meanings.
     Meant(Meanings),
+    /// The name of a parameter that chooses one of several names; one of these in other letters is a mistake.
+    Chooses(Meanings),
     /// A value that the schema has as a definition, by its name.
     Shared(&'static str),
     /// An object.
@@ -209,7 +213,7 @@ impl Kind {
     /// The range of the numbers of a value.
     pub fn range(&self) -> Range {
         match self {
-            Kind::Number(range) => *range,
+            Kind::Number(range) | Kind::Likely(range, _) => *range,
             Kind::Whole([0, _]) => Range::NotNegative,
             Kind::Whole(_) | Kind::Count(_) => Range::Positive,
             Kind::List(one, _) | Kind::Several(one, _) => one.range(),
@@ -220,6 +224,7 @@ impl Kind {
             | Kind::Like(_)
             | Kind::Words(..)
             | Kind::Meant(_)
+            | Kind::Chooses(_)
             | Kind::Shared(_)
             | Kind::Object(_)
             | Kind::Named(_)
@@ -237,11 +242,13 @@ impl Kind {
             Kind::OneOf(kinds) => kinds.iter().find_map(Kind::words),
             Kind::Any
             | Kind::Number(_)
+            | Kind::Likely(..)
             | Kind::Constant
             | Kind::Whole(_)
             | Kind::Count(_)
             | Kind::Text
             | Kind::Like(_)
+            | Kind::Chooses(_)
             | Kind::Shared(_)
             | Kind::Object(_)
             | Kind::Named(_)

@@ -2,7 +2,7 @@
 
 use crate::batch::output;
 use crate::batch::solve::cost;
-use crate::commands::terminal::note;
+use crate::commands::terminal::{note, progress};
 use crate::error::Error;
 pub use crate::run::STUDIES;
 pub use crate::run::Source;
@@ -60,6 +60,7 @@ fn read_arguments(
     settings: &[Setting],
     limit: u64,
 ) -> Result<Vec<(usize, Source)>, Error> {
+    let bar = progress::reading();
     let mut files = Vec::new();
     for (argument, path) in paths.iter().enumerate() {
         let found = find(path)?.into_iter();
@@ -88,19 +89,22 @@ fn read_arguments(
         .into_iter()
         .partition(|(_, input)| some && left_out(input));
     for (study_file, _) in &without {
-        note(&format!(
+        let text = format!(
             "{}: left out: it has no parameter record, and no synthetic motions with a list of seeds that records could replace",
             study_file.file.display()
-        ));
+        );
+        bar.suspend(|| note(&text));
     }
-    files::read_all(inputs, |(study_file, input)| {
+    let sources = files::read_all(inputs, |(study_file, input)| {
         let source = Source::of_input(study_file.file.clone(), study_file.name, input, limit)
             .map_err(|error| match several {
                 true => with_file_name(error, &study_file.file),
                 false => error,
             })?;
         Ok((study_file.argument, source))
-    })
+    });
+    bar.finish_and_clear();
+    sources
 }
 
 /// The name of standard input on the command line.

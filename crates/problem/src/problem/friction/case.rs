@@ -20,6 +20,9 @@ use slipgap_contact::for_widest;
 /// The oscillator: X'' + X + S = 0.
 const UNIT: Mode = Mode::new(1.0, 1.0);
 
+/// Share of its limit that friction reaches where it slides, as in structures.
+const SLIDES: f64 = 0.95;
+
 /// Cases in lanes: enough to fill the pipelines of the processor, because each step of a case waits for the one before it.
 pub const LANES: usize = 16;
 
@@ -34,6 +37,8 @@ pub struct OscillatorCase<W = ContactLaw, M = Method> {
     pub step: f64,
     pub duration: f64,
     pub last: u64,
+    /// The largest force, over the limit, that a law of `[F]` can have before it slides; infinite where that is not known.
+    pub most_of_limit: f64,
 }
 
 /// A case with a law of `[F]` and constant average acceleration: the one that sweeps of millions have, and small.
@@ -82,11 +87,13 @@ impl<W, M> OscillatorCase<W, M> {
     #[inline(always)]
     fn with(case: &Case, law: W, method: M, force: f64) -> Option<Self> {
         let (step, duration) = (case.at(rows::DT)?, case.at(rows::DURATION)?);
+        let x0 = case.at(rows::X0)?;
         Some(OscillatorCase {
             law,
             method,
             force,
-            x0: case.at(rows::X0)?,
+            x0,
+            most_of_limit: most_of_limit(case, x0, force),
             step,
             duration,
             last: steps(duration, step),
@@ -111,6 +118,12 @@ impl<W, M> OscillatorCase<W, M> {
         self.step > LONG
     }
 
+    /// Whether the friction is elastic or viscous all the time, and not near its limit.
+    #[inline(always)]
+    pub fn never_slides(&self) -> bool {
+        self.most_of_limit < SLIDES
+    }
+
     /// The time of the last step, if `duration` is no multiple of the step.
     #[inline(always)]
     pub fn ends_early(&self) -> Option<f64> {
@@ -123,12 +136,27 @@ impl<W, M> OscillatorCase<W, M> {
         Warnings::NONE
             .with(Warning::LongStep, self.has_long_step())
             .with(Warning::EndsEarly, self.ends_early().is_some())
+            .with(Warning::NeverSlides, self.never_slides())
     }
 
     /// The exact solution at the case's steps.
     pub fn exact_at_steps(&self) -> Sampled {
         Sampled::new(self.x0, self.step, self.last, self.duration)
     }
+}
+
+/// The largest force over the limit without sliding. A spring 1/alpha that is unloaded at x0 swings about x0 alpha/(1 + alpha), so that it
+/// has 2 x0/(1 + alpha) half a period later; a dashpot 1/beta has at most the velocity x0 of free vibration.
+#[inline(always)]
+fn most_of_limit(case: &Case, x0: f64, force: f64) -> f64 {
+    let found = match PlainLawName::of(case) {
+        Some(PlainLawName::Displacement(_)) if force == 0.0 => case
+            .at(rows::ALPHA)
+            .map(|alpha| 2.0 * x0.abs() / (1.0 + alpha)),
+        Some(PlainLawName::Velocity) => case.at(rows::BETA).map(|beta| x0.abs() / beta),
+        Some(PlainLawName::Displacement(_)) | None => None,
+    };
+    found.unwrap_or(f64::INFINITY)
 }
 
 impl<W: Copy + Into<ContactLaw>, M: EachMethod> ToSystem for OscillatorCase<W, M> {

@@ -20,6 +20,7 @@ use crate::metrics::cells;
 use crate::metrics::friction::{Compared, work_by_energy, work_by_steps};
 use crate::problem::Textbook;
 use crate::problem::numbers::parameter::Parameter;
+use crate::problem::numbers::short::short;
 use crate::problem::table::cases::Cases;
 use crate::problem::table::metric_rows::Groups;
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warning};
@@ -121,7 +122,16 @@ impl Problem for Oscillator {
             )
         };
         let long = oscillator.has_long_step().then(warning);
+        let most = oscillator.most_of_limit;
+        let sticks = || {
+            let text = format!(
+                "its force stays below {} of the limit: x0 is in nu N/k",
+                short(most)
+            );
+            (Warning::NeverSlides, text)
+        };
         long.into_iter()
+            .chain(oscillator.never_slides().then(sticks))
             .chain(oscillator.ends_early().map(ends_early))
             .collect()
     }

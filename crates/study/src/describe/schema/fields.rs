@@ -35,7 +35,7 @@ pub(super) fn properties(
 pub(super) fn value(kind: &Kind, shared: Shared) -> Json {
     match kind {
         Kind::Any => json!({}),
-        Kind::Number(range) => number(*range),
+        Kind::Number(range) | Kind::Likely(_, range) => number(*range),
         Kind::Constant => constant(),
         Kind::Whole([least, most]) => whole(*least, *most),
         Kind::Count(most) => json!({ "type": "integer", "minimum": 1, "maximum": most }),
@@ -47,6 +47,7 @@ pub(super) fn value(kind: &Kind, shared: Shared) -> Json {
         },
         Kind::Words(_, names, Some(_)) => json!({ "enum": names(), "default": names()[0] }),
         Kind::Meant(meanings) => names(meanings().iter().copied()),
+        Kind::Chooses(meanings) => chooses(meanings().iter().map(|row| row.0)),
         Kind::Shared(name) => shared(name),
         Kind::Object(keys) => object(keys, shared),
         Kind::Named(one) => named(value(one, shared)),
@@ -68,6 +69,19 @@ pub(super) fn value(kind: &Kind, shared: Shared) -> Json {
             json!({ "anyOf": forms.collect::<Vec<_>>() })
         }
     }
+}
+
+/// The name of a parameter, and none of these names in other letters or with another hyphen.
+fn chooses(names: impl Iterator<Item = &'static str>) -> Json {
+    let any_letters = |name: &str| -> String {
+        let form = |c: char| match c {
+            '-' => "[-_ ]?".to_owned(),
+            c => format!("[{}{c}]", c.to_ascii_uppercase()),
+        };
+        name.chars().map(form).collect()
+    };
+    let forms: Vec<String> = names.map(any_letters).collect();
+    json!({ "type": "string", "not": { "pattern": format!("^({})$", forms.join("|")) } })
 }
 
 fn list(one: Json, [least, most]: [usize; 2]) -> Json {

@@ -183,7 +183,7 @@ pub(super) fn ratio() -> Json {
 pub(super) fn expression() -> Json {
     json!({
         "type": "string",
-        "pattern": "^(?! *[-+]?[0-9]+,[0-9]+ *$).*[0-9A-Za-z]",
+        "pattern": "^(?! *[-+]?[0-9.]+(,|_|[dD][-+]?)[0-9_]+ *$).*[0-9A-Za-z]",
         "description": "an expression: numbers, + - * / ^ ( ), pi, e, sqrt and other functions; the value of a parameter may also name other parameters",
     })
 }

@@ -37,8 +37,11 @@ const OF_LAW: &[Field] = &fields![
 
 const NUMBER: Kind = Kind::Number(Range::Any);
 
-const LAW: Field = field("law", Kind::OneOf(&[Kind::Meant(|| NAMES), Kind::Text]))
-    .means("law of the contact, or a parameter that chooses it");
+const LAW: Field = field(
+    "law",
+    Kind::OneOf(&[Kind::Meant(|| NAMES), Kind::Chooses(|| NAMES)]),
+)
+.means("law of the contact, or a parameter that chooses it");
 
 /// What the numbers of laws need of each other.
 const OF_LAWS: [Rule; 3] = [

@@ -25,10 +25,10 @@ pub(crate) use spectra::{
 };
 
 use crate::source::field::Kind::{
-    Like, List, Named, Number, Object, OneOf, Parts, Several, Shared, Words,
+    Like, Likely, List, Named, Number, Object, OneOf, Parts, Several, Shared, Words,
 };
 use crate::source::field::{ANY, Field, Keys, Usual, field, fields};
-use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative};
+use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative, UpToOne};
 
 /// The reference of the softened laws.
 pub(crate) const SOFTENED: &str = "softened";
@@ -56,7 +56,7 @@ pub(crate) const STRUCTURE: Keys = Keys::new(&fields![
     /// C += mass M + stiffness K, with the factors or with damping ratios of two modes
     field("rayleigh", Object(&RAYLEIGH)),
     /// damping ratio in every mode of M and K, or a list with one for each mode from the longest period on; further modes have none
-    field(MODAL_DAMPING, Several(&Number(NotNegative), [0, ANY])),
+    field(MODAL_DAMPING, Several(&Likely(NotNegative, UpToOne), [0, ANY])),
     /// K of rayleigh and modal_damping: "without-contacts" (if left out), or "initial" with elastic contacts
     field("damping_stiffness", Words("stiffness", || vec!["without-contacts", "initial"], Some(Usual))),
     /// contacts by name

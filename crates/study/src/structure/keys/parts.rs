@@ -2,7 +2,7 @@
 
 use super::kinds::{BETWEEN_KIND, NAME};
 use crate::source::field::{ANY, Field, Keys, Kind, Rule, Usual, field, fields, needed};
-use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative, Positive};
+use slipgap_problem::problem::numbers::parameter::Range::{self, NotNegative, Positive, UpToOne};
 use slipgap_problem::problem::structure::MOST_NODES;
 use slipgap_system::system::structure::Direction;
 
@@ -90,7 +90,7 @@ pub(crate) const SPRING: Keys = Keys::new(&fields![
     /// k = mass (2 pi/period)^2
     field("period", POSITIVE),
     /// c = 2 ratio (2 pi/period) mass
-    field("ratio", NOT_NEGATIVE),
+    field("ratio", RATIO),
     DIRECTION,
     /// two of x, y and z: a spring in each between nodes with both, as a.x and a.y; numbers may be lists of two
     field("directions", Kind::Directions),
@@ -113,6 +113,7 @@ pub(crate) const SPRING: Keys = Keys::new(&fields![
 const POSITIVE: Kind = Kind::Several(&Kind::Number(Positive), [2, 2]);
 
 /// The same of one that may be 0.
+const RATIO: Kind = Kind::Several(&Kind::Likely(NotNegative, UpToOne), [2, 2]);
 const NOT_NEGATIVE: Kind = Kind::Several(&Kind::Number(NotNegative), [2, 2]);
 
 /// Rayleigh damping.

@@ -23,9 +23,11 @@ impl StructureProblem {
         let masses = Masses::new(structure, numbering);
         [
             unlikely::spring_mass(template, case, &masses),
+            unlikely::spring_period(template, case),
             unlikely::damping_ratio(template, case),
             twice::damped(template, case),
             twice::none(template, case, structure),
+            twice::impacts(template, case, structure),
             unlikely::friction_coefficient(template, case),
             unlikely::radius(template, case),
             weight::far(template, case, structure),

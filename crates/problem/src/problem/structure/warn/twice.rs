@@ -1,14 +1,16 @@
-//! Damping that is given twice, and none at all.
+//! Damping and impacts that are given twice, and no damping at all.
 
 use super::doubt::Doubt;
 use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::problem::structure::given::amount::Amount;
 use crate::problem::structure::given::source::Kind;
+use crate::problem::structure::parts::contact::Contact;
 use crate::problem::structure::parts::damping::ModalDamping;
 use crate::problem::structure::parts::template::{SpringNumbers, Template};
 use crate::solve::Warning;
 use crate::system::structure::Structure;
+use std::collections::BTreeMap;
 
 /// Damping in all modes beside other damping.
 pub fn damped(template: &Template, case: &Case) -> Option<Doubt> {
@@ -69,4 +71,35 @@ pub fn none(template: &Template, case: &Case, structure: &Structure) -> Option<D
     let is_undamped = || structure.damping.entries().all(|(_, c)| c == 0.0);
     (is_earthquake && is_undamped())
         .then(|| (Warning::Undamped, format!("contact {}", impact.name)))
+}
+
+/// Two impacts that are the same but for their names.
+pub fn impacts(template: &Template, case: &Case, structure: &Structure) -> Option<Doubt> {
+    let mut known: BTreeMap<Vec<(usize, u64)>, &Contact> = BTreeMap::new();
+    let pairs = template.contacts.iter().zip(&structure.contacts);
+    let mut impacts = pairs.filter(|(_, contact)| contact.law.kind() == ContactKind::Impact);
+    impacts.find_map(|(given, contact)| {
+        let along = contact.along.iter();
+        let along = along.map(|(node, factor)| (*node, factor.to_bits()));
+        let other = known.insert(along.collect(), given)?;
+        (numbers(given, case) == numbers(other, case)).then(|| {
+            let text = format!("contacts {} and {}", other.name, given.name);
+            (Warning::ImpactsTwice, text)
+        })
+    })
+}
+
+/// The law, the gap and the numbers of a contact in a case.
+fn numbers<'a>(
+    contact: &'a Contact,
+    case: &'a Case,
+) -> (&'a str, Option<f64>, Vec<(&'a str, Option<f64>)>) {
+    let value = |amount: &Amount| amount.value(case).ok();
+    let numbers = contact.numbers.iter();
+    let numbers = numbers.map(|(key, amount)| (*key, value(amount)));
+    (
+        contact.law.name(case),
+        contact.gap.as_ref().and_then(value),
+        numbers.collect(),
+    )
 }

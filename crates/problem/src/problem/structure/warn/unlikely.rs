@@ -26,6 +26,27 @@ const COEFFICIENT: f64 = 2.0;
 /// Radius of a pendulum in m: those of bearings are below 10 m, those of domes below 100 m.
 const RADIUS: f64 = 100.0;
 
+/// Period of a spring in s, below which it is one in another unit.
+const SHORT: f64 = 0.01;
+
+/// A spring with a period below 0.01 s, if the units say so.
+pub fn spring_period(template: &Template, case: &Case) -> Option<Doubt> {
+    if template.units.is_empty() {
+        return None;
+    }
+    template.springs.iter().find_map(|spring| {
+        let SpringNumbers::Period { period, .. } = &spring.numbers else {
+            return None;
+        };
+        let seconds = period
+            .value(case)
+            .ok()
+            .filter(|period| (0.0..SHORT).contains(period))?;
+        let text = format!("{} is {} s", period.path, short(seconds));
+        Some((Warning::SpringPeriod, text))
+    })
+}
+
 /// A spring whose mass is not that of its nodes.
 pub fn spring_mass(template: &Template, case: &Case, masses: &Masses) -> Option<Doubt> {
     let mut springs = template.springs.iter();

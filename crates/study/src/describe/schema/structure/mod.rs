@@ -3,7 +3,7 @@
 mod contacts;
 mod results;
 
-use results::{figure, metric};
+use results::{channels, figure, metric};
 
 use crate::decode::checks;
 use crate::describe::schema::fields::{self, named, object};
@@ -63,6 +63,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
     });
     need(&mut rules, &needed);
     let known = json!({ "properties": { METHOD: method } });
+    rules["then"]["allOf"] = json!([channels()]);
     rules["then"]["if"] = json!({ "not": { "required": [programs::KEY.name] } });
     rules["then"]["then"] = json!({ "properties": {
         "parameters": known,

@@ -5,6 +5,7 @@ use crate::describe::schema::values::number;
 use crate::figure::kinds::{Kind, Needs};
 use serde_json::{Value as Json, json};
 use slipgap_problem::problem::numbers::parameter::Range;
+use slipgap_problem::problem::structure::channels::channel::QUANTITIES;
 use slipgap_problem::problem::structure::metrics::ground_metric::PREFIX;
 use slipgap_problem::problem::structure::metrics::reduction::{REDUCTIONS, in_brackets};
 
@@ -32,6 +33,29 @@ pub(super) fn metric() -> Json {
         "pattern": format!("^({})$", patterns.join("|")),
         "examples": examples,
         "description": "a reduction of a channel, such as peak(g1.right - p2) or impacts(gap12), or a measure of the ground, such as ground.pga or, of several directions, ground.y.pga",
+    })
+}
+
+/// Refuses channels of contacts in other letters, and `F`, in metrics and in what figures draw; only of studies without matrices, whose
+/// nodes and forces have any name.
+pub(super) fn channels() -> Json {
+    let names = QUANTITIES.iter().map(|row| row.0);
+    let other = names.map(|name| match name.chars().all(char::is_uppercase) {
+        true => name.to_lowercase(),
+        false => name[..1].to_uppercase() + &name[1..],
+    });
+    let names: Vec<String> = other.chain(["F".to_owned()]).collect();
+    let (name, names) = ("[A-Za-z][A-Za-z0-9_]*", names.join("|"));
+    let pattern = format!("(^|[-+*/(, ]){name}\\.({names})($|[-+*/), ])");
+    let known = json!({ "not": { "type": "string", "pattern": pattern } });
+    let drawn = json!({ "allOf": [known], "items": known });
+    json!({
+        "if": { "properties": { "structure": { "not": { "required": ["matrices"] } } } },
+        "then": { "properties": {
+            "metrics": { "items": known },
+            "figures": { "items": { "properties": { "x": drawn, "y": drawn } } },
+            "checks": { "items": { "properties": { "metric": known } } },
+        } },
     })
 }
 

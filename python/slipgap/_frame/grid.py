@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ._frames import library
+from .library import library
 
 if TYPE_CHECKING:
     import xarray
 
-    from ._study import Study
-    from ._table import Table
+    from .._study import Study
+    from .._table import Table
 
 CASE = "case"
 """The dimension of results that are no grid, and the coordinate with the numbers of cases."""
@@ -24,7 +24,7 @@ class Axis:
         import numpy
 
         self.name = name
-        if isinstance(column, list):
+        if column.dtype == object:
             places: dict[Any, int] = {}
             codes = [-1 if value is None else places.setdefault(value, len(places)) for value in column]
             self.values: Any = numpy.array(list(places), dtype=object)
@@ -111,7 +111,7 @@ def _by_case(table: Table, axes: Mapping[str, Axis], metrics: Sequence[str]) -> 
     """Metrics over the number of the case, with the parameters as coordinates."""
     coordinates: dict[str, Any] = {CASE: ((CASE,), table[CASE], {})}
     for name, axis in axes.items():
-        coordinates[name] = ((CASE,), _cells(table[name]), {}) if axis.varies else _constant(axis)
+        coordinates[name] = ((CASE,), table[name], {}) if axis.varies else _constant(axis)
     known = {name: coordinate for name, coordinate in coordinates.items() if coordinate is not None}
     return {name: ((CASE,), table[name], {}) for name in metrics}, known
 
@@ -141,7 +141,7 @@ def _on_grid(
             for axis_over in dimensions:
                 fewer = [other for other in over if other is not axis_over]
                 over = fewer if _follows(axis, fewer) else over
-            cells = _cells(table[name])
+            cells = table[name]
             is_name = cells.dtype == object
             array = numpy.full(
                 [len(axis_over.values) for axis_over in over], None if is_name else numpy.nan, cells.dtype if is_name else float
@@ -151,12 +151,6 @@ def _on_grid(
         else:
             coordinates[name] = _constant(axis)
     return variables, {name: coordinate for name, coordinate in coordinates.items() if coordinate is not None}
-
-
-def _cells(column: Any) -> Any:
-    import numpy
-
-    return numpy.array(column, dtype=object) if isinstance(column, list) else column
 
 
 def _constant(axis: Axis) -> Any:
