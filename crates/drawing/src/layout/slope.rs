@@ -81,9 +81,9 @@ pub fn write(panel: &mut Panel) {
         let (width, height) = (text::width(&text, style::LABEL), style::LABEL);
         let point = |i: usize| panel.place(series.points[i]);
         // From the middle of the stretch to its ends, over and under the line, then farther from it.
-        let middle = (stretch.from + stretch.to) / 2;
+        let centre = (stretch.from + stretch.to) / 2;
         let mut order: Vec<usize> = (stretch.from..=stretch.to).collect();
-        order.sort_by_key(|i| i.abs_diff(middle));
+        order.sort_by_key(|i| i.abs_diff(centre));
         let beside = [5.0, 9.0, 14.0].into_iter().flat_map(|away| {
             let [left, right, over] = [-width - away, away, -away - height];
             match stretch.slope > 0.0 {
@@ -110,6 +110,8 @@ pub fn write(panel: &mut Panel) {
                     && !taken.iter().any(|t| t.overlaps(area))
                     && legend::is_free(panel, area)
                     && is_nearest(panel, area, k, &stretch)
+                    // The middle, too: the end of a long label reaches far along the curve.
+                    && is_nearest(panel, &middle(area), k, &stretch)
             });
         if let Some(area) = free {
             taken.push(area);
@@ -141,6 +143,15 @@ fn is_nearest(panel: &Panel, area: &Rect, k: usize, stretch: &Stretch) -> bool {
         }
     }
     of_stretch < of_others
+}
+
+/// The middle of an area.
+fn middle(area: &Rect) -> Rect {
+    Rect {
+        left: area.left + area.width / 2.0,
+        top: area.top + area.height / 2.0,
+        ..Rect::default()
+    }
 }
 
 /// The least distance of an area from points of a piece of a line.
