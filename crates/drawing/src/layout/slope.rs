@@ -110,8 +110,9 @@ pub fn write(panel: &mut Panel) {
                     && !taken.iter().any(|t| t.overlaps(area))
                     && legend::is_free(panel, area)
                     && is_nearest(panel, area, k, &stretch)
-                    // The middle, too: the end of a long label reaches far along the curve.
+                    // The end of a long label reaches far along the curve.
                     && is_nearest(panel, &middle(area), k, &stretch)
+                    && (point(stretch.from)[0]..point(stretch.to)[0]).contains(&middle(area).left)
             });
         if let Some(area) = free {
             taken.push(area);
@@ -224,10 +225,11 @@ mod tests {
         let mut valley = panel(&[&bent]);
         write(&mut valley);
         let stretch = straight(&bent).unwrap();
-        let begin = valley.place(bent[stretch.from])[0];
+        let [begin, end] = [stretch.from, stretch.to].map(|i| valley.place(bent[i])[0]);
         assert!(stretch.from >= 3 && stretch.slope > 0.9);
         assert_eq!(valley.notes.len(), 1);
-        assert!(valley.notes[0].area().right() > begin);
+        let area = valley.notes[0].area();
+        assert!((begin..end).contains(&(area.left + area.width / 2.0)));
     }
 
     fn curve(of: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
