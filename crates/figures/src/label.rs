@@ -1,8 +1,9 @@
 //! The parameters that distinguish the cases of a figure, and the labels of the legend.
 
-use super::DrawnCase;
-use slipgap_drawing::text::markup;
+use super::{DrawnCase, words};
+use slipgap_drawing::style;
 use slipgap_drawing::text::number::Form;
+use slipgap_drawing::text::{self, markup};
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::{Default, Parameter, Value};
 use slipgap_study::{Filter, Study};
@@ -42,6 +43,23 @@ pub fn bound(table: &[Parameter], cases: &[DrawnCase], by: usize) -> Vec<usize> 
     };
     let others = (0..table.len()).filter(|row| *row != by && varies(cases, *row));
     std::iter::once(by).chain(others.filter(settled)).collect()
+}
+
+/// The values of these parameters as the caption of a panel of this width: only that of the first one if they need more.
+pub fn caption(
+    table: &[Parameter],
+    cases: &[DrawnCase],
+    rows: &[usize],
+    case: &Case,
+    width: f64,
+) -> String {
+    let whole = value_labels(table, cases, rows, case);
+    // With a letter before it.
+    let length = text::width(&whole, style::TITLE) + 2.0 * style::TITLE;
+    match rows {
+        [first, _, ..] if length > width => value_labels(table, cases, &[*first], case),
+        _ => whole,
+    }
 }
 
 /// The values of these parameters in a case, in markup, without those that only repeat another.
@@ -211,7 +229,7 @@ pub fn value(parameter: &Parameter, value: Value, form: Form) -> String {
     match value {
         Value::Number(x) => form.write(x),
         Value::Whole(n) => n.to_string(),
-        Value::Name(name) => markup::escape(parameter.shown(name)),
+        Value::Name(name) => markup::escape(words::of(parameter.shown(name))),
     }
 }
 

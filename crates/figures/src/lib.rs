@@ -15,6 +15,7 @@ mod misfit;
 mod shown;
 #[cfg(test)]
 mod tests;
+mod words;
 
 pub use front::Front;
 pub use groups::GroupResults;
@@ -32,9 +33,11 @@ use sheet::Sheet;
 use slipgap_drawing::DrawingError;
 use slipgap_drawing::layout::{self, coincide, envelope};
 use slipgap_drawing::style::Look;
+use slipgap_problem::problem::numbers::parameter::Value;
 use slipgap_study::error::Error;
 use slipgap_study::kinds::Fit;
-use slipgap_study::{Figure, Study};
+use slipgap_study::{Block, Figure, Study};
+use std::collections::BTreeSet;
 
 /// What a figure draws.
 #[derive(Debug, Clone, Copy)]
@@ -153,31 +156,36 @@ fn taken_over(data: &FigureData) -> Option<String> {
     let operator = reduction.operator.title();
     let of = if operator.ends_with(" of") { "" } else { " of" };
     let over = Vec::from_iter(reduction.over.iter().map(|row| &*table[*row].symbol));
-    let count = number_of_values(data, *reduction.over.first()?);
-    let what = match (&over[..], count) {
+    let count = match reduction.over[..] {
+        [row] => number_of_values(data, row),
+        _ => None,
+    };
+    let count = count.map_or_else(|| "all".to_owned(), |count| count.to_string());
+    let what = match &over[..] {
+        // Each seed has its own motion.
+        ["seed"] => format!("{count} motions"),
         // A word has a plural.
-        ([one], Some(count)) if one.len() > 3 && one.chars().all(|c| c.is_ascii_lowercase()) => {
+        [one] if one.len() > 3 && one.chars().all(|c| c.is_ascii_lowercase()) => {
             format!("{count} {one}s")
         }
-        ([one], Some(count)) => format!("{count} values of {one}"),
-        _ => format!("all values of {}", over.join(", ")),
+        _ => format!("{count} values of {}", over.join(", ")),
     };
     Some(format!("Each value is the {operator}{of} {what}."))
 }
 
-/// How many values of a parameter all combinations of the others have; `None` if a condition, a filter or several blocks decide.
+/// How many values of a parameter all combinations of the others have; `None` if a condition decides, or blocks differ.
 fn number_of_values(data: &FigureData, row: usize) -> Option<usize> {
-    let [block] = &data.study.blocks[..] else {
-        return None;
+    let filter = data.figure.filter.0.iter().find(|known| known.0 == row);
+    let is_drawn =
+        |value: &Value| filter.is_none_or(|known| known.1.iter().any(|x| x.matches(*value)));
+    let of_block = |block: &Block| {
+        let is_free = block.when.is_none() && block.design.is_none();
+        let axis = block.axes().find(|axis| axis.parameter == row)?;
+        let values = (0..axis.values.len()).map(|i| axis.values.at(i));
+        let count = BTreeSet::from_iter(values.filter(is_drawn).map(Value::identity)).len();
+        Some(count).filter(|count| is_free && *count > 1)
     };
-    let is_free = block.when.is_none()
-        && block.design.is_none()
-        && data.figure.filter.0.iter().all(|known| known.0 != row);
-    let axis = block.axes().find(|axis| axis.parameter == row)?;
-    let mut values: Vec<_> = (0..axis.values.len())
-        .map(|i| axis.values.at(i).identity())
-        .collect();
-    values.sort_unstable();
-    values.dedup();
-    Some(values.len()).filter(|count| is_free && *count > 1)
+    let mut counts = data.study.blocks.iter().map(of_block);
+    let first = counts.next()?;
+    first.filter(|_| counts.all(|count| count == first))
 }

@@ -49,7 +49,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "drawing, figures",
         &["crates/drawing", "crates/figures"],
-        14_100,
+        14_300,
     ),
     (
         "product",

@@ -85,6 +85,29 @@ pub fn keys(panels: &[Panel]) -> Vec<Key> {
     keys
 }
 
+/// Gives a curve that is one point a marker, and its key no line unless it is a line in another panel.
+pub fn mark_single_points(panels: &mut [Panel], keys: &mut [Vec<Key>]) {
+    for key in keys.iter_mut().flatten().filter(|key| key.width > 0.0) {
+        let (mut has_line, mut single) = (false, None);
+        let curves = panels.iter_mut().flat_map(|panel| &mut panel.series);
+        for series in curves.filter(|series| series.label == key.label) {
+            let is_there = |i: &usize| series.points[*i].iter().all(|x| x.is_finite());
+            let points: Vec<usize> = (0..series.points.len()).filter(is_there).collect();
+            match points.len() {
+                0 => {}
+                1 => {
+                    let marker = *series.marker.get_or_insert(Marker::Circle);
+                    (single, series.marked) = (Some(marker), points);
+                }
+                _ => has_line = true,
+            }
+        }
+        if let (Some(marker), false) = (single, has_line) {
+            (key.width, key.marker) = (0.0, Some(marker));
+        }
+    }
+}
+
 /// A legend in rows of `columns` keys, each `width` wide, from its upper left corner.
 pub fn rows(keys: &[Key], [left, top]: [f64; 2], columns: usize, width: f64) -> Vec<Entry> {
     let entry = |(i, key): (usize, &Key)| {
@@ -145,7 +168,7 @@ pub fn is_free(panel: &Panel, area: &Rect) -> bool {
     let notes = panel
         .notes
         .iter()
-        .all(|words| !area.inflated(style::TITLE).contains(words.at));
+        .all(|words| !area.overlaps(&words.area()));
     let arrows = panel
         .arrows
         .iter()
@@ -200,4 +223,51 @@ pub fn over(sheet: &Sheet, keys: &[Vec<Key>]) -> (Vec<Entry>, f64) {
         }
     }
     (entries, lowest + style::LEADING / 2.0 - style::EDGE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::ticks;
+
+    #[test]
+    fn a_curve_that_is_one_point_has_the_key_of_a_point() {
+        let curve = |label: &str, points: &[[f64; 2]]| Series {
+            label: label.into(),
+            ..Series::exact(points.to_vec())
+        };
+        let axis = || ticks::linear("", [0.0, 1.0], 5.0);
+        let gap = [0.5, f64::NAN];
+        let mut panel = Panel::new(Rect::default(), 0.0, axis(), axis());
+        panel.series = vec![
+            curve("line", &[[0.0, 0.0], [1.0, 1.0]]),
+            curve("point", &[gap, [0.5, 0.5]]),
+            curve("nothing", &[gap]),
+        ];
+        let mut other = panel.clone();
+        let mut keys = vec![keys(std::slice::from_ref(&panel))];
+        mark_single_points(std::slice::from_mut(&mut panel), &mut keys);
+        let looks: Vec<_> = keys[0]
+            .iter()
+            .map(|key| (key.width > 0.0, key.marker))
+            .collect();
+        assert_eq!(
+            looks,
+            [(true, None), (false, Some(Marker::Circle)), (true, None)]
+        );
+        assert_eq!(
+            (panel.series[1].marker, &panel.series[1].marked[..]),
+            (Some(Marker::Circle), &[1][..])
+        );
+        assert_eq!(panel.series[0].marker, None);
+        // It is a line in another panel, and has that key.
+        other.series[1] = curve("point", &[[0.0, 1.0], [1.0, 0.0]]);
+        let mut panels = [panel, other];
+        panels[0].series[1].marker = None;
+        let mut both = vec![super::keys(&panels)];
+        mark_single_points(&mut panels, &mut both);
+        assert!(both[0][1].width > 0.0 && both[0][1].marker.is_none());
+        assert_eq!(panels[0].series[1].marker, Some(Marker::Circle));
+        assert_eq!(panels[1].series[1].marker, None);
+    }
 }

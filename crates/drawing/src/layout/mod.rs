@@ -126,8 +126,9 @@ pub fn columns(sheet_width: f64, heights: &[f64], y: &[Axis]) -> Vec<Grid> {
 /// Finishes a sheet whose panels start at the top: places legends and heading, and sets the height.
 ///
 /// `keys` has the legend of the first panel, of the second and so on; panels without one may be left out.
-pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
+pub fn finish(sheet: &mut Sheet, mut keys: Vec<Vec<Key>>, heading: Option<&str>) {
     limits::keep_numbers_whole(sheet);
+    legend::mark_single_points(&mut sheet.panels, &mut keys);
     // Without captions, no space for them.
     let has_power = |axis: &Axis| axis.numbered && axis.power != 0;
     let bare =

@@ -3,6 +3,7 @@
 use crate::layout::axis::Axis;
 use crate::layout::cloud::Cloud;
 use crate::style::{Marker, Stroke};
+use crate::text;
 
 pub use crate::layout::rect::Rect;
 pub use crate::layout::series::{Band, Bar, Envelope, Gap, MEASURED, Series};
@@ -165,6 +166,24 @@ pub struct PlacedText {
     pub text: String,
     /// Type size.
     pub size: f64,
+}
+
+impl PlacedText {
+    /// The rectangle round it.
+    pub fn area(&self) -> Rect {
+        let width = text::width(&self.text, self.size);
+        let before = match self.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5,
+            Anchor::End => 1.0,
+        };
+        Rect {
+            left: self.at[0] - before * width,
+            top: self.at[1] - 0.8 * self.size,
+            width,
+            height: self.size,
+        }
+    }
 }
 
 /// Which part of a line of text is at its place.

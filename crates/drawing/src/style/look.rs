@@ -1,7 +1,7 @@
 //! How the curves of a figure are told apart.
 
 use super::marker::Marker;
-use super::stroke::Stroke;
+use super::stroke::{COLOURS, Stroke};
 
 /// Most curves: as many as strokes and markers can distinguish, in black or in colour.
 pub const MOST_STYLES: usize = 30;
@@ -25,8 +25,14 @@ impl Look {
         }
     }
 
-    /// The marker of curve `i`.
+    /// The marker of curve `i`. With the colours used up, the next curves have markers: dashes mean curves that coincide.
     pub fn marker(self, i: usize) -> Option<Marker> {
-        (!self.colour || self.markers).then(|| Marker::of_case(i))
+        let round = i % MOST_STYLES / COLOURS.len();
+        match (self.colour && !self.markers, round) {
+            (true, 0) => None,
+            (true, round) => Some(Marker::of_case(round - 1)),
+            // The same marker and colour come together again after a round of both.
+            (false, round) => Some(Marker::of_case(if self.colour { i + round } else { i })),
+        }
     }
 }

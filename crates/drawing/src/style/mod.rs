@@ -129,19 +129,24 @@ mod tests {
             colour: true,
             markers: false,
         };
-        let mut looks = HashSet::new();
-        for i in 0..MOST_STYLES {
-            let stroke = colour.stroke(i, MOST_STYLES);
-            let dashes: Vec<u64> = stroke.pattern().iter().map(|x| x.to_bits()).collect();
-            assert!(looks.insert((dashes, stroke.colour())), "curve {i}");
-            assert_eq!(stroke.pattern().is_empty(), i < COLOURS.len());
-            assert_eq!(colour.marker(i), None);
-        }
-        assert_eq!(black.stroke(0, 1), Stroke::Solid);
         let both = Look {
             colour: true,
             markers: true,
         };
+        for look in [colour, both] {
+            let mut looks = HashSet::new();
+            for i in 0..MOST_STYLES {
+                let stroke = look.stroke(i, MOST_STYLES);
+                let marker = format!("{:?}", look.marker(i));
+                assert!(looks.insert((marker, stroke.colour())), "curve {i}");
+                // Dashes of colours mean curves that coincide.
+                assert!(stroke.pattern().is_empty());
+            }
+        }
+        for i in 0..COLOURS.len() {
+            assert_eq!(colour.marker(i), None);
+        }
+        assert_eq!(black.stroke(0, 1), Stroke::Solid);
         assert_eq!(both.marker(2), black.marker(2));
     }
 

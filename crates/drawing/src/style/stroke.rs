@@ -21,7 +21,7 @@ pub enum Stroke {
     Grey,
     /// Unbroken, in a colour of maps: its fraction of the scale in parts of 255.
     Graded(u8),
-    /// The curve of this number in colour, unbroken as long as the colours last.
+    /// The curve of this number in colour, unbroken.
     Colour(u8),
 }
 
@@ -46,12 +46,7 @@ impl Stroke {
     /// Lengths of line and gap in turn; empty for an unbroken line.
     pub fn pattern(self) -> &'static [f64] {
         match self {
-            Stroke::Solid | Stroke::Grey | Stroke::Graded(_) => &[],
-            // With the colours used up, the next ones have dashes.
-            Stroke::Colour(i) => match usize::from(i) / COLOURS.len() {
-                0 => &[],
-                round => Stroke::of_case(round - 1).pattern(),
-            },
+            Stroke::Solid | Stroke::Grey | Stroke::Graded(_) | Stroke::Colour(_) => &[],
             Stroke::Dashed => &[5.0, 2.2],
             Stroke::DashDot => &[7.0, 2.0, 1.2, 2.0],
             Stroke::Dotted => &[1.1, 1.7],

@@ -22,7 +22,7 @@ pub struct FragilityPoint {
 /// An estimated probability.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Probability {
-    /// The part of the cases.
+    /// The fraction of the cases.
     pub value: f64,
     /// Lower end of the 95 % interval (Clopper and Pearson).
     pub low: f64,

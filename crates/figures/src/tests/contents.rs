@@ -349,7 +349,7 @@ fn reductions_say_of_how_many_values_they_are() {
         (
             "[8, 12, 14]",
             r#", "where": {"x0": [8, 12]}"#,
-            "Each value is the median of all values of",
+            "Each value is the median of 2 values of",
         ),
     ] {
         let study = parsed(

@@ -118,7 +118,7 @@ fn each_line_has_the_best_cases_of_its_value_and_the_band_those_of_all() {
     let small = lines.join(" ");
     // The band begins at the largest step, where alpha is better.
     assert!(
-        small.contains("law: displacement-control, velocity-control; Δ*T* = π/5, π/10, π/20"),
+        small.contains("law: displacement control, velocity control; Δ*T* = π/5, π/10, π/20"),
         "{small}"
     );
     assert!(small.ends_with("3 of 36 cases without a value"), "{small}");
@@ -161,7 +161,7 @@ fn means_are_over_cases_that_are_otherwise_the_same() {
     assert_eq!(small.last(), Some(&"6 of 36 cases without a value"));
     // The values that a reader wants of a point; not those that were averaged.
     assert!(
-        hover.contains("velocity-control: ") && hover.contains("; β = 0.1, ΔT = π/20"),
+        hover.contains("velocity control: ") && hover.contains("; β = 0.1, ΔT = π/20"),
         "{hover}"
     );
     assert!(!hover.contains("X0 ="), "{hover}");
@@ -221,7 +221,7 @@ fn twelve_entries_are_readable_beside_or_over_their_panel() {
             // No two lines look the same.
             let styles: Vec<_> = sheet.legend[..13]
                 .iter()
-                .map(|e| (e.stroke.pattern(), e.stroke.colour()))
+                .map(|e| (e.marker, e.stroke.colour()))
                 .collect();
             for (i, style) in styles.iter().enumerate() {
                 assert!(!styles[..i].contains(style), "{style:?}");

@@ -493,6 +493,17 @@ fn bars_blocks_and_stops_have_their_places() {
 }
 
 #[test]
+fn a_contact_between_the_ground_and_a_support_is_drawn() {
+    let sheet = scheme(
+        r#""masses": {"idle": 1}, "springs": [{"between": ["ground", "idle"], "k": 1}],
+          "supports": {"ram": {"displacement": {"t": [0, 1], "u": [0, 0.1]}}},
+          "contacts": {"bearing": {"law": "displacement-control", "k": 1, "limit": 1, "between": ["ground", "ram"]}}"#,
+    );
+    let [idle, bearing, ram] = ["idle", "bearing", "ram.x"].map(|name| middle(&sheet, name)[0]);
+    assert!(idle < bearing && bearing < ram, "{idle}, {bearing}, {ram}");
+}
+
+#[test]
 fn any_links_are_drawn_in_a_narrow_sheet_too() {
     let study = structure(
         &format!(

@@ -142,6 +142,6 @@ pub(super) const X_RANGE: Key = field("x_range", Takes::Range)
 pub(super) const Y_RANGE: Key = field("y_range", Takes::Range)
     .means("first and last value of the vertical axis, for one quantity in y");
 pub(super) const COLOUR: Key = field("colour", Takes::Switch)
-    .means("false: black curves with dashes and markers, and hatched bands; if left out, unbroken curves in colours for any colour vision");
+    .means("false: black curves with dashes and markers, and hatched bands; if left out, unbroken curves in colours for any colour vision, from the seventh on with markers");
 pub(super) const MARKERS: Key =
     field("markers", Takes::Switch).means("true: curves in colour have markers, too");

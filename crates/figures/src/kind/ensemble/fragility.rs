@@ -1,4 +1,4 @@
-//! The part of the cases in which a metric exceeds a limit, with intervals and a lognormal function.
+//! The fraction of the cases in which a metric exceeds a limit, with intervals and a lognormal function.
 
 use super::ensembles::{Ensemble, ensembles, stroke};
 use super::fragility_text as text;

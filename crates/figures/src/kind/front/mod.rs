@@ -10,7 +10,7 @@ use crate::{DrawnCase, FigureData};
 use best::{Point, points};
 use lines::{Line, best_of, lines};
 use slipgap_drawing::layout;
-use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::legend::{Key, mark_single_points};
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::points::Point as Hover;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
@@ -20,6 +20,9 @@ use slipgap_drawing::text::number;
 use slipgap_problem::problem::numbers::parameter;
 use slipgap_study::kinds::Front;
 use slipgap_study::{Study, alike};
+
+/// The metric that counts work.
+const COST: &str = "cost";
 
 /// The label of the band under the best of all cases.
 const BEST: &str = "best of all";
@@ -39,7 +42,7 @@ impl Draw for Front {
             .iter()
             .map(|row| lines(study, data.look(), cases, &points, *row))
             .collect();
-        let keys: Vec<Vec<Key>> = panels.iter().map(|lines| keys(lines)).collect();
+        let mut keys: Vec<Vec<Key>> = panels.iter().map(|lines| keys(lines)).collect();
         let width = figure.width.unwrap_or(style::MIDDLE);
         let legend = legend::Arrangement::of(&keys, width);
         let least = if panels.len() == 1 { 190.0 } else { 150.0 };
@@ -52,7 +55,7 @@ impl Draw for Front {
         // Axes round the lines: the cases that are not among the best may be far away.
         let best = panels.iter().flatten().flat_map(|line| &line.best);
         let drawn: Vec<[f64; 2]> = best.map(|i| points[*i].at).collect();
-        let [x_title, y_title] = [self.x, self.y].map(|row| study.title(row));
+        let [x_title, y_title] = [self.x, self.y].map(|row| title(study, row));
         let values = limits::heights(drawn.iter(), x_range).into_iter();
         let y = limits::axis(&y_title, values, self.scales[1], y_range, least / 24.0);
         let whole: Vec<f64> = rows.iter().zip(&heights).map(|(a, b)| a + b).collect();
@@ -89,6 +92,7 @@ impl Draw for Front {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::finish(&mut sheet, Vec::new(), figure.title.as_deref());
+        mark_single_points(&mut sheet.panels, &mut keys);
         sheet.legend = legend.entries(&keys, &sheet.panels);
         for words in small_print(
             self,
@@ -138,6 +142,16 @@ impl Draw for Front {
             }
         }
         found
+    }
+}
+
+/// The title of an axis; of the count of the work of a textbook problem with what it counts.
+fn title(study: &Study, row: usize) -> String {
+    let measure = &study.measures[row];
+    let of_symbol = study.title(row);
+    match measure.name == COST && of_symbol == COST {
+        true => format!("Cost: {}", measure.meaning),
+        false => of_symbol,
     }
 }
 

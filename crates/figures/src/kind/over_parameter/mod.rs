@@ -234,7 +234,7 @@ impl Curves<'_> {
                 }
                 if let (0, Some(first)) = (cell.quantity, groups[cell.group].first()) {
                     panel.caption =
-                        label::value_labels(table, &cases, &bound, &cases[*first].case());
+                        label::caption(table, &cases, &bound, &cases[*first].case(), frame.width);
                 }
                 if orders {
                     order_lines(&mut panel);

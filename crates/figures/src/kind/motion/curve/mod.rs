@@ -180,7 +180,7 @@ impl DrawWith for Curve {
                 }
                 if let (0, Some(first)) = (cell.quantity, groups[cell.group].first()) {
                     panel.caption =
-                        label::value_labels(table, drawn, &except, &drawn[*first].case());
+                        label::caption(table, drawn, &except, &drawn[*first].case(), frame.width);
                 }
                 sheet.panels.push(panel);
             }

@@ -181,7 +181,7 @@ impl Draw for History {
                 }
                 if let (0, Some(first)) = (cell.quantity, members[cell.group].first()) {
                     panel.caption =
-                        label::value_labels(table, drawn, &except, &drawn[*first].case());
+                        label::caption(table, drawn, &except, &drawn[*first].case(), frame.width);
                 }
                 sheet.panels.push(panel);
             }

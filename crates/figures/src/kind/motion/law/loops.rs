@@ -1,7 +1,7 @@
 //! Loops of any laws: a panel for each law, a curve for each of its cases.
 
 use crate::label;
-use crate::{DrawnCase, FigureData};
+use crate::{DrawnCase, FigureData, words};
 use slipgap_contact::contact::ContactLaw;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
@@ -81,7 +81,7 @@ pub fn sheet(data: &FigureData, laws: &[Option<ContactLaw>]) -> Sheet {
         frame.top += (k / columns) as f64 * layout::below(&x).ceil();
         let mut panel = Panel::new(frame, grid.margin, x, up);
         panel.zero = true;
-        panel.caption = markup::escape(group.0);
+        panel.caption = markup::escape(words::of(group.0));
         let count = curves.len();
         let alone = count == 1;
         for (index, curve) in curves.into_iter().enumerate() {

@@ -6,6 +6,7 @@ use slipgap_problem::problem::structure::described::scheme::picture::{End, Link,
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Join {
     /// Between the right face of one part and the left face of another; `None` is a wall of the ground.
+    /// Of a link between the ground and a support both are `None`.
     Beside([Option<usize>; 2]),
     /// Between the top of a lower part and the bottom of an upper one; `None` is the ground.
     Above(Option<usize>, usize),

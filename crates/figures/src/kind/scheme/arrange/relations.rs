@@ -130,7 +130,8 @@ impl Relations {
             done[l] = true;
             let first_is_ground = end(link(l), 0).is_none();
             let Some((part, loaded_place)) = end(link(l), usize::from(first_is_ground)) else {
-                // From ground to ground: it does nothing.
+                // From ground to support: no part has it.
+                self.joins[l] = Join::Beside([None, None]);
                 continue;
             };
             let mut before = done.clone();

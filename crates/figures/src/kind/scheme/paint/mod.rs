@@ -3,6 +3,7 @@
 pub(super) mod around;
 pub(super) mod attach;
 pub(super) mod bars_and_masses;
+pub(super) mod between_supports;
 pub(super) mod ground;
 pub(super) mod ground_motion;
 pub(super) mod joints;
@@ -33,7 +34,9 @@ pub fn paint(scheme: &Scheme) -> (Picture, [f64; 2]) {
         }
         (painter.picture, placed.map_or(ROW, |placed| placed.axes))
     });
-    let (mut picture, mut size) = boxed(drawn);
+    let (mut alone, [width, _]) = boxed(drawn);
+    between_supports::draw(&mut alone, width, scheme);
+    let (mut picture, mut size) = boxed(alone);
     if !scheme.ground.is_empty() {
         size[1] = ground_motion::draw(&mut picture, size, &scheme.ground, axes);
     }

@@ -40,8 +40,11 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
         };
         links.push(draft.link(kind, contact.name.clone(), &contact.along, case)?);
     }
-    // They do nothing.
-    links.retain(|link| link.between[0] != link.between[1]);
+    // Those that do nothing; a support is ground, but may move.
+    links.retain(|link| {
+        let moves = link.supports.iter().any(Option::is_some);
+        moves || link.between[0] != link.between[1]
+    });
     let mut loads: Vec<End> = Vec::new();
     for load in &template.loads {
         let name = match &load.at {
