@@ -25,7 +25,7 @@ pub fn request(source: &Source, number: u64) -> Result<u8, Error> {
     if let Some(why) = Violation::all(&study.violations(number)) {
         return Err(Error::Unsolved(source.line(&why)));
     }
-    let written = study.request(&case);
+    let written = slipgap_study::request(study, &case);
     let line = written.map_err(|why| Error::Unsolved(source.line(&why.to_string())))?;
     print(&format!("{line}\n"))
 }

@@ -44,7 +44,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        39_100,
+        39_700,
     ),
     (
         "drawing, figures",
@@ -60,7 +60,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
             "validation",
             "python",
         ],
-        23_400,
+        23_500,
     ),
 ];
 

@@ -4,12 +4,11 @@ pub(crate) mod ensemble;
 pub mod scope;
 
 use super::Study;
-use crate::structure::programs::textbook::request;
 use slipgap_cases::{Block, Enumeration, Filter};
 use slipgap_motion::solve::Unsolvable;
 use slipgap_problem::problem::structure::programs::Programs;
 use slipgap_problem::problem::table::cases::Cases;
-use slipgap_problem::problem::{Case, MeasuredChannel, ProblemKind, Samples, Solution, Violation};
+use slipgap_problem::problem::{Case, MeasuredChannel, Samples, Solution, Violation};
 
 impl Study {
     /// The cases with their numbers.
@@ -91,17 +90,6 @@ impl Study {
     pub fn programs(&self) -> Option<&Programs> {
         let programs = self.problem.programs()?;
         (!programs.list.is_empty()).then_some(programs)
-    }
-
-    /// The request of a completed case to a program of others, as a line of JSON.
-    ///
-    /// # Errors
-    /// The case cannot be assembled, or the format does not have a part of it.
-    pub fn request(&self, case: &Case) -> Result<String, Unsolvable> {
-        match self.problem.kind() {
-            ProblemKind::Structure(structure) => structure.request(case),
-            ProblemKind::Textbook(textbook) => request(&*self.problem, textbook, case),
-        }
     }
 
     /// What identifies the sampled signals of a completed case.

@@ -1,5 +1,6 @@
 //! Programs of others as methods: the key `programs`.
 
+pub(crate) mod described;
 pub(crate) mod textbook;
 
 use super::reading::given::{Choices, given, interned_choices, members, texts, under};

@@ -1,25 +1,24 @@
 //! Programs of others in a study of a textbook problem: the problem, whose cases by a program are those of the structure that describes it.
 
+use super::described::structure;
 use super::{choices, list, restricted};
 use crate::source::faults::Faults;
 use crate::source::folder::Folder;
-use crate::source::input::Input;
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::structure::identity::identity;
 use crate::structure::reading::reader::Reader;
-use serde_json::{Map, Value as Json, json};
 use slipgap_motion::history::History;
 use slipgap_motion::solve::{MetricTable, Unsolvable, Warning, Warnings};
 use slipgap_problem::problem::method::PARAMETERS;
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Value};
 use slipgap_problem::problem::numbers::unit::Dimension;
 use slipgap_problem::problem::structure::programs::{Program, Programs};
-use slipgap_problem::problem::structure::tables::schema::NAME;
+use slipgap_problem::problem::structure::tables::of_programs;
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_problem::problem::{
-    Case, Described, Jumps, Problem, ProblemKind, Schema, Snapshot, Solution, Textbook, Violation,
-    Work,
+    self, Case, Described, Jumps, Problem, ProblemKind, Schema, Snapshot, Solution, Textbook,
+    Violation, Work,
 };
 use slipgap_system::methods::METHODS;
 use slipgap_system::system::System;
@@ -61,12 +60,11 @@ pub(crate) fn with_programs(
     let reader = Reader::plain(root_node, problem.parameters(), folder);
     let (programs, used) = list(root, &reader, faults);
     let identity = identity((node, None), (None, None), &reader.records.borrow());
-    let own =
-        slipgap_problem::problem::find(problem.name()).map_or(0, |own| own.parameters().len());
+    let own = problem::find(problem.name()).map_or(0, |own| own.parameters().len());
     let rows = schema.parameters.to_mut();
     for (row, names) in restricted(&reader, &used) {
         if row >= own {
-            rows[row].applies = slipgap_problem::problem::structure::tables::of_programs(names);
+            rows[row].applies = of_programs(names);
         }
     }
     if let Some(names) = choices(root_node) {
@@ -78,87 +76,6 @@ pub(crate) fn with_programs(
         problem,
         method,
     })
-}
-
-/// The request of a completed case of a textbook problem, whose study may have programs.
-///
-/// # Errors
-/// The case cannot be assembled, or the format does not have a part of it.
-pub(crate) fn request(
-    problem: &dyn Problem,
-    textbook: &dyn Textbook,
-    case: &Case,
-) -> Result<String, Unsolvable> {
-    let described = textbook.described(case).map_err(Unsolvable::Program)?;
-    let program = textbook.programs().and_then(|programs| {
-        let name = case.choice(&PARAMETERS[0].name);
-        Some((programs, programs.named(name)?))
-    });
-    let (study, inner) = structure(case, problem.schema(), &described, program)?;
-    match study.problem.as_structure() {
-        Some(structure) => structure.request(&inner),
-        None => Err(Unsolvable::ParameterMissing),
-    }
-}
-
-/// The study of the structure that describes a case, with the program if it has one, and its only case.
-fn structure(
-    case: &Case,
-    schema: &Schema,
-    described: &Described,
-    program: Option<(&Programs, &Program)>,
-) -> Result<(crate::Study, Case), Unsolvable> {
-    let broken = |why: String| Unsolvable::Program(why);
-    let mut parameters = Map::new();
-    for (row, value) in case.values.iter().enumerate() {
-        let name = &schema.parameters[row].name;
-        match value {
-            Some(Value::Number(x)) if !name.contains('.') => {
-                parameters.insert(name.to_string(), json!(x))
-            }
-            Some(Value::Whole(n)) if !name.contains('.') => {
-                parameters.insert(name.to_string(), json!(n))
-            }
-            Some(Value::Number(_) | Value::Whole(_) | Value::Name(_)) | None => None,
-        };
-    }
-    for (name, row) in [("dt", schema.step), ("duration", schema.duration)] {
-        parameters.insert(name.to_owned(), json!(case.at(row)));
-    }
-    let mut study = json!({
-        "problem": NAME,
-        "structure": described.structure,
-        "figures": [{ "name": "channels", "kind": "history", "y": described.channels }],
-    });
-    let (mut file, mut folder, mut runner) = (String::new(), Default::default(), None);
-    if let Some((programs, program)) = program {
-        let mut numbers = Map::new();
-        for (name, amount) in &program.numbers {
-            let value = amount
-                .value(case)
-                .map_err(|why| broken(format!("{}: {}", why.parameter, why.message)))?;
-            numbers.insert(name.clone(), json!(value));
-        }
-        let [timeout, start_timeout] = program.timeouts;
-        study["programs"] = json!({ program.name: {
-            "command": program.command, "parameters": numbers, "timeout": timeout, "start_timeout": start_timeout,
-        } });
-        study["metrics"] = json!(["cost"]);
-        parameters.insert(PARAMETERS[0].name.to_string(), json!(program.name));
-        file = programs.study().to_owned();
-        folder = program.folder.clone();
-        runner = programs.runner().cloned();
-    }
-    study["parameters"] = Json::Object(parameters);
-    let input = Input {
-        folder,
-        ..Input::new(&file, &study.to_string())
-    };
-    let read = input.with_programs(runner).edited(1, |_| ());
-    let study = read.map_err(|error| broken(error.to_string()))?;
-    let mut inner = study.case(0).ok_or(Unsolvable::ParameterMissing)?;
-    inner.number = case.number;
-    Ok((study, inner))
 }
 
 impl WithPrograms {
