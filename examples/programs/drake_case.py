@@ -3,27 +3,23 @@
 
 A degree of freedom is the x of a body, or x and y of one body where a contact in a plane joins them to the ground. The friction is that of
 Drake's discrete contact, its limit the coefficient times the weight. Springs, dashpots and loads are forces at the start of each step.
-Numbers: `substeps` of dt (1), `solver` (0: SAP, 1: TAMSI, 2: similar, 3: lagged), `stiction`, the velocity of TAMSI and its relatives up
-to which friction is viscous (1e-3 of the typical velocity), `relaxation` of SAP's friction (see `sigma`).
+Numbers: `substeps` of dt (1), `solver` (0: SAP, 1: TAMSI, 2: similar, 3: lagged), `stiction`, the velocity of the last three up
+to which friction is viscous (1e-3 of the typical velocity).
 """
 import importlib.metadata
 
 import numpy as np
-from pydrake.all import (
-    AddMultibodyPlantSceneGraph, CoulombFriction, DiagramBuilder, DiscreteContactApproximation, HalfSpace, PrismaticJoint,
-    ProximityProperties, RigidTransform, Simulator, SpatialInertia, Sphere,
-)
-
 import lines
 
 LAWS = ["coulomb"]
+drake = lines.engine("pydrake.all", LAWS)
 G = 9.81
 
 
 def surface(mu):
     """The properties of a surface in contact: its friction, and no dissipation."""
-    properties = ProximityProperties()
-    properties.AddProperty("material", "coulomb_friction", CoulombFriction(mu, mu))
+    properties = drake.ProximityProperties()
+    properties.AddProperty("material", "coulomb_friction", drake.CoulombFriction(mu, mu))
     return properties
 
 
@@ -32,10 +28,10 @@ def run(case):
     boxes = lines.boxes(case, mass)
     p, n, given = lines.loads(case, mass), len(mass), case["numbers"]
     parts = int(given.get("substeps", 1))
-    kinds = [DiscreteContactApproximation.kSap, DiscreteContactApproximation.kTamsi, DiscreteContactApproximation.kSimilar, DiscreteContactApproximation.kLagged]
-    builder = DiagramBuilder()
-    plant, scene = AddMultibodyPlantSceneGraph(builder, case["dt"] / parts)
-    plant.set_discrete_contact_approximation(kinds[int(given.get("solver", 0))])
+    solver = ["kSap", "kTamsi", "kSimilar", "kLagged"][int(given.get("solver", 0))]
+    builder = drake.DiagramBuilder()
+    plant, scene = drake.AddMultibodyPlantSceneGraph(builder, case["dt"] / parts)
+    plant.set_discrete_contact_approximation(getattr(drake.DiscreteContactApproximation, solver))
     plant.mutable_gravity_field().set_gravity_vector([0, 0, -G])
     joints, places = {}, []
     for place, (dofs, contact) in enumerate(boxes):
@@ -44,9 +40,9 @@ def run(case):
         for axis, direction in enumerate(np.eye(3)):
             if axis == 1 and len(dofs) == 1:
                 continue
-            inertia = SpatialInertia.SolidSphereWithMass(m, 0.1) if axis == 2 else SpatialInertia.Zero()
+            inertia = drake.SpatialInertia.SolidSphereWithMass(m, 0.1) if axis == 2 else drake.SpatialInertia.Zero()
             body = plant.AddRigidBody(f"{place}.{axis}", inertia)
-            joint = plant.AddJoint(PrismaticJoint(f"{place}.{axis}", last.body_frame(), body.body_frame(), direction))
+            joint = plant.AddJoint(drake.PrismaticJoint(f"{place}.{axis}", last.body_frame(), body.body_frame(), direction))
             if axis < len(dofs):
                 joints[dofs[axis]] = joint
             last = body
@@ -54,14 +50,14 @@ def run(case):
         if contact:
             limit = lines.constant_limit(contact)
             # Each pair has the friction 2 mu mu/(mu + mu) = mu of its surfaces, and a half-space of its own.
-            plant.RegisterCollisionGeometry(last, RigidTransform(), Sphere(0.1), f"ball{place}", surface(limit / (m * G)))
+            plant.RegisterCollisionGeometry(last, drake.RigidTransform(), drake.Sphere(0.1), f"ball{place}", surface(limit / (m * G)))
             plant.RegisterCollisionGeometry(
-                plant.world_body(), RigidTransform([0, 0, -0.1]), HalfSpace(), f"plane{place}", surface(limit / (m * G))
+                plant.world_body(), drake.RigidTransform([0, 0, -0.1]), drake.HalfSpace(), f"plane{place}", surface(limit / (m * G))
             )
     plant.set_stiction_tolerance(given.get("stiction", 1e-3 * case["scales"]["velocity"]))
     plant.Finalize()
     diagram = builder.Build()
-    simulator = Simulator(diagram)
+    simulator = drake.Simulator(diagram)
     context = plant.GetMyMutableContextFromRoot(simulator.get_mutable_context())
     for i, joint in joints.items():
         joint.set_translation(context, case["start"]["u"][i])

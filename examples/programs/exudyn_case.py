@@ -6,14 +6,13 @@ M must be diagonal. Numbers: `stiffness` of coulomb before it slides (1e4 limit/
 viscous; `substeps` of dt (1); `radius`, the spectral radius of generalised alpha (0.9; 2 is the trapezoidal rule); `tolerance` of Newton
 (1e-10).
 """
-import exudyn
 import numpy as np
-from exudyn import itemInterface as items
 
 import lines
 
 # Its sticking spring does not unload as displacement-control does, so that it is only a way to soften coulomb.
 LAWS = ["coulomb", "velocity-control", "impact-spring"]
+exudyn, items = (lines.engine(module, LAWS) for module in ("exudyn", "exudyn.itemInterface"))
 
 
 def ends(contact):

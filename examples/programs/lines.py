@@ -1,9 +1,24 @@
 """Lines between slipgap and a program: requests in, answers out, for the programs of this folder."""
+import importlib
 import json
 import os
 import sys
 
 import numpy as np
+
+
+def engine(module, laws):
+    """The module of an engine; without it, every case fails with that word."""
+    try:
+        return importlib.import_module(module)
+    except ImportError as why:
+        message = str(why)
+
+    def run(case):
+        raise RuntimeError(message)
+
+    serve(module, "none", laws, run)
+    sys.exit()
 
 
 def serve(program, version, laws, run):
@@ -28,8 +43,10 @@ def channel(case, name, u, v, forces):
     of, _, quantity = name.rpartition(".")
     if quantity == "v" and of in case["dofs"]:
         return [float(x) for x in v[:, case["dofs"].index(of)]]
-    if quantity == "S" and of in forces:
-        return [float(x) for x in forces[of]]
+    # NAME.S, and NAME.S.1 of the first direction in a plane.
+    known = of if quantity == "S" else f"{of.removesuffix('.S')}.{quantity}"
+    if of != known.rpartition(".")[0] and known in forces:
+        return [float(x) for x in forces[known]]
     raise ValueError(f"no channel {name}")
 
 

@@ -7,11 +7,11 @@ are forces at the start of each step, as Bullet has none. Numbers: `substeps` of
 which it ends (1e-7), `cone` (1: a cone of friction, 0: two directions on their own), `erp` of friction (0.2).
 """
 import numpy as np
-import pybullet
 
 import lines
 
 LAWS = ["coulomb"]
+pybullet = lines.engine("pybullet", LAWS)
 
 
 def run(case):

@@ -47,7 +47,7 @@ def turned(method: list[str]) -> dict[str, Any]:
             "start": {"a.x": {"u": 1}, "a.y": {"v": 2}},
             "contacts_reference": "rigid",
         },
-        "metrics": ["rms_error(a.x)", "rms_error(a.y)"],
+        "metrics": ["rms_error(a.x)", "rms_error(a.y)", "mean(disc.S.1)"],
     }
 
 
@@ -96,6 +96,17 @@ def test_mujoco_softens_friction(tmp_path: Path) -> None:
         assert 1.6 < coarse / fine < 2.4
 
 
+def test_mujoco_has_the_friction_of_a_disc(tmp_path: Path) -> None:
+    pytest.importorskip("mujoco")
+    found = table(tmp_path, "mujoco_case", turned(["average-acceleration", "other"]), {"timeconst": 0.002, "impedance": 0.9999})
+    errors, forces = (found[metric] for metric in ("rms_error(a.x)", "mean(disc.S.1)"))
+    for coarse, fine in zip(errors[3:], errors[4:]):
+        assert 1.7 < coarse / fine < 2.3
+    # Its force chatters with the normal one, so that only the mean converges, with order 1 from 0.0015 on.
+    for own, other in zip(forces[:3], forces[3:]):
+        assert other == pytest.approx(own, abs=0.0025)
+
+
 @pytest.mark.parametrize(("module", "program"), [("pybullet", "pybullet_case"), ("pydrake.all", "drake_case")])
 def test_friction_of_bodies_converges_to_the_exact_motion(tmp_path: Path, module: str, program: str) -> None:
     pytest.importorskip(module)
@@ -106,6 +117,8 @@ def test_friction_of_bodies_converges_to_the_exact_motion(tmp_path: Path, module
     for errors in (found["rms_error(a.x)"], found["rms_error(a.y)"]):
         for coarse, fine in zip(errors, errors[1:]):
             assert 1.7 < coarse / fine < 2.3
+    # The exact mean is -0.0134; of steps of order 1.
+    assert all(x == pytest.approx(-0.0134, abs=0.0015) for x in found["mean(disc.S.1)"])
     with pytest.raises(slipgap.SlipgapError, match="no friction between bodies"):
         study = release(["other"])
         study["structure"]["masses"]["b"] = 1
