@@ -69,8 +69,10 @@ def run(case):
     for contact in case["contacts"]:
         q0, q1 = ends(contact)
         of = lambda i: 0.0 if i is None else case["start"]["u"][i]
-        # The friction element has no force at the start.
-        data = system.AddNode(items.NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=[0.0, of(q1) - of(q0), 0.0]))
+        # Friction has no force at the start; a stop may be closed.
+        is_closed = contact["law"] == "impact-spring" and of(q1) - of(q0) + contact["numbers"]["gap"] < 0
+        memory = [0.0, of(q1) - of(q0), -1.0 if is_closed else 0.0]
+        data = system.AddNode(items.NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=memory))
         connector = items.ObjectConnectorCoordinateSpringDamperExt(
             markerNumbers=[marker(q0), marker(q1)], nodeNumber=data, **law(contact, case)
         )

@@ -143,6 +143,30 @@ def test_exudyn_has_the_steps_of_the_trapezoidal_rule(tmp_path: Path) -> None:
     assert other == pytest.approx(own, rel=1e-6)
 
 
+@pytest.mark.parametrize(
+    ("module", "program", "numbers"),
+    [("exudyn", "exudyn_case", {"radius": 2}), ("openseespy.opensees", "opensees_case", {}), ("scipy", "scipy_events", {})],
+)
+def test_a_gap_that_static_loads_close_stays_closed(tmp_path: Path, module: str, program: str, numbers: dict[str, float]) -> None:
+    pytest.importorskip(module)
+    study = towers(["average-acceleration", "other"])
+    structure = study["structure"]
+    del structure["loads"], structure["start"]
+    structure["contacts"]["joint"]["gap"] = 0
+    structure["springs"][1] = {"between": ["ground", "b"], "k": 200}
+    structure["static"] = {"a": 30}
+    found = table(tmp_path, program, study, numbers)
+    # At rest, by hand: 300 u = 30 + S and 200 w = -S with S = 5000 (w - u), so that S = -30 / (1 + 300/200 + 300/5000) = -11.71875.
+    for force in found["peak(joint.S)"]:
+        assert force == pytest.approx(11.71875, rel=1e-8)
+    # And turned, with the nodes in another order.
+    structure["contacts"]["joint"]["between"] = ["b", "a"]
+    structure["masses"] = {"b": 3, "a": 2}
+    structure["static"] = {"a": -30}
+    for force in table(tmp_path, program, study, numbers)["peak(joint.S)"]:
+        assert force == pytest.approx(11.71875, rel=1e-8)
+
+
 def test_limits_that_change_are_an_error(tmp_path: Path) -> None:
     for module, program in [("scipy", "scipy_events"), ("mujoco", "mujoco_case")]:
         pytest.importorskip(module)
