@@ -109,11 +109,20 @@ recipes: ## the recipes of docs/clusters.md with GNU parallel, HyperQueue, Snake
 	  || echo "no packages to be had: only engines that are installed are tried"
 	PATH="$(CURDIR)/$(recipes_env)/bin:$$PATH" cargo test --release --locked --test recipes -- --ignored --nocapture
 
-# Not part of CI, which tests those of its own environment. MuJoCo and OpenSees come from PyPI; OpenSees needs libblas3 and liblapack3.
+# Three minutes with what PyPI has; OpenSees needs libblas3 and liblapack3. A package that cannot be had is named, and its cases say so.
 programs_env = target/programs
-programs: ## a sliding mass by OpenSees, MuJoCo and scipy, against the exact motion, in target/programs/results
-	$(programs_env)/bin/python -c "import scipy, mujoco, openseespy" 2> /dev/null || { $(PYTHON) -m venv $(programs_env) && $(programs_env)/bin/pip install --no-compile --quiet numpy scipy mujoco openseespy; }
-	PATH="$(CURDIR)/$(programs_env)/bin:$$PATH" cargo run --release --locked -- run examples/programs/release.json --allow-programs --out $(programs_env)/results
+programs_packages = numpy scipy openseespy exudyn mujoco pybullet drake
+programs: ## studies/programs by OpenSees, Exudyn, MuJoCo, PyBullet, Drake and scipy, against the exact motion, in target/programs/results
+	test -x $(programs_env)/bin/python || $(PYTHON) -m venv $(programs_env)
+	for package in $(programs_packages); do $(programs_env)/bin/pip install --no-compile --quiet $$package || echo "skipped: $$package cannot be had"; done
+	cargo build --release --locked
+	for study in $(wildcard studies/programs/*.json); do \
+	  PATH="$(CURDIR)/$(programs_env)/bin:$$PATH" $(built)/release/slipgap run $$study --allow-programs --out $(programs_env)/results; \
+	  code=$$?; test $$code -eq 0 || test $$code -eq 3 || exit $$code; \
+	done
+	if $(programs_env)/bin/python -c "import scipy, openseespy.opensees, exudyn, mujoco, pybullet, pydrake.all" 2> /dev/null; then \
+	  PATH="$(CURDIR)/$(programs_env)/bin:$$PATH" $(built)/release/slipgap claims claims/programs.json --allow-programs --out $(programs_env)/results; \
+	else echo "skipped: the claims, since a package cannot be had"; fi
 
 # A server of moto keeps the objects in memory, on free ports of this machine. Not part of CI, since the HTTP client takes minutes to
 # compile.

@@ -1,9 +1,24 @@
 """Lines between slipgap and a program: requests in, answers out, for the programs of this folder."""
+import importlib
 import json
 import os
 import sys
 
 import numpy as np
+
+
+def engine(module, laws):
+    """The module of an engine; without it, every case fails with that word."""
+    try:
+        return importlib.import_module(module)
+    except ImportError as why:
+        message = str(why)
+
+    def run(case):
+        raise RuntimeError(message)
+
+    serve(module, "none", laws, run)
+    sys.exit()
 
 
 def serve(program, version, laws, run):
@@ -28,8 +43,10 @@ def channel(case, name, u, v, forces):
     of, _, quantity = name.rpartition(".")
     if quantity == "v" and of in case["dofs"]:
         return [float(x) for x in v[:, case["dofs"].index(of)]]
-    if quantity == "S" and of in forces:
-        return [float(x) for x in forces[of]]
+    # NAME.S, and NAME.S.1 of the first direction in a plane.
+    known = of if quantity == "S" else f"{of.removesuffix('.S')}.{quantity}"
+    if of != known.rpartition(".")[0] and known in forces:
+        return [float(x) for x in forces[known]]
     raise ValueError(f"no channel {name}")
 
 
@@ -69,4 +86,36 @@ def constant_limit(contact):
     numbers = contact["numbers"]
     if isinstance(contact.get("N"), (list, dict)):
         raise ValueError("no normal force that changes")
+    if numbers.get("static_ratio", 1) != 1 or numbers.get("pressure_exponent", 0) != 0 or "nu_min" in numbers:
+        raise ValueError("no limit of friction that changes")
     return numbers["limit"] if "limit" in numbers else numbers["nu"] * contact["N"]
+
+
+def boxes(case, mass):
+    """Boxes on a plane, for engines whose friction is that of bodies: the degrees of freedom of each, and its contact or None."""
+    if np.count_nonzero(mass - np.diag(np.diag(mass))):
+        raise ValueError("no masses off the diagonal")
+    found = {}
+    for contact in case["contacts"]:
+        axes = contact.get("plane", [contact.get("along")])
+        if any(len(axis) != 1 or abs(axis[0][1]) != 1 for axis in axes):
+            raise ValueError(f"contact {contact['name']}: no friction between bodies, whose normal force is their weight")
+        dofs = [axis[0][0] for axis in axes]
+        if len({mass[i, i] for i in dofs}) != 1 or len(set(dofs)) != len(dofs):
+            raise ValueError(f"contact {contact['name']}: no mass that differs by direction")
+        if any(set(dofs) & set(other) for other, _ in found.values()):
+            raise ValueError(f"contact {contact['name']}: no second contact of a body")
+        found[contact["name"]] = dofs, contact
+    known = {i for dofs, _ in found.values() for i in dofs}
+    free = [([i], None) for i in range(len(mass)) if i not in known]
+    return list(found.values()) + free
+
+
+def names(contact):
+    """The names of its forces, those of both directions of a contact in a plane."""
+    return [f"{contact['name']}.{i}" for i in (1, 2)] if "plane" in contact else [contact["name"]]
+
+
+def signs(contact):
+    """The factors of the displacements of a box in r."""
+    return [axis[0][1] for axis in contact.get("plane", [contact.get("along")])]

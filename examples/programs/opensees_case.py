@@ -5,12 +5,12 @@ M must be diagonal. Numbers: `stiffness` of friction before it slides (default 1
 norm of the displacement increments over the typical length).
 """
 import numpy as np
-import openseespy.opensees as ops
 
 import lines
 
 # coulomb and displacement-control are ElasticPP, impact-spring is ElasticPPGap.
 LAWS = ["coulomb", "displacement-control", "impact-spring"]
+ops = lines.engine("openseespy.opensees", LAWS)
 GROUND = 1  # The node that does not move; those of the degrees of freedom follow.
 
 

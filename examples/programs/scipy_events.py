@@ -5,12 +5,12 @@ A sticking contact is a constraint, a sliding one has the force of its limit, an
 an event. Numbers: `tolerance`, the relative one of solve_ivp (1e-10).
 """
 import numpy as np
-import scipy
-from scipy.integrate import solve_ivp
 
 import lines
 
 LAWS = ["coulomb", "impact-spring"]
+scipy = lines.engine("scipy", LAWS)
+solve_ivp = lines.engine("scipy.integrate", LAWS).solve_ivp
 REST = 1e-9  # Largest velocity of a contact at rest, over the largest velocity so far.
 
 

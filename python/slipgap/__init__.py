@@ -249,7 +249,8 @@ def claims(
     :param ledgers: path of a ledger, or of a folder of them
     :param out: folder with results of studies, whose cases are not computed again; nothing else is written there
     :param jobs: number of threads; if left out, one for each core
-    :param allow_programs: whether the programs of others that the study names may be started, as ``--allow-programs`` does
+    :param allow_programs: whether the programs of others that the studies name may be started, as ``--allow-programs`` does; if not,
+        ledgers of a folder that need them are left out
     :returns: each statement with its verdict and the values of its readings
     :raises SlipgapError: a ledger or a study with mistakes
     """

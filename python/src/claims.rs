@@ -71,7 +71,14 @@ fn judge(path: &Path, out: Option<&Path>, allow_programs: bool) -> Result<Vec<Ju
         true => files::find(path, "ledgers (*.json)", files::is_json)?,
         false => vec![path.to_owned()],
     };
-    let ledgers: Vec<Ledger> = files::read_all(ledger_files, |file| ledger::read(&file))?;
+    let mut ledgers: Vec<Ledger> = files::read_all(ledger_files, |file| ledger::read(&file))?;
+    if path.is_dir() && !allow_programs {
+        let by_programs = |ledger: &Ledger| {
+            let mut studies = ledger.studies.iter();
+            studies.any(|named| named.study.programs().is_some())
+        };
+        ledgers.retain(|ledger| !by_programs(ledger));
+    }
     for named in ledgers.iter().flat_map(|ledger| &ledger.studies) {
         allow(&named.file, &named.study, allow_programs)?;
     }

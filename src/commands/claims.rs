@@ -1,7 +1,7 @@
 //! `slipgap claims`: the statements of the papers and of the literature with their verdicts, and the page about them.
 
 use super::NOT_MET;
-use super::arguments::{JobsArgs, ProgramsArgs};
+use super::arguments::{JobsArgs, ProgramsArgs, note_left_out};
 use super::terminal::{note, print, progress, table};
 use crate::batch::output::Folder;
 use crate::claims::ledger::{self, Ledger};
@@ -103,9 +103,18 @@ pub fn read(paths: &[PathBuf], programs: ProgramsArgs) -> Result<Vec<Ledger>, Er
         }
         files.extend(files::find(path, "ledgers (*.json)", files::is_json)?);
     }
+    let single = files.len() == 1;
     let ledgers = files::read_all(files, |file| ledger::read(&file))?;
-    for named in ledgers.iter().flat_map(|ledger| &ledger.studies) {
+    let may_leave = |ledger: &Ledger| {
+        let mut studies = ledger.studies.iter();
+        !single && !programs.allow_programs && studies.any(|named| named.study.programs().is_some())
+    };
+    let (without, kept): (Vec<Ledger>, Vec<Ledger>) = ledgers.into_iter().partition(may_leave);
+    let left_out = without.iter().flat_map(|ledger| &ledger.studies);
+    let left_out = left_out.filter(|named| named.study.programs().is_some());
+    note_left_out(left_out.map(|named| (&*named.file, &named.study)));
+    for named in kept.iter().flat_map(|ledger| &ledger.studies) {
         programs.allow_study(&named.file, &named.study)?;
     }
-    Ok(ledgers)
+    Ok(kept)
 }

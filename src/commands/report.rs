@@ -51,7 +51,9 @@ pub struct ReportArgs {
 impl ReportArgs {
     /// Writes the page; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        let studies = self.programs.allow(self.studies.read()?)?;
+        let studies = self
+            .programs
+            .allow_in(self.studies.read()?, self.studies.named())?;
         let programs = self.programs;
         self.jobs.run(|| report(&studies, &self.out, programs))
     }

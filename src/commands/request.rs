@@ -22,14 +22,10 @@ pub fn case_of(source: &Source, number: u64) -> Result<Case, Error> {
 /// Prints the request of case `number` of a study; returns the exit code.
 pub fn request(source: &Source, number: u64) -> Result<u8, Error> {
     let (study, case) = (&source.study, case_of(source, number)?);
-    let Some(structure) = study.problem.as_structure() else {
-        let what = "a request has a structure, and this problem has none";
-        return Err(Error::Usage(source.line(what)));
-    };
     if let Some(why) = Violation::all(&study.violations(number)) {
         return Err(Error::Unsolved(source.line(&why)));
     }
-    let written = structure.request(&case);
+    let written = slipgap_study::request(study, &case);
     let line = written.map_err(|why| Error::Unsolved(source.line(&why.to_string())))?;
     print(&format!("{line}\n"))
 }

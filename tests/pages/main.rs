@@ -186,6 +186,7 @@ pages! {
     findings_friction "docs/findings-friction.md",
     findings_laws "docs/findings-laws.md",
     findings_plane "docs/findings-plane.md",
+    findings_programs "docs/findings-programs.md",
     findings_structures "docs/findings-structures.md",
     guide "docs/guide.md",
     laws_and_methods "docs/laws-and-methods.md",

@@ -45,6 +45,7 @@ pub use slipgap_problem::problem::expression::{printable, unprintable};
 pub use source::folder::ReadFile;
 pub use source::input::{Input, STDIN};
 pub use source::setting::{Setting, SettingFault};
+pub use structure::programs::described::request;
 pub use units::Units;
 
 pub use slipgap_problem::problem::numbers::parameter::Scale;

@@ -13,22 +13,41 @@ import slipgap
 FOLDER = Path(__file__).parents[3] / "examples" / "programs"
 
 
-def table(folder: Path, program: str, study: dict[str, Any]) -> Any:
+def table(folder: Path, program: str, study: dict[str, Any], numbers: dict[str, float] | None = None) -> Any:
     """The results of a study with a program of the folder as the method `other`."""
     command = [sys.executable, str(FOLDER / f"{program}.py")]
-    text = {"problem": "structure", "programs": {"other": {"command": command}}, **study}
+    text = {"problem": "structure", "programs": {"other": {"command": command, "parameters": numbers or {}}}, **study}
     path = folder / "s.json"
     path.write_text(json.dumps(text))
     return slipgap.run(path, allow_programs=True).table
 
 
 def release(method: list[str]) -> dict[str, Any]:
-    """The shipped study, with one step: it comes to rest after three cycles."""
-    study = json.loads((FOLDER / "release.json").read_text())
+    """A mass released on a surface with friction, which comes to rest after three cycles."""
     return {
         "parameters": {"method": method, "dt": 0.05, "duration": 20},
-        "structure": study["structure"],
+        "structure": {
+            "masses": {"a": 1},
+            "springs": [{"between": ["ground", "a"], "k": 1}],
+            "contacts": {"rub": {"between": ["ground", "a"], "law": "coulomb", "limit": 1}},
+            "start": {"a": {"u": 12}},
+        },
         "metrics": ["rms_error(a)"],
+    }
+
+
+def turned(method: list[str]) -> dict[str, Any]:
+    """A mass on springs of two directions, with friction in the plane."""
+    return {
+        "parameters": {"method": method, "dt": [0.02, 0.01, 0.005], "duration": 6},
+        "structure": {
+            "masses": {"a": {"mass": 1, "direction": ["x", "y"]}},
+            "springs": [{"between": ["ground", "a"], "directions": ["x", "y"], "k": [4, 9]}],
+            "contacts": {"disc": {"between": ["ground", "a"], "directions": ["x", "y"], "law": "coulomb", "limit": 0.5}},
+            "start": {"a.x": {"u": 1}, "a.y": {"v": 2}},
+            "contacts_reference": "rigid",
+        },
+        "metrics": ["rms_error(a.x)", "rms_error(a.y)", "mean(disc.S.1)"],
     }
 
 
@@ -75,6 +94,86 @@ def test_mujoco_softens_friction(tmp_path: Path) -> None:
     # Steps of order 1 while they are larger than the time constant of its softening.
     for coarse, fine in zip(errors, errors[1:]):
         assert 1.6 < coarse / fine < 2.4
+
+
+def test_mujoco_has_the_friction_of_a_disc(tmp_path: Path) -> None:
+    pytest.importorskip("mujoco")
+    found = table(tmp_path, "mujoco_case", turned(["average-acceleration", "other"]), {"timeconst": 0.002, "impedance": 0.9999})
+    errors, forces = (found[metric] for metric in ("rms_error(a.x)", "mean(disc.S.1)"))
+    for coarse, fine in zip(errors[3:], errors[4:]):
+        assert 1.7 < coarse / fine < 2.3
+    # Its force chatters with the normal one, so that only the mean converges, with order 1 from 0.0015 on.
+    for own, other in zip(forces[:3], forces[3:]):
+        assert other == pytest.approx(own, abs=0.0025)
+
+
+@pytest.mark.parametrize(("module", "program"), [("pybullet", "pybullet_case"), ("pydrake.all", "drake_case")])
+def test_friction_of_bodies_converges_to_the_exact_motion(tmp_path: Path, module: str, program: str) -> None:
+    pytest.importorskip(module)
+    # Explicit forces of springs make steps of order 1; nothing is softened but by the step. In a plane the friction is a cone.
+    (error,) = table(tmp_path, program, release(["other"]))["rms_error(a)"]
+    assert error < 0.15
+    found = table(tmp_path, program, turned(["other"]))
+    for errors in (found["rms_error(a.x)"], found["rms_error(a.y)"]):
+        for coarse, fine in zip(errors, errors[1:]):
+            assert 1.7 < coarse / fine < 2.3
+    # The exact mean is -0.0134; of steps of order 1.
+    assert all(x == pytest.approx(-0.0134, abs=0.0015) for x in found["mean(disc.S.1)"])
+    with pytest.raises(slipgap.SlipgapError, match="no friction between bodies"):
+        study = release(["other"])
+        study["structure"]["masses"]["b"] = 1
+        study["structure"]["contacts"]["rub"]["between"] = ["a", "b"]
+        table(tmp_path, program, study)
+
+
+def test_exudyn_has_the_steps_of_the_trapezoidal_rule(tmp_path: Path) -> None:
+    pytest.importorskip("exudyn")
+    numbers = {"radius": 2}
+    found = table(tmp_path, "exudyn_case", towers(["average-acceleration", "other"]), numbers)
+    for metric in ["peak(joint.S)", "rms(b.v)"]:
+        own, other = found[metric]
+        # Newton ends at 1e-10 of the first residual, in each of 600 steps.
+        assert other == pytest.approx(own, rel=1e-6)
+    # Its proportional zone is the law velocity-control.
+    study = release(["average-acceleration", "other"])
+    study["parameters"]["dt"] = 0.01
+    study["structure"]["contacts"]["rub"] = {"between": ["ground", "a"], "law": "velocity-control", "c": 5, "limit": 1}
+    study["structure"]["contacts_reference"] = "rigid"
+    own, other = table(tmp_path, "exudyn_case", study, numbers)["rms_error(a)"]
+    assert other == pytest.approx(own, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("module", "program", "numbers"),
+    [("exudyn", "exudyn_case", {"radius": 2}), ("openseespy.opensees", "opensees_case", {}), ("scipy", "scipy_events", {})],
+)
+def test_a_gap_that_static_loads_close_stays_closed(tmp_path: Path, module: str, program: str, numbers: dict[str, float]) -> None:
+    pytest.importorskip(module)
+    study = towers(["average-acceleration", "other"])
+    structure = study["structure"]
+    del structure["loads"], structure["start"]
+    structure["contacts"]["joint"]["gap"] = 0
+    structure["springs"][1] = {"between": ["ground", "b"], "k": 200}
+    structure["static"] = {"a": 30}
+    found = table(tmp_path, program, study, numbers)
+    # At rest, by hand: 300 u = 30 + S and 200 w = -S with S = 5000 (w - u), so that S = -30 / (1 + 300/200 + 300/5000) = -11.71875.
+    for force in found["peak(joint.S)"]:
+        assert force == pytest.approx(11.71875, rel=1e-8)
+    # And turned, with the nodes in another order.
+    structure["contacts"]["joint"]["between"] = ["b", "a"]
+    structure["masses"] = {"b": 3, "a": 2}
+    structure["static"] = {"a": -30}
+    for force in table(tmp_path, program, study, numbers)["peak(joint.S)"]:
+        assert force == pytest.approx(11.71875, rel=1e-8)
+
+
+def test_limits_that_change_are_an_error(tmp_path: Path) -> None:
+    for module, program in [("scipy", "scipy_events"), ("mujoco", "mujoco_case")]:
+        pytest.importorskip(module)
+        study = release(["other"])
+        study["structure"]["contacts"]["rub"]["static_ratio"] = 1.5
+        with pytest.raises(slipgap.SlipgapError, match="no limit of friction that changes"):
+            table(tmp_path, program, study)
 
 
 def test_what_a_program_cannot_express_is_an_error(tmp_path: Path) -> None:

@@ -219,10 +219,10 @@ fn read(output: impl Read, lines: &SyncSender<String>) {
             Ok(1..) => {}
             Ok(0) | Err(_) => return,
         }
-        if lines
-            .send(String::from_utf8_lossy(&bytes).into_owned())
-            .is_err()
-        {
+        // A copy of a long answer is only made of one with other bytes.
+        let line = String::from_utf8(bytes)
+            .unwrap_or_else(|broken| String::from_utf8_lossy(broken.as_bytes()).into_owned());
+        if lines.send(line).is_err() {
             return;
         }
     }

@@ -87,10 +87,7 @@ impl Key {
             columns: format!(
                 "{}{} {once} {}",
                 study.problem.name(),
-                study
-                    .problem
-                    .as_structure()
-                    .map_or("", |structure| structure.identity()),
+                study.problem.identity(),
                 names.join(" ")
             ),
             cases: format!("{:032x}", hasher.finish_128()),

@@ -3,7 +3,7 @@
 mod programs;
 pub(super) mod sources;
 
-pub use programs::ProgramsArgs;
+pub use programs::{ProgramsArgs, note_left_out};
 
 use super::terminal::print;
 use crate::batch::files::place::for_results;
@@ -33,6 +33,11 @@ pub struct StudiesArgs {
 }
 
 impl StudiesArgs {
+    /// The files and folders as they are named.
+    pub fn named(&self) -> &[PathBuf] {
+        &self.studies
+    }
+
     /// Reads the studies.
     pub fn read(&self) -> Result<Vec<Source>, Error> {
         sources::read(&self.studies, &self.settings.set, self.limit)

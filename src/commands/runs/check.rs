@@ -31,7 +31,9 @@ pub struct CheckArgs {
 impl CheckArgs {
     /// Tests the checks; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        let studies = self.programs.allow(self.studies.read()?)?;
+        let studies = self
+            .programs
+            .allow_in(self.studies.read()?, self.studies.named())?;
         self.jobs.run(|| check(&studies))
     }
 }

@@ -36,7 +36,9 @@ pub struct MergeArgs {
 impl MergeArgs {
     /// Merges the studies; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        let studies = self.programs.allow(self.studies.read()?)?;
+        let studies = self
+            .programs
+            .allow_in(self.studies.read()?, self.studies.named())?;
         self.jobs
             .run(|| merge(&studies, &self.out, self.shards, &self.output))
     }

@@ -48,7 +48,9 @@ impl RunArgs {
             ..self.output.options()
         };
         self.jobs.run(|| {
-            let studies = self.programs.allow(self.studies.read_cheapest_first()?)?;
+            let studies = self
+                .programs
+                .allow_in(self.studies.read_cheapest_first()?, self.studies.named())?;
             match self.shard {
                 Some(shard) => shard::run(&studies, &self.out, shard),
                 None => run(&studies, &self.out, &options, &self.output),

@@ -3,6 +3,7 @@
 mod answers;
 mod faults;
 mod refused;
+mod textbook;
 
 use crate::Bench;
 use std::process::Command;

@@ -58,6 +58,46 @@ fn no_verb_starts_a_program_without_being_asked() {
 }
 
 #[test]
+fn studies_of_a_folder_with_programs_are_left_out_with_a_word() {
+    let bench = bench();
+    let check = r#", "metrics": ["peak(a)"], "checks": [{ "metric": "peak(a)", "max": 1 }]"#;
+    let of_program = towers(&fake("banner"), r#""method": "fake", "gap": 0.01"#, check);
+    let parameters = r#""method": "average-acceleration", "gap": 0.01"#;
+    let without = towers("", parameters, check).replace("\"programs\": {  },", "");
+    bench.file("studies/a.json", without);
+    bench.file("studies/p.json", of_program);
+    bench.file(
+        "claims/c.json",
+        LEDGER
+            .replace("\"..\"", "\"../studies\"")
+            .replace("\"s\"", "\"p\""),
+    );
+    let ledger = LEDGER
+        .replace("\"..\"", "\"../studies\"")
+        .replace("\"s\"", "\"a\"");
+    bench.file("claims/d.json", ledger.replace("T1", "T2"));
+    for words in [
+        &["run"][..],
+        &["check", "studies"],
+        &["report", "studies"],
+        &["claims"],
+    ] {
+        let done = bench.expect(0, words);
+        for part in ["p.json: left out", "fake.py banner", "--allow-programs"] {
+            assert!(done.err.contains(part), "{words:?}: {done:?}");
+        }
+    }
+    assert!(!bench.path("started").exists());
+    // One that is named is refused.
+    let done = bench.expect(2, &["run", "studies/a.json", "studies/p.json"]);
+    assert!(done.err.contains("p.json: not run"), "{done:?}");
+    bench.expect(2, &["claims", "claims/c.json"]);
+    bench.file("studies/fake.py", super::FAKE);
+    bench.expect(0, &["run", "studies", "--allow-programs"]);
+    assert!(bench.path("studies/started").exists());
+}
+
+#[test]
 fn verbs_that_are_asked_start_it() {
     let check = r#", "metrics": ["peak(a)"], "checks": [{ "metric": "peak(a)", "max": 1 }]"#;
     let parameters = r#""method": "fake", "gap": [0.01, 0.02]"#;

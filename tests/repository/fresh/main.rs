@@ -40,7 +40,10 @@ fn results() -> PathBuf {
     )
 }
 
-/// The names of all studies: their paths in studies/ without `.json`.
+/// The studies by programs of others, which no verb starts unasked.
+const BY_PROGRAMS: &str = "programs/";
+
+/// The names of all studies without programs of others: their paths in studies/ without `.json`.
 fn studies() -> Vec<String> {
     let folder = root().join("studies");
     let files = walkdir::WalkDir::new(&folder)
@@ -52,7 +55,10 @@ fn studies() -> Vec<String> {
         let relative = file.strip_prefix(&folder).unwrap().with_extension("");
         slashes(&relative)
     };
-    let studies: Vec<String> = studies.map(name).collect();
+    let names = studies.map(name);
+    let studies: Vec<String> = names
+        .filter(|name| !name.starts_with(BY_PROGRAMS))
+        .collect();
     assert!(studies.len() > 100, "{studies:?}");
     studies
 }

@@ -44,7 +44,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "problem, cases, study",
         &["crates/problem", "crates/cases", "crates/study"],
-        39_200,
+        39_800,
     ),
     (
         "drawing, figures",
@@ -60,7 +60,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
             "validation",
             "python",
         ],
-        23_700,
+        23_800,
     ),
 ];
 

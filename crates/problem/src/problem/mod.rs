@@ -33,6 +33,7 @@ use numbers::parameter::Parameter;
 use numbers::unit::Dimension;
 use std::sync::{Arc, LazyLock};
 use structure::StructureProblem;
+use structure::programs::Programs;
 use table::cases::Cases;
 use times::{ends_early, time_rules};
 
@@ -140,6 +141,14 @@ impl dyn Problem + '_ {
         }
     }
 
+    /// What determines results and is neither in the parameters nor in the program; empty if there is nothing.
+    pub fn identity(&self) -> &str {
+        match self.kind() {
+            ProblemKind::Structure(structure) => structure.identity(),
+            ProblemKind::Textbook(textbook) => textbook.programs().map_or("", Programs::identity),
+        }
+    }
+
     /// The columns of the history of a completed case, after the time.
     pub fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
         let channels = self.schema().channels.iter().enumerate();
@@ -150,6 +159,14 @@ impl dyn Problem + '_ {
         match self.kind() {
             ProblemKind::Structure(structure) => structure.history_columns(case),
             ProblemKind::Textbook(_) => channels.map(column).collect(),
+        }
+    }
+
+    /// The programs of others that a study has; `None` for a textbook problem without.
+    pub fn programs(&self) -> Option<&Programs> {
+        match self.kind() {
+            ProblemKind::Structure(structure) => Some(structure.programs()),
+            ProblemKind::Textbook(textbook) => textbook.programs(),
         }
     }
 
@@ -183,6 +200,25 @@ pub trait Textbook: Problem {
     fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
         None
     }
+    /// The programs of others that compute cases of it; `None` without.
+    fn programs(&self) -> Option<&Programs> {
+        None
+    }
+    /// The structure that a study would describe for a completed case, for programs of others.
+    ///
+    /// # Errors
+    /// What a structure does not have.
+    fn described(&self, case: &Case) -> Result<Described, String>;
+    /// The solution of a completed case whose motion has these channels of its structure at the steps.
+    ///
+    /// # Errors
+    /// A parameter or a channel is not given.
+    fn judged(
+        &self,
+        case: &Case,
+        channels: &[Vec<f64>],
+        wanted: &[usize],
+    ) -> Result<Solution, Unsolvable>;
     /// The problem with further parameters, which only expressions of a study contain.
     fn with_parameters(&self, further: Vec<Parameter>) -> Arc<dyn Problem>;
     /// The problem for parameters in units of which this gives the sizes in SI units; `None` for one whose units say nothing more.
@@ -205,6 +241,15 @@ pub trait Textbook: Problem {
     fn cost_rows(&self, _wanted: &[usize]) -> Option<[usize; 2]> {
         None
     }
+}
+
+/// A textbook problem as a structure, in its scales.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Described {
+    /// The value of the key `structure` of a study.
+    pub structure: serde_json::Value,
+    /// The channels that [`Textbook::judged`] needs.
+    pub channels: Vec<String>,
 }
 
 /// The sampled signals of a case, such as synthetic ground motions.

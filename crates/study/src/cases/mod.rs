@@ -88,7 +88,7 @@ impl Study {
 
     /// The programs of others that compute some of its cases; `None` without.
     pub fn programs(&self) -> Option<&Programs> {
-        let programs = self.problem.as_structure()?.programs();
+        let programs = self.problem.programs()?;
         (!programs.list.is_empty()).then_some(programs)
     }
 

@@ -31,7 +31,7 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::keys::KEY as MEASURED;
 use crate::structure::named::free_names::with_free_names;
 use crate::structure::named::shown::SHOWN;
-use crate::structure::programs::KEY as PROGRAMS;
+use crate::structure::programs::textbook::with_programs;
 use crate::structure::{
     self,
     recorded::{own_records, record_axis},
@@ -179,7 +179,8 @@ pub(crate) fn study(
     object.text("$schema", faults);
     let title = object.text("title", faults).unwrap_or_default();
     let problem = problem(&object, (root, whole), folder, faults)
-        .map(|problem| with_free_names(problem, (root, whole), faults));
+        .map(|problem| with_free_names(problem, (root, whole), faults))
+        .map(|problem| with_programs(problem, (&object, root), folder, faults));
     let blocks = blocks(&object, problem.as_deref(), limit, faults);
     let units = object
         .get("units")
@@ -260,7 +261,6 @@ fn problem(
             ("structure", "has this key"),
             (MEASURED.name, "compares with measurements"),
             (SHOWN.name, "names its parameters"),
-            (PROGRAMS.name, "is computed by programs of others"),
         ] {
             if let Some(node) = object.get(key) {
                 let message = format!("only a study with \"problem\": \"{NAME}\" {what}");

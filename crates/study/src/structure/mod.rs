@@ -83,8 +83,6 @@ pub(super) fn problem(
     let inner = contacts::inner_nodes(&of_contacts);
     let inner_names = inner.iter().map(|mass| mass.name.clone());
     let mut reader = Reader {
-        root: root_node,
-        table: &first.parameters,
         names: Names::new(
             masses.iter().map(name).chain(inner_names).collect(),
             bars.iter().map(name).collect(),
@@ -93,14 +91,7 @@ pub(super) fn problem(
         .with_supports(directions.clone()),
         units: units.clone(),
         metre,
-        folder,
-        used: Default::default(),
-        records: Default::default(),
-        removed_means: Default::default(),
-        early: Default::default(),
-        doubts: Default::default(),
-        headings: Default::default(),
-        of_ground: Default::default(),
+        ..Reader::plain(root_node, &first.parameters, folder)
     };
     let before_matrices = faults.count();
     let imported = matrices::matrices(&of_matrices, &reader, faults);

@@ -1,6 +1,7 @@
 //! The friction oscillator of [F (19)], dimensionless (reference: X'' + X + S = 0, X(0) = x0, X'(0) = 0).
 
 mod case;
+mod described;
 mod law_of_case;
 mod metric_table;
 mod motion_of_law;
@@ -9,7 +10,8 @@ mod tables;
 use super::method::{self, step_rules};
 use super::side_by_side::{Form, selected, sweep_cases};
 use super::{
-    Case, Jumps, Problem, ProblemKind, Schema, Solution, Violation, Work, ends_early, time_rules,
+    Case, Described, Jumps, Problem, ProblemKind, Schema, Solution, Violation, Work, ends_early,
+    time_rules,
 };
 use crate::exact::coulomb::Coulomb;
 use crate::history::History;
@@ -153,6 +155,26 @@ impl Textbook for Oscillator {
         solve::single_pass::run(&oscillator.system(), |structure| {
             track.0.push(structure.contact())
         })?;
+        let work = work_by_steps(&track.0, oscillator.x0, &ContactWork::Trapezoids);
+        self.judge(&oscillator, &track, work, wanted)
+    }
+
+    fn described(&self, case: &Case) -> Result<Described, String> {
+        described::described(case)
+    }
+
+    fn judged(
+        &self,
+        case: &Case,
+        channels: &[Vec<f64>],
+        wanted: &[usize],
+    ) -> Result<Solution, Unsolvable> {
+        let oscillator = self.lane_case(case)?;
+        let [x, v, s] = channels else {
+            return Err(Unsolvable::ParameterMissing);
+        };
+        let steps = x.iter().zip(v).zip(s);
+        let track = ContactTrack(steps.map(|((x, v), s)| [*x, *v, *s]).collect());
         let work = work_by_steps(&track.0, oscillator.x0, &ContactWork::Trapezoids);
         self.judge(&oscillator, &track, work, wanted)
     }

@@ -1,6 +1,7 @@
 //! The impact of two bars of `[I]`, or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
 
 pub mod case;
+mod described;
 mod law_of_case;
 mod motions_between;
 mod rules;
@@ -13,8 +14,8 @@ mod tables;
 
 use super::side_by_side::{Form, selected, sweep_cases};
 use super::{
-    Case, Jumps, Problem, ProblemKind, Schema, Snapshot, Solution, Violation, Work, ends_early,
-    method,
+    Case, Described, Jumps, Problem, ProblemKind, Schema, Snapshot, Solution, Violation, Work,
+    ends_early, method,
 };
 use crate::history::History;
 use crate::lane::Lane;
@@ -168,6 +169,29 @@ impl Textbook for Bars {
         let run = Judged {
             track: &track,
             energy: &energy,
+            restitution,
+            by_method: None,
+        };
+        judge(&impact, &run, wanted)
+    }
+
+    fn described(&self, case: &Case) -> Result<Described, String> {
+        described::described(case)
+    }
+
+    fn judged(
+        &self,
+        case: &Case,
+        channels: &[Vec<f64>],
+        wanted: &[usize],
+    ) -> Result<Solution, Unsolvable> {
+        let impact = self.of(case).ok_or(Unsolvable::ParameterMissing)?;
+        let read = described::read(&impact.scaled, channels);
+        let (mut track, energy, restitution) = read.ok_or(Unsolvable::ParameterMissing)?;
+        case::condense(&[impact], &mut track);
+        let run = Judged {
+            track: &track,
+            energy: &Energy::of(&energy),
             restitution,
             by_method: None,
         };

@@ -5,6 +5,7 @@
 mod fields;
 mod figures;
 mod parts;
+mod programs;
 mod share;
 mod structure;
 pub(super) mod values;
@@ -100,6 +101,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
     let mut parameters = parameters(problem.parameters(), "");
     parameters["additionalProperties"] = structure::free_values();
     let needed = take_needed(&mut parameters);
+    let method = define("method", programs::with_programs(&mut parameters));
     let parameters = define("parameters", parameters);
     let metric = define("metric", metric(problem));
     define(
@@ -136,6 +138,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
         } },
     });
     need(&mut rules, &needed);
+    rules["then"]["allOf"] = json!([programs::known_without(&method)]);
     rules
 }
 

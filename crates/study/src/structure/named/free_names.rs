@@ -3,7 +3,8 @@
 use super::names::name_fault;
 use crate::source::faults::Faults;
 use crate::source::tree::Node;
-use crate::structure::reading::given::{given, under};
+use crate::structure::programs::KEY;
+use crate::structure::reading::given::{given, members, under};
 use crate::structure::reading::reader::is_name;
 use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::expression::Formula;
@@ -39,7 +40,14 @@ pub(crate) fn with_free_names(
     let values = numbers.flat_map(|(member, _)| member.node.text());
     let mut conditions = Vec::new();
     under(root, "when", &mut conditions);
-    let values = values.filter_map(|text| Formula::number(text, &table).ok());
+    let programs = root.get(KEY.name).map_or(&[][..], members).iter();
+    let numbers = programs.filter_map(|program| program.node.get("parameters"));
+    let of_programs = numbers
+        .flat_map(members)
+        .filter_map(|number| number.node.text());
+    let values = values
+        .chain(of_programs)
+        .filter_map(|text| Formula::number(text, &table).ok());
     let texts = conditions.into_iter();
     let conditions = texts.filter_map(|text| Formula::condition(text, &table).ok());
     let formulas: Vec<Formula> = values.chain(conditions).collect();

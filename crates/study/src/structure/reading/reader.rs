@@ -57,7 +57,25 @@ pub(in crate::structure) struct Reader<'a> {
     pub records: RefCell<Records>,
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    /// The surroundings of a study without names of parts and units.
+    pub fn plain(root: &'a Node, table: &'a [Parameter], folder: &'a Folder<'a>) -> Reader<'a> {
+        Reader {
+            root,
+            table,
+            names: Names::default(),
+            units: String::new(),
+            metre: 1.0,
+            folder,
+            used: Default::default(),
+            records: Default::default(),
+            removed_means: Default::default(),
+            early: Default::default(),
+            doubts: Default::default(),
+            headings: Default::default(),
+            of_ground: Default::default(),
+        }
+    }
     /// A number, plain or as an expression of parameters.
     pub fn amount(
         &self,

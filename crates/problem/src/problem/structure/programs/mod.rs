@@ -102,7 +102,7 @@ impl StructureProblem {
     /// # Errors
     /// The case cannot be assembled, or the format does not have a part of it.
     pub fn request(&self, case: &Case) -> Result<String, Unsolvable> {
-        let ready = self.ready(0, case)?;
+        let ready = self.observing().ready(0, case)?;
         let program = self.program_of(case);
         let of_metrics = self.numbers(&ready.numbering, |_| true);
         let drawn = self.drawn_numbers(&ready.numbering);
@@ -118,6 +118,22 @@ impl StructureProblem {
             base64: false,
         };
         written.line().map_err(Unsolvable::Program)
+    }
+
+    /// The same structure, with what the accelerations at t = 0 follow from.
+    fn observing(&self) -> StructureProblem {
+        let (template, schema) = (self.template.clone(), self.schema.clone());
+        let mut observing = StructureProblem {
+            template,
+            schema,
+            metrics: Vec::new(),
+            drawn: Vec::new(),
+            identity: String::new(),
+            notes: Vec::new(),
+            programs: Programs::new(self.programs.list.clone(), String::new(), String::new()),
+        };
+        observing.template.observed = true;
+        observing
     }
 
     /// The metrics of a case by a program, with these quantities recorded too.

@@ -68,6 +68,8 @@ pub struct Programs {
     pub list: Vec<Program>,
     /// The name of the study.
     study: String,
+    /// Different for different programs and files, in a study whose structure has none of its own.
+    identity: String,
     /// Whether u and v of all nodes and S of all contacts are asked for, as files of histories have them.
     whole: AtomicBool,
     runner: OnceLock<Arc<dyn Runner>>,
@@ -75,17 +77,23 @@ pub struct Programs {
 
 impl Programs {
     /// These of a study, which nothing starts yet.
-    pub fn new(list: Vec<Program>, study: String) -> Programs {
+    pub fn new(list: Vec<Program>, study: String, identity: String) -> Programs {
         Programs {
             list,
             study,
+            identity,
             whole: AtomicBool::new(false),
             runner: OnceLock::new(),
         }
     }
 
+    /// What differs for different programs and files.
+    pub fn identity(&self) -> &str {
+        &self.identity
+    }
+
     /// The name of the study.
-    pub(in crate::problem::structure) fn study(&self) -> &str {
+    pub fn study(&self) -> &str {
         &self.study
     }
 

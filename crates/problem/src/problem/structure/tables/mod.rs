@@ -7,7 +7,7 @@ pub mod schema;
 use crate::problem::numbers::parameter::Condition;
 
 /// That a parameter is one of these programs alone; `None` for one of all methods. For other methods its values are no axis.
-fn of_programs(programs: &'static [&'static str]) -> Option<Condition> {
+pub fn of_programs(programs: &'static [&'static str]) -> Option<Condition> {
     (!programs.is_empty()).then_some(Condition {
         governor: "method",
         names: programs,

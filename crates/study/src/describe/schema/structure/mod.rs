@@ -8,10 +8,11 @@ use results::{channels, figure, metric};
 use crate::decode::checks;
 use crate::describe::schema::fields::{self, named, object};
 use crate::describe::schema::parts::{calibrate, computed, listed_metrics, reduction, several};
+use crate::describe::schema::programs;
 use crate::describe::schema::values::{self, EXPRESSION, INTERVAL, RULE, names, number, refer};
 use crate::describe::schema::{block, need, take_needed};
 use crate::figure::kinds::KINDS;
-use crate::structure::{keys, programs};
+use crate::structure::keys;
 use serde_json::{Map, Value as Json, json};
 use slipgap_problem::problem::method::PARAMETERS;
 use slipgap_problem::problem::numbers::parameter::Range;
@@ -29,7 +30,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
     define("part", contacts::in_list(&shared));
     let mut parameters = parameters();
     let needed = take_needed(&mut parameters);
-    let method = define("method", with_programs(&mut parameters));
+    let method = define("method", programs::with_programs(&mut parameters));
     let parameters = define("parameters", parameters);
     let structure = define("structure", object(&keys::STRUCTURE, &shared));
     let metric = define("metric", metric());
@@ -59,33 +60,11 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
                 _ => json!({ "anyOf": [metric, reduction(), computed()] }),
             }) },
         } },
-        "else": { "properties": { "structure": false, "measured": false, "programs": false } },
+        "else": { "properties": { "structure": false, "measured": false } },
     });
     need(&mut rules, &needed);
-    let known = json!({ "properties": { METHOD: method } });
-    rules["then"]["allOf"] = json!([channels()]);
-    rules["then"]["if"] = json!({ "not": { "required": [programs::KEY.name] } });
-    rules["then"]["then"] = json!({ "properties": {
-        "parameters": known,
-        "shared": known,
-        "blocks": { "items": { "properties": { "parameters": known } } },
-    } });
+    rules["then"]["allOf"] = json!([programs::known_without(&method), channels()]);
     rules
-}
-
-/// The parameter that chooses the method.
-const METHOD: &str = "method";
-
-/// Lets a method be the name of a program. Returns the methods of a study without programs.
-fn with_programs(parameters: &mut Json) -> Json {
-    let method = &mut parameters["properties"][METHOD];
-    let known = json!({ "anyOf": method["anyOf"] });
-    let name = json!({ "type": "string" });
-    let list = json!({ "type": "array", "minItems": 1, "items": name });
-    if let Some(forms) = method["anyOf"].as_array_mut() {
-        forms.extend([name, list]);
-    }
-    known
 }
 
 /// The parts that tables of keys name.

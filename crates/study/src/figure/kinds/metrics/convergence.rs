@@ -48,7 +48,7 @@ impl Convergence {
     /// The error of a program that chooses its own steps is not over dt.
     fn refuse_adaptive(&self, checker: &mut Checker) {
         let problem = &checker.scope.problem;
-        let programs = problem.as_structure().map(|structure| structure.programs());
+        let programs = problem.programs();
         let listed = programs.map_or(&[][..], |programs| &programs.list);
         let mut adaptive = listed.iter().filter(|program| program.adaptive);
         let table = problem.parameters();

@@ -1,5 +1,8 @@
 //! Programs of others as methods: the key `programs`.
 
+pub(crate) mod described;
+pub(crate) mod textbook;
+
 use super::reading::given::{Choices, given, interned_choices, members, texts, under};
 use super::reading::reader::Reader;
 use crate::source::faults::{Faults, join, quoted};
@@ -60,34 +63,50 @@ pub(in crate::structure) fn programs(
     parameters: &mut [Named],
     faults: &mut Faults,
 ) -> Programs {
-    let (Some(node), study) = (root.get(KEY.name), reader.folder.study.clone()) else {
-        return Programs::default();
-    };
-    let Some(object) = Object::of_any_keys(node, KEY.name, faults) else {
-        return Programs::default();
-    };
     let of_structure = reader.used.take();
-    let (mut list, mut of_programs) = (Vec::new(), Vec::new());
-    for member in &object.members {
+    let (list, used) = list(root, reader, faults);
+    for (row, names) in restricted(reader, &used) {
+        if !of_structure.contains(&row) {
+            parameters[row].programs = names;
+        }
+    }
+    let rows = used.iter().flat_map(|(_, rows)| rows).copied();
+    reader.used.replace(rows.chain(of_structure).collect());
+    Programs::new(list, reader.folder.study.clone(), String::new())
+}
+
+/// The name of a program with the rows of the parameters that its numbers contain.
+type Used = (&'static str, BTreeSet<usize>);
+
+/// The programs of a study, and what each uses.
+fn list(root: &Object, reader: &Reader, faults: &mut Faults) -> (Vec<Program>, Vec<Used>) {
+    let node = root.get(KEY.name);
+    let object = node.and_then(|node| Object::of_any_keys(node, KEY.name, faults));
+    let (mut list, mut used) = (Vec::new(), Vec::new());
+    for (object, member) in object
+        .iter()
+        .flat_map(|object| object.members.iter().map(move |member| (object, member)))
+    {
         let path = object.path(&member.key);
         if let Some(message) = name_fault(&member.key) {
             faults.add(member.at, &path, message);
         }
         list.extend(program(member, &path, reader, faults));
-        of_programs.push((interned(&member.key), reader.used.take()));
+        used.push((interned(&member.key), reader.used.take()));
     }
+    (list, used)
+}
+
+/// The rows that only numbers of programs contain, with the names of these programs.
+fn restricted(reader: &Reader, used: &[Used]) -> Vec<(usize, &'static [&'static str])> {
     let elsewhere = used_elsewhere(reader);
-    let all_used = of_programs.iter().flat_map(|(_, rows)| rows);
-    for row in all_used.clone().copied().collect::<BTreeSet<usize>>() {
-        if of_structure.contains(&row) || elsewhere.contains(&row) {
-            continue;
-        }
-        let having = of_programs.iter().filter(|(_, rows)| rows.contains(&row));
-        parameters[row].programs = interned_names(having.map(|(name, _)| *name).collect());
-    }
-    let used = all_used.copied().chain(of_structure).collect();
-    reader.used.replace(used);
-    Programs::new(list, study)
+    let rows: BTreeSet<usize> = used.iter().flat_map(|(_, rows)| rows).copied().collect();
+    let alone = rows.into_iter().filter(|row| !elsewhere.contains(row));
+    let with_names = alone.map(|row| {
+        let having = used.iter().filter(|(_, rows)| rows.contains(&row));
+        (row, interned_names(having.map(|(name, _)| *name).collect()))
+    });
+    with_names.collect()
 }
 
 /// Why a program cannot have this name.
