@@ -8,7 +8,6 @@ pub mod empirical;
 pub mod fisher;
 pub mod fragility;
 pub mod gamma;
-pub mod jackknife;
 pub mod kolmogorov_smirnov;
 pub mod median;
 pub mod moments;

@@ -1,6 +1,6 @@
 //! Intervals from estimates without one of the members each (Tukey's jackknife).
 
-use super::{CONFIDENCE, student};
+use crate::{CONFIDENCE, student};
 use libm::{exp, log};
 
 /// The 95 % interval of a positive number: its logarithm plus and minus Student's t with n - 1 times the standard error of the
