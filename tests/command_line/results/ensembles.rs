@@ -108,8 +108,8 @@ fn the_points_of_fragility_figures_are_a_table() {
     assert_eq!(
         lines[0],
         "figure,metric,limit,x0,cases,empty,exceeded,probability,probability_low,probability_high,median,dispersion,no_fit,\
-         median_low,median_high,dispersion_low,dispersion_high,median_low_bootstrap,median_high_bootstrap,dispersion_low_bootstrap,\
-         dispersion_high_bootstrap"
+         median_low,median_high,dispersion_low,dispersion_high,median_low_jackknife,median_high_jackknife,dispersion_low_jackknife,\
+         dispersion_high_jackknife"
     );
     let starts = [
         "none,rms_error,1000000000.0,8.0,4,0,0,0.0,0.0,0.602",
@@ -188,8 +188,8 @@ fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
     assert_eq!(
         rows[0].join(","),
         "figure,metric,limit,scale,ground.pga,ground.Sa(T1),cases,empty,exceeded,probability,probability_low,probability_high,median,\
-         dispersion,no_fit,median_low,median_high,dispersion_low,dispersion_high,median_low_bootstrap,median_high_bootstrap,\
-         dispersion_low_bootstrap,dispersion_high_bootstrap,beyond,before,slope,deviation"
+         dispersion,no_fit,median_low,median_high,dispersion_low,dispersion_high,median_low_jackknife,median_high_jackknife,\
+         dispersion_low_jackknife,dispersion_high_jackknife,beyond,before,slope,deviation"
     );
     let number = |row: &[&str], column: usize| row[column].parse::<f64>().unwrap();
     let of = |figure: &str| -> Vec<Vec<&str>> {

@@ -2,8 +2,8 @@
 
 Capacities are lognormal; ln of the true median is 0, the true dispersion 1 (of a cloud 0.4 at ln y = 0.5, slope 1). `bounded`: members with ln x
 above 0.5 do not reach the limit (31 %). `trials`: eight values of x from -2 to 2 dispersions, independent, or all of the same members
-(`scaled`). p: percentile bootstrap, as the product has it (here with 400 samples); e: expanded percentile (Hesterberg 2015); j: Student's t with
-n - 1 and the jackknife's standard error of the logarithm. m: median, d: dispersion. Own likelihoods, by Newton's method.
+(`scaled`). j: Student's t with n - 1 and the jackknife's standard error of the logarithm, as the product has it; p: percentile bootstrap (400
+samples), e: expanded percentile (Hesterberg 2015), which are too narrow. m: median, d: dispersion. Own likelihoods, by Newton's method.
 """
 import warnings
 

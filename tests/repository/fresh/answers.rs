@@ -138,7 +138,7 @@ fn medians_of_samples() {
 #[ignore = "reads the results of the evidence; run by `make fresh` and `make evidence`"]
 fn intervals_of_fragilities() {
     says("0.62…2.5 of it with 6 capacities, 0.78…1.4 with 24, 0.85…1.2 with 60");
-    says("bootstraps of 6 contain it in 28 of 40 (");
+    says("jackknives of 6 contain it in 35 of 40 (");
     let rows = table("samples/fragility-size/fragility.csv");
     let of = |n, column| numbers(&rows, column, &[("figure", "samples"), ("n", n)]);
     // sqrt((n - 1)/chi2) at 0.975 and 0.025 from printed tables, for every sample.
@@ -170,8 +170,8 @@ fn intervals_of_fragilities() {
         inside.count()
     };
     assert_eq!(
-        contain("dispersion_low_bootstrap", "dispersion_high_bootstrap"),
-        28
+        contain("dispersion_low_jackknife", "dispersion_high_jackknife"),
+        35
     );
     assert_eq!(contain("dispersion_low", "dispersion_high"), 38);
 }

@@ -11,6 +11,7 @@ mod evidence;
 mod floor_answers;
 mod hashes;
 mod pictures;
+mod population_answers;
 mod shown;
 mod tower_answers;
 

@@ -11,7 +11,7 @@ use slipgap_study::kinds::Fragility;
 pub struct Annual {
     /// The integral over the whole hazard curve.
     pub frequency: f64,
-    /// Its interval by the bootstrap.
+    /// Its interval by the jackknife.
     pub interval: Option<[f64; 2]>,
     /// The part of it that is from beyond the ends of the curve.
     pub outside: f64,

@@ -7,9 +7,8 @@ use super::point::{FragilityPoint, Probability};
 use crate::DrawnCase;
 use libm::log;
 use slipgap_problem::problem::numbers::parameter::Value;
-use slipgap_statistics::bootstrap;
 use slipgap_statistics::fragility::hazard::Hazard;
-use slipgap_statistics::fragility::{Fit, Fragility as Function, Line, NoFit};
+use slipgap_statistics::fragility::{Fit, Fragility as Function, Line, NoFit, jackknife};
 use slipgap_statistics::moments::mean;
 use slipgap_study::kinds::{Fit as Way, Fragility};
 use slipgap_study::{ColumnRef, Study, alike};
@@ -23,9 +22,9 @@ pub struct FragilityCurve {
     pub points: Vec<FragilityPoint>,
     /// The fitted function, or why there is none.
     pub fit: Result<Fit, NoFit>,
-    /// 95 % intervals of its median and its dispersion by the bootstrap over the members of the ensemble; `None` if too many
-    /// samples have no fit.
-    pub bootstrap: Option<[[f64; 2]; 2]>,
+    /// 95 % intervals of its median and its dispersion by the jackknife over the members of the ensemble; `None` if there is no fit
+    /// without one of them.
+    pub jackknife: Option<[[f64; 2]; 2]>,
     /// The lines through the residuals over the columns that the figure names.
     pub trends: Vec<Option<Line>>,
     /// With a hazard curve, the mean annual frequency.
@@ -64,12 +63,11 @@ pub fn curves(study: &Study, figure: &Fragility, cases: &[DrawnCase]) -> Vec<Fra
 fn curve(study: &Study, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCurve {
     let members = Members::new(figure, &study.ensemble, cases);
     let fit = members.fit();
-    let samples = match &fit {
-        Ok(_) => members.samples(),
-        Err(_) => Vec::new(),
+    let without = fit.as_ref().ok().and_then(|_| members.without_one());
+    let interval = |of: &dyn Fn(&Function) -> f64| {
+        let without: Vec<f64> = without.as_ref()?.iter().map(of).collect();
+        jackknife::interval(of(&fit.as_ref().ok()?.function), &without)
     };
-    let interval =
-        |of: &dyn Fn(&Function) -> f64| bootstrap::interval(samples.iter().map(of).collect());
     let members = members.all;
     let of_cases = members.iter().flat_map(|member| &member.cases);
     let collapsed = of_cases.filter(|(_, point)| point[1].is_infinite());
@@ -90,8 +88,8 @@ fn curve(study: &Study, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCu
             (Way::Incremental, _) => by_capacities(&members),
             (Way::Cloud | Way::Likelihood, _) => by_cases(figure, cases),
         },
-        bootstrap: interval(&|sample| sample.median)
-            .zip(interval(&|sample| sample.dispersion))
+        jackknife: interval(&|function| function.median)
+            .zip(interval(&|function| function.dispersion))
             .map(<[_; 2]>::from),
         trends: figure.against.iter().map(trend).collect(),
         annual,

@@ -3,15 +3,11 @@
 use super::point::value;
 use crate::DrawnCase;
 use libm::{exp, log};
-use slipgap_statistics::bootstrap;
 use slipgap_statistics::fragility::{Capacities, Cloud, Fit, Fragility as Function, NoFit};
 use slipgap_statistics::fragility::{Line, Trials, of_trials};
 use slipgap_statistics::moments::mean;
 use slipgap_study::kinds::{Fit as Way, Fragility};
 use slipgap_study::{ColumnRef, alike};
-
-/// The seed of the bootstrap.
-const SEED: u64 = 1;
 
 /// A member of the ensemble.
 pub struct Member<'a> {
@@ -103,14 +99,14 @@ impl<'a> Members<'a> {
         self.fit_of(&self.all.iter().collect::<Vec<_>>())
     }
 
-    /// The functions of bootstrap samples of the members that have one.
-    pub fn samples(&self) -> Vec<Function> {
-        let sample = |picked: Vec<usize>| {
-            let picked: Vec<&Member> = picked.iter().map(|i| &self.all[*i]).collect();
-            Some(self.fit_of(&picked).ok()?.function)
+    /// The functions of all members but one each; `None` if one of them has none.
+    pub fn without_one(&self) -> Option<Vec<Function>> {
+        let without = |left_out: usize| {
+            let others = self.all.iter().enumerate().filter(|(i, _)| *i != left_out);
+            let others: Vec<&Member> = others.map(|(_, member)| member).collect();
+            Some(self.fit_of(&others).ok()?.function)
         };
-        let samples = bootstrap::samples(self.all.len(), SEED);
-        samples.filter_map(sample).collect()
+        (0..self.all.len()).map(without).collect()
     }
 
     fn fit_of(&self, members: &[&Member]) -> Result<Fit, NoFit> {

@@ -3,6 +3,7 @@
 mod capacities;
 mod cloud;
 pub mod hazard;
+pub mod jackknife;
 mod likelihood;
 mod line;
 mod no_fit;

@@ -5,16 +5,16 @@ use crate::batch::output::failures_and_histories::cell;
 use slipgap_study::kinds::{Fit, Fragility};
 use slipgap_study::{ColumnRef, Study};
 
-/// The ends of intervals, by formulas and by the bootstrap.
+/// The ends of intervals, by formulas and by the jackknife.
 const ENDS: [&str; 8] = [
     "median_low",
     "median_high",
     "dispersion_low",
     "dispersion_high",
-    "median_low_bootstrap",
-    "median_high_bootstrap",
-    "dispersion_low_bootstrap",
-    "dispersion_high_bootstrap",
+    "median_low_jackknife",
+    "median_high_jackknife",
+    "dispersion_low_jackknife",
+    "dispersion_high_jackknife",
 ];
 
 /// Of capacities: members without one, whose bounds are known.
@@ -26,8 +26,8 @@ const CLOUD: [&str; 2] = ["slope", "deviation"];
 /// With a hazard curve.
 const ANNUAL: [&str; 5] = [
     "frequency",
-    "frequency_low_bootstrap",
-    "frequency_high_bootstrap",
+    "frequency_low_jackknife",
+    "frequency_high_jackknife",
     "frequency_outside",
     "frequency_closed_form",
 ];
@@ -80,7 +80,7 @@ impl Numbers {
     }
 
     pub(super) fn of(&self, figure: &Fragility, curve: &FragilityCurve) -> Vec<String> {
-        let ends = [curve.intervals(), curve.bootstrap]
+        let ends = [curve.intervals(), curve.jackknife]
             .map(|ends| ends.map_or([None; 4], |[[a, b], [c, d]]| [a, b, c, d].map(Some)));
         let mut cells: Vec<String> = ends.concat().into_iter().map(cell).collect();
         let count = |count: usize, has: bool| match has {
