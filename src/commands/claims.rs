@@ -110,8 +110,8 @@ pub fn read(paths: &[PathBuf], programs: ProgramsArgs) -> Result<Vec<Ledger>, Er
         !single && !programs.allow_programs && studies.any(|named| named.study.programs().is_some())
     };
     let (without, kept): (Vec<Ledger>, Vec<Ledger>) = ledgers.into_iter().partition(may_leave);
-    let left_out = without.iter().flat_map(|ledger| &ledger.studies);
-    let left_out = left_out.filter(|named| named.study.programs().is_some());
+    let studies = without.iter().flat_map(|ledger| &ledger.studies);
+    let left_out = studies.filter(|named| named.study.programs().is_some());
     note_left_out(left_out.map(|named| (&*named.file, &named.study)));
     for named in kept.iter().flat_map(|ledger| &ledger.studies) {
         programs.allow_study(&named.file, &named.study)?;

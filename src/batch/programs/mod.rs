@@ -24,8 +24,8 @@ pub fn allow(file: &Path, study: &Study, allowed: bool) -> Result<(), Error> {
         return Ok(());
     }
     let list = programs.list.iter();
-    let commands = list.map(|program| format!("{}: {}", program.name, program.shown_command()));
-    let commands: Vec<String> = commands.collect();
+    let shown = list.map(|program| format!("{}: {}", program.name, program.shown_command()));
+    let commands: Vec<String> = shown.collect();
     Err(Error::Usage(format!(
         "{}: not run: its programs would be started ({}); allowed with --allow-programs (in Python allow_programs=True), if you trust them",
         file.display(),

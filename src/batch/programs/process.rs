@@ -58,10 +58,9 @@ impl Process {
     /// It cannot be started, says nothing in its time, or something else.
     pub(super) fn start(program: &Program) -> Result<(Process, Hello), String> {
         let mut words = program.command.iter();
-        let folder: &Path = &program.folder;
-        let folder = match folder.as_os_str().is_empty() {
+        let folder: &Path = match program.folder.as_os_str().is_empty() {
             true => Path::new("."),
-            false => folder,
+            false => &program.folder,
         };
         let mut command = Command::new(words.next().map_or("", String::as_str));
         let piped = command

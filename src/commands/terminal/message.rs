@@ -58,8 +58,8 @@ pub fn labelled(word: &str, text: &str, plain: impl FnOnce()) {
     };
     let indent = word.len() + 2;
     let text = printable(text);
-    let paragraphs = text.lines();
-    let paragraphs: Vec<String> = paragraphs
+    let paragraphs: Vec<String> = text
+        .lines()
         .map(|paragraph| wrapped(paragraph, width, indent, indent))
         .collect();
     let (label, next) = (coloured.apply_to(format!("{word}:")), " ".repeat(indent));

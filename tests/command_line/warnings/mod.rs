@@ -387,12 +387,12 @@ fn several_studies_end_with_one_line_for_each_kind() {
         let parameters = format!(r#""gap": {gaps}, "dt": [0.004, 0.01], "duration": 1"#);
         body(&parameters, contact, "", r#""peak(a)""#)
     };
-    bench.file("studies/one.json", &study("[0.1, 5]"));
-    bench.file("studies/two.json", &study("[0.1, 0.2, 5]"));
-    bench.file("studies/three.json", &study("[4, 5]"));
+    bench.file("studies/one.json", study("[0.1, 5]"));
+    bench.file("studies/two.json", study("[0.1, 0.2, 5]"));
+    bench.file("studies/three.json", study("[4, 5]"));
     bench.file(
         "studies/clean.json",
-        &study("[0.1]").replace("[0.004, 0.01]", "0.001"),
+        study("[0.1]").replace("[0.004, 0.01]", "0.001"),
     );
     for verb in ["run", "merge", "check"] {
         let done = bench.expect(0, &[verb]);

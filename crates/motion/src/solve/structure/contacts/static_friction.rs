@@ -85,7 +85,6 @@ impl StaticFriction {
     }
 
     /// Takes the limit of a contact at the end of a step.
-    #[cold]
     pub(crate) fn limit<const L: usize>(&mut self, contact: usize, limit: Lane<L>) {
         let contacts = self.contacts.iter_mut();
         for limits in contacts.filter(|limits| limits.contact == contact) {
@@ -148,7 +147,6 @@ impl StaticFriction {
     }
 
     /// The kinetic limit of a contact, in the lanes where it has two.
-    #[cold]
     pub(crate) fn show<const L: usize>(&self, contact: usize, limit: &mut Lane<L>) {
         let contacts = self.contacts.iter();
         for limits in contacts.filter(|limits| limits.contact == contact) {
@@ -160,7 +158,6 @@ impl StaticFriction {
     }
 
     /// The part of the static limit that a contact has used, 1 if it slides, in the lanes where it has two limits.
-    #[cold]
     pub(crate) fn show_share<const L: usize>(&self, contact: usize, share: &mut Lane<L>) {
         let contacts = self.contacts.iter();
         for limits in contacts.filter(|limits| limits.contact == contact) {
@@ -177,7 +174,6 @@ impl StaticFriction {
     }
 
     /// The mean force of a contact over a step that ended with `force`, in the lanes where it has two limits.
-    #[cold]
     pub(crate) fn show_mean<const L: usize>(
         &self,
         contact: usize,

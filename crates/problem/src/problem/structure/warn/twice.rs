@@ -79,8 +79,8 @@ pub fn impacts(template: &Template, case: &Case, structure: &Structure) -> Optio
     let pairs = template.contacts.iter().zip(&structure.contacts);
     let mut impacts = pairs.filter(|(_, contact)| contact.law.kind() == ContactKind::Impact);
     impacts.find_map(|(given, contact)| {
-        let along = contact.along.iter();
-        let along = along.map(|(node, factor)| (*node, factor.to_bits()));
+        let terms = contact.along.iter();
+        let along = terms.map(|(node, factor)| (*node, factor.to_bits()));
         let other = known.insert(along.collect(), given)?;
         (numbers(given, case) == numbers(other, case)).then(|| {
             let text = format!("contacts {} and {}", other.name, given.name);
@@ -89,14 +89,14 @@ pub fn impacts(template: &Template, case: &Case, structure: &Structure) -> Optio
     })
 }
 
+/// A number of a law by its key.
+type Number<'a> = (&'a str, Option<f64>);
+
 /// The law, the gap and the numbers of a contact in a case.
-fn numbers<'a>(
-    contact: &'a Contact,
-    case: &'a Case,
-) -> (&'a str, Option<f64>, Vec<(&'a str, Option<f64>)>) {
+fn numbers<'a>(contact: &'a Contact, case: &'a Case) -> (&'a str, Option<f64>, Vec<Number<'a>>) {
     let value = |amount: &Amount| amount.value(case).ok();
-    let numbers = contact.numbers.iter();
-    let numbers = numbers.map(|(key, amount)| (*key, value(amount)));
+    let amounts = contact.numbers.iter();
+    let numbers = amounts.map(|(key, amount)| (*key, value(amount)));
     (
         contact.law.name(case),
         contact.gap.as_ref().and_then(value),

@@ -28,8 +28,8 @@ pub(super) fn in_list(shared: Shared) -> Json {
 /// A law or a list of laws, with the keys of the law only where the study names it, and another rule.
 fn with_law(keys: &Keys, more: Option<Rule>, shared: Shared) -> Json {
     let relation = Rule::One(&["law", "series", "parallel"], &[]);
-    let laws = LAWS.iter().filter(|law| law.at(Place::Structure).is_some());
-    let laws = laws.map(|law| of_law(law, keys));
+    let of_structures = LAWS.iter().filter(|law| law.at(Place::Structure).is_some());
+    let laws = of_structures.map(|law| of_law(law, keys));
     let rules = [relation].into_iter().chain(more);
     let mut schema = object(keys, shared);
     schema["allOf"] = laws.chain(rules.map(|rule| conjunction(&[rule]))).collect();
