@@ -141,7 +141,7 @@ warnings! {
         "A note: two impacts have the same nodes with the same factors, the same gap, law and numbers.",
     NeverSlides "never-slides"
         "have friction that never slides: look at the units of N or of the limit"
-        "The force of a friction contact is below 95 % of its limit (of nu_min N, if it has nu_min) at every step, in every case of the study. An elastic contact in series with one that slides, yields or damps is left out. In friction-oscillator with a law of [F]: 2 x0/(1 + alpha), from an unloaded start, or x0/beta is below 0.95.",
+        "The force of a friction contact is below 95 % of its limit (of nu_min N, if it has nu_min) at every step, in every case of the study. An elastic contact in series with one that slides, yields or damps is left out. In friction-oscillator with a law of the paper: 2 x0/(1 + alpha), from an unloaded start, or x0/beta is below 0.95.",
     NoContact "no-contact"
         "have no contact before `duration`; their contact metrics are undefined or 0"
         "No impact touches before `duration`, in every case of the study: a gap that stays open in some cases is a result.",
