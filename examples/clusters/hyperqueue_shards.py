@@ -12,13 +12,14 @@ from hyperqueue.cluster import WorkerConfig
 
 def submit(client, study, out, shards):
     job = Job(name="slipgap")
-    program = ["slipgap", "run", study, "--out", out, "--jobs", "1", "--shard"]
-    numbers = range(1, int(shards) + 1)
-    # A shard whose worker is lost runs again on another one.
-    tasks = [job.program([*program, f"{index}/{shards}"], name=f"shard {index}", crash_limit=3) for index in numbers]
+    logs = {name: f"{out}-jobs/%{{TASK_ID}}.{name}" for name in ("stdout", "stderr")}
+    # HyperQueue repeats a task whose worker is lost, but not one that fails.
+    run = 'for i in 1 2 3 4; do slipgap run "$0" --out "$1" --jobs 1 --shard "$2" && exit; done; exit 1'
+    names = [f"{index}/{shards}" for index in range(1, int(shards) + 1)]
+    tasks = [job.program(["sh", "-c", run, study, out, name], name=f"shard {name}", crash_limit=3, **logs) for name in names]
     # 3: a case has no solution, which failures.csv names; the results are complete.
     merge = 'slipgap merge "$0" --out "$1" --shards "$2" || [ $? -eq 3 ]'
-    job.program(["sh", "-c", merge, study, out, shards], name="merge", deps=tasks)
+    job.program(["sh", "-c", merge, study, out, shards], name="merge", deps=tasks, **logs)
     client.wait_for_jobs([client.submit(job)])
 
 

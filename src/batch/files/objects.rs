@@ -33,6 +33,9 @@ static RUNTIME: LazyLock<io::Result<Runtime>> = LazyLock::new(|| {
     builder.worker_threads(1).enable_all().build()
 });
 
+/// What the library says of a list that is none, and of an upload without a hash in its answer.
+const NO_ANSWER: [&str; 2] = ["invalid list response", "ETag Header missing"];
+
 static BUCKETS: Mutex<BTreeMap<String, Arc<AmazonS3>>> = Mutex::new(BTreeMap::new());
 
 /// The names directly under a prefix, each with whether it is a prefix itself.
@@ -190,9 +193,12 @@ fn plain(bucket: &str, error: &Error) -> io::Error {
         _ if cause.contains("scheme is not allowed") => {
             "the endpoint is not https; AWS_ALLOW_HTTP=true allows http".to_owned()
         }
+        _ if NO_ANSWER.iter().any(|sign| text.contains(sign)) => {
+            "the answer is none of S3: a page of the network, or another server".to_owned()
+        }
         _ => match url(&text) {
             Some(url) => format!("{url}: {cause}"),
-            None => text,
+            None => cause,
         },
     };
     io::Error::new(kind, why)

@@ -12,7 +12,7 @@ pub fn is_object(path: &Path) -> bool {
 }
 
 /// The form of a path of objects.
-const FORM: &str = "must be s3://BUCKET or s3://BUCKET/FOLDER, where the name of a bucket has 3 to 63 letters, digits, points, _ and -";
+const FORM: &str = "must be s3://BUCKET or s3://BUCKET/FOLDER, where the name of a bucket has 3 to 63 letters, digits, points, _ and -, or a folder";
 
 /// A path for results: a folder, or a prefix in a bucket that is named, which else would be the first part of a path inside of it.
 ///
@@ -20,7 +20,10 @@ const FORM: &str = "must be s3://BUCKET or s3://BUCKET/FOLDER, where the name of
 /// The form of a path of objects.
 pub fn for_results(path: PathBuf) -> Result<PathBuf, &'static str> {
     if !is_object(&path) {
-        return Ok(path);
+        let text = path.to_string_lossy();
+        // Else a folder with the name `https:` or `S3:` would be made.
+        let is_address = text.contains("://") || text.to_ascii_lowercase().starts_with("s3:");
+        return if is_address { Err(FORM) } else { Ok(path) };
     }
     let given = path.to_str().ok_or(FORM)?;
     let after_scheme = given.strip_prefix("s3:/").unwrap_or(given);

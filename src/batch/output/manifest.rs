@@ -64,7 +64,7 @@ impl Manifest {
             let why = match is_object(&path) {
                 // A network that asks for a password answers every request with its page.
                 true => {
-                    "the answer is no manifest of slipgap: a page of the network, or the bucket has one of another program"
+                    "the answer is no manifest of slipgap: damaged, a page of the network, or of another program"
                 }
                 false => {
                     "it does not list the files that former runs wrote; remove it, and remove the files that are out of date"

@@ -60,7 +60,7 @@ impl MissingParts {
             None => return,
             Some(Miss::Outdated(_)) => self.outdated += 1,
             Some(Miss::Absent) => self.absent += 1,
-            Some(Miss::Damaged(path)) => {
+            Some(Miss::Damaged(path) | Miss::Unread(path, _)) => {
                 self.damaged.0 += 1;
                 self.damaged.1.get_or_insert(path);
             }

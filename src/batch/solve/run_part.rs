@@ -40,6 +40,7 @@ pub(in crate::batch) fn run_part(
             (metrics, Solutions::new(), Ok(()), cases.len() as u64)
         }
         Err(miss) => {
+            miss.answered()?;
             let earlier = match readable {
                 Some((store, key)) => store.earlier_cases(study, start, key),
                 None => EarlierCases::default(),
@@ -83,12 +84,15 @@ pub(in crate::batch) fn keep_part(
     let (start, first, work) = (part.start, part.first, part.work as f64);
     let cases = part.cases();
     let key = Key::new(study, first, &cases);
-    if store.check(start, &key, cases.len()).is_ok() {
-        bar.inc(cases.len() as u64);
-        return Ok(KeptPart {
-            computed: false,
-            unsolved: 0,
-        });
+    match store.check(start, &key, cases.len()) {
+        Ok(()) => {
+            bar.inc(cases.len() as u64);
+            return Ok(KeptPart {
+                computed: false,
+                unsolved: 0,
+            });
+        }
+        Err(miss) => miss.answered()?,
     }
     let earlier = EarlierCases::default();
     let missing = Missing::new(&cases, &earlier);

@@ -13,7 +13,7 @@ use super::store::{Miss, STORE};
 use outline::{Outline, Reading};
 use slipgap_study::Study;
 use slipgap_study::error::Error;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
 /// Largest number of shards that are listed.
@@ -33,6 +33,8 @@ pub struct StudyStatus {
     pub ahead: Vec<(Option<Shard>, Duration)>,
     /// Number of parts of another version of the study or of the solver, and the first difference.
     pub outdated: Option<(u64, Difference)>,
+    /// Number of damaged or unreadable parts, and the first of them.
+    pub damaged: Option<(u64, PathBuf)>,
 }
 
 /// How far a study with this folder of results is, in `shards` shards; if this is not given, in as many as the process has that last
@@ -59,6 +61,7 @@ pub fn study_status(
         all: Progress::default(),
         shards: Vec::new(),
         outdated: None,
+        damaged: None,
         ahead: ahead
             .into_iter()
             .map(|sign| (sign.shard, until(sign.written)))
@@ -75,9 +78,14 @@ pub fn study_status(
     }
     let outline = Outline::new(study, &store, Reading::Footer, of.is_some())?;
     for (number, part) in outline.parts(study) {
-        if let Err(Miss::Outdated(difference)) = &part.found {
-            let (count, _) = status.outdated.get_or_insert((0, *difference));
-            *count += 1;
+        match &part.found {
+            Err(Miss::Outdated(difference)) => {
+                status.outdated.get_or_insert((0, *difference)).0 += 1;
+            }
+            Err(Miss::Damaged(path)) => {
+                status.damaged.get_or_insert_with(|| (0, path.clone())).0 += 1;
+            }
+            Ok(_) | Err(Miss::Absent | Miss::Unread(..)) => {}
         }
         let of_shard = of.map(|of| &mut shards[shard_of(number, of) as usize - 1]);
         for progress in of_shard.into_iter().chain([&mut status.all]) {

@@ -78,7 +78,7 @@ impl Outline {
         let is_there =
             is_object(store) || fs::exists(store).map_err(Error::io("cannot read", store))?;
         let paths = if is_there { all_in(store)? } else { Vec::new() };
-        let read: Vec<_> = paths
+        let read: Result<Vec<_>, Error> = paths
             .into_par_iter()
             .map(|(start, path)| {
                 let saved = fs::metadata(&path).and_then(|file| file.modified()).ok();
@@ -90,11 +90,14 @@ impl Outline {
                     Reading::Footer => summary(&path),
                     Reading::Whole => checked_summary(&path),
                 };
-                (start, (Miss::Damaged(path.clone()), read.map(found)))
+                if let Err(miss) = &read {
+                    miss.answered()?;
+                }
+                Ok((start, (Miss::Damaged(path), read.ok().map(found))))
             })
             .collect();
         let mut files: BTreeMap<u64, Vec<_>> = BTreeMap::new();
-        for (start, file) in read {
+        for (start, file) in read? {
             files.entry(start).or_default().push(file);
         }
         let with_files: BTreeMap<u64, ()> = files

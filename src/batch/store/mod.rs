@@ -166,7 +166,10 @@ impl Store {
     ) -> Result<T, Miss> {
         let mut miss = Miss::Absent;
         for path in self.parts.get(&start).into_iter().flatten() {
-            let bytes = part_file::read_checked(path);
+            let bytes = match part_file::read_checked(path) {
+                Err(unread @ Miss::Unread(..)) => return Err(unread),
+                read => read.ok(),
+            };
             // The checksum is not a signature: a manipulated part can have any content.
             let read = |bytes| catch_panic(|| read(bytes).ok()).flatten();
             match bytes.and_then(read) {
@@ -192,7 +195,11 @@ impl Store {
         let mut earlier = EarlierCases::default();
         let parts = self.parts.range(starts_in_same_chunk(study, start));
         for path in parts.flat_map(|(_, paths)| paths) {
-            let bytes = part_file::read_checked(path);
+            let bytes = match part_file::read_checked(path) {
+                // Each of the others would be waited for, too.
+                Err(Miss::Unread(..)) => break,
+                read => read.ok(),
+            };
             let read =
                 |bytes| catch_panic(|| reading::read_hashed(study, bytes, key).ok()).flatten();
             if let Some((hashes, metrics)) = bytes.and_then(read).flatten() {

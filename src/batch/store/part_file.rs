@@ -2,6 +2,7 @@
 
 use super::catch_panic::catch_panic;
 use super::key::checksum;
+use super::miss::Miss;
 use super::reading::{self, Summary};
 use super::rows::Rows;
 use crate::batch::files::place::{entries, is_object, read_file};
@@ -9,7 +10,7 @@ use bytes::Bytes;
 use slipgap_study::error::Error;
 use std::collections::BTreeSet;
 use std::fs::{self, File};
-use std::io;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Name of the store in a folder of results.
@@ -84,32 +85,46 @@ fn similar_in_one(folder: &Path) -> Result<Vec<PathBuf>, Error> {
 }
 
 /// The bytes of a part, if they have the checksum in its name.
-pub fn read_checked(path: &Path) -> Option<Vec<u8>> {
-    let bytes = read_file(path).ok()?;
-    is_undamaged(path, &bytes).then_some(bytes)
+pub fn read_checked(path: &Path) -> Result<Vec<u8>, Miss> {
+    let bytes = read_part(path)?;
+    match is_undamaged(path, &bytes) {
+        true => Ok(bytes),
+        false => Err(Miss::Damaged(path.to_owned())),
+    }
 }
 
-/// What the footer of a part says; `None` if it is damaged. Damage of its rows is not seen.
-pub fn summary(path: &Path) -> Option<Summary> {
+/// The bytes of a part. A file that cannot be read is as good as damaged; a server may answer later.
+fn read_part(path: &Path) -> Result<Vec<u8>, Miss> {
+    read_file(path).map_err(
+        |e| match is_object(path) && e.kind() != ErrorKind::NotFound {
+            true => Miss::Unread(path.to_owned(), e.to_string()),
+            false => Miss::Damaged(path.to_owned()),
+        },
+    )
+}
+
+/// What the footer of a part says, unless it is damaged. Damage of its rows is not seen.
+pub fn summary(path: &Path) -> Result<Summary, Miss> {
     let caught = match is_object(path) {
         true => {
-            let bytes = Bytes::from(read_file(path).ok()?);
+            let bytes = Bytes::from(read_part(path)?);
             catch_panic(|| reading::summary(bytes).ok())
         }
         false => {
             // A pipe would wait for a writer.
             let is_file = fs::metadata(path).is_ok_and(|found| found.is_file());
-            let file = is_file.then(|| File::open(path).ok()).flatten()?;
-            catch_panic(|| reading::summary(file).ok())
+            let file = is_file.then(|| File::open(path).ok()).flatten();
+            catch_panic(|| reading::summary(file?).ok())
         }
     };
-    caught.flatten()
+    caught.flatten().ok_or(Miss::Damaged(path.to_owned()))
 }
 
 /// The same of a part whose bytes have the checksum in its name.
-pub fn checked_summary(path: &Path) -> Option<Summary> {
+pub fn checked_summary(path: &Path) -> Result<Summary, Miss> {
     let bytes = Bytes::from(read_checked(path)?);
-    catch_panic(|| reading::summary(bytes).ok()).flatten()
+    let caught = catch_panic(|| reading::summary(bytes).ok());
+    caught.flatten().ok_or(Miss::Damaged(path.to_owned()))
 }
 
 /// Whether an object store lists these parts: a server may answer that it has an object, and not keep it. A folder is not asked.

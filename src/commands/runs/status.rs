@@ -57,6 +57,14 @@ fn status(sources: &[Source], out: &Path, shards: Option<u64>, as_json: bool) ->
             let parts = if count == 1 { "part" } else { "parts" };
             note(&source.line(&format!("{count} {parts} of another version: {why}")));
         }
+        if let Some((count, path)) = &status.damaged {
+            let parts = if *count == 1 { "part" } else { "parts" };
+            let what = format!(
+                "{count} {parts} damaged or unreadable, such as {}; run their shards again",
+                path.display()
+            );
+            note(&source.line(&what));
+        }
         for (shard, ahead) in status.ahead.iter().take(MOST_NAMED) {
             let process = shard.map_or("a run".into(), |shard| format!("shard {shard}"));
             let ahead = duration(ahead.as_secs_f64());

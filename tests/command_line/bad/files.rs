@@ -235,7 +235,17 @@ fn a_path_of_objects_names_its_bucket() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     // The name of the study would be that of the bucket; the library panics at a blank.
-    for out in ["s3://", "s3:/", "s3:///s", "s3://a b/c", "s3://ab"] {
+    let forms = [
+        "s3://",
+        "s3:/",
+        "s3:///s",
+        "s3://a b/c",
+        "s3://ab",
+        "s3:bucket",
+        "S3://bucket",
+        "https://bucket/s",
+    ];
+    for out in forms {
         for verb in [
             &["run"][..],
             &["run", "--shard", "1/2"],

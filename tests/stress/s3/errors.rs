@@ -1,7 +1,7 @@
 //! What cannot be done ends with a sentence and an exit code, soon, and leaves nothing.
 
 use crate::server::{Port, SERVER};
-use crate::{Bench, Done, begin, short};
+use crate::{Bench, Done, begin, objects, parts, short};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -40,11 +40,6 @@ fn a_bucket_that_is_not_there_and_other_mistakes() {
     assert_eq!(said(&shard), store);
     let merge = ["merge", "s.json", "--out", "s3://no-such-bucket/x"];
     assert_eq!(said(&merge), bucket);
-    let empty = said(&["report", "s.json", "--out", "s3://"]);
-    assert!(
-        empty.contains("names no bucket; write s3://BUCKET/FOLDER"),
-        "{empty}"
-    );
     let segment = said(&to("s3://errors/a/../b"));
     assert!(
         segment.contains("cannot write in folder s3://errors/a/../b/s: "),
@@ -108,4 +103,53 @@ fn without_credentials_or_network_a_command_ends() {
             assert!(said.contains("timed out"), "{said}");
         });
     });
+}
+
+#[test]
+#[ignore = "starts a server; make s3-test"]
+fn a_page_and_parts_that_are_not_kept_are_no_success() {
+    let bench = begin("lost");
+    bench.file("s.json", short("f", 3));
+    let args = ["run", "s.json", "--shard", "1/1", "--out", "s3://lost"];
+    let said = fails(&bench, Port::Page, &args, |_| ());
+    let page = "the answer is none of S3: a page of the network, or another server\n";
+    assert!(said.ends_with(page), "{said}");
+    let said = fails(&bench, Port::Forgetful, &args, |_| ());
+    assert!(
+        said.starts_with("slipgap: cannot keep s3://lost/s/store/part-"),
+        "{said}"
+    );
+    assert!(
+        said.ends_with(": the server answered that it was written, but does not list it\n"),
+        "{said}"
+    );
+    assert_eq!(objects(&bench, "lost").len(), 0);
+}
+
+#[test]
+#[ignore = "starts a server; make s3-test"]
+fn parts_that_the_server_does_not_give_are_neither_missing_nor_computed_again() {
+    let bench = begin("ungiven");
+    bench.file("s.json", short("f", 3));
+    let out = ["--out", "s3://ungiven"];
+    let shard = [&["run", "s.json", "--shard", "1/1"][..], &out].concat();
+    SERVER.run(&bench, Port::Good, 0, &shard);
+    let before = objects(&bench, "ungiven");
+    assert_eq!(parts(&before), 1);
+    let status = [&["status", "s.json"][..], &out].concat();
+    let merge = [&["merge", "s.json", "--shards", "1"][..], &out].concat();
+    std::thread::scope(|scope| {
+        for args in [&shard, &status, &merge] {
+            scope.spawn(|| {
+                let said = fails(&bench, Port::Ungiving, args, |_| ());
+                assert!(
+                    said.starts_with("slipgap: cannot read s3://ungiven/s/store/part-"),
+                    "{said}"
+                );
+                assert!(said.ends_with(": InternalError: Try again.\n"), "{said}");
+            });
+        }
+    });
+    assert_eq!(parts(&objects(&bench, "ungiven")), 1);
+    SERVER.run(&bench, Port::Good, 0, &merge);
 }

@@ -14,8 +14,14 @@ pub(crate) enum Port {
     Good = 0,
     /// Requests fail often, for a moment.
     Failing = 1,
+    /// Each answer is a page of HTML.
+    Page = 2,
+    /// Parts are received and not kept.
+    Forgetful = 3,
+    /// Parts are listed and not given.
+    Ungiving = 4,
     /// Nobody answers.
-    Silent = 2,
+    Silent = 5,
 }
 
 /// The server of all tests. It ends with its standard input, which is with this process.
@@ -41,7 +47,7 @@ impl Server {
         let out = process.stdout.take().unwrap();
         BufReader::new(out).read_line(&mut line).unwrap();
         let ports: Vec<String> = line.split_whitespace().map(String::from).collect();
-        assert_eq!(ports.len(), 3, "{line}");
+        assert_eq!(ports.len(), 6, "{line}");
         Server {
             _process: process,
             ports,
