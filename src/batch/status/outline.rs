@@ -93,7 +93,8 @@ impl Outline {
                 if let Err(miss) = &read {
                     miss.answered()?;
                 }
-                Ok((start, (Miss::Damaged(path), read.ok().map(found))))
+                let read = read.ok().flatten().map(found);
+                Ok((start, (Miss::Damaged(path), read)))
             })
             .collect();
         let mut files: BTreeMap<u64, Vec<_>> = BTreeMap::new();

@@ -166,10 +166,7 @@ impl Store {
     ) -> Result<T, Miss> {
         let mut miss = Miss::Absent;
         for path in self.parts.get(&start).into_iter().flatten() {
-            let bytes = match part_file::read_checked(path) {
-                Err(unread @ Miss::Unread(..)) => return Err(unread),
-                read => read.ok(),
-            };
+            let bytes = part_file::read_checked(path)?;
             // The checksum is not a signature: a manipulated part can have any content.
             let read = |bytes| catch_panic(|| read(bytes).ok()).flatten();
             match bytes.and_then(read) {
@@ -194,15 +191,13 @@ impl Store {
     pub fn earlier_cases(&self, study: &Study, start: u64, key: &Key) -> EarlierCases {
         let mut earlier = EarlierCases::default();
         let parts = self.parts.range(starts_in_same_chunk(study, start));
-        for path in parts.flat_map(|(_, paths)| paths) {
-            let bytes = match part_file::read_checked(path) {
-                // Each of the others would be waited for, too.
-                Err(Miss::Unread(..)) => break,
-                read => read.ok(),
-            };
-            let read =
-                |bytes| catch_panic(|| reading::read_hashed(study, bytes, key).ok()).flatten();
-            if let Some((hashes, metrics)) = bytes.and_then(read).flatten() {
+        // Up to one that a server does not give: each of the others would be waited for, too.
+        let checked = parts
+            .flat_map(|(_, paths)| paths)
+            .map_while(|path| part_file::read_checked(path).ok());
+        for bytes in checked.flatten() {
+            let read = catch_panic(|| reading::read_hashed(study, bytes, key).ok());
+            if let Some((hashes, metrics)) = read.flatten().flatten() {
                 earlier.add(hashes, metrics);
             }
         }
@@ -257,10 +252,7 @@ impl Store {
         written
     }
 
-    /// Whether the store has the parts that this process has saved or found, as far as a server may have lost them.
-    ///
-    /// # Errors
-    /// A part is not there any more.
+    /// Whether the store has the parts that this process has saved or found: a server may have lost some.
     pub fn check_kept(&self) -> Result<(), Error> {
         part_file::check_kept(&self.folder, &self.current())
     }

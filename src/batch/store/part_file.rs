@@ -85,30 +85,33 @@ fn similar_in_one(folder: &Path) -> Result<Vec<PathBuf>, Error> {
 }
 
 /// The bytes of a part, if they have the checksum in its name.
-pub fn read_checked(path: &Path) -> Result<Vec<u8>, Miss> {
+///
+/// # Errors
+/// A server does not give it.
+pub fn read_checked(path: &Path) -> Result<Option<Vec<u8>>, Miss> {
     let bytes = read_part(path)?;
-    match is_undamaged(path, &bytes) {
-        true => Ok(bytes),
-        false => Err(Miss::Damaged(path.to_owned())),
+    Ok(bytes.filter(|bytes| is_undamaged(path, bytes)))
+}
+
+/// The bytes of a part. A file that cannot be read is as good as damaged; a server may give it later.
+fn read_part(path: &Path) -> Result<Option<Vec<u8>>, Miss> {
+    match read_file(path) {
+        Err(e) if is_object(path) && e.kind() != ErrorKind::NotFound => {
+            Err(Miss::Unread(path.to_owned(), e.to_string()))
+        }
+        read => Ok(read.ok()),
     }
 }
 
-/// The bytes of a part. A file that cannot be read is as good as damaged; a server may answer later.
-fn read_part(path: &Path) -> Result<Vec<u8>, Miss> {
-    read_file(path).map_err(
-        |e| match is_object(path) && e.kind() != ErrorKind::NotFound {
-            true => Miss::Unread(path.to_owned(), e.to_string()),
-            false => Miss::Damaged(path.to_owned()),
-        },
-    )
-}
-
-/// What the footer of a part says, unless it is damaged. Damage of its rows is not seen.
-pub fn summary(path: &Path) -> Result<Summary, Miss> {
+/// What the footer of a part says; `None` if it is damaged. Damage of its rows is not seen.
+///
+/// # Errors
+/// A server does not give it.
+pub fn summary(path: &Path) -> Result<Option<Summary>, Miss> {
     let caught = match is_object(path) {
         true => {
-            let bytes = Bytes::from(read_part(path)?);
-            catch_panic(|| reading::summary(bytes).ok())
+            let bytes = read_part(path)?.map(Bytes::from);
+            catch_panic(|| reading::summary(bytes?).ok())
         }
         false => {
             // A pipe would wait for a writer.
@@ -117,14 +120,16 @@ pub fn summary(path: &Path) -> Result<Summary, Miss> {
             catch_panic(|| reading::summary(file?).ok())
         }
     };
-    caught.flatten().ok_or(Miss::Damaged(path.to_owned()))
+    Ok(caught.flatten())
 }
 
 /// The same of a part whose bytes have the checksum in its name.
-pub fn checked_summary(path: &Path) -> Result<Summary, Miss> {
-    let bytes = Bytes::from(read_checked(path)?);
-    let caught = catch_panic(|| reading::summary(bytes).ok());
-    caught.flatten().ok_or(Miss::Damaged(path.to_owned()))
+///
+/// # Errors
+/// A server does not give it.
+pub fn checked_summary(path: &Path) -> Result<Option<Summary>, Miss> {
+    let bytes = read_checked(path)?.map(Bytes::from);
+    Ok(catch_panic(|| reading::summary(bytes?).ok()).flatten())
 }
 
 /// Whether an object store lists these parts: a server may answer that it has an object, and not keep it. A folder is not asked.
