@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -13,13 +14,23 @@ import slipgap
 FOLDER = Path(__file__).parents[3] / "examples" / "programs"
 
 
-def table(folder: Path, program: str, study: dict[str, Any], numbers: dict[str, float] | None = None) -> Any:
+def solved(folder: Path, program: str, study: dict[str, Any], numbers: Mapping[str, float] | None = None) -> slipgap.Results:
     """The results of a study with a program of the folder as the method `other`."""
     command = [sys.executable, str(FOLDER / f"{program}.py")]
-    text = {"problem": "structure", "programs": {"other": {"command": command, "parameters": numbers or {}}}, **study}
+    text = {"problem": "structure", "programs": {"other": {"command": command, "parameters": dict(numbers or {})}}, **study}
     path = folder / "s.json"
     path.write_text(json.dumps(text))
-    return slipgap.run(path, allow_programs=True).table
+    return slipgap.run(path, allow_programs=True)
+
+
+def table(folder: Path, program: str, study: dict[str, Any], numbers: Mapping[str, float] | None = None) -> Any:
+    """Their table."""
+    return solved(folder, program, study, numbers).table
+
+
+def reason(folder: Path, program: str, study: dict[str, Any]) -> str:
+    """Why the one case has no solution."""
+    return solved(folder, program, study).failures[0].reason
 
 
 def release(method: list[str]) -> dict[str, Any]:
@@ -119,11 +130,10 @@ def test_friction_of_bodies_converges_to_the_exact_motion(tmp_path: Path, module
             assert 1.7 < coarse / fine < 2.3
     # The exact mean is -0.0134; of steps of order 1.
     assert all(x == pytest.approx(-0.0134, abs=0.0015) for x in found["mean(disc.S.1)"])
-    with pytest.raises(slipgap.SlipgapError, match="no friction between bodies"):
-        study = release(["other"])
-        study["structure"]["masses"]["b"] = 1
-        study["structure"]["contacts"]["rub"]["between"] = ["a", "b"]
-        table(tmp_path, program, study)
+    study = release(["other"])
+    study["structure"]["masses"]["b"] = 1
+    study["structure"]["contacts"]["rub"]["between"] = ["a", "b"]
+    assert "no friction between bodies" in reason(tmp_path, program, study)
 
 
 def test_exudyn_has_the_steps_of_the_trapezoidal_rule(tmp_path: Path) -> None:
@@ -172,8 +182,7 @@ def test_limits_that_change_are_an_error(tmp_path: Path) -> None:
         pytest.importorskip(module)
         study = release(["other"])
         study["structure"]["contacts"]["rub"]["static_ratio"] = 1.5
-        with pytest.raises(slipgap.SlipgapError, match="no limit of friction that changes"):
-            table(tmp_path, program, study)
+        assert "no limit of friction that changes" in reason(tmp_path, program, study)
 
 
 def test_what_a_program_cannot_express_is_an_error(tmp_path: Path) -> None:

@@ -133,12 +133,15 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
             "ensemble": several(parameter_names(problem, false)),
             "calibrate": false,
             "units": if problem.schema().units.is_empty() { json!(false) } else { fields::object(&units::KEYS, &shared) },
-            "figures": { "items": figure },
-            "checks": { "items": fields::object(&checks::KEYS, &of_this) },
         } },
     });
     need(&mut rules, &needed);
-    rules["then"]["allOf"] = json!([programs::known_without(&method)]);
+    // Figures and checks may name programs and their numbers, too.
+    let named_in_results = json!({
+        "figures": { "items": figure },
+        "checks": { "items": fields::object(&checks::KEYS, &of_this) },
+    });
+    rules["then"]["allOf"] = json!([programs::known_without(&method, named_in_results)]);
     rules
 }
 
@@ -200,7 +203,7 @@ mod tests {
             .iter()
             .zip(schema["allOf"].as_array().into_iter().flatten())
         {
-            let properties = &rules["then"]["properties"];
+            let properties = &rules["then"]["allOf"][0]["then"]["properties"];
             for parameter in problem.parameters() {
                 let meaning = Json::from(&*parameter.meaning).to_string();
                 assert!(

@@ -18,14 +18,13 @@ pub(super) fn with_programs(parameters: &mut Json) -> Json {
     known
 }
 
-/// The rule of a problem that a study without programs has only these methods.
-pub(super) fn known_without(method: &Json) -> Json {
+/// The rule of a problem that a study without programs has only these methods, and such other properties.
+pub(super) fn known_without(method: &Json, others: Json) -> Json {
     let known = json!({ "properties": { METHOD: method } });
-    let methods = json!({ "properties": {
-        "parameters": known,
-        "shared": known,
-        "blocks": { "items": { "properties": { "parameters": known } } },
-    } });
+    let mut properties = others;
+    properties["parameters"] = known.clone();
+    properties["shared"] = known.clone();
+    properties["blocks"] = json!({ "items": { "properties": { "parameters": known } } });
     let without = json!({ "not": { "required": [KEY.name] } });
-    json!({ "if": without, "then": methods })
+    json!({ "if": without, "then": { "properties": properties } })
 }

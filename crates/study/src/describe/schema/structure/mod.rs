@@ -63,7 +63,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
         "else": { "properties": { "structure": false, "measured": false } },
     });
     need(&mut rules, &needed);
-    rules["then"]["allOf"] = json!([programs::known_without(&method), channels()]);
+    rules["then"]["allOf"] = json!([programs::known_without(&method, json!({})), channels()]);
     rules
 }
 
