@@ -295,13 +295,13 @@ mod tests {
             drawn[0],
             [
                 (
-                    "displacement-control".into(),
+                    "displacement control".into(),
                     vec![
                         [0.25, 2.0 + (0.2_f64 - 0.3).abs()],
                         [0.5, 4.0 + (0.2_f64 - 0.3).abs()]
                     ]
                 ),
-                ("velocity-control".into(), vec![[0.25, 2.0], [0.5, 4.0]])
+                ("velocity control".into(), vec![[0.25, 2.0], [0.5, 4.0]])
             ]
         );
         assert_eq!(drawn[1][0].1, [[0.25, 8.0], [0.5, 8.0]]);
