@@ -145,13 +145,14 @@ impl Draw for Front {
     }
 }
 
-/// The title of an axis; of the count of the work of a textbook problem with what it counts.
+/// The title of an axis; of the count of the work of a textbook problem with what it counts. Programs count by themselves.
 fn title(study: &Study, row: usize) -> String {
     let measure = &study.measures[row];
     let of_symbol = study.title(row);
-    match measure.name == COST && of_symbol == COST {
-        true => format!("Cost: {}", measure.meaning),
-        false => of_symbol,
+    match (measure.name == COST && of_symbol == COST, study.programs()) {
+        (true, None) => format!("Cost: {}", measure.meaning),
+        (true, Some(_)) => "Cost: steps or iterations, as each program counts them".into(),
+        (false, _) => of_symbol,
     }
 }
 
