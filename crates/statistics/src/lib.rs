@@ -3,7 +3,7 @@
 
 pub mod beta;
 pub mod binomial;
-pub mod bootstrap;
+mod bootstrap;
 pub mod empirical;
 pub mod fisher;
 pub mod fragility;

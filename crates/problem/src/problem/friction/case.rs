@@ -37,8 +37,6 @@ pub struct OscillatorCase<W = ContactLaw, M = Method> {
     pub step: f64,
     pub duration: f64,
     pub last: u64,
-    /// The largest force, over the limit, that a law of `[F]` can have before it slides; infinite where that is not known.
-    pub most_of_limit: f64,
 }
 
 /// A case with a law of `[F]` and constant average acceleration: the one that sweeps of millions have, and small.
@@ -87,13 +85,11 @@ impl<W, M> OscillatorCase<W, M> {
     #[inline(always)]
     fn with(case: &Case, law: W, method: M, force: f64) -> Option<Self> {
         let (step, duration) = (case.at(rows::DT)?, case.at(rows::DURATION)?);
-        let x0 = case.at(rows::X0)?;
         Some(OscillatorCase {
             law,
             method,
             force,
-            x0,
-            most_of_limit: most_of_limit(case, x0, force),
+            x0: case.at(rows::X0)?,
             step,
             duration,
             last: steps(duration, step),
@@ -118,25 +114,10 @@ impl<W, M> OscillatorCase<W, M> {
         self.step > LONG
     }
 
-    /// Whether the friction is elastic or viscous all the time, and not near its limit.
-    #[inline(always)]
-    pub fn never_slides(&self) -> bool {
-        self.most_of_limit < SLIDES
-    }
-
     /// The time of the last step, if `duration` is no multiple of the step.
     #[inline(always)]
     pub fn ends_early(&self) -> Option<f64> {
         last_time(self.duration, self.step, self.last)
-    }
-
-    /// The warnings of the case, which need no motion.
-    #[inline(always)]
-    pub fn own_warnings(&self) -> Warnings {
-        Warnings::NONE
-            .with(Warning::LongStep, self.has_long_step())
-            .with(Warning::EndsEarly, self.ends_early().is_some())
-            .with(Warning::NeverSlides, self.never_slides())
     }
 
     /// The exact solution at the case's steps.
@@ -145,18 +126,31 @@ impl<W, M> OscillatorCase<W, M> {
     }
 }
 
-/// The largest force over the limit without sliding. A spring 1/alpha that is unloaded at x0 swings about x0 alpha/(1 + alpha), so that it
-/// has 2 x0/(1 + alpha) half a period later; a dashpot 1/beta has at most the velocity x0 of free vibration.
-#[inline(always)]
-fn most_of_limit(case: &Case, x0: f64, force: f64) -> f64 {
-    let found = match PlainLawName::of(case) {
-        Some(PlainLawName::Displacement(_)) if force == 0.0 => case
-            .at(rows::ALPHA)
-            .map(|alpha| 2.0 * x0.abs() / (1.0 + alpha)),
-        Some(PlainLawName::Velocity) => case.at(rows::BETA).map(|beta| x0.abs() / beta),
-        Some(PlainLawName::Displacement(_)) | None => None,
-    };
-    found.unwrap_or(f64::INFINITY)
+impl<W: Copy + Into<ContactLaw>, M> OscillatorCase<W, M> {
+    /// The share of the limit that a law of `[F]` has at most where it never slides, if that is below the one that counts as sliding.
+    ///
+    /// A spring 1/alpha that is unloaded at x0 swings about x0 alpha/(1 + alpha), so that it has 2 x0/(1 + alpha) half a period later; a
+    /// dashpot 1/beta has at most the velocity x0 of free vibration.
+    #[inline(always)]
+    pub fn share_without_sliding(&self) -> Option<f64> {
+        let share = match PlainLaw::of(&self.law.into())? {
+            PlainLaw::Displacement(law) if self.force == 0.0 => {
+                2.0 * self.x0.abs() / (1.0 + law.compliance)
+            }
+            PlainLaw::Displacement(_) => return None,
+            PlainLaw::Velocity(law) => self.x0.abs() / law.compliance,
+        };
+        (share < SLIDES).then_some(share)
+    }
+
+    /// The warnings of the case, which need no motion.
+    #[inline(always)]
+    pub fn own_warnings(&self) -> Warnings {
+        Warnings::NONE
+            .with(Warning::LongStep, self.has_long_step())
+            .with(Warning::EndsEarly, self.ends_early().is_some())
+            .with(Warning::NeverSlides, self.share_without_sliding().is_some())
+    }
 }
 
 impl<W: Copy + Into<ContactLaw>, M: EachMethod> ToSystem for OscillatorCase<W, M> {

@@ -1,10 +1,9 @@
 //! The oscillator as a structure that a study describes, for programs of others.
 
 use super::tables::{InitialSlip, rows};
-use crate::contact::offer::Place;
-use crate::problem::structure::parts::contact_law::law_named;
+use crate::problem::structure::parts::contact_law::written_numbers;
 use crate::problem::{Case, Described};
-use serde_json::{Map, json};
+use serde_json::json;
 
 /// The structure of a completed case, with x, its velocity and the friction as channels.
 ///
@@ -18,15 +17,12 @@ pub fn described(case: &Case) -> Result<Described, String> {
         ));
     }
     let law = case.name_at(rows::LAW);
-    let offer = law_named(law).and_then(|law| law.at(Place::Structure));
-    let keys = offer.map_or(&[][..], |offer| offer.numbers).iter();
     let number = |key: &str| match key {
         "k" => case.at(rows::ALPHA).map(|alpha| 1.0 / alpha),
         "c" => case.at(rows::BETA).map(|beta| 1.0 / beta),
         _ => case.number(key),
     };
-    let own = keys.filter_map(|own| Some((own.key.to_owned(), number(own.key)?.into())));
-    let mut contact: Map<_, _> = own.collect();
+    let mut contact = written_numbers(law, number);
     let more = json!({ "between": ["ground", "x"], "law": law, "nu": 1, "N": 1 });
     contact.extend(more.as_object().cloned().unwrap_or_default());
     if let Some(ratio) = case.at(rows::NU_RATIO).filter(|ratio| *ratio < 1.0) {

@@ -124,16 +124,15 @@ impl Problem for Oscillator {
             )
         };
         let long = oscillator.has_long_step().then(warning);
-        let most = oscillator.most_of_limit;
-        let sticks = || {
+        let sticks = |share| {
             let text = format!(
                 "its force stays below {} of the limit: x0 is in nu N/k",
-                short(most)
+                short(share)
             );
             (Warning::NeverSlides, text)
         };
         long.into_iter()
-            .chain(oscillator.never_slides().then(sticks))
+            .chain(oscillator.share_without_sliding().map(sticks))
             .chain(oscillator.ends_early().map(ends_early))
             .collect()
     }

@@ -4,13 +4,12 @@ use super::scaled::Scaled;
 use super::tables::law_parameters::rows;
 use super::tables::{LAW, MassMatrix};
 use crate::contact::StoredEnergy;
-use crate::contact::offer::Place;
 use crate::lane::Lane;
 use crate::metrics::impact::Track;
-use crate::problem::structure::parts::contact_law::law_named;
+use crate::problem::structure::parts::contact_law::written_numbers;
 use crate::problem::{Case, Described};
 use crate::system::bar::Bar;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, json};
 
 /// The channels before the velocities of the nodes: the contact, and the energies of the bars and the spring.
 const CONTACT: [&str; 3] = ["contact.r", "contact.rdot", "contact.S"];
@@ -40,10 +39,7 @@ pub fn described(case: &Case) -> Result<Described, String> {
         "colliding_mass" => Some(reduced),
         _ => None,
     };
-    let offer = law_named(law).and_then(|law| law.at(Place::Structure));
-    let keys = offer.map_or(&[][..], |offer| offer.numbers).iter();
-    let own = keys.filter_map(|own| Some((own.key.to_owned(), number(own.key)?.into())));
-    let mut contact: Map<String, Value> = own.collect();
+    let mut contact = written_numbers(law, number);
     let other = match pair.right {
         Some(_) => "right.left",
         None => "ground",

@@ -12,6 +12,7 @@ use crate::problem::structure::given::amount::Amount;
 use crate::problem::{Case, Violation};
 use crate::system::structure::{Limit, PressedBy, StructureLaw};
 use limit::limit;
+use serde_json::{Map, Value};
 use std::sync::LazyLock;
 
 /// The laws of contacts, each with its meaning.
@@ -20,6 +21,14 @@ pub static NAMES: &[(&str, &str)] = laws!(Structure, Which::All);
 /// The law of this name.
 pub fn law_named(name: &str) -> Option<&'static Offered> {
     Offered::named(Place::Structure, name)
+}
+
+/// The numbers of a contact with this law, as a study has them: those that `number` gives by their keys.
+pub fn written_numbers(law: &str, number: impl Fn(&str) -> Option<f64>) -> Map<String, Value> {
+    let offer = law_named(law).and_then(|law| law.at(Place::Structure));
+    let keys = offer.map_or(&[][..], |offer| offer.numbers).iter();
+    let given = keys.filter_map(|row| Some((row.key.to_owned(), number(row.key)?.into())));
+    given.collect()
 }
 
 /// The numbers of contacts: those of several laws, then those that only one has.
