@@ -15,10 +15,16 @@ use std::time::Duration;
 /// Time between two frames of a spinner.
 const TICK: Duration = Duration::from_millis(100);
 
+/// Draws the bar now, then at each tick. The thread of the ticks alone may start after short work has ended.
+fn show(bar: &ProgressBar) {
+    bar.tick();
+    bar.enable_steady_tick(TICK);
+}
+
 /// A progress bar with rate and time left on a terminal, else a hidden one. It is there before the first cases are finished.
 pub fn bar(name: &str, cases: u64) -> ProgressBar {
     let bar = bar_of_cases(name, cases);
-    bar.enable_steady_tick(TICK);
+    show(&bar);
     bar
 }
 
@@ -42,7 +48,7 @@ pub fn reading() -> ProgressBar {
         true => ProgressBar::hidden(),
         false => ProgressBar::new_spinner().with_message("reading studies"),
     };
-    bar.enable_steady_tick(TICK);
+    show(&bar);
     bar
 }
 
@@ -56,7 +62,7 @@ pub fn counter(name: &str) -> ProgressBar {
     let bar = ProgressBar::no_length()
         .with_style(style)
         .with_prefix(name.to_owned());
-    bar.enable_steady_tick(TICK);
+    show(&bar);
     bar
 }
 
@@ -93,7 +99,7 @@ pub fn bar_with_store(
     .unwrap_or_else(|_| ProgressStyle::default_bar())
     .with_key("time_left", time_left);
     let bar = bar.with_style(style);
-    bar.enable_steady_tick(TICK);
+    show(&bar);
     (bar, work)
 }
 
@@ -136,7 +142,7 @@ pub fn steps(name: &str, what: &str, steps: usize, long: bool) -> ProgressBar {
         .with_prefix(name.to_owned())
         .with_message(what.to_owned());
     // A step may take many seconds. The spinner shows that the program runs.
-    bar.enable_steady_tick(TICK);
+    show(&bar);
     bar
 }
 
