@@ -1,10 +1,11 @@
 //! Elastic response spectra of an acceleration, and its Arias intensity.
 //!
-//! The acceleration is straight between its points, so the motion of an oscillator is known exactly (see `piece`).
+//! The acceleration is straight between its points, so the motion of an oscillator is known exactly (see `part` and `piece`).
 //!
 //! The peak is the exact one, also between the points. The largest value at the points, which many programs print, is below it by
 //! up to about omega^2 dt^2/8 of the peak.
 
+mod part;
 mod piece;
 mod turned;
 
@@ -12,7 +13,7 @@ pub use turned::ANGLES;
 pub(super) use turned::{StraightPiece, directions, turned_responses};
 
 use crate::system::structure::Table;
-use piece::{Oscillator, Piece};
+use part::{Oscillator, Part, Transitions};
 use std::f64::consts::PI;
 
 /// The largest response of one oscillator.
@@ -74,7 +75,7 @@ fn ordinate(acceleration: &Table, period: f64, ratio: f64) -> Ordinate {
     let (times, values) = (acceleration.times(), acceleration.values());
     let omega = 2.0 * PI / period;
     let mut walk = Walk {
-        oscillator: Oscillator { omega, ratio },
+        transitions: Transitions::new(Oscillator { omega, ratio }),
         time: times[0],
         state: [0.0; 2],
         peak: [0.0, times[0]],
@@ -94,7 +95,7 @@ fn ordinate(acceleration: &Table, period: f64, ratio: f64) -> Ordinate {
 
 /// An oscillator under way.
 struct Walk {
-    oscillator: Oscillator,
+    transitions: Transitions,
     time: f64,
     /// u and u'.
     state: [f64; 2],
@@ -106,23 +107,25 @@ impl Walk {
     /// Goes on to the time `to` under an acceleration that is straight from `a0` to `a1`.
     fn advance(&mut self, to: f64, a0: f64, a1: f64) {
         let (from, length) = (self.time, to - self.time);
-        let parts = (self.oscillator.omega * length).ceil();
+        let parts = (self.transitions.oscillator().omega * length).ceil();
         for part in 0..parts as usize {
             let at = |part: usize| a0 + (a1 - a0) * (part as f64 / parts);
             let h = length / parts;
-            let piece = Piece::new(self.oscillator, self.state, h, [at(part), at(part + 1)]);
+            let accelerations = [at(part), at(part + 1)];
+            let motion = self.transitions.part(self.state, h, accelerations);
             self.time = from + length * (part as f64 / parts);
-            self.reach(&piece, h);
-            self.state = [piece.u(1.0), piece.v(1.0) / h];
+            self.reach(&motion, h);
+            self.state = motion.end();
         }
         self.time = to;
     }
 
-    /// Takes the extremes of a piece into the peak.
-    fn reach(&mut self, piece: &Piece, h: f64) {
-        if piece.bound(self.oscillator.omega * h) <= self.peak[0] {
+    /// Takes the extremes of a part into the peak.
+    fn reach(&mut self, part: &Part, h: f64) {
+        if part.bound() <= self.peak[0] {
             return;
         }
+        let piece = part.piece();
         let [first, second] = piece.extremes();
         for tau in [first, second, Some(1.0)].into_iter().flatten() {
             let u = piece.u(tau).abs();

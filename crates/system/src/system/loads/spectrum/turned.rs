@@ -1,6 +1,6 @@
 //! The peaks of an oscillator under two accelerations, turned by angles.
 
-use super::piece::{Oscillator, Piece};
+use super::part::{Oscillator, Part, Transitions};
 use super::{free_turn, is_valid};
 use libm::{cos, sin};
 use std::f64::consts::PI;
@@ -40,9 +40,9 @@ pub fn turned_responses(
         ratio,
     };
     let free = free_turn(ratio) / oscillator.omega;
-    let each = |visit: &mut dyn FnMut(&[Piece; 2], f64)| {
+    let each = |visit: &mut dyn FnMut(&[Part; 2])| {
         let mut walk = Walk {
-            oscillator,
+            transitions: Transitions::new(oscillator),
             states: [[0.0; 2]; 2],
         };
         for piece in pieces {
@@ -53,39 +53,39 @@ pub fn turned_responses(
     };
     // Few pieces are larger anywhere than the ends of all of them are.
     let mut peaks = Peaks::new();
-    each(&mut |pieces, _| peaks.see_end(pieces));
+    each(&mut |parts| peaks.see_end(parts));
     peaks.lower();
-    each(&mut |pieces, turn| peaks.reach(pieces, turn));
+    each(&mut |parts| peaks.reach(parts));
     let scale = oscillator.omega * oscillator.omega;
     Some(peaks.peaks.into_iter().map(|peak| scale * peak).collect())
 }
 
 /// An oscillator under way in two directions.
 struct Walk {
-    oscillator: Oscillator,
+    transitions: Transitions,
     /// u and u' under each acceleration.
     states: [[f64; 2]; 2],
 }
 
 impl Walk {
     /// Goes on by `length` under accelerations that are straight from the first to the second ones, and shows each part of at most
-    /// a radian, and this turn.
+    /// a radian.
     fn advance(
         &mut self,
         length: f64,
         [from, to]: [[f64; 2]; 2],
-        visit: &mut dyn FnMut(&[Piece; 2], f64),
+        visit: &mut dyn FnMut(&[Part; 2]),
     ) {
-        let parts = (self.oscillator.omega * length).ceil();
+        let parts = (self.transitions.oscillator().omega * length).ceil();
         let h = length / parts;
         for part in 0..parts as usize {
-            let pieces = [0, 1].map(|i| {
+            let motions = [0, 1].map(|i| {
                 let at = |part: usize| from[i] + (to[i] - from[i]) * (part as f64 / parts);
                 let ends = [at(part), at(part + 1)];
-                Piece::new(self.oscillator, self.states[i], h, ends)
+                self.transitions.part(self.states[i], h, ends)
             });
-            visit(&pieces, self.oscillator.omega * h);
-            self.states = pieces.map(|piece| [piece.u(1.0), piece.v(1.0) / h]);
+            visit(&motions);
+            self.states = motions.map(|motion| motion.end());
         }
     }
 }
@@ -113,9 +113,9 @@ impl Peaks {
         }
     }
 
-    /// Takes the end of a piece into the peaks.
-    fn see_end(&mut self, [one, other]: &[Piece; 2]) {
-        let [x, y] = [one, other].map(|piece| piece.u(1.0));
+    /// Takes the end of a part into the peaks.
+    fn see_end(&mut self, [one, other]: &[Part; 2]) {
+        let [x, y] = [one, other].map(|part| part.end()[0]);
         if x.hypot(y) <= self.least {
             return;
         }
@@ -131,17 +131,18 @@ impl Peaks {
         self.find_least();
     }
 
-    /// Takes the extremes of a piece into the peaks.
-    fn reach(&mut self, [one, other]: &[Piece; 2], turn: f64) {
-        let (ends, sags) = ([one.ends(), other.ends()], [one.sag(turn), other.sag(turn)]);
+    /// Takes the extremes of a part into the peaks.
+    fn reach(&mut self, [one, other]: &[Part; 2]) {
+        let (ends, sags) = ([one.ends(), other.ends()], [one.sag(), other.sag()]);
         let size = |end: usize| ends[0][end].hypot(ends[1][end]);
         if size(0).max(size(1)) + sags[0].hypot(sags[1]) <= self.least {
             return;
         }
+        let pieces = [one.piece(), other.piece()];
         for (peak, [c, s]) in self.peaks.iter_mut().zip(&self.directions) {
             let end = |end: usize| (c * ends[0][end] + s * ends[1][end]).abs();
             if end(0).max(end(1)) + (c.abs() * sags[0] + s * sags[1]) > *peak {
-                *peak = peak.max(one.plus(*c, other, *s).peak());
+                *peak = peak.max(pieces[0].plus(*c, &pieces[1], *s).peak());
             }
         }
         self.find_least();
