@@ -91,19 +91,22 @@ fn every_metric_of_structures_is_computed() {
     // Each by its name and the number of its form. Where a study has no such motion, it says nothing about the metric.
     let (mut known, mut computed) = (BTreeSet::new(), BTreeSet::new());
     for (study, parts, changed) in STUDIES {
-        for name in of_motions() {
-            for (form, text) in forms(name, parts).into_iter().enumerate() {
-                if computed.contains(&(name, form)) {
-                    continue;
-                }
-                let changed_study = shipped(study, changed, std::slice::from_ref(&text));
-                let Some(values) = changed_study.and_then(|study| with_value(&study)) else {
-                    continue;
-                };
-                known.insert((name, form));
-                if values.contains(&text) {
-                    computed.insert((name, form));
-                }
+        let parsed = |metrics: &[String]| shipped(study, changed, metrics);
+        let open: Vec<((&str, usize), String)> = of_motions()
+            .flat_map(|name| {
+                let texts = forms(name, parts).into_iter().enumerate();
+                texts.map(move |(form, text)| ((name, form), text))
+            })
+            .filter(|(metric, text)| {
+                !computed.contains(metric) && parsed(std::slice::from_ref(text)).is_some()
+            })
+            .collect();
+        let texts: Vec<String> = open.iter().map(|(_, text)| text.clone()).collect();
+        let values = parsed(&texts).and_then(|study| with_value(&study)).unwrap();
+        for (metric, text) in open {
+            known.insert(metric);
+            if values.contains(&text) {
+                computed.insert(metric);
             }
         }
     }
