@@ -16,7 +16,7 @@ pub(crate) const KEYS: Keys = Keys::new(&fields![
     needed("kind", Kind::Meant(|| &KINDS)),
     /// the number of points; saltelli: base points; a power of 2 is best for Sobol' sequences
     needed("n", Kind::Whole([2, 1_000_000])),
-    /// a whole number that selects the sequence of random numbers; if left out, 0
+    /// seed of the random numbers, a whole number; default 0
     field("seed", Kind::Whole([0, MOST_SEED])),
 ]);
 

@@ -25,7 +25,7 @@ metric_rows! {
     => of.compared.rms();
     ["max_error", "max. error", "1"], "max abs(c - e) / abs(x0)"
     => of.compared.furthest;
-    ["peak_error", "peak error", "1"], "largest error of a peak, over abs(x0); the computed peak k is the extreme value from (k - 1/2) pi to (k + 1/2) pi, k = 1..m; needs duration >= (m + 1/2) pi, m >= 1"
+    ["peak_error", "peak error", "1"], "largest error of a peak, over abs(x0); the computed peak k = 1..m is the extreme value from (k - 1/2) pi to (k + 1/2) pi; needs duration >= (m + 1/2) pi, m >= 1"
     => or_undefined(peak_error(of.compared.c, of.compared.exact).map(|error| error * of.compared.over));
     ["rest_error", "rest error", "1"], "abs(c - e) / abs(x0) at the last step; needs duration >= m pi, the time from which the exact solution rests"
     => or_undefined(of.compared.rest());
@@ -96,7 +96,7 @@ metric_rows! {
 /// The error of the reference.
 static ERRORS: [Metric; 1] = [Metric::selected(
     ["reference_error", "reference error", "1"],
-    "estimated error of an integrated g: rms_error of g with a tolerance of 1e-10 against g with 1e-12, or the part of step_error that the convergence of the steps dT to dT/64 does not explain, if that is larger; empty for the laws of [F]",
+    "estimated error of an integrated g: the larger of rms_error of g with a tolerance of 1e-10 compared with 1e-12, and the part of step_error that the convergence from dT to dT/64 does not explain; empty for the laws of [F]",
 )];
 
 /// The rows of the groups.
