@@ -57,7 +57,7 @@ warnings! {
         "With up to 200 nodes: a mode with fewer than 12 steps in its period causes at least 5 % of the motion of a metric under a load or ground motion alone, or from the start (links at their initial stiffness, no friction or impacts). In friction-oscillator, dT is above 1.",
     AlternatingForce "alternating-force"
         "have metrics of the force of a friction contact that alternates from step to step: use metrics of its work, or of displacements"
-        "A metric uses the force of a friction contact that resists velocity, and over 6 steps its change alternates by more than 1 % of its peak.",
+        "A metric uses the force of a friction contact that resists velocity, which alternates over 6 steps by more than 1 % of its peak.",
     UnheldPart "unheld-part"
         "have a part that nothing holds (a rigid-body mode): without contact and load it moves on freely"
         "Nothing holds a part: no spring, friction or contact that is elastic at t = 0 connects it with the ground, nor do impacts or restrainers hold it in both directions, together or with a lasting load such as its weight. An unloaded part with a start velocity or an impact may move freely.",
@@ -75,7 +75,7 @@ warnings! {
         "With `units`, a part that only contacts with N hold has a sum of N below a quarter or above four times its mass times 9.81 m/s2.",
     NormalTension "normal-tension"
         "have friction without N at a step, since the springs that N names are in tension: look at their signs, and at the weight that presses them (`static`)"
-        "N of a friction contact is the force of springs alone, and is 0 at a step.",
+        "N of a friction contact is the force of springs alone, and 0 at a step.",
     LargeRadius "large-radius"
         "have a pendulum with R above 100 m: look at its units"
         "With `units`, R of a contact is above 100 m.",
@@ -108,13 +108,13 @@ warnings! {
         "`gravity` has a direction that no mass, bar or matrix has; or, with `units` and 9 m/s2 or more, one in which friction contacts alone hold a part.",
     FrictionDirections "friction-directions"
         "have friction contacts of different directions between the same bodies, whose limit together is a polygon: give one contact with \"plane\", whose limit is a disc"
-        "Friction contacts act in different directions between the same nodes or supports, or between the ground and two equal masses: two at a right angle resist up to 1.41 times the limit.",
+        "Friction contacts act in different directions between the same nodes or supports, or between the ground and two equal masses.",
     WaveSpeed "wave-speed"
         "have a bar with a wave speed below 500 m/s or above 8000 m/s, or V0 above a 20th of it: look at the units of its stiffness, mass, length and V0"
         "With `units`, sqrt(EA L/mass) of a bar, or sqrt(E/rho) in bar-impact, is below 500 m/s or, with several elements, above 8000 m/s (steel 5000 m/s, concrete 3500 m/s); or V0 is above a 20th of it, a strain above 2.5 %.",
     MotionCut "motion-cut"
         "have a motion or a load of which less than 95 % is computed: the rest lies after `duration` or between steps"
-        "The steps up to `duration` have less than 95 % of the peak, the Arias intensity or the target spectrum of a recorded motion (of another one: of the target), or a smaller displacement than the file of a support. Of other functions of time: the largest value up to `duration` (of a given displacement: velocity) is more than 5 % above that at the steps, or a sine has fewer than eight steps in a period, so that its impulse is 5 % too small.",
+        "The steps up to `duration` have less than 95 % of the peak, the Arias intensity or the target spectrum of a recorded motion (of another one: of the target), or a smaller displacement than the file of a support. Of other functions of time: the largest value up to `duration` (of a given displacement: velocity) is more than 5 % above that at the steps, or a sine has fewer than eight steps in a period.",
     MeasuredScale "measured-scale"
         "have measured values more than 50 times those of the motion, or below a 50th: look at the unit of the column"
         "The peak of a measured channel that a metric uses is more than 50 times that of the motion, or less than a 50th; of tests as a sample, the median of a metric.",
@@ -123,22 +123,22 @@ warnings! {
         "The bars of bar-impact touch at the last step.",
     Undamped "undamped"
         "have no damping at all, and impacts under an earthquake: each one excites motions that do not decay"
-        "A note: C is 0, there are impacts, and the ground or a support moves by a record or a synthetic motion.",
+        "Note: C is 0, there are impacts, and the ground or a support moves by a record or a synthetic motion.",
     EndsEarly "ends-early"
         "have a `duration` that is no multiple of the time step: the last step is before it"
-        "A note: `duration` over the time step is no whole number.",
+        "Note: `duration` over the time step is no whole number.",
     TimeBefore "time-before"
         "have a table with times before 0: what is before 0 does not act"
-        "A note: a load, a motion or N is a table whose first time is below 0. Files have a note of their own.",
+        "Note: a load, a motion or N is a table whose first time is below 0.",
     Restitution "restitution"
         "have an impact whose law gives a restitution that is not its target"
-        "A note: two rigid bodies of `colliding_mass`, or of the masses of the nodes, part with a restitution that differs from `restitution` by more than 0.05.",
+        "Note: two rigid bodies of `colliding_mass`, or of the masses of the nodes, part with a restitution that differs from `restitution` by more than 0.05.",
     ImpactsAtOnce "impacts-at-once"
         "have rigid impacts that touch at t = 0 and bounce at once with others: Newton's rule acts on all of them together, and with a gap, one after the other, bodies part with other velocities"
-        "A note: a rigid impact with `e` > 0, or one beside it, is closed at t = 0 and shares a body with another one. The order of impacts decides (Newton's cradle), and gap 0 has none.",
+        "Note: a rigid impact with `e` > 0, or one beside it, is closed at t = 0 and shares a body with another one.",
     ImpactsTwice "impacts-twice"
         "have two impacts with the same nodes, law and numbers: both act, so that the stiffness is twice theirs"
-        "A note: two impacts have the same nodes with the same factors, the same gap, law and numbers.",
+        "Note: two impacts have the same nodes with the same factors, the same gap, law and numbers.",
     NeverSlides "never-slides"
         "have friction that never slides: look at the units of N or of the limit"
         "At every step of every case, the force of a friction contact is below 95 % of its limit (of nu_min N, if given). An elastic contact in series with one that slides, yields or damps is left out. In friction-oscillator with a law of the paper, 2 x0/(1 + alpha), from an unloaded start, or x0/beta is below 0.95.",
@@ -165,7 +165,7 @@ warnings! {
         "Of a program of `programs` whose energies a metric or figure needs: over the last tenth of the steps a body does not move, and the forces on it are out of equilibrium by more than 1 % of their sum.",
     ProgramNull "program-null"
         "have no value of a channel at some instants, by a program of others: metrics of it are empty"
-        "A note: a channel of a program of `programs` has a null.",
+        "Note: a channel of a program of `programs` has a null.",
     CheckNotMet "check-not-met"
         "do not meet a check; `slipgap check` lists all checks"
         "A check of the study is not met.",

@@ -14,7 +14,7 @@ use slipgap_problem::problem::numbers::parameter::{Kind, Parameter};
 
 /// The keys besides the names of free parameters, each with its meaning.
 pub(crate) const KEYS: Keys = Keys::new(&fields![
-    /// metric to minimise, such as "rms_error(deck.u, measured)", or arithmetic
+    /// the metric to minimise, such as "rms_error(deck.u, measured)", or arithmetic
     needed(MINIMISE, field::Kind::Text),
     /// seed of the search; default 1
     field("seed", field::Kind::Whole([0, MOST_SEED])),

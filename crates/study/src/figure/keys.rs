@@ -119,13 +119,13 @@ pub(super) const X: Key =
     needed("x", Takes::NumericParameter).means("parameter along the horizontal axis");
 pub(super) const METRICS: Key = needed("y", Takes::Metrics).means("metrics, one panel each");
 pub(super) const BY_OTHERS: Key = field("by", Takes::Parameter)
-    .means("parameter with one line style for each value; default: all others that vary");
+    .means("parameter with one line style for each value; default: all others that vary, outside of an ensemble");
 pub(super) const IN_UNITS: Key =
     field("in_units", Takes::InUnits).means("true: axes in the units of the study");
 pub(super) const BY: Key = field("by", Takes::Parameter)
-    .means("parameter with one line style for each value; default: all others that vary");
+    .means("parameter with one line style for each value; default: all others that vary, outside of an ensemble");
 pub(super) const BY_OUTSIDE: Key = field("by", Takes::Parameter).means(
-    "parameter with one line style for each value; default: all outside of the ensemble that vary",
+    "parameter with one line style for each value; default: all others that vary, outside of an ensemble",
 );
 /// The probabilities of the edges of a band if the study gives none: those of one standard deviation of a normal
 /// distribution.

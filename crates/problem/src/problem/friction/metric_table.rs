@@ -85,11 +85,11 @@ metric_rows! {
     => of.by_method.map(|energy| 2.0 * energy / of.x0.abs());
     ["cost", "cost", "1"], "steps times sub-steps of the method"
     => Some(of.steps as f64);
-    ["spectral_radius", "spectral radius", "1"], "largest magnitude of the eigenvalues of a step without friction, from the closed form of the method"
+    ["spectral_radius", "spectral radius", "1"], "largest magnitude of the eigenvalues of a step without friction"
     => Some(of.step.spectral_radius);
-    ["period_elongation", "period elongation", "1"], "(T - T_0)/T_0 of the period without friction, from the closed form of the method; undefined if the step does not oscillate"
+    ["period_elongation", "period elongation", "1"], "(T - T_0)/T_0 of the period without friction; undefined if the step does not oscillate"
     => of.step.principal.as_ref().map(|eigenvalue| eigenvalue.period_elongation);
-    ["numerical_damping", "numerical damping ratio", "1"], "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction, from the closed form of the method; undefined if the step does not oscillate"
+    ["numerical_damping", "numerical damping ratio", "1"], "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction; undefined if the step does not oscillate"
     => of.step.principal.as_ref().map(|eigenvalue| eigenvalue.damping_ratio);
 }
 

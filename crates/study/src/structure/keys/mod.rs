@@ -63,7 +63,7 @@ pub(crate) const STRUCTURE: Keys = Keys::new(&fields![
     field("contacts", Parts(&Shared("contact"))),
     /// forces on nodes, on each node of a bar, or of matrices in a direction, as tower.x
     field("loads", List(&Object(&LOAD), [0, ANY])),
-    /// acceleration of the ground in x, or an object with those in x, y and z; u is then relative to the ground
+    /// acceleration of the ground in x, or an object with x, y and z; u is then relative to the ground
     field("ground", OneOf(&[Shared("function"), Object(&GROUND),
 ])),
     /// supports with motions of their own: nodes NAME, NAME.x, NAME.y, NAME.z; u is then absolute

@@ -11,7 +11,7 @@ metric_rows! {
     new DEFAULT,
     /// Their values for each lane; not a finite number if undefined.
     fn values[L](of: &Compared<L>) -> Lane<L>;
-    ["contact_duration", "contact duration/*T*_I_", "T_I"], "time from the first zero of r (falling) to the last (rising), with r straight between steps; undefined without contact, and if the bars touch at the end"
+    ["contact_duration", "contact duration/*T*_I_", "T_I"], "time from the first zero of r to the last, with r straight between steps; undefined without contact, and if the bars touch at the end"
     => of.in_contact(of.durations[0]);
     ["contact_steps", "contact in whole steps/*T*_I_", "T_I"], "contact_duration in whole steps: first step with r >= 0 after the last with r < 0, minus last step with r >= 0 before the first with r < 0"
     => of.in_contact(of.durations[1]);

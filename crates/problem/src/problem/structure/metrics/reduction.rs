@@ -137,7 +137,7 @@ reductions! {
         let step = of::divergence(runs.values, runs.other, runs.threshold).filter(|_| !(runs.is_still)())?;
         Some(step as f64 * runs.dt)
     });
-    "first time at which this run differs from one with start and loads 1e-10 larger by more than the threshold times the peak; empty where never",
+    "first time at which a run with start and loads 1e-10 larger differs by more than the threshold times the peak; empty where never",
     ImpactsBeforeDivergence "impacts_before_divergence" ChannelAndThreshold None "impacts before divergence of {} by {threshold}"
     Perturbed(|runs| {
         let end = of::divergence(runs.values, runs.other, runs.threshold).filter(|_| !(runs.is_still)());
@@ -149,7 +149,7 @@ reductions! {
     "largest difference between these two runs over the peak; empty where the channel is always 0",
     SpragueGeersMagnitude "sprague_geers_magnitude" MeasuredChannel None "magnitude error (Sprague-Geers) of {}"
     Measured(|times, [c, m]| Some(of_measured::sprague_geers(times, c, m)?.magnitude));
-    "M = sqrt(I_cc/I_mm) - 1, I_xy the integral of x y over the measured times by trapezoids; above 0 where the computed motion is larger",
+    "M = sqrt(I_cc/I_mm) - 1, I_xy the integral of x y over the measured times; above 0 where the computed motion is larger (Schwer 2007)",
     SpragueGeersPhase "sprague_geers_phase" MeasuredChannel None "phase error (Sprague-Geers) of {}"
     Measured(|times, [c, m]| Some(of_measured::sprague_geers(times, c, m)?.phase));
     "P = acos(I_cm/sqrt(I_cc I_mm))/pi: 0 for the same shape, 0.5 without correlation, 1 for the opposite sign",
@@ -161,7 +161,7 @@ reductions! {
     "mean of the integral of S dr over whole cycles; a cycle begins where r rises through the middle of its extremes after it was 5 % of the half range below; without a window the one from rest counts, too; empty without one",
     LoopDistance "loop_distance" MeasuredLoop None "distance of the loop of {} and {} from the measured one"
     Loop(of_measured::loop_distance);
-    "distance of the computed and the measured loop of two channels, each over half its measured range: the larger mean distance from the points of one to the lines of the other",
+    "distance of the computed and the measured loop of two channels, each over half its measured range: the larger mean distance from the points of one to the lines of the other (Dubuisson and Jain 1994)",
     GroundPga "ground.pga" Ground Acceleration "peak ground acceleration" Ground(OfGround::Measure(Measure::PeakAcceleration));
     "largest acceleration at the steps; all measures are of the scaled motion up to duration",
     GroundPgv "ground.pgv" Ground Velocity "peak ground velocity" Ground(OfGround::Measure(Measure::PeakVelocity));
