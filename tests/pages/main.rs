@@ -8,7 +8,7 @@
 //!   At the end of the page every study is listed, and run and checked if no command of the page has run it.
 //! - before commands: `<!-- test: with --set duration=1 -->`, further arguments of `run`, `check` and `calibrate`, for studies that take long;
 //!   `<!-- test: exits with 5 -->`.
-//! - anywhere: `<!-- test: FILE from PATH -->`, a file of the repository under this name; `<!-- test: only listed -->`, studies of
+//! - anywhere: `<!-- test: FILE from PATH -->`, a file of the repository under this name (`FOLDER/START* from PATH`: files of a folder); `<!-- test: only listed -->`, studies of
 //!   the page that no command runs are not run; `<!-- test: not run: REASON -->`, for the next block.
 
 #[path = "../common/bench.rs"]

@@ -29,11 +29,24 @@ impl Scene {
         }
     }
 
-    /// `FILE from PATH`: a file of the repository under the name that the page gives it.
+    /// `FILE from PATH`: a file of the repository under the name that the page gives it. `FOLDER/START* from PATH`: those of a folder.
     pub(crate) fn copy(&mut self, file: &str, path: &str) {
-        let bytes = fs::read(Path::new(env!("SLIPGAP_ROOT")).join(path));
-        self.bench
-            .file(file, bytes.unwrap_or_else(|e| panic!("{path}: {e}")));
+        let source = Path::new(env!("SLIPGAP_ROOT")).join(path);
+        let Some((folder, start)) = file
+            .strip_suffix('*')
+            .and_then(|name| name.rsplit_once('/'))
+        else {
+            let bytes = fs::read(source);
+            let bytes = bytes.unwrap_or_else(|e| panic!("{path}: {e}"));
+            return self.bench.file(file, bytes);
+        };
+        let entries = fs::read_dir(source).unwrap_or_else(|e| panic!("{path}: {e}"));
+        let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        let mut names = names.filter(|name| name.starts_with(start)).peekable();
+        assert!(names.peek().is_some(), "{path} has no {start}*");
+        for name in names {
+            self.copy(&format!("{folder}/{name}"), &format!("{path}/{name}"));
+        }
     }
 
     /// A whole study for a file.

@@ -1,4 +1,4 @@
-"""How often the 95 % intervals of medians and fragilities contain what they estimate: the table of docs/results.md, by simulation.
+"""How often the 95 % intervals of medians and fragilities contain what they estimate: the table of README.md, Coverage, by simulation.
 
 Capacities are lognormal; ln of the true median is 0, the true dispersion 1 (of a cloud 0.4 at ln y = 0.5, slope 1). `bounded`: members with ln x
 above 0.5 do not reach the limit (31 %). `trials`: eight values of x from -2 to 2 dispersions, independent, or all of the same members

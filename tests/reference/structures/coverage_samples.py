@@ -1,4 +1,4 @@
-"""How often 95 % intervals of samples contain what they estimate: the second table of docs/results.md, by simulation (as coverage.py).
+"""How often 95 % intervals of samples contain what they estimate: the other rows of the table of coverage.py, by simulation.
 
 clouds: five cases of each member, whose deviations have a common half; median and dispersion by the jackknife over the members.
 frequencies: incremental, lognormal capacities with a dispersion of 0.4, H = x^-k. probability: Clopper and Pearson. band: of a

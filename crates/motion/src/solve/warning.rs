@@ -45,7 +45,7 @@ macro_rules! warnings {
 warnings! {
     ShortContact "short-contact"
         "have an impact that touches for fewer than 6 steps at the stiffness it reaches: too few for its force, take a smaller dt"
-        "Two free masses of the nodes of an impact that touches would touch for fewer than 6 steps, with delta^1.5 at the stiffness of the largest overlap; of bars `contact_steps` is shorter.",
+        "An impact that touches would last fewer than 6 steps with the free masses of its nodes, with delta^1.5 at the stiffness of the largest overlap; of bars `contact_steps` is shorter.",
     ContactGain "contact-gain"
         "have a contact whose work is negative by more than 1 % of the largest energy: it makes energy, and peaks may be far too high; take a smaller dt"
         "Up to some step, the work of a contact and what it stored at t = 0 are negative by more than 1 % of the largest energy.",
@@ -54,16 +54,16 @@ warnings! {
         "`energy_drift_max` or `energy_drift_final` of the bars is above 1 %.",
     LongStep "long-step"
         "have a step that is long for the structure itself: fewer than 12 steps in the shortest period that matters; take a smaller dt"
-        "Of up to 200 nodes: a metric of displacements, velocities, accelerations or forces has at least 5 % of its motion from a mode with fewer than 12 steps in its period, with the elastic links at their initial stiffness, without friction and impacts. The motion is that by a load or a motion of the ground, alone, or from the start. Of friction-oscillator, dT is above 1.",
+        "With up to 200 nodes: a mode with fewer than 12 steps in its period causes at least 5 % of the motion of a metric under a load or ground motion alone, or from the start (links at their initial stiffness, no friction or impacts). In friction-oscillator, dT is above 1.",
     AlternatingForce "alternating-force"
         "have metrics of the force of a friction contact that alternates from step to step: use metrics of its work, or of displacements"
-        "A metric uses the force of a friction contact that resists velocity, and over 6 steps its change alternates by more than 1 % of its peak.",
+        "A metric uses the force of a friction contact that resists velocity, which alternates over 6 steps by more than 1 % of its peak.",
     UnheldPart "unheld-part"
         "have a part that nothing holds (a rigid-body mode): without contact and load it moves on freely"
-        "Neither springs nor contacts that are elastic at t = 0 nor friction connect a part with the ground, nor do impacts or restrainers hold it in both directions, together or with a load that lasts, such as its weight. Without a load on it, one with a start velocity or an impact may move freely.",
+        "Nothing holds a part: no spring, friction or contact that is elastic at t = 0 connects it with the ground, nor do impacts or restrainers hold it in both directions, together or with a lasting load such as its weight. An unloaded part with a start velocity or an impact may move freely.",
     ClosedAtStart "closed-at-start"
         "have an impact that is closed at t = 0 without a static equilibrium: it throws its bodies apart; a gap is open where r > 0"
-        "At t = 0 an impact has r < 0, and there is no `static` that sets it in equilibrium.",
+        "At t = 0 an impact has r < 0, and no `static` sets it in equilibrium.",
     RecordPeak "record-peak"
         "have a record with a peak above 2 g or below 1e-4 g: look at its unit and its scale"
         "With `units`, a ground acceleration times its scale, which is not 0, has a peak above 2 g or below 1e-4 g.",
@@ -72,19 +72,19 @@ warnings! {
         "With `units`, the largest overlap of an impact that does not yield is larger than its gap > 0 and than half of what r rises above the gap.",
     NormalWeight "normal-weight"
         "have contacts whose N together is far from the weight that rests on them: N is a force, look at its units"
-        "With `units`, a part that only contacts with N hold, on the ground or on parts with springs, has a sum of N below a quarter or above four times its mass times 9.81 m/s2.",
+        "With `units`, a part that only contacts with N hold has a sum of N below a quarter or above four times its mass times 9.81 m/s2.",
     NormalTension "normal-tension"
         "have friction without N at a step, since the springs that N names are in tension: look at their signs, and at the weight that presses them (`static`)"
-        "N of a friction contact is the force of springs alone, and is 0 at a step.",
+        "N of a friction contact is the force of springs alone, and 0 at a step.",
     LargeRadius "large-radius"
         "have a pendulum with R above 100 m: look at its units"
         "With `units`, R of a contact is above 100 m.",
     SupportDrift "support-drift"
         "have a support that drifts away: a sine acceleration from rest has a mean velocity of amplitude/omega; a `phase` of pi/2 has none"
-        "A support has a `sine` acceleration whose velocity has a mean that moves it further than its amplitude up to `duration`, and no `baseline` that removes it.",
+        "A `sine` acceleration of a support, without a `baseline`, has a mean velocity that moves it further than its amplitude up to `duration`.",
     SpringMass "spring-mass"
         "have a spring whose `mass` is not that of its nodes"
-        "`mass` of a spring with a period is 1 % or more below the mass of its node (of two, m1 m2/(m1 + m2)), or above that of all nodes that springs and bars connect with it; rows of matrices are left out.",
+        "`mass` of a spring with a period is 1 % or more below the mass of its node (of two, m1 m2/(m1 + m2)), or above that of all nodes that springs and bars connect with it; nodes of matrices are left out.",
     SpringPeriod "spring-period"
         "have a spring with a period below 0.01 s: look at its unit"
         "With `units`, `period` of a spring is above 0 and below 0.01 s.",
@@ -99,58 +99,58 @@ warnings! {
         "`nu` of a contact is above 2.",
     CollidingMass "colliding-mass"
         "have an impact whose `colliding_mass` is far from m1 m2/(m1 + m2): its restitution is another one"
-        "`colliding_mass` is below half of m1 m2/(m1 + m2) of the nodes of the contact, or above twice that of all that springs and bars connect with them; rows of matrices are left out.",
+        "`colliding_mass` is below half of m1 m2/(m1 + m2) of the nodes, or above twice that of all that springs and bars connect with them; nodes of matrices are left out.",
     MatrixPeriods "matrix-periods"
         "have matrices whose longest period is below 0.05 s or above 10 s: M and K may be exchanged, or not be in `units`"
         "With `units`, the longest natural period of a structure with matrices, without contacts, is below 0.05 s or above 10 s.",
     IdleGravity "idle-gravity"
         "have `gravity` in a direction in which nothing carries weight"
-        "`gravity` other than 0 has a direction that no mass, bar or row of matrices has; or, with `units` and 9 m/s2 or more, one in which friction contacts alone hold a part.",
+        "`gravity` has a direction that no mass, bar or matrix has; or, with `units` and 9 m/s2 or more, one in which friction contacts alone hold a part.",
     FrictionDirections "friction-directions"
         "have friction contacts of different directions between the same bodies, whose limit together is a polygon: give one contact with \"plane\", whose limit is a disc"
-        "Friction contacts act in different directions between the same masses, nodes of matrices (rows or tied) or supports, or between the ground and two equal masses: two at a right angle together resist up to 1.41 times the limit.",
+        "Friction contacts act in different directions between the same nodes or supports, or between the ground and two equal masses.",
     WaveSpeed "wave-speed"
         "have a bar with a wave speed below 500 m/s or above 8000 m/s, or V0 above a 20th of it: look at the units of its stiffness, mass, length and V0"
-        "With `units`, sqrt(EA L/mass) of a bar, or sqrt(E/rho) in bar-impact, is below 500 m/s or, with several elements, above 8000 m/s; steel has 5000 m/s, concrete 3500 m/s. Or V0 in bar-impact is above a 20th of it, so that the strain is more than 2.5 %.",
+        "With `units`, sqrt(EA L/mass) of a bar, or sqrt(E/rho) in bar-impact, is below 500 m/s or, with several elements, above 8000 m/s (steel 5000 m/s, concrete 3500 m/s); or V0 is above a 20th of it, a strain above 2.5 %.",
     MotionCut "motion-cut"
         "have a motion or a load of which less than 95 % is computed: the rest lies after `duration` or between steps"
-        "The accelerations at the steps up to `duration` have less than 95 % of the peak, the Arias intensity or the target spectrum of a recorded motion, or of the target of another motion; or the file of a support has a larger displacement than the steps. Of other loads, motions and N as functions of time: up to `duration`, the largest value, or the largest velocity of a given displacement, is above that at the steps by more than 5 %, or a sine has less than eight steps in a period, so that its impulse is 5 % too small.",
+        "The steps up to `duration` have less than 95 % of the peak, the Arias intensity or the target spectrum of a recorded motion (of another one: of the target), or a smaller displacement than the file of a support. Of other functions of time: the largest value up to `duration` (of a given displacement: velocity) is more than 5 % above that at the steps, or a sine has fewer than eight steps in a period.",
     MeasuredScale "measured-scale"
         "have measured values more than 50 times those of the motion, or below a 50th: look at the unit of the column"
-        "A metric compares with what was measured, and its peak is more than 50 times that of the same channel of the motion, or less than a 50th; of tests that are compared as a sample, the median of a metric.",
+        "The peak of a measured channel that a metric uses is more than 50 times that of the motion, or less than a 50th; of tests as a sample, the median of a metric.",
     EndsInContact "ends-in-contact"
         "end while the bars touch; `contact_duration` and `contact_steps` are undefined: take a longer `duration`"
         "The bars of bar-impact touch at the last step.",
     Undamped "undamped"
         "have no damping at all, and impacts under an earthquake: each one excites motions that do not decay"
-        "A note: C is 0, there are impacts, and the ground or a support moves by a record or a synthetic motion.",
+        "Note: C is 0, there are impacts, and the ground or a support moves by a record or a synthetic motion.",
     EndsEarly "ends-early"
         "have a `duration` that is no multiple of the time step: the last step is before it"
-        "A note: `duration` over the time step is no whole number.",
+        "Note: `duration` over the time step is no whole number.",
     TimeBefore "time-before"
         "have a table with times before 0: what is before 0 does not act"
-        "A note: a load, a motion or N is a table whose first time is below 0. Files have a note of their own.",
+        "Note: a load, a motion or N is a table whose first time is below 0.",
     Restitution "restitution"
         "have an impact whose law gives a restitution that is not its target"
-        "A note: two rigid bodies of `colliding_mass`, or of the masses of the nodes, part with a restitution that differs from `restitution` by more than 0.05.",
+        "Note: two rigid bodies of `colliding_mass`, or of the masses of the nodes, part with a restitution that differs from `restitution` by more than 0.05.",
     ImpactsAtOnce "impacts-at-once"
         "have rigid impacts that touch at t = 0 and bounce at once with others: Newton's rule acts on all of them together, and with a gap, one after the other, bodies part with other velocities"
-        "A note: a rigid impact with `e` > 0, or one beside it, is closed at t = 0 and shares a body with another one. The order of impacts decides (Newton's cradle), and gap 0 has none.",
+        "Note: a rigid impact with `e` > 0, or one beside it, is closed at t = 0 and shares a body with another one.",
     ImpactsTwice "impacts-twice"
         "have two impacts with the same nodes, law and numbers: both act, so that the stiffness is twice theirs"
-        "A note: two impacts have the same nodes with the same factors, the same gap, law and numbers.",
+        "Note: two impacts have the same nodes with the same factors, the same gap, law and numbers.",
     NeverSlides "never-slides"
         "have friction that never slides: look at the units of N or of the limit"
-        "The force of a friction contact is below 95 % of its limit (of nu_min N, if it has nu_min) at every step, in every case of the study. An elastic contact in series with one that slides, yields or damps is left out. In friction-oscillator with a law of the paper: 2 x0/(1 + alpha), from an unloaded start, or x0/beta is below 0.95.",
+        "At every step of every case, the force of a friction contact is below 95 % of its limit (of nu_min N, if given). An elastic contact in series with one that slides, yields or damps is left out. In friction-oscillator with a law of the paper, 2 x0/(1 + alpha), from an unloaded start, or x0/beta is below 0.95.",
     NoContact "no-contact"
         "have no contact before `duration`; their contact metrics are undefined or 0"
-        "No impact touches before `duration`, in every case of the study: a gap that stays open in some cases is a result.",
+        "No impact touches in any case; a gap that stays open in some cases is a result.",
     NeverYields "never-yields"
         "have contacts with Fy of which none yields: look at the units of Fy"
-        "The forces of all contacts with `Fy` that act are below 95 % of it at every step, in every case of the study.",
+        "At every step of every case, the forces of all contacts with `Fy` that act are below 95 % of it.",
     NeverPulls "never-pulls"
         "have restrainers of which none pulls: look at the units of their slack"
-        "No contact with `slack` has a force at any step, in every case of the study.",
+        "No contact with `slack` has a force at any step of any case.",
     Runaway "runaway"
         "have a structure that has lost its stability and runs away: peaks grow with `duration` and are no measure of the motion; a fragility figure counts it with `collapse`"
         "K is not positive semidefinite, or a link softens, and at the last step the structure is further from its equilibrium than ever, moves on, and its own forces push it further.",
@@ -165,7 +165,7 @@ warnings! {
         "Of a program of `programs` whose energies a metric or figure needs: over the last tenth of the steps a body does not move, and the forces on it are out of equilibrium by more than 1 % of their sum.",
     ProgramNull "program-null"
         "have no value of a channel at some instants, by a program of others: metrics of it are empty"
-        "A note: a channel of a program of `programs` has a null.",
+        "Note: a channel of a program of `programs` has a null.",
     CheckNotMet "check-not-met"
         "do not meet a check; `slipgap check` lists all checks"
         "A check of the study is not met.",

@@ -20,7 +20,7 @@ pub(crate) const RULES: Keys = Keys::new(&fields![
     field("linspace", THREE),
     /// [a, b, n]: n numbers from a to b, with the same ratio between neighbours
     field("geomspace", THREE),
-    /// [a, b, step]: a, a + step, ... up to b; b is included if it is a whole number of steps from a
+    /// [a, b, step]: a, a + step, ... up to b, with b if whole steps reach it
     field("range", THREE),
 ])
 .rules(&[field::Rule::One(&["linspace", "geomspace", "range"], &[])]);

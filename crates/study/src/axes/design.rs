@@ -14,9 +14,9 @@ use slipgap_problem::problem::numbers::parameter::Parameter;
 pub(crate) const KEYS: Keys = Keys::new(&fields![
     /// how the points are chosen
     needed("kind", Kind::Meant(|| &KINDS)),
-    /// the number of points; saltelli: base points; a power of 2 is best for Sobol' sequences
+    /// the number of points, of saltelli base points; for Sobol' sequences best a power of 2
     needed("n", Kind::Whole([2, 1_000_000])),
-    /// a whole number that selects the sequence of random numbers; if left out, 0
+    /// seed of the random numbers, a whole number; default 0
     field("seed", Kind::Whole([0, MOST_SEED])),
 ]);
 

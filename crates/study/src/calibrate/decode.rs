@@ -14,13 +14,13 @@ use slipgap_problem::problem::numbers::parameter::{Kind, Parameter};
 
 /// The keys besides the names of free parameters, each with its meaning.
 pub(crate) const KEYS: Keys = Keys::new(&fields![
-    /// the metric that the best values make smallest, such as "rms_error(deck.u, measured)"; arithmetic, too
+    /// the metric to minimise, such as "rms_error(deck.u, measured)", or arithmetic
     needed(MINIMISE, field::Kind::Text),
-    /// seed of the search; 1 if left out
+    /// seed of the search; default 1
     field("seed", field::Kind::Whole([0, MOST_SEED])),
-    /// cases for each alternative, of which the search takes three quarters and profiles the rest; 20000 if left out
+    /// cases for each alternative, three quarters for the search and the rest for profiles; default 20000
     field("cases", field::Kind::Whole(LIMITS)),
-    /// free parameters that vary from test to test, of which mean and scatter are found; each test is fitted alone, too
+    /// free parameters that vary from test to test, for their mean and scatter
     field("varies", field::Kind::Several(&field::Kind::Text, [1, ANY])),
 ]);
 

@@ -13,11 +13,11 @@ use slipgap_problem::problem::numbers::parameter::{self, Range};
 
 /// The keys besides the names of free parameters, each with its meaning.
 pub(crate) const KEYS: Keys = Keys::new(&fields![
-    /// the parameters to choose, such as ["law", "dt", "n"]; cases that differ only in these, and in what changes with them, are candidates for the same physical case
+    /// parameters to choose, such as ["law", "dt", "n"]; cases that differ only in these, and in what changes with them, are candidates for one physical case
     needed("over", NAMES),
-    /// the metrics to keep, each with its tolerance, as in {"peak(gap.S)": 0.02}: an error such as rms_error(a) is at most this, any other metric differs by at most this fraction from that of the exact or finest motion
+    /// metrics with tolerances, as in {"peak(gap.S)": 0.02}: the largest error such as rms_error(a), or of any other metric the largest fraction by which it differs from the exact or finest motion
     needed(WITHIN, Kind::Shared("tolerances")),
-    /// numbers among those in over whose next smaller and next larger values must keep the metrics, too
+    /// numbers in over whose next smaller and larger values must keep the metrics, too
     field("neighbours", NAMES),
 ]);
 

@@ -23,9 +23,9 @@ pub const WITHIN: &str = "within";
 pub(crate) const NAMED: Keys = Keys::new(&fields![
     /// the metric, arithmetic of metrics, or a ratio
     needed("value", Kind::Text),
-    /// its unit, for figures; none if left out
+    /// its unit, for figures; default none
     field("unit", Kind::Text),
-    /// its title in figures; the name if left out
+    /// its title in figures; default the name
     field("title", Kind::Text),
 ]);
 

@@ -101,11 +101,11 @@ pub(crate) fn blocks(
 
 /// The keys of a block in addition to `parameters`, each with its meaning.
 pub(crate) const BLOCK_KEYS: &[Field] = &fields![
-    /// groups of axes that advance together: one case for each position, not for each combination
+    /// groups of axes that advance together instead of being combined
     field("zip", Kind::List(&Kind::List(&Kind::Text, [2, ANY]), [0, ANY])),
-    /// a condition, as in "dt <= 0.5/n"; only combinations that meet it become cases; names are written in single quotes
+    /// a condition that every case meets, as in "dt <= 0.5/n"; names are in single quotes
     field("when", Kind::Text),
-    /// points that fill the ranges of all parameters given as uniform or loguniform
+    /// points that fill the ranges of parameters
     field("design", Kind::Object(&design::KEYS)),
 ];
 

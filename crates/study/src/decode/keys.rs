@@ -11,7 +11,7 @@ use slipgap_problem::problem;
 
 /// The keys of a study, each with its meaning.
 pub(crate) const OF_STUDY: Keys = Keys::new(&fields![
-    /// location of the schema, for editors; slipgap ignores it
+    /// schema for editors; slipgap ignores it
     field("$schema", Kind::Text),
     /// what the study shows, in one line
     field("title", Kind::Text),
@@ -23,22 +23,22 @@ pub(crate) const OF_STUDY: Keys = Keys::new(&fields![
     field("structure", Kind::Any),
     MEASURED,
     PROGRAMS,
-    /// several sets of parameters instead of one; their cases follow one another
+    /// several sets of parameters, whose cases follow one another
     field("blocks", LIST),
     SHARED,
-    /// metrics in addition to the default ones, each a column of results.csv: a name, arithmetic such as "max(a3 - a2)/h", a ratio such as "peak(gap.S) relative to gamma = 1", or an object that names one, such as {"drift": "max(a3 - a2)/h"}
+    /// further metrics, each a column of results.csv: names, arithmetic such as "max(a3 - a2)/h", ratios such as "peak(gap.S) relative to gamma = 1", or objects such as {"drift": "max(a3 - a2)/h"}
     field("metrics", Kind::Shared("metrics")),
     REDUCTIONS,
-    /// a parameter or a list of parameters over which the cases are an ensemble
+    /// parameters over which the cases are an ensemble: one, or a list
     field("ensemble", Kind::Any),
     /// units of the parameters, for results in them; nothing is converted
     field("units", Kind::Any),
     SHOWN,
-    /// converged (if left out), or once: each step is solved once with the matrices of the papers
+    /// converged (default), or once: each step is solved once with the matrices of the papers
     field("iteration", Kind::Words("iteration", || vec!["converged", "once"], None)),
     /// free parameters with their ranges and the metric to minimise, for `slipgap calibrate`
     field("calibrate", Kind::Any),
-    /// the parameters to choose and the metrics to keep within tolerances, for `slipgap recommend`
+    /// parameters to choose and metrics to keep, for `slipgap recommend`
     field("recommend", Kind::Shared("recommend")),
     /// figures to draw
     field("figures", LIST),

@@ -10,7 +10,7 @@ use slipgap_problem::problem::numbers::parameter::Parameter;
 
 /// The key of parameters of all blocks, with its meaning.
 pub(super) const SHARED: Field = field("shared", Kind::Shared("parameters"))
-    .means("parameters of every block, next to \"blocks\"; one that a block gives itself is that of the block");
+    .means("parameters of every block that does not give them itself");
 
 /// Puts the shared parameters into each block. Without blocks they stay, which is a fault.
 pub(super) fn share(root: &mut Node) {

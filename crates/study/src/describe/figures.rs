@@ -18,7 +18,7 @@ pub(super) fn reference() -> String {
     let scales = of_kinds(&with_scales.map(|kind| kind.name).collect::<Vec<_>>());
     format!(
         "{}\n\nKeys of several kinds:\n\n{}\n- `x_scale`, `y_scale`, `z_scale`, `colour_scale` of {scales}: linear or log; \
-         if left out linear, in `front` log\n\nThe kinds, with their own keys; bold ones are required:\n\n{}",
+         default linear, in `front` log\n\nThe kinds, with their own keys; bold ones are required:\n\n{}",
         common.join("\n"),
         several.join("\n"),
         kinds.join("\n")

@@ -52,8 +52,7 @@ pub(super) fn problem_page(problem: &dyn Problem) -> String {
     let schema = problem.schema();
     let mut text = format!(
         "# Study files: {name}\n\n`\"problem\": \"{name}\"`: {}. \
-         [study-files.md](study-files.md) has the keys of all problems and the parameters of the method, [scope.md](scope.md) symbols, \
-         [laws-and-methods.md](laws-and-methods.md) the laws.\n\n## Parameters\n\n",
+         Also: [keys of all problems](study-files.md), [symbols](scope.md#symbols), [laws and methods](laws-and-methods.md).\n\n## Parameters\n\n",
         schema.meaning
     );
     let of_method = |parameter: &Parameter| METHOD.iter().any(|row| row.name == parameter.name);
@@ -102,7 +101,7 @@ fn parameters(listed: &[&Parameter]) -> String {
         text += &match (group, like(group[0])) {
             ([_, _, ..], Some((_, from))) => {
                 let names: Vec<&str> = group.iter().map(|p| &*p.name).collect();
-                format!("- {}: {from} if left out", code(&names))
+                format!("- {}: default {from}", code(&names))
             }
             _ => item(group[0]),
         };
@@ -172,7 +171,7 @@ fn metrics(problem: &dyn Problem, default: bool) -> String {
         let (formula, rest) = meaning.split_once("; ").unwrap_or((meaning, ""));
         let names = names.join(", ");
         // Long conditions that several metrics share are written once.
-        text += &match rest.len() > 100 && rest == above {
+        text += &match rest.len() > 60 && rest == above {
             true => format!("- {names}: {formula}; the rest as above\n"),
             false => format!("- {names}: {meaning}\n"),
         };

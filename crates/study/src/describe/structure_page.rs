@@ -65,13 +65,12 @@ pub(super) fn reference() -> String {
     ]);
     let sections = [
         format!(
-            "# Study files: {NAME}\n\nKeys, channels and metrics of a study with `\"problem\": \"{NAME}\"`: {MEANING}. \
-             [study-files.md](study-files.md) has the keys of all problems, [structures.md](structures.md) the equations, \
-             [laws-and-methods.md](laws-and-methods.md) the laws, [parts.md](parts.md) examples."
+            "# Study files: {NAME}\n\n`\"problem\": \"{NAME}\"`: {MEANING}. Also: [keys of all problems](study-files.md), [equations](structures.md), \
+             [laws](laws-and-methods.md), [examples](parts.md)."
         ),
         keys(
-            "Parameters have free names, except these two and those of the method. Every number in `structure` may be an \
-             expression of parameters; `law`, `record` and the files of `matrices` may be the name of one with names as values.",
+            "Parameters have free names, except these two and those of the method. Numbers in `structure` may be expressions of \
+             parameters; `law`, `record` and files of `matrices` may name a parameter.",
             &FIXED,
         ),
         table("## The keys of `structure`", &keys::STRUCTURE),
@@ -112,13 +111,12 @@ pub(super) fn reference() -> String {
             &keys::RULES.map(|rule| (rule.name, rule.meaning)),
         ),
         table(
-            "Files as an axis, under `record`, `file` of `measured`, or a parameter that chooses one of these; those with the same text for `*` \
-             go together:",
+            "Files as an axis, under `record`, `file` of `measured`, or their parameter; those with the same text for `*` go together:",
             &keys::FILES,
         ),
         table(
-            "`choose`: the `n` records whose logarithms have together the least squared errors of mean and standard deviation, by a greedy \
-             search (Baker and Lee 2018). Spectra are kept in the user's cache by the content of the files. Its keys:",
+            "`choose`: the `n` records whose logarithms have the least squared errors of mean and standard deviation, by a greedy \
+             search (Baker and Lee 2018). Spectra stay in the user's cache. Its keys:",
             &keys::CHOOSE,
         ),
         table(
@@ -155,26 +153,24 @@ pub(super) fn reference() -> String {
             &[OF_GROUND, OF_BASE].concat(),
         ),
         keys(
-            "Energies of the whole structure, of the motion relative to the ground, or beside what nodes follow supports at rest; of the \
-             absolute motion with K of supports at 0 for a support of a given displacement. The exact motion has none:",
+            "Energies of the whole structure, of u relative to the ground, or of w of [supports](structures.md#the-equations); with a support of \
+             a given displacement of the absolute motion, with K of supports at 0. The exact motion has none:",
             &OF_ENERGY,
         ),
-        "Figures write channels in words with the unit, as in \"Displacement of g1.right relative to p2, m\". `\"names\"` of the study gives \
-         other words, to a channel, or to a contact for all of its channels and metrics."
+        "Figures write channels in words with the unit, as in \"Displacement of g1.right relative to p2, m\", or as `names` of the study has them."
             .into(),
         "## Metrics".into(),
         keys(
             "`metrics` lists reductions of a channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`, and measures of \
              the ground, with several directions as `ground.y.pga`. c is computed, e exact (`contacts_reference`), g the exact motion of \
-             the softened laws. A window, as in `peak(a, from=10, to=2*T)`, takes the steps at times t with from <= t <= to, numbers or expressions of parameters; \
-             either may be left out. All reductions have it but those of energies, the ground and divergence. `residual(a3 - a2)/3.2` is a \
+             the softened laws. A window, as in `peak(a, from=10, to=2*T)`, has the steps from `from` to `to`, of which either may be \
+             left out; energies, the ground and divergence have none. `residual(a3 - a2)/3.2` is a \
              residual drift, `sqrt(peak(a.x)^2 + peak(a.y)^2)` the SRSS of two peaks.",
             &REDUCTIONS,
         ),
         keys(
             "`NAME(CHANNEL, measured)` compares with a column of `measured`, `loop_distance(CHANNEL, CHANNEL, measured)` with two, at the \
-             measured times, straight between the steps. These of the reductions above may have `measured`; m is measured, W the energy \
-             of a cycle:",
+             measured times, straight between the steps. So may these; m is measured, W the energy of a cycle:",
             &of_measured(),
         ),
     ];

@@ -50,7 +50,7 @@ pub(crate) enum Takes {
     Marks,
     /// `linear` or `log`.
     Scale,
-    /// The same; if left out, `log`.
+    /// The same; default `log`.
     ScaleOrLog,
     /// Which value a line follows.
     Ridge,
@@ -108,7 +108,7 @@ pub(crate) static COMMON: [Key; 6] = fields![
     field("title", Takes::Text),
     /// remark in small type under the panels
     field("note", Takes::Text),
-    /// width in mm, 70 to 400, such as 90 for a column and 190 for a page; letters keep their size
+    /// width in mm, 70 to 400 (a column 90, a page 190); letters keep their size
     field("width", Takes::Width),
     /// which cases to show: a value or a list for parameters
     field("where", Takes::Filter),
@@ -119,29 +119,30 @@ pub(super) const X: Key =
     needed("x", Takes::NumericParameter).means("parameter along the horizontal axis");
 pub(super) const METRICS: Key = needed("y", Takes::Metrics).means("metrics, one panel each");
 pub(super) const BY_OTHERS: Key = field("by", Takes::Parameter)
-    .means("parameter with one line style for each value; if left out, all others that vary");
+    .means("parameter with one line style for each value; default: all others that vary, outside of an ensemble");
 pub(super) const IN_UNITS: Key =
     field("in_units", Takes::InUnits).means("true: axes in the units of the study");
 pub(super) const BY: Key = field("by", Takes::Parameter)
-    .means("parameter with one line style for each value; if left out, all that vary");
-pub(super) const BY_OUTSIDE: Key = field("by", Takes::Parameter)
-    .means("parameter with one line style for each value; if left out, all outside of the ensemble that vary");
+    .means("parameter with one line style for each value; default: all others that vary, outside of an ensemble");
+pub(super) const BY_OUTSIDE: Key = field("by", Takes::Parameter).means(
+    "parameter with one line style for each value; default: all others that vary, outside of an ensemble",
+);
 /// The probabilities of the edges of a band if the study gives none: those of one standard deviation of a normal
 /// distribution.
 pub(super) const USUAL: [f64; 2] = [0.16, 0.84];
 pub(super) const BAND: Key = field("band", Takes::Probabilities)
-    .means("probabilities at the edges of the band; if left out, [0.16, 0.84]");
+    .means("probabilities at the edges of the band; default [0.16, 0.84]");
 pub(super) const PANELS: Key =
     field("panels", Takes::Parameter).means("parameter with one panel for each value");
 pub(super) const X_SCALE: Key =
-    field("x_scale", Takes::Scale).means("horizontal scale; if left out, linear");
+    field("x_scale", Takes::Scale).means("horizontal scale; default linear");
 pub(super) const Y_SCALE: Key =
-    field("y_scale", Takes::Scale).means("vertical scale; if left out, linear");
+    field("y_scale", Takes::Scale).means("vertical scale; default linear");
 pub(super) const X_RANGE: Key = field("x_range", Takes::Range)
     .means("first and last value of the horizontal axis, as in [0, 10]");
 pub(super) const Y_RANGE: Key = field("y_range", Takes::Range)
     .means("first and last value of the vertical axis, for one quantity in y");
 pub(super) const COLOUR: Key = field("colour", Takes::Switch)
-    .means("false: black curves with dashes and markers, and hatched bands; if left out, unbroken curves in colours for any colour vision, from the seventh on with markers");
+    .means("false: black curves with dashes and markers, and hatched bands; default: colours for any colour vision, from the seventh curve on with markers");
 pub(super) const MARKERS: Key =
     field("markers", Takes::Switch).means("true: curves in colour have markers, too");

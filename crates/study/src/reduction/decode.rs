@@ -18,7 +18,7 @@ const FORM: &str =
 
 /// The key with its meaning.
 pub(crate) const KEY: Field = field("reductions", Kind::List(&Kind::Shared("reduction"), [0, ANY]))
-    .means("metrics reduced over parameters, each a text such as \"least rms_error over alpha\"; figures and checks use it like a metric");
+    .means("metrics reduced over parameters, such as \"least rms_error over alpha\", for figures and checks");
 
 /// The parts of the text of a reduction.
 pub(crate) struct Parts<'a> {

@@ -19,7 +19,7 @@ pub(crate) const OPERATORS: [(&str, &str); 7] = [
     ("median", "the quantile at 0.5"),
     (
         "quantile P of",
-        "the quantile at P from 0 to 1, as in quantile 0.84 of: straight between the sorted values (definition 7 of Hyndman and Fan)",
+        "the quantile at P from 0 to 1, straight between the sorted values (definition 7 of Hyndman and Fan)",
     ),
 ];
 

@@ -20,13 +20,13 @@ pub mod oscillator {
     pub const ALPHA: Number = Number::new(
         ["alpha", "*α*", "1"],
         Range::Positive,
-        "elastic displacement before sliding, alpha = r^E/Delta [F (22)]; of bouc-wen and dahl that of the stiffness at S = 0",
+        "elastic displacement before sliding, r^E/Delta [F (22)]; of bouc-wen and dahl by the stiffness at S = 0",
     );
     /// beta
     pub const BETA: Number = Number::new(
         ["beta", "*β*", "1"],
         Range::Positive,
-        "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]; of tanh that of its slope at rdot = 0",
+        "velocity up to which the force is viscous, (rdot^E/omega_n)/Delta [F (22)]; of tanh by the slope at rdot = 0",
     );
     /// n
     pub const EXPONENT: Number = Number::new(
@@ -157,7 +157,7 @@ pub mod structure {
     pub const RESTITUTION: Number = Number::new(
         ["restitution", "*e*", "1"],
         Range::Fraction,
-        "target of the restitution of a damped law of impact, > 0 and <= 1; 1 (no damping) if left out",
+        "target of the restitution of a damped law of impact, > 0 and <= 1; default 1 (no damping)",
     )
     .usually(Usual::Is(1.0));
     /// m
@@ -197,7 +197,7 @@ pub mod structure {
     pub const EXPONENT: Number = Number::new(
         ["exponent", "*n*", "1"],
         Range::AtLeastOne,
-        "exponent of {laws}, >= 1; 1 if left out",
+        "exponent of {laws}, >= 1; default 1",
     )
     .usually(Usual::Is(1.0));
     /// sigma0
@@ -210,21 +210,21 @@ pub mod structure {
     pub const SIGMA1: Number = Number::new(
         ["sigma1", "*σ*_1_", "force/velocity"],
         Range::NotNegative,
-        "{laws}: damping of the bristles; 0 if left out",
+        "{laws}: damping of the bristles; default 0",
     )
     .usually(Usual::Is(0.0));
     /// sigma2
     pub const SIGMA2: Number = Number::new(
         ["sigma2", "*σ*_2_", "force/velocity"],
         Range::NotNegative,
-        "{laws}: viscosity of the sliding contact; 0 if left out",
+        "{laws}: viscosity of the sliding contact; default 0",
     )
     .usually(Usual::Is(0.0));
     /// L_s/L_k
     pub const STATIC_RATIO: Number = Number::new(
         ["static_ratio", "*ν*_s_/*ν*", "1"],
         Range::AtLeastOne,
-        "{laws}: static limit over the kinetic one, >= 1; 1 if left out",
+        "{laws}: static limit over the kinetic one, >= 1; default 1",
     )
     .usually(Usual::Is(1.0));
     /// v_S
@@ -272,7 +272,7 @@ pub mod structure {
     pub const PRESSURE_EXPONENT: Number = Number::new(
         ["pressure_exponent", "*p*", "1"],
         Range::UpToOne,
-        "p from 0 to 1: nu is multiplied by (N/N0)^(-p), N0 without motion; 0 if left out",
+        "p from 0 to 1: nu is multiplied by (N/N0)^(-p), N0 without motion; default 0",
     )
     .usually(Usual::Is(0.0));
     /// k1

@@ -25,7 +25,7 @@ metric_rows! {
     => of.compared.rms();
     ["max_error", "max. error", "1"], "max abs(c - e) / abs(x0)"
     => of.compared.furthest;
-    ["peak_error", "peak error", "1"], "largest error of a peak, over abs(x0); the computed peak k is the extreme value from (k - 1/2) pi to (k + 1/2) pi, k = 1..m; needs duration >= (m + 1/2) pi, m >= 1"
+    ["peak_error", "peak error", "1"], "largest error of a peak, over abs(x0); the computed peak k = 1..m is the extreme value from (k - 1/2) pi to (k + 1/2) pi; needs duration >= (m + 1/2) pi, m >= 1"
     => or_undefined(peak_error(of.compared.c, of.compared.exact).map(|error| error * of.compared.over));
     ["rest_error", "rest error", "1"], "abs(c - e) / abs(x0) at the last step; needs duration >= m pi, the time from which the exact solution rests"
     => or_undefined(of.compared.rest());
@@ -85,18 +85,18 @@ metric_rows! {
     => of.by_method.map(|energy| 2.0 * energy / of.x0.abs());
     ["cost", "cost", "1"], "steps times sub-steps of the method"
     => Some(of.steps as f64);
-    ["spectral_radius", "spectral radius", "1"], "largest magnitude of the eigenvalues of a step without friction, from the closed form of the method"
+    ["spectral_radius", "spectral radius", "1"], "largest magnitude of the eigenvalues of a step without friction"
     => Some(of.step.spectral_radius);
-    ["period_elongation", "period elongation", "1"], "(T - T_0)/T_0 of the period without friction, from the closed form of the method; undefined if the step does not oscillate"
+    ["period_elongation", "period elongation", "1"], "(T - T_0)/T_0 of the period without friction; undefined if the step does not oscillate"
     => of.step.principal.as_ref().map(|eigenvalue| eigenvalue.period_elongation);
-    ["numerical_damping", "numerical damping ratio", "1"], "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction, from the closed form of the method; undefined if the step does not oscillate"
+    ["numerical_damping", "numerical damping ratio", "1"], "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction; undefined if the step does not oscillate"
     => of.step.principal.as_ref().map(|eigenvalue| eigenvalue.damping_ratio);
 }
 
 /// The error of the reference.
 static ERRORS: [Metric; 1] = [Metric::selected(
     ["reference_error", "reference error", "1"],
-    "estimated error of an integrated g: rms_error of g with a tolerance of 1e-10 against g with 1e-12, or the part of step_error that the convergence of the steps dT to dT/64 does not explain, if that is larger; empty for the laws of [F]",
+    "estimated error of an integrated g: the larger of rms_error of g with a tolerance of 1e-10 compared with 1e-12, and the part of step_error that the convergence from dT to dT/64 does not explain; empty for the laws of [F]",
 )];
 
 /// The rows of the groups.

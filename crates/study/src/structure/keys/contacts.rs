@@ -59,9 +59,9 @@ const OF_CONTACT: &[Field] = &fields![
     field("along", Kind::Factors),
     /// instead of between: CSV file with lines of a name and cells dof:factor, one for each contact NAME.LINE
     field("pairs", Kind::Text),
-    /// instead of between: nodes I and J of each of two directions, of friction in a plane; ["ground", "ground"] holds one
+    /// instead of between: friction in a plane, with nodes I and J for each of two directions; ["ground", "ground"] holds one
     field("plane", Kind::List(&BETWEEN_KIND, [2, 2])),
-    /// two of x, y and z: with between, friction in a plane between nodes with both directions, as a.x and a.y
+    /// two of x, y and z: friction in a plane
     field("directions", Kind::Directions),
     /// r at rest
     field("gap", NUMBER),
@@ -136,6 +136,6 @@ pub(crate) const WEIGHT: Keys = Keys::new(&fields![
 
 /// A normal force that other parts have.
 pub(crate) const PRESSING: Keys = Keys::new(&fields![
-    /// name of an impact contact or of a spring, or a list of names: N is the sum of max(-S, 0), with their S at the end of each step
+    /// impact contact or spring, or a list of these: N is the sum of max(-S, 0) at the end of each step
     needed("contact", Kind::Several(&Kind::Text, [1, ANY])),
 ]);

@@ -50,11 +50,11 @@ pub(super) const OF_FUNCTION: &[Field] = &fields![
     field("pulse", Shared("pulse")),
     /// a synthetic acceleration by its seed, or by seed and omega
     field("synthetic", OneOf(&[Object(&SYNTHETIC), SEED])),
-    /// unit of a record: g, m/s2, cm/s2 or mm/s2, or a parameter with these; if left out, that of the file
+    /// unit of a record: g, m/s2, cm/s2 or mm/s2, or a parameter with these; default: that of the file
     field("unit", OneOf(&[UNIT, NAME])),
-    /// mean of a record: "removed" (if left out, for K-NET) or "kept" (for others)
+    /// mean of a record: "removed" (default of K-NET) or "kept" (default of others)
     field("mean", Words("mean", || Mean::ALL.map(Mean::name).to_vec(), None)),
-    /// column of a table, or of UNAM, with the accelerations, from 1, or a parameter; t and a if left out; another file has the column 1
+    /// column of a table, or of UNAM, with the accelerations, from 1, or a parameter; default t and a; another file has the column 1
     field("column", PLACE),
     /// time step in s of a table without times, or a parameter; of another file that of its header
     field("dt", Number(Positive)),
@@ -80,9 +80,9 @@ pub(crate) const AS_GROUND: &str = "ground";
 
 /// The files of an axis of records.
 pub(crate) const FILES: Keys = Keys::new(&fields![
-    /// a folder (without .md), or a pattern with one *, such as "records/*.smc"; in the order of names, numbers in them by their values (r_2 before r_10)
+    /// a folder (without .md), or a pattern with one *, such as "records/*.smc"; in the order of names (r_2 before r_10)
     needed("files", Text),
-    /// only those records whose spectra come nearest to a target; other files with the same text for * go with them
+    /// only the records whose spectra come nearest to a target; other files with the same text for * go with them
     field("choose", Object(&CHOOSE)),
 ]);
 
@@ -128,7 +128,7 @@ pub(crate) static PULSE: LazyLock<Keys> = LazyLock::new(|| {
 pub(crate) const SYNTHETIC: Keys = Keys::new(&fields![
     /// a whole number from 0 to 4294967295
     needed("seed", SEED),
-    /// circular frequency of the ground filter in rad/s; 15.6 (firm ground) if left out
+    /// circular frequency of the ground filter in rad/s; default 15.6 (firm ground)
     field("omega", Number(Positive)),
 ]);
 

@@ -38,6 +38,6 @@ pub(super) const COLUMN_KIND: Kind = OneOf(&[Text, Object(&COLUMN)]);
 pub(crate) const COLUMN: Keys = Keys::new(&fields![
     /// its name in the file
     needed("column", Text),
-    /// its unit, such as mm, kip, g or mm/s; if left out, that of the study
+    /// its unit, such as mm, kip, g or mm/s; default: that of the study
     field("unit", Text),
 ]);

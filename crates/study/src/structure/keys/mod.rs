@@ -55,22 +55,22 @@ pub(crate) const STRUCTURE: Keys = Keys::new(&fields![
     field("springs", List(&Object(&SPRING), [0, ANY])),
     /// C += mass M + stiffness K, with the factors or with damping ratios of two modes
     field("rayleigh", Object(&RAYLEIGH)),
-    /// damping ratio in every mode of M and K, or a list with one for each mode from the longest period on; further modes have none
+    /// damping ratio of every mode, or a list from the longest period on; further modes have none
     field(MODAL_DAMPING, Several(&Likely(NotNegative, UpToOne), [0, ANY])),
-    /// K of rayleigh and modal_damping: "without-contacts" (if left out), or "initial" with elastic contacts
+    /// K of rayleigh and modal_damping: "without-contacts" (default), or "initial" with elastic contacts
     field("damping_stiffness", Words("stiffness", || vec!["without-contacts", "initial"], Some(Usual))),
     /// contacts by name
     field("contacts", Parts(&Shared("contact"))),
     /// forces on nodes, on each node of a bar, or of matrices in a direction, as tower.x
     field("loads", List(&Object(&LOAD), [0, ANY])),
-    /// acceleration of the ground in x, or an object with those in x, y and z; u is then relative to the ground
+    /// acceleration of the ground in x, or an object with x, y and z; u is then relative to the ground
     field("ground", OneOf(&[Shared("function"), Object(&GROUND),
 ])),
     /// supports with motions of their own: nodes NAME, NAME.x, NAME.y, NAME.z; u is then absolute
     field("supports", Parts(&Object(&SUPPORT))),
     /// loads that act before t = 0 and stay; the structure starts in equilibrium with them
     field("static", Shared("static")),
-    /// acceleration of all masses from t = 0 on, as under `static`, but without an equilibrium at the start: bodies fall
+    /// acceleration of all masses from t = 0 on, without the equilibrium of `static`: masses fall
     GRAVITY,
     /// displacement and velocity at t = 0 of nodes, bars, or matrices in a direction
     field("start", Named(&Object(&START))),
@@ -86,9 +86,7 @@ pub(crate) const GRAVITY: Field = field(
     "gravity",
     OneOf(&[Number(Range::Any), Object(&ACCELERATIONS)]),
 )
-.means(
-    "acceleration of all masses: a number in y, or an object with x, y and z; -9.81 in y is weight",
-);
+.means("acceleration of all masses: a number in y (-9.81 is weight), or an object with x, y and z");
 
 /// A start.
 pub(crate) const START: Keys = Keys::new(&fields![

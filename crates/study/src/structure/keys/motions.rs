@@ -45,7 +45,7 @@ pub(crate) const IMPOSED: Keys = Keys::new(&fields![
 
 /// The line between two points.
 const BETWEEN: Field = field("between", Words("line", || Line::ALL.map(Line::name).to_vec(), None))
-    .means("\"cubic\" (if left out), which turns only at points, or \"straight\", whose velocity jumps at points");
+    .means("\"cubic\" (default), which turns only at points, or \"straight\", whose velocity jumps at points");
 
 /// An imposed displacement that is a sine.
 pub(crate) const IMPOSED_SINE: Keys = Keys::new(&fields![
@@ -59,18 +59,25 @@ pub(crate) const IMPOSED_BY_FILE: Keys = Keys::new(&fields![
     needed("file", Text),
     /// name of the column of times, or an object with its unit
     needed("time", COLUMN_KIND),
-    /// name of the column of displacements, or an object with its unit; u is the column less its first number
+    /// the same of displacements; u is the column less its first number
     needed("column", COLUMN_KIND),
     BETWEEN,
 ]);
 
 /// The key of imposed displacements.
-pub(crate) const DISPLACEMENT: Field = field("displacement", OneOf(&[Object(&IMPOSED), Object(&IMPOSED_BY_FILE), Object(&IMPOSED_SINE)]))
-    .means("instead of an acceleration, here or under a direction: points t, u, of a file or here, or a sine");
+pub(crate) const DISPLACEMENT: Field = field(
+    "displacement",
+    OneOf(&[
+        Object(&IMPOSED),
+        Object(&IMPOSED_BY_FILE),
+        Object(&IMPOSED_SINE),
+    ]),
+)
+.means("instead of an acceleration, here or under a direction");
 
 /// The key of the velocity at the start.
 pub(crate) const VELOCITY: Field = field("velocity", ANY_NUMBER)
-    .means("velocity at t = 0, here or under a direction, in addition to an acceleration; without one it is constant");
+    .means("velocity at t = 0, here or under a direction; without an acceleration it is constant");
 
 /// The keys of a support besides those of a function and the directions.
 pub(crate) const OF_SUPPORT: &[Field] = &fields![

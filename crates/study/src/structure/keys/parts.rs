@@ -28,7 +28,7 @@ const DIRECTION: Field = field(
         Some(Usual),
     ),
 )
-.means("direction of motion, \"x\" (if left out), \"y\" or \"z\"");
+.means("direction of motion, \"x\" (default), \"y\" or \"z\"");
 
 /// A model of matrices.
 pub(crate) const MATRICES: Keys = Keys::new(&fields![
@@ -38,14 +38,14 @@ pub(crate) const MATRICES: Keys = Keys::new(&fields![
     needed("K", Kind::Text),
     /// file of the damping matrix, if there is one
     field("C", Kind::Text),
-    /// CSV file with the header node,direction, if wanted support and X,Y,Z, and a row for each row of the matrices; or a list of [node, direction] or [node, direction, X, Y, Z]
+    /// CSV file with the header node,direction (if wanted, support and X,Y,Z) and a line for each row of the matrices; or a list of [node, direction] or [node, direction, X, Y, Z]
     needed("dofs", Kind::OneOf(&[Kind::Text, Kind::List(&Kind::List(&Kind::Any, [2, 5]), [0, ANY]),
 ])),
-    /// CSV file with lines node,direction and cells dof:factor, or its content: dofs that rigid links or diaphragms tie, as sums of others, named as nodes are
+    /// CSV file with lines node,direction and cells dof:factor, or its content: degrees of freedom that rigid links or diaphragms tie, as sums of others
     field("ties", Kind::Text),
-    /// CSV file with lines name,quantity and cells dof:factor, or its content: sums of displacements of rows that are a force or a moment of members, channels NAME.FORCE
+    /// CSV file with lines name,quantity and cells dof:factor, or its content: sums of displacements that are a force or a moment of members, channels NAME.FORCE
     field("forces", Kind::Text),
-    /// keeps the dofs that the study names, and lowest modes (Craig and Bampton)
+    /// keeps the degrees of freedom that the study names, and lowest modes (Craig and Bampton)
     field("reduce", Kind::Object(&REDUCE)),
 ]);
 
@@ -85,14 +85,14 @@ pub(crate) const SPRING: Keys = Keys::new(&fields![
     field("k", Kind::Several(&Kind::Number(Range::Any), [2, 2])),
     /// dashpot
     field("c", NOT_NEGATIVE),
-    /// mass that has the period; with period and ratio, instead of k and c
+    /// mass that has the period, instead of k and c
     field("mass", POSITIVE),
     /// k = mass (2 pi/period)^2
     field("period", POSITIVE),
     /// c = 2 ratio (2 pi/period) mass
     field("ratio", RATIO),
     DIRECTION,
-    /// two of x, y and z: a spring in each between nodes with both, as a.x and a.y; numbers may be lists of two
+    /// two of x, y and z: a spring in each; numbers may be lists of two
     field("directions", Kind::Directions),
 ])
 .rules(&[Rule::All(&[
@@ -124,7 +124,7 @@ pub(crate) const RAYLEIGH: Keys = Keys::new(&fields![
     field("stiffness", Kind::Number(NotNegative)),
     /// instead: two damping ratios, from which both factors follow
     field("ratios", Kind::List(&Kind::Number(NotNegative), [2, 2])),
-    /// the two modes with these ratios: numbers from 1 by rising frequency, without rigid-body modes
+    /// the two modes with these ratios, from 1 by rising frequency, without rigid-body modes
     field("modes", Kind::List(&Kind::Whole([1, u32::MAX as u64]), [2, 2])),
     /// or their natural periods
     field("periods", Kind::List(&Kind::Number(Positive), [2, 2])),

@@ -34,7 +34,7 @@ const fn scale_to(component: Kind) -> [Field; 12] {
         field("Sa", Number(Positive)),
         /// target spectrum, by least squares at 101 periods from "from" to "to"
         field("spectrum", Object(&TARGET)),
-        /// factor of each motion of a set, such as a parameter zipped with the record
+        /// factor of each motion of a set, such as a parameter in `zip` with the record
         field("factor", Number(Positive)),
         /// period of the oscillator of "Sa"
         field("T", Number(Positive)),
@@ -42,15 +42,15 @@ const fn scale_to(component: Kind) -> [Field; 12] {
         field("from", Number(Positive)),
         /// the longer period of "spectrum"
         field("to", Number(Positive)),
-        /// least squares of "spectrum": "linear" (if left out), of the ordinates at evenly spaced periods; "logarithmic", of their logarithms at periods with evenly spaced logarithms, as PEER does
+        /// least squares of "spectrum": "linear" (default), of the ordinates at evenly spaced periods; "logarithmic", of their logarithms at periods with evenly spaced logarithms, as PEER does
         field("fit", Words("fit", || Fit::ALL.map(Fit::name).to_vec(), None)),
-        /// of "scale_to" of a ground in x and y, which gives x, y and z one factor: "geometric-mean", "srss", "rotd50" or "rotd100" (Boore 2010, 180 angles) of x and y; of one in each direction: "each", a factor for each, and no note about it
+        /// of a ground in x and y, with one factor for x, y and z: "geometric-mean", "srss", "rotd50" or "rotd100" (Boore 2010, 180 angles); of one direction: "each", its own factor, without a note about it
         field("component", component),
-        /// damping ratio of "Sa", "spectrum" and "set"; 0.05 if left out
+        /// damping ratio of "Sa", "spectrum" and "set"; default 0.05
         field("ratio", Number(UpToOne)),
-        /// unit of the accelerations, as of a record; that of the study if left out
+        /// unit of the accelerations; default: that of the study
         field("unit", UNIT),
-        /// one factor on top for all motions of the axis of records, or of seeds
+        /// one more factor for all records or seeds
         field("set", Object(&SET)),
     ]
 }
@@ -78,23 +78,23 @@ const OF_SCALE_TO: [KeyRule; 7] = [
 pub(crate) const SET: Keys = Keys::new(&fields![
     /// rule of a code, whose numbers the other keys replace
     field("rule", Words("rule", || RULES.map(|rule| rule.name).to_vec(), None)),
-    /// period of the structure, or a list of them: the rule begins at its share of the least one and ends at that of the largest one
+    /// period of the structure, or a list: the rule goes from its share of the least to that of the largest
     field("period", Several(&Number(Positive), [1, ANY])),
     /// first period, if not by "rule" and "period"
     field("from", Number(Positive)),
     /// last period
     field("to", Number(Positive)),
-    /// "mean" (if left out) or "envelope" of the spectra at each of 101 periods with evenly spaced logarithms
+    /// "mean" (default) or "envelope" of the spectra, at 101 periods with evenly spaced logarithms
     field("statistic", Words("statistic", || STATISTICS.map(|row| row.0).to_vec(), None)),
-    /// of a ground in x and y; if left out, that of the rule, or of "scale_to"
+    /// of a ground in x and y; default: that of the rule, or of "scale_to"
     field("component", COMPONENT),
     /// least ratio to the target, such as 0.9
     field("least", Number(Positive)),
     /// least ratio of the largest accelerations to the target at T = 0
     field("least_at_zero", Number(Positive)),
-    /// target spectrum; if left out, that of "scale_to"
+    /// target spectrum; default that of "scale_to"
     field("spectrum", Object(&TARGET)),
-    /// factor of the set; if left out, the one with which the least ratio is the one asked for
+    /// factor of the set; default: the least that keeps the rule
     field("factor", Number(Positive)),
 ])
 .rules(&[KeyRule::With(&["period"], &[KeyRule::Has(&["rule"])])]);
@@ -107,17 +107,17 @@ pub(crate) const CHOOSE: Keys = Keys::new(&fields![
     needed("T", List(&Number(Positive), [1, ANY])),
     /// median of the target at these periods
     needed("median", List(&Number(Positive), [1, ANY])),
-    /// standard deviations of the logarithms there, such as those of a conditional spectrum
+    /// standard deviations of the logarithms there
     needed("sigma", List(&Number(NotNegative), [1, ANY])),
     /// unit of "median": g, m/s2, cm/s2 or mm/s2
     needed("unit", UNIT),
-    /// period in "T" at which all records are scaled to the median first, as "scale_to" then does; if left out, none is scaled
+    /// period in "T" at which all records are first scaled to the median, as with "scale_to"; default none
     field("at", Number(Positive)),
-    /// with "at": largest factor, and one over the smallest; if left out, any
+    /// with "at": largest factor, and one over the smallest; default any
     field("factor", Number(Positive)),
-    /// damping ratio; 0.05 if left out
+    /// damping ratio; default 0.05
     field("ratio", Number(UpToOne)),
-    /// pattern of the files in the other direction: those with the same text for * are chosen as pairs
+    /// pattern of the files in the other direction, with the same text for *
     field("pair", Text),
     /// with "pair": of what of a pair the spectrum is
     field("component", COMPONENT),

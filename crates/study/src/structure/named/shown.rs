@@ -14,7 +14,7 @@ use std::path::Path;
 
 /// The key of names for figures, with its meaning.
 pub(crate) const SHOWN: Field = field("names", Kind::Shared("names"))
-    .means("names in figures, of a structure: of a parameter or channel with its unit, if wanted, as in {\"gap\": [\"width of the gap\", \"m\"], \"g1.right - p2\": [\"seat displacement\"]}; of a contact, for all its channels and metrics; of a record by its file, which without one has event, station and component of its header");
+    .means("names in figures of a structure: of a parameter or channel, with its unit, as in {\"gap\": [\"width of the gap\", \"m\"], \"g1.right - p2\": [\"seat displacement\"]}; of a contact, for its channels and metrics; of a record by its file; default: event, station and component of the header");
 
 /// What names are of.
 enum Of {

@@ -13,7 +13,7 @@ pub(in crate::methods) const DESCRIPTION: Description = Description {
         range: Range::HilberHughesTaylor,
         default: -0.1,
         tried: &[-0.05, -0.1, -0.3333],
-        meaning: "alpha of Hilber, Hughes and Taylor; beta = (1 - alpha)^2/4, gamma = 1/2 - alpha; no numerical damping at 0",
+        meaning: "alpha of Hilber, Hughes and Taylor; no numerical damping at 0",
     }],
     method: |numbers| match *numbers {
         [alpha] => Some(Method::Family(Coefficients::hht(alpha))),

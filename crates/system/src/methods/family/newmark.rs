@@ -15,7 +15,7 @@ pub(in crate::methods) const DESCRIPTION: Description = Description {
             default: 0.3025,
             // The best damping of high frequencies at this gamma: beta = (gamma + 1/2)^2/4.
             tried: &[0.3025],
-            meaning: "Newmark's beta; the method is stable at every step if 2 beta >= gamma >= 1/2",
+            meaning: "Newmark's beta; stable at every step if 2 beta >= gamma >= 1/2",
         },
         MethodParameter {
             name: "newmark_gamma",

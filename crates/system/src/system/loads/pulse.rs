@@ -138,7 +138,7 @@ pub const PULSES: [Pulse; 6] = [
     },
     Pulse {
         name: "sweep",
-        meaning: "a sine whose frequency goes in proportion to time from one value to another: a sin(2 pi (from t + (to - from) t^2/(2 duration)))",
+        meaning: "a sine whose frequency changes evenly: a sin(2 pi (from t + (to - from) t^2/(2 duration)))",
         numbers: &[
             ("amplitude", "a"),
             ("from", "frequency at t = 0"),
@@ -158,7 +158,7 @@ pub const PULSES: [Pulse; 6] = [
     },
     Pulse {
         name: "stepped_sweep",
-        meaning: "a sine without jumps whose frequency has so many values, evenly spaced, each for the same time, for figures of the kind response",
+        meaning: "a sine with evenly spaced frequencies, each for the same time, without jumps, for figures of the kind response",
         numbers: &[
             ("amplitude", "amplitude"),
             ("from", "first frequency"),

@@ -40,7 +40,7 @@ const ELASTIC: f64 = 0.5;
 const BETA: Number = Number::new(
     ["beta", "*β*", "1"],
     Range::Positive,
-    "{laws}: beta of 1 - abs(z)^n (beta sgn(rdot z) + gamma), gamma = 1 - beta; 0.5, elastic unloading, if left out",
+    "{laws}: beta of 1 - abs(z)^n (beta sgn(rdot z) + gamma), gamma = 1 - beta; default 0.5, elastic unloading",
 )
 .usually(Usual::Is(ELASTIC));
 

@@ -32,7 +32,7 @@ pub struct GapYield {
 const DAMAGE: Number = Number::new(
     ["damage", "*d*", "1"],
     Range::ZeroOrOne,
-    "{laws}: 1 if the gap grows by what yielding leaves, 0 if it closes again; 1 if left out",
+    "{laws}: 1 if the gap grows by what yielding leaves, 0 if it closes again; default 1",
 )
 .usually(Usual::Is(1.0));
 

@@ -61,7 +61,7 @@ const F_ULT: Number = Number::new(
 const R_F: Number = Number::new(
     ["Rf", "*R*_f_", "1"],
     Range::Fraction,
-    "failure ratio of {laws}: Fult over the force that the hyperbola tends to, > 0 and <= 1; 0.7 if left out",
+    "failure ratio of {laws}: Fult over the force that the hyperbola tends to, > 0 and <= 1; default 0.7",
 )
 .usually(Usual::Is(0.7));
 /// k_u

@@ -24,7 +24,7 @@ pub struct Restrainer {
 const SLACK: Number = Number::new(
     ["slack", "*s*", "length"],
     Range::NotNegative,
-    "r up to which {laws} has no force; 0 if left out",
+    "r up to which {laws} has no force; default 0",
 )
 .usually(Usual::Is(0.0));
 

@@ -6,7 +6,7 @@ use crate::contact::prelude::*;
 pub(in crate::contact) const HARDENING: Number = Number::new(
     ["hardening", "*η*", "1"],
     Range::UpToOne,
-    "stiffness of {laws} after yielding over k; 0 if left out",
+    "stiffness of {laws} after yielding over k; default 0",
 )
 .usually(Usual::Is(0.0));
 

@@ -11,7 +11,7 @@ metric_rows! {
     new DEFAULT,
     /// Their values for each lane; not a finite number if undefined.
     fn values[L](of: &Compared<L>) -> Lane<L>;
-    ["contact_duration", "contact duration/*T*_I_", "T_I"], "time from the first zero of r (falling) to the last (rising), with r straight between steps; undefined without contact, and if the bars touch at the end"
+    ["contact_duration", "contact duration/*T*_I_", "T_I"], "time from the first zero of r to the last, with r straight between steps; undefined without contact, and if the bars touch at the end"
     => of.in_contact(of.durations[0]);
     ["contact_steps", "contact in whole steps/*T*_I_", "T_I"], "contact_duration in whole steps: first step with r >= 0 after the last with r < 0, minus last step with r >= 0 before the first with r < 0"
     => of.in_contact(of.durations[1]);
@@ -73,7 +73,7 @@ metric_rows! {
     => Some(of.by_contact / of.start);
     ["numerical_dissipation", "numerical dissipation", "1"], "energy that the method takes up to the last step, over E_0; below 0 where it adds energy; round-off for average-acceleration"
     => Some(of.by_method / of.start);
-    ["energy_lost", "energy lost", "1"], "energy of bars and spring that is gone at the last step, over E_0: contact_dissipation plus numerical_dissipation minus energy_drift_final"
+    ["energy_lost", "energy lost", "1"], "energy of bars and spring lost up to the last step, over E_0: contact_dissipation plus numerical_dissipation minus energy_drift_final"
     => Some((of.by_contact + of.by_method - of.drift) / of.start);
     ["cost", "cost", "1"], "steps times modes times sub-steps of the method"
     => Some(of.cost as f64);
@@ -126,7 +126,7 @@ fn error(part: usize, [name, symbol, over, unit]: Component) -> Metric {
         ],
         format!(
             "error of {made_by} alone: rms_error_{name} of {motion}, compared with {before}; for equal bars (integrated laws: or a wall) \
-             and n <= 1000, as docs/scope.md says; empty for rigid contact"
+             and n <= 1000; empty for rigid contact"
         ),
     )
 }
@@ -156,9 +156,8 @@ fn reference_error([name, symbol, ..]: Component) -> Metric {
             "1".into(),
         ],
         format!(
-            "estimated error of the integrated motions between the exact and the computed one: the rms of {name} with a tolerance of 1e-10 \
-             less {name} with 1e-12, or the part of step_error_{name} that the convergence of the steps dt to dt/64 does not explain, \
-             if that is larger; empty for the impact spring"
+            "estimated error of integrated motions: the larger of the rms of {name} with a tolerance of 1e-10 less that with 1e-12, and the \
+             part of step_error_{name} that the convergence from dt to dt/64 does not explain; empty for the impact spring"
         ),
     )
 }

@@ -100,15 +100,15 @@ reductions! {
         ContactKind::Impact => of::restitution(&contact.force(), &(contact.of)(Q::Velocity)),
         ContactKind::Friction | ContactKind::Link => None,
     });
-    "restitution of the first impact: -rdot at the first step with S = 0 after it over rdot at the last one before it, other forces on the nodes included; empty without impact, with S != 0 at t = 0 or at the last step, and for other contacts",
+    "restitution of the first impact: -rdot at the first step with S = 0 after it over rdot at the last one before it, other forces included; empty without impact, with S != 0 at t = 0 or at the last step, and for other contacts",
     EnergyError "energy_error" Nothing None "energy error" Energies(|[error, _]| error);
-    "largest work of unbalanced forces up to any step, over the largest energy (kinetic, strain, in contacts); numerical dissipation does not count",
+    "largest work of unbalanced forces up to any step, over the largest energy (kinetic, strain, in contacts), without numerical dissipation",
     NumericalDissipation "numerical_dissipation" Nothing None "numerical dissipation" Energies(|[_, dissipation]| dissipation);
     "energy that the method takes, over the largest energy; below 0 where it adds energy; round-off for average-acceleration",
     Cost "cost" Nothing None "cost" Told;
-    "the count that a program of `programs` gives of its work on a case, such as steps or evaluations; empty for the product's methods",
+    "count that a program of `programs` gives of its work on a case; otherwise empty",
     Wall "wall" Nothing Time "seconds of a case" Told;
-    "seconds from the request of a case to the answer of a program of `programs`; other in each run; empty for the product's methods",
+    "seconds from the request of a case to the answer of a program of `programs`; other in each run; otherwise empty",
     RmsError "rms_error" ChannelOrMeasured Channel "rms error of {}"
     Distance([Computed, Reference], |c, e| Some(of::rms_error(c, e)));
     "sqrt(mean (c - e)^2); e is the exact motion of contacts_reference",
@@ -125,7 +125,7 @@ reductions! {
     Distance([Computed, Softened], |c, g| Some(of::rms_error(c, g)));
     "sqrt(mean (c - g)^2)",
     ReferenceError "reference_error" Channel Channel "reference error of {}" Estimated;
-    "estimated error of a g that is integrated: the larger of sqrt(mean (g - h)^2), h with a tolerance of 1e-10 instead of 1e-12, and the part of sqrt(mean (g - c)^2) that the convergence of the steps dt to dt/64 does not explain; empty where g is by events",
+    "estimated error of an integrated g: the larger of sqrt(mean (g - h)^2), h with a tolerance of 1e-10 instead of 1e-12, and the part of step_error that the convergence from dt to dt/64 does not explain; empty where g is by events",
     MeshError "mesh_error" Channel Channel "mesh error of {}"
     Distance([Softened, Finer], |g, f| Some(of::rms_error(g, f)));
     "sqrt(mean (g - f)^2); f is g with 4 times as many elements in every bar",
@@ -137,7 +137,7 @@ reductions! {
         let step = of::divergence(runs.values, runs.other, runs.threshold).filter(|_| !(runs.is_still)())?;
         Some(step as f64 * runs.dt)
     });
-    "first time at which this run and one with start and loads 1e-10 larger differ by more than the threshold times the peak; empty where never",
+    "first time at which a run with start and loads 1e-10 larger differs by more than the threshold times the peak; empty where never",
     ImpactsBeforeDivergence "impacts_before_divergence" ChannelAndThreshold None "impacts before divergence of {} by {threshold}"
     Perturbed(|runs| {
         let end = of::divergence(runs.values, runs.other, runs.threshold).filter(|_| !(runs.is_still)());
@@ -149,7 +149,7 @@ reductions! {
     "largest difference between these two runs over the peak; empty where the channel is always 0",
     SpragueGeersMagnitude "sprague_geers_magnitude" MeasuredChannel None "magnitude error (Sprague-Geers) of {}"
     Measured(|times, [c, m]| Some(of_measured::sprague_geers(times, c, m)?.magnitude));
-    "M = sqrt(I_cc/I_mm) - 1, I_xy the integral of x y over the measured times by trapezoids; above 0 where the computed motion is larger",
+    "M = sqrt(I_cc/I_mm) - 1, I_xy the integral of x y over the measured times; above 0 where the computed motion is larger (Schwer 2007)",
     SpragueGeersPhase "sprague_geers_phase" MeasuredChannel None "phase error (Sprague-Geers) of {}"
     Measured(|times, [c, m]| Some(of_measured::sprague_geers(times, c, m)?.phase));
     "P = acos(I_cm/sqrt(I_cc I_mm))/pi: 0 for the same shape, 0.5 without correlation, 1 for the opposite sign",
@@ -158,12 +158,12 @@ reductions! {
     "sqrt(M^2 + P^2)",
     EnergyPerCycle "energy_per_cycle" ContactOrMeasured Energy "energy per cycle of {}"
     Contact(&[Q::Force, Q::Displacement], Plane::Sum, |contact| of_measured::energy_per_cycle(&(contact.of)(Q::Displacement), &contact.force()));
-    "mean of the integral of S dr over whole cycles; a cycle begins where r rises through the middle of its extremes after it was 5 % of the half range below; the first one, from rest, counts unless a window begins later; empty without one",
+    "mean of the integral of S dr over whole cycles; a cycle begins where r rises through the middle of its extremes after it was 5 % of the half range below; without a window the one from rest counts, too; empty without one",
     LoopDistance "loop_distance" MeasuredLoop None "distance of the loop of {} and {} from the measured one"
     Loop(of_measured::loop_distance);
-    "distance of the computed and the measured loop of two channels, each over half its measured range: the larger of the mean distances from the points of one loop to the lines of the other",
+    "distance of the computed and the measured loop of two channels, each over half its measured range: the larger mean distance from the points of one to the lines of the other (Dubuisson and Jain 1994)",
     GroundPga "ground.pga" Ground Acceleration "peak ground acceleration" Ground(OfGround::Measure(Measure::PeakAcceleration));
-    "largest acceleration of the ground at the steps; all measures are of the motion that the structure gets, up to duration",
+    "largest acceleration at the steps; all measures are of the scaled motion up to duration",
     GroundPgv "ground.pgv" Ground Velocity "peak ground velocity" Ground(OfGround::Measure(Measure::PeakVelocity));
     "largest velocity: the acceleration, straight between the points, integrated from rest",
     GroundPgd "ground.pgd" Ground Length "peak ground displacement" Ground(OfGround::Measure(Measure::PeakDisplacement));
@@ -173,7 +173,7 @@ reductions! {
     GroundDuration "ground.d5_95" Ground Time "duration of the ground motion from 5 to 95 %" Ground(OfGround::Measure(Measure::Duration));
     "time from 5 to 95 % of the Arias intensity",
     GroundSpectral "ground.Sa" GroundAndOscillator Acceleration "spectral acceleration of the ground" Ground(OfGround::Oscillator);
-    "ground.Sa(T, ratio), ratio 0.05 if left out: (2 pi/T)^2 times the largest displacement of an oscillator; exact for straight lines between the steps",
+    "ground.Sa(T, ratio), ratio default 0.05: (2 pi/T)^2 times the largest displacement of an oscillator",
     GroundMeanPeriod "ground.Tm" Ground Time "mean period of the ground" Ground(OfGround::Measure(Measure::MeanPeriod));
     "mean of 1/f weighted by the squared Fourier amplitudes from 0.25 to 20 Hz (Rathje et al. 1998)",
     GroundFactor "ground.factor" Ground None "factor of the ground motion" Ground(OfGround::Factor);

@@ -10,7 +10,7 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "distribution",
     needs: Needs::Ensemble,
-    meaning: "distribution functions of metrics over the ensemble, each with a band that contains the function of independent cases 95 times in 100",
+    meaning: "distribution functions of metrics over the ensemble, each with a 95 % band (independent cases)",
     keys: &[METRICS, BY_OUTSIDE, X_SCALE, X_RANGE, Y_RANGE, COLOUR],
     decode: |values, _| {
         Some(FigureKind::Distribution(Distribution {

@@ -12,21 +12,21 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "fragility",
     needs: Needs::Ensemble,
-    meaning: "fraction of the ensemble in which a metric exceeds a limit, over a parameter such as the scale of records, with 95 % intervals and a lognormal function; or, over a measure such as ground.Sa(T1), the function by incremental scaling or of a cloud",
+    meaning: "fraction of the ensemble in which a metric exceeds a limit, over the scale of records or a measure such as ground.Sa(T1), with 95 % intervals and a lognormal function",
     keys: &fields![
-        /// parameter along the horizontal axis, not of the ensemble; with the fit incremental or cloud also a metric, such as ground.Sa(1)
+        /// parameter along the horizontal axis, not of the ensemble; with incremental or cloud also a metric, such as ground.Sa(1)
         needed("x", Takes::Column),
         /// metric
         needed("y", Takes::Metric),
         /// a case exceeds the limit if its metric is greater
         needed("limit", Takes::Number),
-        /// likelihood (if left out): fitted by maximum likelihood to the fractions that exceed at each x; incremental: of the x at which each member reaches the limit, straight between its cases; cloud: from a line through ln y over ln x
+        /// likelihood (default): from the fractions that exceed at each x; incremental: from the x at which each member reaches the limit, straight between its cases; cloud: from a line through ln y over ln x
         field("fit", Takes::Fit),
-        /// value of y, at least the limit, from which on a case has collapsed, as has one without a value: it exceeds the limit by an unknown amount; if left out, cases without a value are left out
+        /// value of y, at least the limit, from which on a case, as one without a value, exceeds the limit by an unknown amount; default: cases without a value are left out
         field("collapse", Takes::Number),
-        /// parameters or metrics, such as a magnitude: slope of the residuals over each and its p, with the fit incremental or cloud
+        /// parameters or metrics, such as a magnitude, for the slope of the residuals and its p; with incremental or cloud
         field("against", Takes::Columns),
-        /// points [x, annual frequency of larger x] of a hazard curve, straight between their logarithms and beyond: mean annual frequency of exceeding the limit, and the share of each member of the ensemble
+        /// points [x, annual frequency of larger x] of a hazard curve, straight between their logarithms, for the mean annual frequency of exceeding the limit
         field("hazard", Takes::Hazard),
         BY_OUTSIDE,
         X_SCALE,

@@ -12,7 +12,7 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "quantiles",
     needs: Needs::Ensemble,
-    meaning: "metrics over a parameter, each as the median of the ensemble and a band between two quantiles",
+    meaning: "metrics over a parameter: median of the ensemble and a band between two quantiles",
     keys: &[
         X, METRICS, BY_OUTSIDE, BAND, X_SCALE, Y_SCALE, X_RANGE, Y_RANGE, COLOUR, MARKERS,
     ],

@@ -11,11 +11,11 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "samples",
     needs: Needs::Nothing,
-    meaning: "every pair of at most 8 parameters that a design samples, a dot for each case; a metric is the colour and the last row",
+    meaning: "every pair of at most 8 parameters of a design, a dot for each case; a metric is the colour and the last row",
     keys: &fields![
         /// metric of the last row and of the colours
         needed("y", Takes::Metric),
-        /// scale of the metric; if left out, linear
+        /// scale of the metric; default linear
         field("y_scale", Takes::Scale),
     ],
     decode: |values, scope| {

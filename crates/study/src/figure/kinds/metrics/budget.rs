@@ -14,7 +14,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     meaning: "the error and its parts over a parameter on logarithmic scales, with the slope where a curve is straight",
     keys: &fields![
         X,
-        /// quantities; if left out, all
+        /// quantities; default all
         field("y", Takes::Budgets),
         PANELS,
         X_RANGE,

@@ -13,9 +13,9 @@ use slipgap_problem::problem::numbers::parameter::Value;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "convergence",
     needs: Needs::Nothing,
-    meaning: "errors over the time step on logarithmic scales, with the observed order where a curve is straight",
+    meaning: "errors over the time step on logarithmic scales, with the order where a curve is straight",
     keys: &fields![
-        /// parameter along the horizontal axis; if left out, the time step
+        /// parameter along the horizontal axis; default the time step
         field("x", Takes::NumericParameter),
         METRICS,
         BY_OTHERS,

@@ -11,15 +11,15 @@ use slipgap_problem::problem::Problem;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "envelope",
     needs: Needs::Nothing,
-    meaning: "metrics at positions along the structure, upwards, such as the largest drift of each storey: a curve for each case, or of an ensemble the median and a band between two quantiles",
+    meaning: "metrics at positions along the structure, such as the largest drift of each storey: a curve for each case, or of an ensemble the median and a band",
     keys: &fields![
-        /// metrics from the first position to the last one; several times as many are further curves, such as all max, then all min
+        /// metrics from the first position to the last; several times as many are further curves, as all max, then all min
         needed("x", Takes::Metrics),
-        /// positions, rising; if left out, 1, 2, 3, ..
+        /// positions, rising; default: 1, 2, 3, ..
         field("at", Takes::Times),
-        /// title of the horizontal axis; if left out, what the titles of the metrics share
+        /// title of the horizontal axis; default: what the titles of the metrics share
         field("x_title", Takes::Text),
-        /// title of the vertical axis; if left out, Position
+        /// title of the vertical axis; default Position
         field("at_title", Takes::Text),
         BY_OUTSIDE,
         BAND,

@@ -15,19 +15,19 @@ const MOST_LINES: usize = 12;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "front",
     needs: Needs::Nothing,
-    meaning: "two metrics of which less is better: for each value of a parameter a line through the cases that no other surpasses in one metric without being worse in the other; those of all are on a light band",
+    meaning: "two metrics of which less is better: for each value of a parameter a line through its best cases, which no other surpasses in both; the best of all are on a light band",
     keys: &fields![
         /// metric along the horizontal axis, such as the cost
         needed("x", Takes::Metric),
         /// metric along the vertical axis, such as an error
         needed("y", Takes::Metric),
-        /// parameters, one panel each, with one line for each value; at most 12 values
+        /// parameters, one panel each, a line for each value, at most 12
         needed("by", Takes::Parameters),
-        /// parameter over which x is averaged by the mean, y by the root mean square
+        /// parameter over which x is a mean, y a root mean square
         field("mean_over", Takes::Parameter),
-        /// horizontal scale; if left out, log
+        /// horizontal scale; default log
         field("x_scale", Takes::ScaleOrLog),
-        /// vertical scale; if left out, log
+        /// vertical scale; default log
         field("y_scale", Takes::ScaleOrLog),
         X_RANGE,
         Y_RANGE,

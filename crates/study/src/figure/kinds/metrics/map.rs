@@ -21,7 +21,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
         needed("z", Takes::Metric),
         X_SCALE,
         Y_SCALE,
-        /// scale of the shades; if left out, linear
+        /// scale of the shades; default linear
         field("z_scale", Takes::Scale),
         /// values at both ends of the colour bar, as in [0.001, 1]
         field("z_range", Takes::Range),

@@ -20,7 +20,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
         field("colour", Takes::Column),
         X_SCALE,
         Y_SCALE,
-        /// scale of the colours; if left out, linear
+        /// scale of the colours; default linear
         field("colour_scale", Takes::Scale),
         X_RANGE,
         Y_RANGE,

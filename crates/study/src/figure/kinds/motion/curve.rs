@@ -19,9 +19,9 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
         BY,
         PANELS,
         IN_UNITS,
-        /// first and last time; the whole motion if left out
+        /// first and last time; default the whole motion
         field("time_range", Takes::Range),
-        /// true: instead of the curve the points at the start of each cycle of the excitation, where it rises through 0 (Poincare section)
+        /// true: a Poincare section, the points at which the excitation rises through 0
         field("section", Takes::Switch),
         X_RANGE,
         Y_RANGE,

@@ -22,14 +22,14 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     needs: Needs::Nothing,
     meaning: "curves over time, the exact solution as a thin line; at most 8 cases in a panel",
     keys: &fields![
-        /// quantities, one panel each; if left out, the response and its error
+        /// quantities, one panel each; default: the response and its error
         field("y", Takes::Quantities),
         BY,
         PANELS,
         IN_UNITS,
-        /// true: quantities of one dimension as areas on one another, such as energies; one panel for each case
+        /// true: quantities such as energies as areas on one another; one panel for each case
         field("stacked", Takes::Switch),
-        /// first and last time of an enlarged part in a smaller frame inside of each panel
+        /// first and last time of an enlarged part inside each panel
         field("inset", Takes::Range),
         X_RANGE,
         Y_RANGE,

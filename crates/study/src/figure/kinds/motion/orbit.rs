@@ -9,7 +9,7 @@ use crate::figure::kinds::{Curve, Decoded, FigureKind, Kind, Needs};
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "orbit",
     needs: Needs::Structure,
-    meaning: "the path of a contact in a plane with equal scales: r.1 and r.2, or S.1 and S.2 with the disc of its largest limit; at most 8 cases in a panel",
+    meaning: "the path of a contact in a plane: r.1 and r.2, or S.1 and S.2 with the disc of its largest limit; at most 8 cases in a panel",
     keys: &fields![
         /// quantity of the first direction
         needed("x", Takes::Quantity),
@@ -18,7 +18,7 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
         BY,
         PANELS,
         IN_UNITS,
-        /// first and last time; the whole motion if left out
+        /// first and last time; default the whole motion
         field("time_range", Takes::Range),
         COLOUR,
         MARKERS,

@@ -14,9 +14,9 @@ pub(in crate::figure::kinds) const KIND: Kind = Kind {
     needs: Needs::Profiles,
     meaning: "quantities along the structure at given times; at most 6 cases",
     keys: &fields![
-        /// quantities; if left out, all
+        /// quantities; default all
         field("y", Takes::Profiles),
-        /// times in the unit of the problem, one row of panels each; at most the duration of every case
+        /// times, one row of panels each
         needed("times", Takes::Times),
         X_RANGE,
         Y_RANGE,

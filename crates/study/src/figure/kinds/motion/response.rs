@@ -15,15 +15,15 @@ const CYCLES: f64 = 8.0;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "response",
     needs: Needs::Structure,
-    meaning: "what the last cycles of a sine, sweep or stepped_sweep have at each frequency, a point each: one where the motion repeats, two where its period doubles",
+    meaning: "the last cycles of a sine, sweep or stepped_sweep at each frequency, a point each: one where the motion repeats, two where its period doubles",
     keys: &fields![
         /// quantities, one panel each
         needed("y", Takes::Quantities),
-        /// parameter along the horizontal axis; if left out, the frequency of the excitation
+        /// parameter along the horizontal axis; default: the frequency of the excitation
         field("x", Takes::NumericParameter),
-        /// peak (if left out), max or min of each cycle, or the value at its start, where the excitation rises through 0
+        /// peak (default), max or min of each cycle, or the value at its start, where the excitation rises through 0
         field("each", Takes::Each),
-        /// number of last cycles of each frequency; if left out, 8
+        /// number of last cycles of each frequency; default 8
         field("cycles", Takes::Number),
         BY_OTHERS,
         X_SCALE,

@@ -12,9 +12,9 @@ const MOST_CASES: usize = 1000;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "set",
     needs: Needs::Structure,
-    meaning: "pseudo-acceleration of all motions of a \"set\" of the ground, their mean or envelope, the target, and the range of the rule; one panel for each set",
+    meaning: "pseudo-acceleration of all motions of a \"set\", their mean or envelope, the target, and the range of the rule; one panel for each set",
     keys: &fields![
-        /// first and last period; if left out, half the first and twice the last one of the rule
+        /// first and last period; default: half the first and twice the last one of the rule
         field("periods", Takes::Periods),
         COLOUR,
     ],

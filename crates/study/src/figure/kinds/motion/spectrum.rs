@@ -23,15 +23,15 @@ const MOST_CASES: usize = 1000;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "spectrum",
     needs: Needs::Structure,
-    meaning: "elastic response spectra of the whole ground motions of the cases, also after `duration`, or of floors; one curve for each motion and damping ratio",
+    meaning: "elastic response spectra of the whole ground motions, also after `duration`, or of floors; one curve for each motion and damping ratio",
     keys: &fields![
         /// acceleration of a floor, such as f2.a_abs, instead of the ground
         field("of", Takes::Quantity),
-        /// displacement, pseudo-velocity or pseudo-acceleration, or several of them, one panel each
+        /// displacement, pseudo-velocity, pseudo-acceleration, one panel each
         needed("y", Takes::Ordinates),
-        /// damping ratios; if left out, 0.05
+        /// damping ratios; default 0.05
         field("damping", Takes::Ratios),
-        /// first and last period, at least 0.001; if left out, [0.05, 5]
+        /// first and last period, at least 0.001; default [0.05, 5]
         field("periods", Takes::Periods),
         COLOUR,
         MARKERS,

@@ -12,12 +12,12 @@ const MOST_ROWS: u64 = 300;
 pub(in crate::figure::kinds) const KIND: Kind = Kind {
     name: "wave",
     needs: Needs::Profiles,
-    meaning: "one case over place and time, as shades with a colour bar: the computed motion and the exact one",
+    meaning: "one case over place and time, as shades: the computed motion and the exact one",
     keys: &fields![
-        /// quantity along the structure; if left out, the last one of the problem
+        /// quantity along the structure; default: the last one of the problem
         field("y", Takes::Profile),
         X_RANGE,
-        /// first and last time shown; the whole motion if left out
+        /// first and last time shown; default the whole motion
         field("y_range", Takes::Range),
     ],
     decode: |values, scope| {

@@ -4,7 +4,7 @@ use super::{Backbone, Imk, Numbers, Reloading};
 use crate::contact::prelude::*;
 
 const fn negative([key, symbol, unit]: [&'static str; 3], range: Range) -> Number {
-    let meaning = "the same for r < 0; that of r > 0 if left out";
+    let meaning = "the same for r < 0; default: that of r > 0";
     Number::new([key, symbol, unit], range, meaning).usually(Usual::Follows("that of r > 0"))
 }
 
@@ -14,7 +14,7 @@ const fn lambda([key, symbol]: [&'static str; 2], meaning: &'static str) -> Numb
 }
 
 const fn exponent([key, symbol]: [&'static str; 2]) -> Number {
-    let meaning = "exponent of this degradation; 1 if left out";
+    let meaning = "exponent of this degradation; default 1";
     Number::new([key, symbol, "1"], Range::Positive, meaning).usually(Usual::Is(1.0))
 }
 
@@ -32,28 +32,28 @@ static NUMBERS: [Number; 25] = [
     Number::new(
         ["Up", "*U*_p_", "length"],
         Range::Positive,
-        "plastic deflection of {laws} from the yield point to the cap",
+        "{laws}: plastic deflection from the yield point to the cap",
     ),
     Number::new(
         ["Upc", "*U*_pc_", "length"],
         Range::Positive,
-        "deflection of {laws} from the cap to no force",
+        "{laws}: deflection from the cap to no force",
     ),
     Number::new(
         ["Uu", "*U*_u_", "length"],
         Range::Positive,
-        "deflection at which {laws} fail; never if left out",
+        "{laws}: deflection at failure; default none",
     )
     .usually(Usual::Follows("it does not fail by its deflection")),
     Number::new(
         ["Fcap_ratio", "*F*_cap_/*F*_y_", "1"],
         Range::AtLeastOne,
-        "force of {laws} at the cap over Fy",
+        "{laws}: force at the cap over Fy",
     ),
     Number::new(
         ["Fres_ratio", "*F*_res_/*F*_y_", "1"],
         Range::UpToOne,
-        "residual force of {laws} over Fy; 0 if left out",
+        "{laws}: residual force over Fy; default 0",
     )
     .usually(Usual::Is(0.0)),
     negative(["Fy_negative", "*F*_y_^−^", "force"], Range::Positive),
@@ -70,7 +70,7 @@ static NUMBERS: [Number; 25] = [
     ),
     lambda(
         ["lambda_S", "*λ*_S_"],
-        "energy over Fy that {laws} take by which their strength degrades; it does not if left out",
+        "{laws}: energy over Fy by which the strength degrades; default no degradation",
     ),
     lambda(
         ["lambda_C", "*λ*_C_"],
@@ -85,15 +85,12 @@ static NUMBERS: [Number; 25] = [
     exponent(["c_K", "*c*_K_"]),
     damage(
         ["D_positive", "*D*^+^"],
-        "part of the degradation of {laws} that acts for r > 0, from 0 to 1; 1 if left out",
+        "{laws}: part of the degradation that acts for r > 0, from 0 to 1; default 1",
     ),
-    damage(
-        ["D_negative", "*D*^−^"],
-        "the same for r < 0; 1 if left out",
-    ),
+    damage(["D_negative", "*D*^−^"], "the same for r < 0; default 1"),
     lambda(
         ["lambda_A", "*λ*_A_"],
-        "{laws}: energy over Fy by which the deflection degrades to which they are loaded again; it does not if left out",
+        "{laws}: energy over Fy by which the deflection degrades to which they are loaded again; default no degradation",
     ),
     exponent(["c_A", "*c*_A_"]),
     Number::new(

@@ -36,7 +36,7 @@ pub const OF_SPRINGS: [(&str, &str); 3] = [
     ),
     (
         "MATRICES.FORCE",
-        "force or moment of members, a line of the file \"forces\" of the matrices: the sum of factor times displacement",
+        "force or moment of members, a line of \"forces\": the sum of factor times displacement",
     ),
 ];
 

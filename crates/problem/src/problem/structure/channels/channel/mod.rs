@@ -89,7 +89,7 @@ pub const QUANTITIES: [(&str, &str); 6] = [
     ("limit", "friction limit"),
     (
         "dissipated",
-        "energy that the contact dissipated since t = 0: the work of S on it less what it stores more than at t = 0",
+        "energy that the contact dissipated since t = 0: the work of S less what it has stored since",
     ),
 ];
 

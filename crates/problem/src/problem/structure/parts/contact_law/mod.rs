@@ -56,7 +56,10 @@ pub fn meaning(number: &Number) -> String {
         }
     };
     let text = number.meaning.replace("{laws}", &names(false));
-    text.replace("{friction}", &names(true))
+    let text = text.replace("{friction}", &names(true));
+    let imk_laws = "imk-bilinear, imk-peak-oriented and imk-pinching";
+    text.replace(&format!(", {imk_laws}"), " and imk laws")
+        .replace(imk_laws, "imk laws")
 }
 
 /// The law of a contact in a case.
