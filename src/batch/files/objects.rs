@@ -54,11 +54,10 @@ pub fn list(folder: &Path) -> io::Result<Vec<(String, bool)>> {
                 ..PaginatedListOptions::default()
             };
             let page = bucket.list_paginated(Some(&prefix), options).await?;
-            let prefixes = page.result.common_prefixes.into_iter();
-            let objects = page.result.objects.into_iter();
-            let objects = objects.map(|object| (object.location, false));
-            let given: BTreeSet<(Key, bool)> =
-                prefixes.map(|key| (key, true)).chain(objects).collect();
+            let (prefixes, objects) = (page.result.common_prefixes, page.result.objects);
+            let named = objects.into_iter().map(|object| (object.location, false));
+            let under = prefixes.into_iter().map(|prefix| (prefix, true));
+            let given: BTreeSet<(Key, bool)> = under.chain(named).collect();
             // The list would have no end.
             let repeated = !given.is_empty() && given.is_subset(&keys);
             keys.extend(given);
