@@ -16,7 +16,7 @@ _folders: list[TemporaryDirectory[str]] = []
 def with_files(study: Mapping[str, Any]) -> dict[str, Any]:
     """A study in which arrays as records, tables and measurements are files and lists.
 
-    :raises ValueError: a record with a number that is not finite, or with columns that are no motion
+    :raises ValueError: a record or a measurement with a number that is not finite, or a record with columns that are no motion
     """
     return {key: _measured(value) if key == "measured" else _member(key, value, key) for key, value in study.items()}
 
@@ -97,7 +97,7 @@ def _measured(given: Any) -> Any:
     if not isinstance(given, Mapping):
         return given
     if _is_frame(given.get("file")):
-        found = _columns(given["file"])
+        found = {name: _finite(f"measured.file.{name}", values) for name, values in _columns(given["file"]).items()}
         return {**given, "file": _file("measured", list(found), list(found.values()))}
     columns = given.get("columns") if "file" not in given else None
     if not isinstance(columns, Mapping) or "time" not in given:
@@ -106,8 +106,18 @@ def _measured(given: Any) -> Any:
     if any(isinstance(values, str | Mapping) for values in arrays):
         return dict(given)
     names = ["t", *(f"c{i}" for i in range(len(columns)))]
-    file = _file("measured", names, [[float(x) for x in values] for values in arrays])
+    paths = ["measured.time", *(f"measured.columns.{name}" for name in columns)]
+    file = _file("measured", names, [_finite(path, values) for path, values in zip(paths, arrays, strict=True)])
     return {**given, "file": file, "time": "t", "columns": dict(zip(columns, names[1:], strict=True))}
+
+
+def _finite(path: str, values: Any) -> list[float]:
+    """A column of a measurement."""
+    numbers = [float(x) for x in values]
+    for i, x in enumerate(numbers):
+        if not isfinite(x):
+            raise ValueError(f"{path}[{i}] is {x}, which a measurement does not have")
+    return numbers
 
 
 def _file(name: str, names: Sequence[str], columns: Sequence[Sequence[float]]) -> str:

@@ -78,8 +78,8 @@ def text_of(value: Mapping[str, Any]) -> str:
 
 def _not_finite(value: object, path: str) -> str | None:
     """The first number that is not finite, with its key and index."""
-    if isinstance(value, float):
-        return None if isfinite(value) else f"{path} is {value}"
+    if isinstance(value, float) or (_has_numbers(value) and getattr(value, "ndim", 1) == 0):
+        return None if isfinite(value) else f"{path} is {value}"  # type: ignore[arg-type]
     if isinstance(value, Mapping):
         members = ((f"{path}.{key}" if path else str(key), member) for key, member in value.items())
     elif isinstance(value, list | tuple):

@@ -19,13 +19,14 @@ if TYPE_CHECKING:
 class Table:
     """A table with the columns of a file of the program, such as results.csv with one row for each case.
 
-    ``len(table)`` is the number of rows. ``table["rms_error"]`` is a column without any other library: an array of shape (rows,)
-    that cannot be written, with NaN for null; names are an array of str and None. ``list(table)`` are the names of the columns,
-    ``dict(table)`` is a dict of them all.
+    ``table["rms_error"]`` is a column without any other library: an array of shape (rows,) that cannot be written, with NaN for null;
+    names are an array of str and None. ``table.columns`` are their names, ``dict(table)`` is a dict of them all. ``len(table)`` is the
+    number of rows, and ``for row in table`` gives each as a dict.
 
     ``to_pandas`` and ``to_polars`` make frames. Other libraries take the table by the Arrow PyCapsule interface, and do not copy it:
     ``polars.DataFrame(table)``, ``pyarrow.table(table)``, ``pandas.DataFrame.from_arrow(table)`` (pandas 3) and
-    ``duckdb.sql("from table")``. The metadata of a column has its unit.
+    ``duckdb.sql("from table")``. The metadata of a column has its unit. ``pandas.DataFrame(table)`` reads row by row: slower, and
+    without the columns of a table without rows.
 
     In a table of cases ``case`` is a whole number, parameters are numbers, whole numbers or names, metrics are numbers. Units are
     those of docs/scope.md. A parameter that does not apply and a metric that is undefined are null.
@@ -79,8 +80,13 @@ class Table:
         column: NDArray[Any] = self._cells[name]
         return column
 
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._columns)
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        """Each row: its cells by column, whole numbers, numbers with NaN for null, or str and None.
+
+        Rows, not names: of what is no dict, pandas takes only rows.
+        """
+        cells = [self[name].tolist() for name in self._columns]
+        return (dict(zip(self._columns, row, strict=True)) for row in zip(*cells, strict=True))
 
     def __contains__(self, name: object) -> bool:
         return name in self._columns
@@ -119,10 +125,6 @@ class Table:
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         """The rows, by the Arrow PyCapsule interface; they are not copied. The types are always those of the table."""
         return self._rows.__arrow_c_stream__(requested_schema)
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
-        """Refused: the columns have types and names. ``pandas.DataFrame(table)`` asks for it, since pandas takes columns of dicts only."""
-        raise TypeError("a table has columns with names: use table.to_pandas(), pandas.DataFrame(dict(table)) or one column, table[name]")
 
     def to_pandas(self) -> pandas.DataFrame:
         """A frame of pandas with these columns; its ``attrs["units"]`` has the units."""

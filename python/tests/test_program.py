@@ -1,6 +1,7 @@
 """Functions that run the program or test claims."""
 
 import json
+import math
 import os
 import re
 import struct
@@ -115,3 +116,18 @@ def test_a_terminal_has_colour_progress_and_lines_that_fit(program: str, tmp_pat
     done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert "rms_error" not in done.stderr and "\x1b" not in done.stderr
     assert [line for line in done.stderr.splitlines() if "(warning long-step; case 0: beta = 0.5; " in line]
+
+
+def test_a_terminal_shows_how_many_records_have_been_compared(program: str, tmp_path: Path) -> None:
+    for record in range(60):
+        rows = (f"{0.01 * i:.2f},{math.sin((0.02 + 0.001 * record) * i):.6f}" for i in range(4000))
+        (tmp_path / f"r{record}.csv").write_text("\n".join(["Time (s), Acc. (m/s2)", *rows]))
+    periods = [0.1 * (i + 1) for i in range(20)]
+    choose = {"n": 3, "T": periods, "median": [1] * 20, "sigma": [0.5] * 20, "unit": "m/s2"}
+    structure = {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 40}], "ground": {"record": {"files": "r*.csv", "choose": choose}}}
+    study = {"problem": "structure", "parameters": {"dt": 0.01, "duration": 1}, "structure": {**structure, "units": "kg, N, m, s"}, "metrics": ["peak(m)"]}
+    (tmp_path / "s.json").write_text(json.dumps(study))
+    words = [program, "list", "s.json"]
+    # Half a second of work, drawn each tenth of a second; then the spectra are in the cache.
+    assert re.search(r"reading studies.*choosing records \d+/60", _on_a_terminal(words, tmp_path, 60, XDG_CACHE_HOME=str(tmp_path)), re.DOTALL)
+    assert "record(3)" in _on_a_terminal(words, tmp_path, 60, XDG_CACHE_HOME=str(tmp_path))

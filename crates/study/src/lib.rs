@@ -46,6 +46,7 @@ pub use source::folder::ReadFile;
 pub use source::input::{Input, STDIN};
 pub use source::setting::{Setting, SettingFault};
 pub use structure::programs::described::request;
+pub use structure::recorded::selected::choosing;
 pub use units::Units;
 
 pub use slipgap_problem::problem::numbers::parameter::Scale;

@@ -96,6 +96,12 @@ def test_a_number_that_is_none_is_named_with_its_place() -> None:
         slipgap.run(study({"table": {"t": T, "f": A}}, dt=np.array([0.01, np.nan])))
     with pytest.raises(slipgap.SlipgapError, match="a record is times and accelerations of one length"):
         slipgap.run(study({"record": (T, A[:-1])}))
+    with pytest.raises(slipgap.SlipgapError, match=r"parameters.dt is nan"):
+        slipgap.run(study({"table": {"t": T, "f": A}}, dt=np.longdouble("nan")))
+    measured = {"time": T, "columns": {"a": wrong}}
+    for given, place in [(measured, r"columns.a"), ({"time": wrong, "columns": {"a": A}}, "time")]:
+        with pytest.raises(slipgap.SlipgapError, match=rf"measured.{place}\[7\] is nan, which a measurement does not have"):
+            slipgap.run({**study({"table": {"t": T, "f": A}}), "measured": given})
     # Numbers of more digits are those of Python.
     longer = slipgap.run(study({"table": {"t": T, "f": A.astype(np.longdouble)}}, dt=np.longdouble("0.005")))
     assert longer.table["peak(a)"][0] == slipgap.run(study({"table": {"t": T, "f": A}})).table["peak(a)"][0]

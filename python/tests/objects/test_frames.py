@@ -56,7 +56,7 @@ def rows(program: str, tmp_path_factory: pytest.TempPathFactory) -> list[dict[st
 
 def test_a_table_is_a_mapping(results: slipgap.Results) -> None:
     table = results.table
-    assert list(table) == table.keys() == table.columns == list(dict(table))
+    assert table.keys() == table.columns == list(dict(table))
     assert len(table) == 12 and "gap" in table and "gapp" not in table
     for (name, column), again, other in zip(table.items(), table.values(), dict(table).values(), strict=True):
         assert numpy.array_equal(column, again) and numpy.array_equal(column, table[name]) and len(other) == 12
@@ -173,12 +173,27 @@ def test_a_motion_has_the_columns_of_a_history(program: str, tmp_path: Path) -> 
         assert (pandas.reset_index()[name].tolist()) == cells
 
 
-def test_pandas_is_not_given_a_column_of_names(results: slipgap.Results) -> None:
+def test_pandas_takes_a_table(results: slipgap.Results) -> None:
     pandas = pytest.importorskip("pandas")
-    with pytest.raises(TypeError, match="use table.to_pandas()"):
-        pandas.DataFrame(results.table)
-    frame = pandas.DataFrame(dict(results.table))
-    assert list(frame) == list(results.table) and len(frame) == 12
+    for table in (results.table, *results.tables.values(), results.solution(0).table):
+        if len(table):
+            # The columns go to pandas in two ways, by rows and by arrays.
+            pandas.testing.assert_frame_equal(pandas.DataFrame(table), table.to_pandas())
+            assert pandas.DataFrame(dict(table)).columns.tolist() == table.columns
+    some = pandas.DataFrame(results.table, columns=["rms_error", "gap"])
+    assert some["gap"].tolist() == results.table["gap"].tolist() and list(some) == ["rms_error", "gap"]
+
+
+def test_a_table_has_rows(results: slipgap.Results, tmp_path: Path) -> None:
+    results.study.run(out=tmp_path)
+    rows = list(results.table)
+    assert len(rows) == len(results.table) == 12 and "gap" in results.table
+    with next(tmp_path.glob("*/results.csv")).open(newline="") as file:
+        for row, line in zip(rows, csv.DictReader(file), strict=True):
+            assert list(row) == list(line)
+            for name, text in line.items():
+                cell = row[name]
+                assert (cell or "") == text if cell is None or isinstance(cell, str) else repr(float(text or "nan")) == repr(float(cell))
 
 
 @pytest.mark.parametrize("name", ["pandas", "polars", "xarray"])

@@ -88,7 +88,7 @@ def test_cases_are_those_of_the_run(source: dict[str, Any]) -> None:
     cases, table = study.expand(), study.run().table
     results = study.run()
     assert cases.columns == ["case", *results.parameters] and study.check() == len(cases) == len(table)
-    for name in cases:
+    for name in cases.columns:
         assert numpy.array_equal(cases[name], table[name], equal_nan=cases[name].dtype != object)
     assert cases.units == {name: unit for name, unit in table.units.items() if name in cases}
 

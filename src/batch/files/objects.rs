@@ -3,9 +3,10 @@
 //! An object is complete or absent: nobody sees it before its upload has ended. The library repeats requests that fail.
 
 use object_store::aws::{AmazonS3, AmazonS3Builder};
-use object_store::path::Path as Key;
-use object_store::{Error, ObjectStore, ObjectStoreExt, RetryConfig, WriteMultipart};
-use std::collections::BTreeMap;
+use object_store::list::{PaginatedListOptions, PaginatedListStore};
+use object_store::path::{DELIMITER, Path as Key};
+use object_store::{Error, ObjectStoreExt, RetryConfig, WriteMultipart};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
@@ -33,20 +34,51 @@ static RUNTIME: LazyLock<io::Result<Runtime>> = LazyLock::new(|| {
     builder.worker_threads(1).enable_all().build()
 });
 
-/// What the library says of a list that is none, and of an upload without a hash in its answer.
-const NO_ANSWER: [&str; 2] = ["invalid list response", "ETag Header missing"];
+/// What the library says of a list that is none, and of an answer without the hash or the length of an object.
+const NO_ANSWER: [&str; 2] = ["invalid list response", " Header missing"];
 
 static BUCKETS: Mutex<BTreeMap<String, Arc<AmazonS3>>> = Mutex::new(BTreeMap::new());
 
 /// The names directly under a prefix, each with whether it is a prefix itself.
 pub fn list(folder: &Path) -> io::Result<Vec<(String, bool)>> {
     let found = request(folder, async |bucket, key| {
-        bucket.list_with_delimiter(Some(key)).await
+        let prefix = match key.as_ref() {
+            "" => String::new(),
+            key => format!("{key}{DELIMITER}"),
+        };
+        let (mut keys, mut tokens, mut token) = (BTreeSet::new(), BTreeSet::new(), None);
+        loop {
+            let options = PaginatedListOptions {
+                delimiter: Some(DELIMITER.into()),
+                page_token: token,
+                ..PaginatedListOptions::default()
+            };
+            let page = bucket.list_paginated(Some(&prefix), options).await?;
+            let (prefixes, objects) = (page.result.common_prefixes, page.result.objects);
+            let named = objects.into_iter().map(|object| (object.location, false));
+            let under = prefixes.into_iter().map(|prefix| (prefix, true));
+            let given: BTreeSet<(Key, bool)> = under.chain(named).collect();
+            // The list would have no end.
+            let repeated = !given.is_empty() && given.is_subset(&keys);
+            keys.extend(given);
+            token = page.page_token.filter(|token| !token.is_empty());
+            match &token {
+                None => return Ok(keys),
+                Some(token) if repeated || !tokens.insert(token.clone()) => return Err(repeats()),
+                Some(_) => {}
+            }
+        }
     })?;
-    let prefixes = found.common_prefixes.iter().map(|key| (key, true));
-    let objects = found.objects.iter().map(|object| (&object.location, false));
-    let name = |(key, is_prefix): (&Key, bool)| Some((key.filename()?.to_owned(), is_prefix));
-    Ok(prefixes.chain(objects).filter_map(name).collect())
+    let name = |(key, is_prefix): (Key, bool)| Some((key.filename()?.to_owned(), is_prefix));
+    Ok(found.into_iter().filter_map(name).collect())
+}
+
+/// The error of a server that gives one page of a list twice.
+fn repeats() -> Error {
+    Error::Generic {
+        store: "S3",
+        source: "the server repeats a page of the list of objects".into(),
+    }
 }
 
 /// The bytes of an object.

@@ -261,7 +261,7 @@ impl Store {
     /// copies under other names, because programs that read the folder would read them.
     ///
     /// # Errors
-    /// A part that cannot be removed.
+    /// A part that cannot be removed; one of this run that another run of an object store, which has no lock, has removed.
     pub fn close(self) -> Result<(), Error> {
         self.check_kept()?;
         let current = self.current();
@@ -280,7 +280,7 @@ impl Store {
             remove_empty_folder(folder);
         }
         let Some((path, e)) = failed else {
-            return Ok(());
+            return part_file::check_kept(&self.folder, &current);
         };
         let why = io::Error::new(e.kind(), format!("{e}; its rows are not of this study"));
         Err(Error::io("cannot remove", path)(why))

@@ -93,9 +93,20 @@ pub fn read_checked(path: &Path) -> Result<Option<Vec<u8>>, Miss> {
     Ok(bytes.filter(|bytes| is_undamaged(path, bytes)))
 }
 
+/// The bytes of a part, or of what has its name. A network that wants a password answers with a page, which is no damaged part.
+fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
+    let bytes = read_file(path)?;
+    match is_object(path) && bytes.trim_ascii_start().starts_with(b"<") {
+        true => Err(io::Error::other(
+            "the answer is none of S3: a page of the network, or another server",
+        )),
+        false => Ok(bytes),
+    }
+}
+
 /// The bytes of a part. A file that cannot be read is as good as damaged; a server may give it later.
 fn read_part(path: &Path) -> Result<Option<Vec<u8>>, Miss> {
-    match read_file(path) {
+    match read_bytes(path) {
         Err(e) if is_object(path) && e.kind() != ErrorKind::NotFound => {
             Err(Miss::Unread(path.to_owned(), e.to_string()))
         }
@@ -144,7 +155,8 @@ pub fn check_kept(store: &Path, parts: &BTreeSet<PathBuf>) -> Result<(), Error> 
     match parts.iter().find(|part| !listed.contains(*part)) {
         None => Ok(()),
         Some(part) => {
-            let why = "the server answered that it was written, but does not list it";
+            let why =
+                "the server does not list it: it did not keep it, or another run has removed it";
             Err(Error::io("cannot keep", part)(io::Error::other(why)))
         }
     }
@@ -162,7 +174,7 @@ pub fn rows(results: &Path) -> Result<Rows, Error> {
     let folder = results.join(STORE);
     let mut rows = Rows::default();
     for (_, path) in all_in(&folder)? {
-        let bytes = read_file(&path).map_err(Error::io("cannot read", &path))?;
+        let bytes = read_bytes(&path).map_err(Error::io("cannot read", &path))?;
         let damaged = || {
             let source = io::Error::other("damaged; run the study again");
             Error::io("cannot read", &path)(source)

@@ -5,7 +5,7 @@ use super::note;
 use super::studies::Estimate;
 use crate::batch::solve::cost;
 use crate::batch::solve::work_progress::WorkProgress;
-use crate::study::Study;
+use crate::study::{Study, choosing};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use std::fmt::Write;
 use std::io::{IsTerminal, stderr};
@@ -46,10 +46,23 @@ pub fn reading() -> ProgressBar {
     let hidden = !stderr().is_terminal();
     let bar = match hidden {
         true => ProgressBar::hidden(),
-        false => ProgressBar::new_spinner().with_message("reading studies"),
+        false => ProgressBar::new_spinner().with_style(style_of_reading()),
     };
     show(&bar);
     bar
+}
+
+/// What is read now, at each tick.
+fn style_of_reading() -> ProgressStyle {
+    let what = |_: &ProgressState, out: &mut dyn Write| {
+        let _ = match choosing() {
+            Some([done, of]) => write!(out, "choosing records {done}/{of}"),
+            None => write!(out, "reading studies"),
+        };
+    };
+    ProgressStyle::with_template("{spinner} {what}")
+        .unwrap_or_else(|_| ProgressStyle::default_spinner())
+        .with_key("what", what)
 }
 
 /// A counter of cases, for work of which the number of cases is not known before; hidden without a terminal.

@@ -8,6 +8,8 @@ use std::time::{Duration, Instant};
 /// An attempt has 30 s, and is repeated for 30 s.
 const LONGEST: Duration = Duration::from_secs(70);
 
+const PAGE: &str = ": the answer is none of S3: a page of the network, or another server\n";
+
 /// Runs a study with these changes of the command; returns what it says.
 #[track_caller]
 fn fails(bench: &Bench, port: Port, args: &[&str], change: impl Fn(&mut Command)) -> String {
@@ -112,15 +114,16 @@ fn a_page_and_parts_that_are_not_kept_are_no_success() {
     bench.file("s.json", short("f", 3));
     let args = ["run", "s.json", "--shard", "1/1", "--out", "s3://lost"];
     let said = fails(&bench, Port::Page, &args, |_| ());
-    let page = "the answer is none of S3: a page of the network, or another server\n";
-    assert!(said.ends_with(page), "{said}");
+    assert!(said.ends_with(PAGE), "{said}");
     let said = fails(&bench, Port::Forgetful, &args, |_| ());
     assert!(
         said.starts_with("slipgap: cannot keep s3://lost/s/store/part-"),
         "{said}"
     );
     assert!(
-        said.ends_with(": the server answered that it was written, but does not list it\n"),
+        said.ends_with(
+            ": the server does not list it: it did not keep it, or another run has removed it\n"
+        ),
         "{said}"
     );
     assert_eq!(objects(&bench, "lost").len(), 0);
@@ -152,4 +155,42 @@ fn parts_that_the_server_does_not_give_are_neither_missing_nor_computed_again() 
     });
     assert_eq!(parts(&objects(&bench, "ungiven")), 1);
     SERVER.run(&bench, Port::Good, 0, &merge);
+}
+
+#[test]
+#[ignore = "starts a server; make s3-test"]
+fn a_page_for_a_part_is_no_damage_and_a_list_without_end_ends() {
+    let bench = begin("pages");
+    bench.file("s.json", short("f", 3));
+    let out = ["--out", "s3://pages"];
+    let shard = [&["run", "s.json", "--shard", "1/1"][..], &out].concat();
+    SERVER.run(&bench, Port::Good, 0, &shard);
+    let status = [&["status", "s.json"][..], &out].concat();
+    let merge = [&["merge", "s.json", "--shards", "1"][..], &out].concat();
+    for args in [&shard, &status, &merge] {
+        let said = fails(&bench, Port::Paging, args, |_| ());
+        assert!(said.ends_with(PAGE), "{said}");
+        let said = fails(&bench, Port::Repeating, args, |_| ());
+        let repeats = ": the server repeats a page of the list of objects\n";
+        assert!(said.ends_with(repeats), "{said}");
+    }
+    assert_eq!(parts(&objects(&bench, "pages")), 1);
+    SERVER.run(&bench, Port::Good, 0, &merge);
+}
+
+#[test]
+#[ignore = "starts a server; make s3-test"]
+fn a_run_whose_parts_another_one_removes_is_no_success() {
+    let bench = begin("robbed");
+    let run = ["run", "s.json", "--out", "s3://robbed"];
+    bench.file("s.json", short("f", 3));
+    SERVER.run(&bench, Port::Robbing, 0, &run);
+    // Its part replaces the former one.
+    bench.file("s.json", short("f", 4));
+    let said = SERVER.run(&bench, Port::Robbing, 1, &run).err;
+    let lost = "\nslipgap: cannot keep s3://robbed/s/store/part-";
+    assert!(said.contains(lost), "{said}");
+    assert!(said.ends_with("or another run has removed it\n"), "{said}");
+    SERVER.run(&bench, Port::Good, 0, &run);
+    assert_eq!(parts(&objects(&bench, "robbed")), 1);
 }

@@ -20,8 +20,14 @@ pub(crate) enum Port {
     Forgetful = 3,
     /// Parts are listed and not given.
     Ungiving = 4,
+    /// Parts are listed, and a page of HTML is given for them.
+    Paging = 5,
+    /// A list has no end.
+    Repeating = 6,
+    /// Who removes a part loses those that were received: another run removes them.
+    Robbing = 7,
     /// Nobody answers.
-    Silent = 5,
+    Silent = 8,
 }
 
 /// The server of all tests. It ends with its standard input, which is with this process.
@@ -47,7 +53,7 @@ impl Server {
         let out = process.stdout.take().unwrap();
         BufReader::new(out).read_line(&mut line).unwrap();
         let ports: Vec<String> = line.split_whitespace().map(String::from).collect();
-        assert_eq!(ports.len(), 6, "{line}");
+        assert_eq!(ports.len(), 9, "{line}");
         Server {
             _process: process,
             ports,

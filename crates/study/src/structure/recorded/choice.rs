@@ -3,6 +3,7 @@
 use super::cache::Cache;
 use super::ordinates::Ordinates;
 use super::pattern::{Found, matching};
+use super::selected;
 use super::selection::{Moments, select};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::folder::Folder;
@@ -165,10 +166,12 @@ impl Choice {
         folder: &Folder,
         cache: &Cache,
     ) -> Result<Vec<usize>, String> {
+        selected::begin(files.len());
         // Read once, on all threads; in the order of the files, so that the choice is the same everywhere.
         let spectra: Vec<Result<Vec<f64>, String>> = files
             .par_iter()
             .map(|motion| self.ordinates.logarithms(folder, motion, cache))
+            .inspect(|_| selected::step())
             .collect();
         let errors = spectra.iter().filter_map(|result| result.as_ref().err());
         let wrong: Vec<&str> = errors.take(MOST_FAULTS).map(String::as_str).collect();

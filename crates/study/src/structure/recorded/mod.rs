@@ -6,4 +6,5 @@ mod ordinates;
 pub(crate) mod own_records;
 mod pattern;
 pub(crate) mod record_axis;
+pub(crate) mod selected;
 mod selection;
