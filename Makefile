@@ -11,7 +11,7 @@ papers = $(sort $(wildcard studies/friction-fig*.json studies/impact-fig*.json))
 shown = $(papers) structure-skew-deck friction-map-beta plane-circle impact-map-gamma-n laws-front-friction parts-loops laws-front-impact \
   impact-budget plane-width structure-girders parts-degrading structure-blocks plane-uncoupled bridges-friction
 
-.PHONY: help figures evidence hashes report test overflow lint fresh fresh-run fresh-judge licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test programs
+.PHONY: help figures evidence hashes report test overflow lint clippy fresh fresh-run fresh-judge licences deny schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel paper site sdist cross platforms tag archive workflows slurm-long recipes s3-test programs
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -42,11 +42,13 @@ test: ## check the results of `make figures`, run all tests
 overflow: ## tests of the crates that compute, in a build that stops at an overflow of whole numbers
 	cargo test --locked --lib --package slipgap-contact --package slipgap-system --package slipgap-motion
 
+lint: clippy ## formatting, clippy and documentation without warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps
+
 # All packages at once, so that each crate is checked once. As an extension, the Python package is checked without Python, too.
-lint: ## formatting, clippy and documentation without warnings
+clippy:
 	cargo fmt --all --check
 	PYO3_BUILD_EXTENSION_MODULE=1 cargo clippy --release --locked --workspace --all-targets -- -D warnings
-	RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps
 
 fresh: ## run all studies in a folder of their own: checks, claims, numbers of pages, and committed tables, pictures, hashes and schema
 	cargo build --release --locked
