@@ -31,6 +31,7 @@ use crate::source::tree::{Node, Tree};
 use crate::structure::keys::KEY as MEASURED;
 use crate::structure::named::free_names::with_free_names;
 use crate::structure::named::shown::SHOWN;
+use crate::structure::programs::KEY as PROGRAMS;
 use crate::structure::programs::textbook::with_programs;
 use crate::structure::{
     self,
@@ -262,7 +263,9 @@ fn problem(
             (MEASURED.name, "compares with measurements"),
             (SHOWN.name, "names its parameters"),
         ] {
-            if let Some(node) = object.get(key) {
+            // There, they are names of programs.
+            let allowed = key == SHOWN.name && object.get(PROGRAMS.name).is_some();
+            if let (Some(node), false) = (object.get(key), allowed) {
                 let message = format!("only a study with \"problem\": \"{NAME}\" {what}");
                 faults.add(node.at, key, message);
             }

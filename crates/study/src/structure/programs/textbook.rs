@@ -1,12 +1,13 @@
 //! Programs of others in a study of a textbook problem: the problem, whose cases by a program are those of the structure that describes it.
 
 use super::described::structure;
-use super::{choices, list, restricted};
+use super::{choices, list, names, restricted};
 use crate::source::faults::Faults;
 use crate::source::folder::Folder;
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::structure::identity::identity;
+use crate::structure::named::shown::of_programs as shown_names;
 use crate::structure::reading::reader::Reader;
 use slipgap_motion::history::History;
 use slipgap_motion::solve::{MetricTable, Unsolvable, Warning, Warnings};
@@ -70,6 +71,11 @@ pub(crate) fn with_programs(
     if let Some(names) = choices(root_node) {
         rows[method].kind = Kind::Choice(names);
     }
+    let shown = shown_names(root, &names(root_node), faults);
+    let words = shown
+        .into_iter()
+        .map(|(name, words)| (name.into(), words.into()));
+    rows[method].shown_values = words.collect();
     Arc::new(WithPrograms {
         schema: Arc::new(schema),
         programs: Arc::new(Programs::new(programs, folder.study.clone(), identity)),
