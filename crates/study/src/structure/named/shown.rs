@@ -126,12 +126,12 @@ impl Of {
 }
 
 /// The names that figures write for programs, in a study without a structure.
-pub(in crate::structure) fn of_programs(
+pub(crate) fn of_programs(
     root: &Object,
     programs: &[&str],
     faults: &mut Faults,
 ) -> Vec<(String, String)> {
-    let node = root.get(SHOWN.name);
+    let node = root.get(SHOWN.name).filter(|_| !programs.is_empty());
     let object = node.and_then(|node| Object::of_keys(node, SHOWN.name, programs, faults));
     let members = object.iter().flat_map(|object| &object.members);
     let named = members.filter_map(|member| {

@@ -50,7 +50,7 @@ fn listed(root: &Node) -> &[Member] {
 }
 
 /// The names of the programs of a study.
-pub(in crate::structure) fn names(root: &Node) -> Vec<&str> {
+pub(crate) fn names(root: &Node) -> Vec<&str> {
     let programs = listed(root).iter().filter(|member| member.key != "//");
     programs.map(|member| &*member.key).collect()
 }

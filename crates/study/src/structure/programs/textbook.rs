@@ -1,13 +1,12 @@
 //! Programs of others in a study of a textbook problem: the problem, whose cases by a program are those of the structure that describes it.
 
 use super::described::structure;
-use super::{choices, list, names, restricted};
+use super::{choices, list, restricted};
 use crate::source::faults::Faults;
 use crate::source::folder::Folder;
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::structure::identity::identity;
-use crate::structure::named::shown::of_programs as shown_names;
 use crate::structure::reading::reader::Reader;
 use slipgap_motion::history::History;
 use slipgap_motion::solve::{MetricTable, Unsolvable, Warning, Warnings};
@@ -41,11 +40,12 @@ struct WithPrograms {
     method: usize,
 }
 
-/// The problem with the programs of the study at `root`; the same without any, and that of a structure.
+/// The problem with the programs of the study at `root`, with the names of them that are `shown` in figures; the same without any, and
+/// that of a structure.
 pub(crate) fn with_programs(
     problem: Arc<dyn Problem>,
     (root, root_node): (&Object, &Node),
-    folder: &Folder,
+    (folder, shown): (&Folder, Vec<(String, String)>),
     faults: &mut Faults,
 ) -> Arc<dyn Problem> {
     let method = problem
@@ -71,7 +71,6 @@ pub(crate) fn with_programs(
     if let Some(names) = choices(root_node) {
         rows[method].kind = Kind::Choice(names);
     }
-    let shown = shown_names(root, &names(root_node), faults);
     let words = shown
         .into_iter()
         .map(|(name, words)| (name.into(), words.into()));
