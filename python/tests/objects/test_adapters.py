@@ -97,6 +97,24 @@ def test_opensees_has_the_steps_of_average_acceleration(tmp_path: Path) -> None:
         assert other == pytest.approx(own, rel=1e-8)
 
 
+def test_opensees_has_the_friction_of_a_disc(tmp_path: Path) -> None:
+    pytest.importorskip("openseespy.opensees")
+    found = table(tmp_path, "opensees_case", turned(["other"]), {"stiffness": 1e5})
+    # Its steps are of order 1; the spring of the section moves by 5e-6.
+    for errors in (found["rms_error(a.x)"], found["rms_error(a.y)"]):
+        for coarse, fine in zip(errors, errors[1:]):
+            assert 1.7 < coarse / fine < 2.3
+    # Two bodies on each other: the lower one is held and does not move.
+    study = turned(["other"])
+    study["structure"]["masses"]["b"] = {"mass": 1, "direction": ["x", "y"]}
+    study["structure"]["springs"].append({"between": ["ground", "b"], "directions": ["x", "y"], "k": [1e7, 1e7]})
+    study["structure"]["contacts"]["disc"]["between"] = ["b", "a"]
+    pair = table(tmp_path, "opensees_case", study, {"stiffness": 1e5})
+    for metric in ["rms_error(a.x)", "rms_error(a.y)"]:
+        # The spring of b moves by 0.5/1e7 of 1 m.
+        assert pair[metric] == pytest.approx(found[metric], abs=1e-6)
+
+
 def test_mujoco_softens_friction(tmp_path: Path) -> None:
     pytest.importorskip("mujoco")
     study = release(["other"])

@@ -55,7 +55,7 @@ impl Runner for Pool {
     fn ask(
         &self,
         program: &Program,
-        request: String,
+        request: Vec<u8>,
         is_answer: &mut dyn FnMut(&str) -> bool,
     ) -> Result<(), String> {
         let known = self.hello(program)?;

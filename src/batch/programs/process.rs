@@ -1,12 +1,14 @@
 //! A process of a program: lines to its standard input, lines from its standard output, and what it says besides.
 //!
-//! Threads write and read, so that no program can hold up the product: after its time it is ended.
+//! Threads write and read, so that no program can hold up the product: after its time it is ended. What the pipe takes at once needs no
+//! thread: waking one costs more than the metrics of a case.
 
 use slipgap_problem::problem::structure::programs::{Hello, Program};
 use std::collections::VecDeque;
+use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
@@ -36,7 +38,10 @@ type Tail = Arc<Mutex<VecDeque<String>>>;
 pub(super) struct Process {
     child: Child,
     /// `None` when its input has ended.
-    requests: Option<Sender<String>>,
+    requests: Option<Sender<Vec<u8>>>,
+    /// The same input, which refuses what it cannot take at once. `None` where the system has none, and after the first refusal, since
+    /// the bytes must stay in their order.
+    at_once: Option<File>,
     lines: Receiver<String>,
     tail: Tail,
     /// Whether it has answered a request.
@@ -73,7 +78,8 @@ impl Process {
         let unstarted = |why: io::Error| format!("cannot start {shown}: {why}");
         let mut child = piped.spawn().map_err(unstarted)?;
         let tail = Tail::default();
-        let (requests, to_write) = channel::<String>();
+        let at_once = child.stdin.as_ref().and_then(at_once);
+        let (requests, to_write) = channel::<Vec<u8>>();
         let (to_read, lines) = sync_channel(WAITING);
         if let Some(input) = child.stdin.take() {
             thread::spawn(move || write(input, to_write));
@@ -88,6 +94,7 @@ impl Process {
         let mut process = Process {
             child,
             requests: Some(requests),
+            at_once,
             lines,
             tail,
             answered: false,
@@ -114,15 +121,19 @@ impl Process {
     /// There is none in its time. The process is of no use any more.
     pub(super) fn ask(
         &mut self,
-        request: String,
+        mut request: Vec<u8>,
         seconds: f64,
         is_answer: &mut dyn FnMut(&str) -> bool,
     ) -> Result<(), String> {
+        request.push(b'\n');
         // Where its input is closed, it has ended, which the lines tell.
-        let _ = self
-            .requests
-            .as_ref()
-            .map(|requests| requests.send(request));
+        let write = |input: &mut File| input.write(&request).unwrap_or(0);
+        let taken = self.at_once.as_mut().map_or(0, write);
+        if taken < request.len() {
+            self.at_once = None;
+            let rest = request.split_off(taken);
+            let _ = self.requests.as_ref().map(|requests| requests.send(rest));
+        }
         let why = match self.wait(seconds, is_answer) {
             Ok(()) => {
                 self.answered = true;
@@ -185,7 +196,7 @@ impl Process {
 
 impl Drop for Process {
     fn drop(&mut self) {
-        self.requests = None;
+        (self.requests, self.at_once) = (None, None);
         // One that answered ends by itself; any other may be stuck.
         let grace = if self.answered { GRACE } else { Duration::ZERO };
         if self.status(grace).is_none() {
@@ -195,12 +206,35 @@ impl Drop for Process {
     }
 }
 
+/// The input of a program once more, which refuses what it cannot take at once: Linux opens a pipe by its number as another file.
+#[cfg(all(
+    target_os = "linux",
+    any(target_arch = "x86_64", target_arch = "aarch64")
+))]
+fn at_once(input: &ChildStdin) -> Option<File> {
+    use std::os::fd::AsRawFd;
+    use std::os::unix::fs::OpenOptionsExt;
+    const O_NONBLOCK: i32 = 0o4000;
+    let mut options = File::options();
+    let options = options.write(true).custom_flags(O_NONBLOCK);
+    options
+        .open(format!("/proc/self/fd/{}", input.as_raw_fd()))
+        .ok()
+}
+
+#[cfg(not(all(
+    target_os = "linux",
+    any(target_arch = "x86_64", target_arch = "aarch64")
+)))]
+fn at_once(_: &ChildStdin) -> Option<File> {
+    None
+}
+
 /// Writes requests until there are no more, or the program does not read any more.
-fn write(mut input: impl Write, requests: Receiver<String>) {
-    for mut request in requests {
-        request.push('\n');
+fn write(mut input: impl Write, requests: Receiver<Vec<u8>>) {
+    for request in requests {
         if input
-            .write_all(request.as_bytes())
+            .write_all(&request)
             .and_then(|()| input.flush())
             .is_err()
         {
@@ -212,12 +246,15 @@ fn write(mut input: impl Write, requests: Receiver<String>) {
 /// Reads lines until the end.
 fn read(output: impl Read, lines: &SyncSender<String>) {
     let mut reader = BufReader::with_capacity(1 << 16, output);
+    let mut length = 0;
     loop {
-        let mut bytes = Vec::new();
+        // Most answers are as long as the one before.
+        let mut bytes = Vec::with_capacity(length);
         match reader.by_ref().take(LONGEST).read_until(b'\n', &mut bytes) {
             Ok(1..) => {}
             Ok(0) | Err(_) => return,
         }
+        length = bytes.len();
         // A copy of a long answer is only made of one with other bytes.
         let line = String::from_utf8(bytes)
             .unwrap_or_else(|broken| String::from_utf8_lossy(broken.as_bytes()).into_owned());

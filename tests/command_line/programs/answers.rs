@@ -113,6 +113,28 @@ fn the_shipped_program_agrees_with_the_method_of_the_product() {
 }
 
 #[test]
+fn a_request_longer_than_a_pipe_arrives_whole() {
+    let bench = bench();
+    let parameters = r#""method": ["average-acceleration", "plain"], "tol": 1e-8, "gap": 10"#;
+    let metrics = r#", "metrics": ["last(a)", "last(b)"]"#;
+    // The ground and the load over 10 000 steps are 400 kB of text, of which a pipe takes 64 kB at once.
+    let short = towers(&plain(), parameters, metrics);
+    bench.file(
+        "s.json",
+        short.replace("\"duration\": 5", "\"duration\": 100"),
+    );
+    bench.expect(0, &["run", "s.json", "--allow-programs", "--jobs", "1"]);
+    for name in ["last(a)", "last(b)"] {
+        let found = numbers(&bench, "figures/s", name);
+        // Round-off of 10 000 steps.
+        assert!(
+            (found[1] - found[0]).abs() <= 1e-9 * found[0].abs(),
+            "{found:?}"
+        );
+    }
+}
+
+#[test]
 fn a_program_is_asked_for_what_metrics_need() {
     let asked = |metrics: &str| {
         let bench = bench();

@@ -30,7 +30,8 @@ use crate::source::setting;
 use crate::source::tree::{Node, Tree};
 use crate::structure::keys::KEY as MEASURED;
 use crate::structure::named::free_names::with_free_names;
-use crate::structure::named::shown::SHOWN;
+use crate::structure::named::shown::{SHOWN, of_programs};
+use crate::structure::programs;
 use crate::structure::programs::textbook::with_programs;
 use crate::structure::{
     self,
@@ -180,7 +181,13 @@ pub(crate) fn study(
     let title = object.text("title", faults).unwrap_or_default();
     let problem = problem(&object, (root, whole), folder, faults)
         .map(|problem| with_free_names(problem, (root, whole), faults))
-        .map(|problem| with_programs(problem, (&object, root), folder, faults));
+        .map(|problem| {
+            let shown = match problem.as_textbook() {
+                Some(_) => of_programs(&object, &programs::names(root), faults),
+                None => Vec::new(),
+            };
+            with_programs(problem, (&object, root), (folder, shown), faults)
+        });
     let blocks = blocks(&object, problem.as_deref(), limit, faults);
     let units = object
         .get("units")
@@ -262,7 +269,9 @@ fn problem(
             (MEASURED.name, "compares with measurements"),
             (SHOWN.name, "names its parameters"),
         ] {
-            if let Some(node) = object.get(key) {
+            // There, they are names of programs.
+            let allowed = key == SHOWN.name && object.get(programs::KEY.name).is_some();
+            if let (Some(node), false) = (object.get(key), allowed) {
                 let message = format!("only a study with \"problem\": \"{NAME}\" {what}");
                 faults.add(node.at, key, message);
             }

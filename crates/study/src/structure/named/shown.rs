@@ -1,8 +1,10 @@
-//! The key `names`: what figures write instead of parameters, contacts, channels and records.
+//! The key `names`: what figures write instead of parameters, contacts, channels, records and programs.
 
-use crate::source::faults::Faults;
+use crate::source::faults::{Faults, join};
 use crate::source::field::{Field, Kind, field};
 use crate::source::object::Object;
+use crate::source::tree::Member;
+use crate::structure::programs;
 use crate::structure::reading::reader::Reader;
 use crate::value::text;
 use slipgap_problem::problem::expression::printable;
@@ -14,15 +16,15 @@ use std::path::Path;
 
 /// The key of names for figures, with its meaning.
 pub(crate) const SHOWN: Field = field("names", Kind::Shared("names"))
-    .means("names in figures of a structure: of a parameter or channel, with its unit, as in {\"gap\": [\"width of the gap\", \"m\"], \"g1.right - p2\": [\"seat displacement\"]}; of a contact, for its channels and metrics; of a record by its file; default: event, station and component of the header");
+    .means("names in figures, of a structure: of a parameter or channel, with its unit, as in {\"gap\": [\"width of the gap\", \"m\"], \"g1.right - p2\": [\"seat displacement\"]}; of a contact, for its channels and metrics; of a record by its file; default: event, station and component of the header; of a program, in any problem");
 
 /// What names are of.
 enum Of {
     Parameter(usize),
     Contact,
     Channel(Channel),
-    /// The file of a record.
-    Record(String),
+    /// The file of a record, or a program.
+    Value(String),
 }
 
 /// Reads the names that figures write.
@@ -39,42 +41,32 @@ pub(in crate::structure) fn shown(
         .iter()
         .map(|(file, heading)| (file.clone(), printable(&heading.words())))
         .collect::<Vec<_>>();
-    let mut records = record_names(&headings);
+    let mut values = record_names(&headings);
+    let programs = programs::names(reader.root).into_iter();
+    values.extend(programs.map(|name| (name.to_owned(), name.to_owned())));
     if let Some(node) = root.get(SHOWN.name) {
         let mut known: Vec<String> = parameters
             .iter()
             .map(|parameter| parameter.name.clone())
             .collect();
         known.extend(names.named_contacts().map(str::to_owned));
-        known.extend(records.iter().map(|record| record.0.clone()));
+        known.extend(values.iter().map(|value| value.0.clone()));
         known.extend(names.channels());
         // Channels of all nodes, and sums, are too many for a list.
         if let Some(members) = node.object() {
             let keys = members.iter().map(|member| &member.key);
             known.extend(
-                keys.filter(|key| of(key, (parameters, names), &records).is_some())
+                keys.filter(|key| of(key, (parameters, names), &values).is_some())
                     .cloned(),
             );
         }
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
         let object = Object::of_keys(node, SHOWN.name, &known, faults);
         for own in object.iter().flat_map(|object| &object.members) {
-            let path = format!("{}.{}", SHOWN.name, own.key);
-            let Some(of) = of(&own.key, (parameters, names), &records) else {
+            let Some(of) = of(&own.key, (parameters, names), &values) else {
                 continue;
             };
-            let counts = 1..=of.most_texts();
-            let given = own
-                .node
-                .list()
-                .filter(|items| counts.contains(&items.len()));
-            let Some(items) = given else {
-                faults.must_be(&own.node, &path, of.form());
-                continue;
-            };
-            let numbered = items.iter().enumerate();
-            let read = numbered.map(|(i, item)| text(item, &format!("{path}[{i}]"), faults));
-            let Some(mut texts) = read.collect::<Option<Vec<String>>>() else {
+            let Some(mut texts) = of.texts(own, faults) else {
                 continue;
             };
             let unit = texts.get_mut(1).map(std::mem::take).unwrap_or_default();
@@ -83,8 +75,8 @@ pub(in crate::structure) fn shown(
                 Of::Parameter(row) => parameters[row].shown = Some([name, unit]),
                 Of::Contact => shown.contacts.push((own.key.clone(), name)),
                 Of::Channel(channel) => shown.channels.push((channel, [name, unit])),
-                Of::Record(file) => {
-                    let known = records.iter_mut().find(|known| known.0 == file);
+                Of::Value(given) => {
+                    let known = values.iter_mut().find(|known| known.0 == given);
                     known
                         .into_iter()
                         .for_each(|known| known.1.clone_from(&name));
@@ -94,8 +86,8 @@ pub(in crate::structure) fn shown(
     }
     for named in parameters {
         let choices = named.choices.unwrap_or_default().iter();
-        let files = choices.filter_map(|choice| records.iter().find(|record| record.0 == choice.0));
-        named.shown_values = files.cloned().collect();
+        let given = choices.filter_map(|choice| values.iter().find(|value| value.0 == choice.0));
+        named.shown_values = given.cloned().collect();
     }
     shown
 }
@@ -105,8 +97,22 @@ impl Of {
     fn most_texts(&self) -> usize {
         match self {
             Of::Parameter(_) | Of::Channel(_) => 2,
-            Of::Contact | Of::Record(_) => 1,
+            Of::Contact | Of::Value(_) => 1,
         }
+    }
+
+    /// The texts of its name.
+    fn texts(&self, member: &Member, faults: &mut Faults) -> Option<Vec<String>> {
+        let path = join(SHOWN.name, &member.key);
+        let counts = 1..=self.most_texts();
+        let list = member.node.list();
+        let Some(items) = list.filter(|items| counts.contains(&items.len())) else {
+            faults.must_be(&member.node, &path, self.form());
+            return None;
+        };
+        let numbered = items.iter().enumerate();
+        let read = numbered.map(|(i, item)| text(item, &format!("{path}[{i}]"), faults));
+        read.collect()
     }
 
     fn form(&self) -> &'static str {
@@ -114,16 +120,32 @@ impl Of {
             Of::Parameter(_) | Of::Channel(_) => {
                 "a list of a name and a unit, as in [\"gap\", \"m\"]"
             }
-            Of::Contact | Of::Record(_) => "a list of a name, as in [\"gap at the pier\"]",
+            Of::Contact | Of::Value(_) => "a list of a name, as in [\"gap at the pier\"]",
         }
     }
+}
+
+/// The names that figures write for programs, in a study without a structure.
+pub(crate) fn of_programs(
+    root: &Object,
+    programs: &[&str],
+    faults: &mut Faults,
+) -> Vec<(String, String)> {
+    let node = root.get(SHOWN.name).filter(|_| !programs.is_empty());
+    let object = node.and_then(|node| Object::of_keys(node, SHOWN.name, programs, faults));
+    let members = object.iter().flat_map(|object| &object.members);
+    let named = members.filter_map(|member| {
+        let texts = Of::Value(member.key.clone()).texts(member, faults)?;
+        Some((member.key.clone(), texts.into_iter().next()?))
+    });
+    named.collect()
 }
 
 /// What a key names: a parameter before a part of the structure with the same name.
 fn of(
     key: &str,
     (parameters, names): (&[Named], &Names),
-    records: &[(String, String)],
+    values: &[(String, String)],
 ) -> Option<Of> {
     if let Some(row) = parameters
         .iter()
@@ -134,12 +156,12 @@ fn of(
     if names.named_contacts().any(|contact| contact == key) {
         return Some(Of::Contact);
     }
-    let mut files = records
+    let mut named = values
         .iter()
-        .map(|own| &own.0)
-        .filter(|file| *file == key || name(file) == key);
-    match (files.next(), files.next()) {
-        (Some(file), None) => Some(Of::Record(file.clone())),
+        .map(|value| &value.0)
+        .filter(|value| *value == key || name(value) == key);
+    match (named.next(), named.next()) {
+        (Some(value), None) => Some(Of::Value(value.clone())),
         _ => Channel::parse(key, names).ok().map(Of::Channel),
     }
 }

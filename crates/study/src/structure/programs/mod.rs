@@ -49,10 +49,15 @@ fn listed(root: &Node) -> &[Member] {
     root.get(KEY.name).map_or(&[], members)
 }
 
+/// The names of the programs of a study.
+pub(crate) fn names(root: &Node) -> Vec<&str> {
+    let programs = listed(root).iter().filter(|member| member.key != "//");
+    programs.map(|member| &*member.key).collect()
+}
+
 /// The methods of a study with programs; `None` for one without.
 pub(in crate::structure) fn choices(root: &Node) -> Option<Choices> {
-    let programs = listed(root).iter().filter(|member| member.key != "//");
-    let names: Vec<&str> = programs.map(|member| &*member.key).collect();
+    let names = names(root);
     (!names.is_empty()).then(|| interned_choices(methods(names.into_iter())))
 }
 

@@ -40,11 +40,12 @@ struct WithPrograms {
     method: usize,
 }
 
-/// The problem with the programs of the study at `root`; the same without any, and that of a structure.
+/// The problem with the programs of the study at `root`, with the names of them that are `shown` in figures; the same without any, and
+/// that of a structure.
 pub(crate) fn with_programs(
     problem: Arc<dyn Problem>,
     (root, root_node): (&Object, &Node),
-    folder: &Folder,
+    (folder, shown): (&Folder, Vec<(String, String)>),
     faults: &mut Faults,
 ) -> Arc<dyn Problem> {
     let method = problem
@@ -70,6 +71,10 @@ pub(crate) fn with_programs(
     if let Some(names) = choices(root_node) {
         rows[method].kind = Kind::Choice(names);
     }
+    let words = shown
+        .into_iter()
+        .map(|(name, words)| (name.into(), words.into()));
+    rows[method].shown_values = words.collect();
     Arc::new(WithPrograms {
         schema: Arc::new(schema),
         programs: Arc::new(Programs::new(programs, folder.study.clone(), identity)),

@@ -186,3 +186,38 @@ fn titles_have_the_units_of_the_study() {
     assert_eq!([&*error.symbol, &*error.unit], ["energy error", "1"]);
     assert_eq!(error.above("5"), "energy error > 5");
 }
+
+#[test]
+fn figures_have_names_of_programs_in_every_problem() {
+    let of_structure = r#""problem": "structure", "parameters": {"method": ["p-1", "q"], "dt": 0.01, "duration": 1}, "metrics": ["peak(m)"],
+        "structure": {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1}]}"#;
+    let of_textbook = r#""problem": "friction-oscillator", "parameters": {"method": ["p-1", "q"], "law": "coulomb", "dT": 0.01, "duration": 20}"#;
+    for problem in [of_structure, of_textbook] {
+        let parsed = |names: &str| {
+            let text = format!(
+                r#"{{{problem}, "programs": {{"p-1": {{"command": ["p"]}}, "q": {{"command": ["q"]}}}}, "names": {{{names}}}}}"#
+            );
+            crate::parse("s", &text)
+        };
+        let study = parsed(r#""p-1": ["Program, first rule"]"#).unwrap();
+        let table = study.problem.parameters();
+        let row = table
+            .iter()
+            .position(|parameter| parameter.name == "method");
+        let row = row.unwrap();
+        let values = [0, 1].map(|number| study.case(number).unwrap().values[row].unwrap().name());
+        assert_eq!(values, ["p-1", "q"]);
+        assert_eq!(
+            values.map(|value| table[row].shown(value)),
+            ["Program, first rule", "q"]
+        );
+        for (names, part) in [
+            (r#""p": ["a"]"#, "unknown key \"p\""),
+            (r#""q": "a""#, "names.q: must be a list of a name"),
+            (r#""q": ["a", "m"]"#, "names.q: must be a list of a name"),
+        ] {
+            let why = parsed(names).unwrap_err().to_string();
+            assert!(why.contains(part), "{why}");
+        }
+    }
+}

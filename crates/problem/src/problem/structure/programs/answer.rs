@@ -1,12 +1,15 @@
 //! What a program of others writes: its first line, and its answers.
 
-use super::json::{Raw, member, values};
-use serde_json::value::RawValue;
+use super::json::{OfChannel, Raw, member};
+use serde::Deserializer;
+use serde::de::{DeserializeSeed, MapAccess, Visitor};
+use std::collections::BTreeMap;
+use std::fmt::Formatter;
 
 /// What is said of a line that is no JSON.
 const BROKEN: &str = "its answer is not JSON; NaN and Infinity are none, null is no value";
 
-/// Whether a line that is no JSON begins as the answer to a case: other lines are what an engine prints.
+/// Whether a line that cannot be read begins as the answer to a case: other lines are what an engine prints.
 fn is_broken_answer(line: &str, case: u64) -> bool {
     let start = line.trim_start();
     let number = |rest: &str| {
@@ -62,11 +65,14 @@ impl Hello {
     }
 }
 
+/// The values of channels by their names.
+type Channels = BTreeMap<String, Vec<f64>>;
+
 /// An answer: the values of each channel at the instants, NaN for no value.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Answer {
     /// The channels with their names.
-    pub channels: Vec<(String, Vec<f64>)>,
+    pub channels: Channels,
     /// The program's own count of its work.
     pub cost: Option<f64>,
     /// What the program says about the case.
@@ -79,39 +85,33 @@ impl Answer {
     /// # Errors
     /// The fault of the case.
     pub fn parse(line: &str, case: u64) -> Option<Result<Answer, String>> {
-        let Ok(given) = serde_json::from_str::<Raw>(line) else {
-            return is_broken_answer(line, case).then(|| Err(BROKEN.into()));
+        let mut reader = serde_json::Deserializer::from_str(line);
+        let read = reader.deserialize_map(Line);
+        let (channels, others) = match read.and_then(|read| reader.end().map(|()| read)) {
+            Ok(read) => read,
+            Err(why) => {
+                let fault = match why.is_data() {
+                    true => format!("its answer: {why}"),
+                    false => BROKEN.into(),
+                };
+                return is_broken_answer(line, case).then_some(Err(fault));
+            }
         };
-        if member(&given, "case") != Some(case) {
+        if member(&others, "case") != Some(case) {
             return None;
         }
-        if let Some(error) = member(&given, "error") {
+        if let Some(error) = member(&others, "error") {
             return Some(Err(error));
         }
-        let channels = given
-            .get("channels")
-            .map_or("{}", |channels| channels.get());
-        Some(Answer::of(&given, channels))
-    }
-
-    fn of(given: &Raw, channels: &str) -> Result<Answer, String> {
-        let channels: Raw = serde_json::from_str(channels)
-            .map_err(|_| "its \"channels\" must be an object".to_owned())?;
-        let channel = |(name, list): (String, &RawValue)| match values(list) {
-            Some(values) if values.iter().all(|x| !x.is_infinite()) => Ok((name, values)),
-            Some(_) => Err(BROKEN.into()),
-            None => Err(format!(
-                "channel {name} of its answer must be a list of numbers or null"
-            )),
-        };
-        Ok(Answer {
-            channels: channels
-                .into_iter()
-                .map(channel)
-                .collect::<Result<_, _>>()?,
-            cost: member(given, "cost"),
-            notes: member(given, "notes").unwrap_or_default(),
-        })
+        let mut values = channels.values().flatten();
+        if values.any(|x| x.is_infinite()) {
+            return Some(Err(BROKEN.into()));
+        }
+        Some(Ok(Answer {
+            cost: member(&others, "cost"),
+            notes: member(&others, "notes").unwrap_or_default(),
+            channels,
+        }))
     }
 
     /// The values of a channel.
@@ -119,14 +119,64 @@ impl Answer {
     /// # Errors
     /// It is missing, or has another number of values.
     pub(super) fn take(&mut self, name: &str, count: usize) -> Result<Vec<f64>, String> {
-        let found = self.channels.iter_mut().find(|channel| channel.0 == name);
-        let (_, values) = found.ok_or_else(|| format!("its answer has no channel {name}"))?;
+        let found = self.channels.get_mut(name);
+        let values = found.ok_or_else(|| format!("its answer has no channel {name}"))?;
         match values.len() {
             len if len == count => Ok(std::mem::take(values)),
             len => Err(format!(
                 "channel {name} of its answer has {len} values; needed: {count}, at 0, dt, .. steps dt"
             )),
         }
+    }
+}
+
+/// Reads a line: the channels with their values, and its other members.
+struct Line;
+
+impl<'de> Visitor<'de> for Line {
+    type Value = (Channels, Raw<'de>);
+
+    fn expecting(&self, text: &mut Formatter) -> std::fmt::Result {
+        text.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut members: A) -> Result<Self::Value, A::Error> {
+        let (mut channels, mut others) = (Channels::new(), Raw::new());
+        while let Some(key) = members.next_key::<String>()? {
+            match key == "channels" {
+                true => channels = members.next_value_seed(OfChannels)?,
+                false => drop(others.insert(key, members.next_value()?)),
+            }
+        }
+        Ok((channels, others))
+    }
+}
+
+/// Reads the channels of an answer.
+struct OfChannels;
+
+impl<'de> DeserializeSeed<'de> for OfChannels {
+    type Value = Channels;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Channels, D::Error> {
+        deserializer.deserialize_map(self)
+    }
+}
+
+impl<'de> Visitor<'de> for OfChannels {
+    type Value = Channels;
+
+    fn expecting(&self, text: &mut Formatter) -> std::fmt::Result {
+        text.write_str("an object of channels")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut members: A) -> Result<Channels, A::Error> {
+        let mut channels = Channels::new();
+        while let Some(name) = members.next_key::<String>()? {
+            let values = members.next_value_seed(OfChannel(&name))?;
+            channels.insert(name, values);
+        }
+        Ok(channels)
     }
 }
 
@@ -140,6 +190,7 @@ mod tests {
             "",
             "step 3",
             "{\"case\": 4, \"channels\": {}}",
+            "{\"channels\": {\"a\": 3}, \"case\": 4}",
             "{\"a\": 1}",
             "[3]",
             "null",
@@ -179,6 +230,19 @@ mod tests {
                 "Infinity",
             ),
             (r#"{"case": 3, "channels": {"a": [1,,2]}}"#, "not JSON"),
+            (r#"{"case": 3, "channels": {"a": [1e999]}}"#, "Infinity"),
+            (
+                r#"{"channels": {"a": [1, "2"]}, "case": 3}"#,
+                "expected a list of numbers or null for channel a",
+            ),
+            (
+                r#"{"channels": {"a": 3}, "case": 3}"#,
+                "expected a list of numbers or null for channel a",
+            ),
+            (
+                r#"{"channels": 3, "case": 3}"#,
+                "expected an object of channels at line 1 column 14",
+            ),
         ] {
             let why = Answer::parse(line, 3).unwrap().unwrap_err();
             assert!(why.contains(part), "{why}");

@@ -1,7 +1,6 @@
 //! The contacts of a request.
 
-use super::json::{list, number, numbers, object, string};
-use super::matrices::pairs;
+use super::json::{numbers, object};
 use super::request::Request;
 use crate::contact::ContactKind;
 use crate::contact::number::Usual;
@@ -14,14 +13,14 @@ use crate::system::structure::PlaneRow;
 
 impl Request<'_> {
     /// The contacts, those in a plane with both directions.
-    pub(super) fn contacts(&self) -> Result<Vec<String>, String> {
+    pub(super) fn contacts(&self) -> Result<Vec<Vec<u8>>, String> {
         let given = &self.problem.template.contacts;
         let indexed = given.iter().enumerate();
         let first = indexed.filter(|(_, contact)| contact.row != Some(PlaneRow::Second));
         first.map(|(c, contact)| self.contact(c, contact)).collect()
     }
 
-    fn contact(&self, c: usize, given: &Contact) -> Result<String, String> {
+    fn contact(&self, c: usize, given: &Contact) -> Result<Vec<u8>, String> {
         let (structure, case) = (self.structure, &self.ready.case);
         let placed = &structure.contacts[c];
         let law = given.law.name(case);
@@ -52,40 +51,26 @@ impl Request<'_> {
             true => given.name.strip_suffix(".1").unwrap_or(&given.name),
             false => &given.name,
         };
-        let mut text = String::new();
+        let mut text = Vec::new();
         object(&mut text, |members| {
-            members.add("name", |text| string(text, name));
-            members.add("law", |text| string(text, law));
-            members.add("numbers", |text| {
-                object(text, |members| {
-                    for (key, value) in &found {
-                        members.add(key, |text| number(text, *value));
-                    }
-                    if !table.is_empty() {
-                        members.add("table", |text| {
-                            list(text, &table, |text, point| {
-                                list(text, point, |text, x| number(text, *x));
-                            });
-                        });
-                    }
-                });
+            members.put("name", name);
+            members.put("law", law);
+            members.object("numbers", |members| {
+                found.iter().for_each(|(key, x)| members.put(key, x));
+                if !table.is_empty() {
+                    members.put("table", table);
+                }
             });
             match &normal {
                 N::None => {}
-                N::Constant(x) => members.add("N", |text| number(text, *x)),
+                N::Constant(x) => members.put("N", x),
                 N::Values(values) => members.add("N", |text| numbers(text, values, self.base64)),
-                N::Contact(name) => members.add("N", |text| {
-                    object(text, |members| {
-                        members.add("contact", |text| string(text, name))
-                    });
-                }),
+                N::Contact(name) => members.object("N", |members| members.put("contact", name)),
             }
-            let along = |text: &mut String, c: usize| pairs(text, &structure.contacts[c].along);
+            let along = |c: usize| &structure.contacts[c].along;
             match in_plane {
-                true => members.add("plane", |text| {
-                    list(text, &[c, c + 1], |text, c| along(text, *c))
-                }),
-                false => members.add("along", |text| along(text, c)),
+                true => members.put("plane", [along(c), along(c + 1)]),
+                false => members.put("along", along(c)),
             }
             let moved: Vec<(&str, f64)> = structure
                 .supports
@@ -98,12 +83,8 @@ impl Request<'_> {
                 .filter(|(_, x)| *x != 0.0)
                 .collect();
             if !moved.is_empty() {
-                members.add("along_supports", |text| {
-                    object(text, |members| {
-                        for (name, x) in &moved {
-                            members.add(name, |text| number(text, *x));
-                        }
-                    });
+                members.object("along_supports", |members| {
+                    moved.iter().for_each(|(name, x)| members.put(name, x));
                 });
             }
         });

@@ -127,10 +127,33 @@ impl<'a> Known<'a> {
                 Number::Displacement(_)
                 | Number::Velocity(_)
                 | Number::Acceleration(_)
-                | Number::Contact(..) => instants.map(|i| self.number(*number, i)).collect(),
+                | Number::Contact(..) => match self.given(*number) {
+                    Some(values) => values.to_vec(),
+                    None => instants.map(|i| self.number(*number, i)).collect(),
+                },
             });
         }
         Ok(Recorded::new(numbers, all_series, self.steps + 1))
+    }
+
+    /// A quantity that a channel of the answer is.
+    fn given(&self, number: Number) -> Option<&[f64]> {
+        let series = match number {
+            Number::Displacement(node) => self.series[U].get(node),
+            Number::Velocity(node) => self.series[V].get(node),
+            Number::Contact(contact, Quantity::Force | Quantity::Size)
+                if number.directions().is_none() =>
+            {
+                Some(&self.series[S][contact])
+            }
+            Number::Contact(..)
+            | Number::Acceleration(_)
+            | Number::Derived(_)
+            | Number::Energy(_) => None,
+        };
+        series
+            .map(Vec::as_slice)
+            .filter(|values| !values.is_empty())
     }
 
     /// A quantity at an instant.

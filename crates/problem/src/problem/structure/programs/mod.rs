@@ -117,7 +117,8 @@ impl StructureProblem {
             asked: &asked,
             base64: false,
         };
-        written.line().map_err(Unsolvable::Program)
+        let line = written.line().map_err(Unsolvable::Program)?;
+        Ok(String::from_utf8_lossy(&line).into_owned())
     }
 
     /// The same structure, with what the accelerations at t = 0 follow from.

@@ -54,7 +54,7 @@ pub trait Runner: Debug + Send + Sync {
     fn ask(
         &self,
         program: &Program,
-        request: String,
+        request: Vec<u8>,
         is_answer: &mut dyn FnMut(&str) -> bool,
     ) -> Result<(), String>;
     /// Why no case of a program can be computed: it failed at its first request in every worker.

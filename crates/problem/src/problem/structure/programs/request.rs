@@ -2,7 +2,7 @@
 
 use super::answer::FORMAT;
 use super::asked::{Asked, name_and_direction};
-use super::json::{Members, list, number, numbers, object, string};
+use super::json::{Members, list, numbers, object};
 use super::matrices::{both_triangles, influence};
 use super::program::Program;
 use super::scales::Scales;
@@ -34,7 +34,7 @@ impl Request<'_> {
     ///
     /// # Errors
     /// What of the case the format does not have.
-    pub(super) fn line(&self) -> Result<String, String> {
+    pub(super) fn line(&self) -> Result<Vec<u8>, String> {
         let (structure, case) = (self.structure, &self.ready.case);
         let (dt, steps) = (self.ready.dt, self.ready.last);
         let contacts = self.contacts()?;
@@ -56,54 +56,38 @@ impl Request<'_> {
             let values = signal.at_steps(dt, steps as usize).into_iter();
             values.map(|x| factor * x).collect()
         };
-        let mut text = String::with_capacity(4096);
+        let mut text = Vec::with_capacity(4096);
         object(&mut text, |members| {
-            members.add("format", |text| text.push_str(&FORMAT.to_string()));
-            members.add("case", |text| text.push_str(&case.number.to_string()));
+            members.put("format", FORMAT);
+            members.put("case", case.number);
             let study = self.problem.programs().study();
-            members.add("study", |text| string(text, study));
-            members.add("parameters", |text| {
-                object(text, |members| {
-                    let rows = case.schema.parameters.iter().zip(&case.values);
-                    for (parameter, value) in rows {
-                        match value {
-                            Some(Value::Number(x)) => {
-                                members.add(&parameter.name, |text| number(text, *x));
-                            }
-                            Some(Value::Whole(n)) => {
-                                members.add(&parameter.name, |text| text.push_str(&n.to_string()));
-                            }
-                            Some(Value::Name(name)) => {
-                                members.add(&parameter.name, |text| string(text, name));
-                            }
-                            None => {}
-                        }
+            members.put("study", study);
+            members.object("parameters", |members| {
+                let rows = case.schema.parameters.iter().zip(&case.values);
+                for (parameter, value) in rows {
+                    match value {
+                        Some(Value::Number(x)) => members.put(&parameter.name, x),
+                        Some(Value::Whole(n)) => members.put(&parameter.name, n),
+                        Some(Value::Name(name)) => members.put(&parameter.name, name),
+                        None => {}
                     }
-                });
+                }
             });
-            members.add("numbers", |text| {
-                object(text, |members| {
-                    for (name, value) in &own {
-                        members.add(name, |text| number(text, *value));
-                    }
-                });
+            members.object("numbers", |members| {
+                own.iter()
+                    .for_each(|(name, value)| members.put(name, value));
             });
-            members.add("units", |text| string(text, &self.problem.template.units));
+            members.put("units", &*self.problem.template.units);
             let scales = Scales::new(structure, dt, steps as usize);
-            members.add("scales", |text| {
-                object(text, |members| {
-                    members.add("length", |text| number(text, scales.length));
-                    members.add("velocity", |text| number(text, scales.velocity));
-                    members.add("force", |text| number(text, scales.force));
-                });
+            members.object("scales", |members| {
+                members.put("length", scales.length);
+                members.put("velocity", scales.velocity);
+                members.put("force", scales.force);
             });
-            members.add("dt", |text| number(text, dt));
-            members.add("steps", |text| text.push_str(&steps.to_string()));
-            members.add("dofs", |text| {
-                list(text, &structure.nodes, |text, node| {
-                    string(text, &node.name)
-                });
-            });
+            members.put("dt", dt);
+            members.put("steps", steps);
+            let nodes = structure.nodes.iter();
+            members.put("dofs", nodes.map(|node| &*node.name).collect::<Vec<_>>());
             for (name, matrix) in [
                 ("M", &structure.mass()),
                 ("K", &structure.stiffness),
@@ -111,61 +95,50 @@ impl Request<'_> {
             ] {
                 members.add(name, |text| both_triangles(text, matrix));
             }
-            members.add("start", |text| object(text, |members| self.start(members)));
-            members.add("loads", |text| {
-                object(text, |members| {
-                    for (node, placed) in structure.nodes.iter().enumerate() {
-                        let mut sum: Vec<f64> = Vec::new();
-                        for load in loads {
-                            let on_node = load.pattern.iter().filter(|(at, _)| *at == node);
-                            let factor: f64 = on_node.map(|pair| pair.1).sum();
-                            if factor == 0.0 {
-                                continue;
-                            }
-                            sum.resize(steps as usize + 1, 0.0);
-                            for (sum, x) in sum.iter_mut().zip(at_steps(&load.signal, factor)) {
-                                *sum += x;
-                            }
-                        }
-                        if !sum.is_empty() {
-                            members.add(&placed.name, |text| numbers(text, &sum, self.base64));
-                        }
-                    }
-                });
-            });
-            members.add("ground", |text| {
-                object(text, |members| {
-                    let of_ground = self.problem.template.ground.iter().zip(shaking);
-                    for ((direction, motion), load) in of_ground {
-                        let Ok((_, scale)) = motion.in_case(case, self.problem.template.metre)
-                        else {
+            members.object("start", |members| self.start(members));
+            members.object("loads", |members| {
+                for (node, placed) in structure.nodes.iter().enumerate() {
+                    let mut sum: Vec<f64> = Vec::new();
+                    for load in loads {
+                        let on_node = load.pattern.iter().filter(|(at, _)| *at == node);
+                        let factor: f64 = on_node.map(|pair| pair.1).sum();
+                        if factor == 0.0 {
                             continue;
-                        };
-                        members.add(direction.name(), |text| {
-                            object(text, |members| {
-                                let a = at_steps(&load.signal, scale);
-                                members.add("a", |text| numbers(text, &a, self.base64));
-                                let influence = influence(structure, load, scale);
-                                members.add("influence", |text| {
-                                    list(text, &influence, |text, x| number(text, *x));
-                                });
-                            });
-                        });
+                        }
+                        sum.resize(steps as usize + 1, 0.0);
+                        for (sum, x) in sum.iter_mut().zip(at_steps(&load.signal, factor)) {
+                            *sum += x;
+                        }
                     }
-                });
+                    if !sum.is_empty() {
+                        members.add(&placed.name, |text| numbers(text, &sum, self.base64));
+                    }
+                }
             });
-            members.add("supports", |text| {
-                object(text, |members| {
-                    of_supports(members, structure, (dt, steps as usize), self.base64);
-                });
+            members.object("ground", |members| {
+                let of_ground = self.problem.template.ground.iter().zip(shaking);
+                for ((direction, motion), load) in of_ground {
+                    let Ok((_, scale)) = motion.in_case(case, self.problem.template.metre) else {
+                        continue;
+                    };
+                    members.object(direction.name(), |members| {
+                        let a = at_steps(&load.signal, scale);
+                        members.add("a", |text| numbers(text, &a, self.base64));
+                        members.put("influence", influence(structure, load, scale));
+                    });
+                }
+            });
+            members.object("supports", |members| {
+                of_supports(members, structure, (dt, steps as usize), self.base64);
             });
             members.add("contacts", |text| {
-                list(text, &contacts, |text, contact| text.push_str(contact));
+                list(text, &contacts, |text, contact| {
+                    text.extend_from_slice(contact)
+                });
             });
-            let channels = self.asked.channels(structure);
-            members.add("channels", |text| {
-                list(text, &channels, |text, (_, _, name)| string(text, name));
-            });
+            let channels = self.asked.channels(structure).into_iter();
+            let names: Vec<String> = channels.map(|(_, _, name)| name).collect();
+            members.put("channels", names);
         });
         Ok(text)
     }
@@ -173,8 +146,6 @@ impl Request<'_> {
     /// u, v and a of the nodes, S of the contacts and the slip of friction at t = 0.
     fn start(&self, members: &mut Members) {
         let structure = self.structure;
-        let plain =
-            |text: &mut String, values: &[f64]| list(text, values, |text, x| number(text, *x));
         let nodes = 0..structure.len();
         let total = |which: usize, w: &[f64]| -> Vec<f64> {
             nodes
@@ -183,8 +154,8 @@ impl Request<'_> {
                 .collect()
         };
         let (w, rate) = (&structure.displacement, &structure.velocity);
-        members.add("u", |text| plain(text, &total(0, w)));
-        members.add("v", |text| plain(text, &total(1, rate)));
+        members.put("u", total(0, w));
+        members.put("v", total(1, rate));
         let forces = forces_at_start(structure);
         let zero = vec![0.0; structure.contacts.len()];
         let forces = forces.as_ref().unwrap_or(&zero);
@@ -197,32 +168,26 @@ impl Request<'_> {
             });
             value.collect::<Vec<f64>>()
         });
-        members.add("a", |text| plain(text, &acceleration.unwrap_or_default()));
+        members.put("a", acceleration.unwrap_or_default());
         let contacts = || structure.contacts.iter().enumerate();
         let name = |c: usize| name_and_direction(structure, c).concat();
-        members.add("S", |text| {
-            object(text, |members| {
-                for (c, _) in contacts() {
-                    members.add(&name(c), |text| number(text, forces[c]));
-                }
-            });
+        members.object("S", |members| {
+            contacts().for_each(|(c, _)| members.put(&name(c), forces[c]));
         });
-        members.add("slip", |text| {
-            object(text, |members| {
-                for (c, contact) in contacts() {
-                    if contact.law.kind() != ContactKind::Friction {
-                        continue;
-                    }
-                    let supports = structure.supports.iter();
-                    let moved = supports.map(|support| support.gaps[c] * support.motion.at(0.0)[0]);
-                    let r = structure.relative(c, w) + contact.gap + moved.sum::<f64>();
-                    let slip = match contact.law.line() {
-                        Some(ClippedLine::Elastic { stiffness }) => r - forces[c] / stiffness,
-                        _ => r,
-                    };
-                    members.add(&name(c), |text| number(text, slip));
+        members.object("slip", |members| {
+            for (c, contact) in contacts() {
+                if contact.law.kind() != ContactKind::Friction {
+                    continue;
                 }
-            });
+                let supports = structure.supports.iter();
+                let moved = supports.map(|support| support.gaps[c] * support.motion.at(0.0)[0]);
+                let r = structure.relative(c, w) + contact.gap + moved.sum::<f64>();
+                let slip = match contact.law.line() {
+                    Some(ClippedLine::Elastic { stiffness }) => r - forces[c] / stiffness,
+                    _ => r,
+                };
+                members.put(&name(c), slip);
+            }
         });
     }
 }

@@ -6,8 +6,7 @@
 //! M u'' + C u' + K u + M_s a_s + C_s v_s + K_s u_s = p + forces of the contacts,   K_s = -(K R + load for w by u_s), ...
 //! ```
 
-use super::json::{Members, numbers, object};
-use super::matrices::pairs;
+use super::json::{Members, numbers};
 use crate::system::structure::{Along, Quantity, Signal, Structure, Support};
 use std::sync::Arc;
 
@@ -37,32 +36,28 @@ pub(super) fn of_supports(
         }
     }
     for name in names {
-        members.add(&name, |text| {
-            object(text, |members| {
-                for support in supports().filter(|support| split(support)[0] == name) {
-                    members.add(&split(support)[1], |text| {
-                        object(text, |members| {
-                            let at = |which: usize| -> Vec<f64> {
-                                let times = (0..=steps).map(|i| i as f64 * dt);
-                                times.map(|t| support.motion.at(t)[which]).collect()
-                            };
-                            for (key, which) in [("u", 0), ("v", 1), ("a", 2)] {
-                                members.add(key, |text| numbers(text, &at(which), base64));
-                            }
-                            for (key, quantity) in [
-                                ("K", Quantity::Displacement),
-                                ("C", Quantity::Velocity),
-                                ("M", Quantity::Acceleration),
-                            ] {
-                                let column = column(structure, support, quantity);
-                                if key == "K" || !column.is_empty() {
-                                    members.add(key, |text| pairs(text, &column));
-                                }
-                            }
-                        });
-                    });
-                }
-            });
+        members.object(&name, |members| {
+            for support in supports().filter(|support| split(support)[0] == name) {
+                members.object(&split(support)[1], |members| {
+                    let at = |which: usize| -> Vec<f64> {
+                        let times = (0..=steps).map(|i| i as f64 * dt);
+                        times.map(|t| support.motion.at(t)[which]).collect()
+                    };
+                    for (key, which) in [("u", 0), ("v", 1), ("a", 2)] {
+                        members.add(key, |text| numbers(text, &at(which), base64));
+                    }
+                    for (key, quantity) in [
+                        ("K", Quantity::Displacement),
+                        ("C", Quantity::Velocity),
+                        ("M", Quantity::Acceleration),
+                    ] {
+                        let column = column(structure, support, quantity);
+                        if key == "K" || !column.is_empty() {
+                            members.put(key, column);
+                        }
+                    }
+                });
+            }
         });
     }
 }

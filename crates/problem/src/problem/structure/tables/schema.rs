@@ -38,7 +38,7 @@ pub struct Named {
     pub shown: Option<[String; 2]>,
     /// Its unit, if the parts that contain it and the units of the study tell it.
     pub unit: Option<String>,
-    /// The names of records that figures have instead of their files.
+    /// The names that figures have instead of files of records and of programs.
     pub shown_values: Vec<(String, String)>,
     /// Whether the structure itself contains it. If not, other parameters or a condition do, and a block may lack it.
     pub required: bool,
@@ -204,6 +204,9 @@ fn parameter(named: &Named) -> Parameter {
     if let (Some(choices), Some(_)) = (named.choices, known) {
         parameter.kind = Kind::Choice(choices);
     }
+    let shown = named.shown_values.iter();
+    let words = shown.map(|(value, words)| (value.clone().into(), words.clone().into()));
+    parameter.shown_values = words.collect();
     if let Some(unit) = &named.unit {
         parameter.unit = unit.clone().into();
         parameter.shown_unit = Some(unit.clone().into());
@@ -219,7 +222,6 @@ fn parameter(named: &Named) -> Parameter {
 fn own_parameter(named: &Named) -> Parameter {
     let fixed = FIXED.iter().find(|fixed| fixed.0 == named.name);
     let range = fixed.map_or(Range::Any, |_| Range::Positive);
-    let shown = named.shown_values.iter();
     let symbol = match fixed {
         Some(("dt", _)) => "Δ*t*".to_owned(),
         Some(_) => "*t*_end_".to_owned(),
@@ -235,9 +237,7 @@ fn own_parameter(named: &Named) -> Parameter {
             None => "the study's units",
         }),
         shown_unit: None,
-        shown_values: shown
-            .map(|(file, words)| (file.clone().into(), words.clone().into()))
-            .collect(),
+        shown_values: Vec::new().into(),
         kind: named.choices.map_or(Kind::Number(range), Kind::Choice),
         default: match named.required {
             true if named.programs.is_empty() => Default::Required,
