@@ -215,9 +215,9 @@ fn at_once(input: &ChildStdin) -> Option<File> {
     use std::os::fd::AsRawFd;
     use std::os::unix::fs::OpenOptionsExt;
     const O_NONBLOCK: i32 = 0o4000;
-    let mut options = File::options();
-    let options = options.write(true).custom_flags(O_NONBLOCK);
-    options
+    File::options()
+        .write(true)
+        .custom_flags(O_NONBLOCK)
         .open(format!("/proc/self/fd/{}", input.as_raw_fd()))
         .ok()
 }

@@ -39,7 +39,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
     (
         "contact, system, motion",
         &["crates/contact", "crates/system", "crates/motion"],
-        37_900,
+        38_000,
     ),
     (
         "problem, cases, study",
@@ -60,7 +60,7 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
             "validation",
             "python",
         ],
-        23_800,
+        23_900,
     ),
 ];
 

@@ -203,8 +203,8 @@ fn figures_have_names_of_programs_in_every_problem() {
         let table = study.problem.parameters();
         let row = table
             .iter()
-            .position(|parameter| parameter.name == "method");
-        let row = row.unwrap();
+            .position(|parameter| parameter.name == "method")
+            .unwrap();
         let values = [0, 1].map(|number| study.case(number).unwrap().values[row].unwrap().name());
         assert_eq!(values, ["p-1", "q"]);
         assert_eq!(
