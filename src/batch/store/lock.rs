@@ -12,11 +12,22 @@ const LOCK: &str = ".lock";
 /// The name in an earlier version, which these programs read as a part.
 const FORMER_LOCK: &str = "lock";
 
+/// A lock of a store until it is dropped.
+#[derive(Debug)]
+pub struct Lock(File);
+
+impl Drop for Lock {
+    /// Unlocks the file. Closing it would not do: a process that is started at this moment has the file open, too.
+    fn drop(&mut self) {
+        let _ = self.0.unlock();
+    }
+}
+
 /// Opens the lock file and locks it by `acquire`. On a file system without locks the run goes on without.
 pub fn acquire(
     folder: &Path,
     acquire: impl Fn(&File) -> Result<(), TryLockError>,
-) -> Result<File, Error> {
+) -> Result<Lock, Error> {
     let path = folder.join(LOCK);
     // A link could lead to a file of the user.
     if fs::symlink_metadata(&path).is_ok_and(|metadata| !metadata.is_file()) {
@@ -31,7 +42,7 @@ pub fn acquire(
         .open(&path)
         .map_err(Error::io("cannot write", &path))?;
     match locks::lock(&lock, acquire) {
-        Ok(Locked::Here | Locked::Unknown) => Ok(lock),
+        Ok(Locked::Here | Locked::Unknown) => Ok(Lock(lock)),
         Ok(Locked::Elsewhere) => Err(Error::Busy(folder.to_owned())),
         Err(e) => Err(Error::io("cannot lock", path)(e)),
     }

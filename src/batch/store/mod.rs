@@ -59,7 +59,7 @@ pub struct Store {
     constant_columns: ConstantColumns,
     /// Whether other processes write to the store.
     shared: bool,
-    lock: Option<File>,
+    lock: Option<lock::Lock>,
 }
 
 impl Store {
@@ -104,7 +104,7 @@ impl Store {
         Ok(folder)
     }
 
-    fn of_folder(folder: PathBuf, lock: Option<File>, shared: bool) -> Result<Store, Error> {
+    fn of_folder(folder: PathBuf, lock: Option<lock::Lock>, shared: bool) -> Result<Store, Error> {
         let mut store = Store {
             folder,
             parts: BTreeMap::new(),
