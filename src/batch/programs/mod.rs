@@ -1,7 +1,9 @@
 //! Programs of others, which compute cases of a study: one process for each worker, started only where the command line allows it.
 
+mod pipes;
 mod pool;
 mod process;
+mod tail;
 
 use pool::Pool;
 
