@@ -111,26 +111,28 @@ recipes: ## the recipes of docs/clusters.md with GNU parallel, HyperQueue, Snake
 	  || echo "no packages to be had: only engines that are installed are tried"
 	PATH="$(CURDIR)/$(recipes_env)/bin:$$PATH" cargo test --release --locked --test recipes -- --ignored --nocapture
 
-# Three minutes with what PyPI has; OpenSees needs libblas3 and liblapack3. A package that cannot be had is named, and its cases say so.
+# Three minutes with what PyPI has; OpenSees needs libblas3 and liblapack3. What cannot be had is named and left out.
 programs_env = target/programs
 programs_packages = numpy scipy openseespy exudyn==1.13.6 mujoco==4.0.0 pybullet==3.2.7 drake==1.51.1
 programs: ## studies/programs by OpenSees, Exudyn, MuJoCo, PyBullet, Drake and scipy, against the exact motion, in target/programs/results
 	test -x $(programs_env)/bin/python || $(PYTHON) -m venv $(programs_env)
 	for package in $(programs_packages); do $(programs_env)/bin/pip install --no-compile --quiet $$package || echo "skipped: $$package cannot be had"; done
 	cargo build --release --locked
-	for study in $(wildcard studies/programs/*.json); do \
+	$(call had,$(programs_env),)
+	for study in $(programs_env)/had/studies/programs/*.json; do \
 	  PATH="$(CURDIR)/$(programs_env)/bin:$$PATH" $(built)/release/slipgap run $$study --allow-programs --out $(programs_env)/results; \
 	  code=$$?; test $$code -eq 0 || test $$code -eq 3 || exit $$code; \
 	done
-	$(call judge,$(programs_env),)
+	$(call judge,$(programs_env))
 
-# The claims of which $(1) has the engines, without $(2); `slipgap claims` runs their studies.
-judge = mkdir -p $(1)/results && $(1)/bin/python .ci/programs.py claims/programs.json $(1)/results/judged.json $(2) \
-	  && PATH="$(CURDIR)/$(1)/bin:$$PATH" $(built)/release/slipgap claims $(1)/results/judged.json --allow-programs --out $(1)/results
+# Studies and claims of which $(1) has the engines, without the claims $(2); then the claims, with the studies that are not run yet.
+had = rm -rf $(1)/had && $(1)/bin/python .ci/programs.py $(1)/had $(2)
+judge = PATH="$(CURDIR)/$(1)/bin:$$PATH" $(built)/release/slipgap claims $(1)/had/claims.json --allow-programs --out $(1)/results
 
 # Half a minute of one core, beside the tests in CI. X5 would be as much again.
 programs-quick: ## claims about the programs that `make python-test` installs: OpenSees, Exudyn, MuJoCo, scipy
-	$(call judge,$(python_env),X5)
+	$(call had,$(python_env),X5)
+	$(call judge,$(python_env))
 
 # A server of moto keeps the objects in memory, on free ports of this machine. Not part of CI, since the HTTP client takes minutes to
 # compile.

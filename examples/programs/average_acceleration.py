@@ -10,51 +10,41 @@ answers, sys.stdout = sys.stdout, sys.stderr  # What else is printed goes to sta
 
 
 def solve(a, b):
-    """x of a x = b by elimination with pivots; a and b are written over."""
-    n = len(b)
-    for i in range(n):
-        p = max(range(i, n), key=lambda row: abs(a[row][i]))
-        a[i], a[p], b[i], b[p] = a[p], a[i], b[p], b[i]
-        for row in range(i + 1, n):
-            factor = a[row][i] / a[i][i]
-            a[row] = [x - factor * y for x, y in zip(a[row], a[i])]
-            b[row] -= factor * b[i]
-    for i in reversed(range(n)):
-        b[i] = (b[i] - sum(a[i][j] * b[j] for j in range(i + 1, n))) / a[i][i]
-    return b
+    """x of a x = b by elimination, for matrices that need no pivots."""
+    rows = [row + [x] for row, x in zip(a, b)]
+    for i in range(len(b)):
+        pivot = [x / rows[i][i] for x in rows[i]]
+        rows = [pivot if j == i else [x - row[i] * y for x, y in zip(row, pivot)] for j, row in enumerate(rows)]
+    return [row[-1] for row in rows]
 
 
 def run(case):
-    n, dt, steps = len(case["dofs"]), case["dt"], case["steps"]
-    dofs, contacts = range(n), case["contacts"]
+    dofs, dt, steps, contacts = range(len(case["dofs"])), case["dt"], case["steps"], case["contacts"]
     if case["supports"]:
         raise ValueError("no supports that move")
-    m, c, k = ([[0.0] * n for _ in dofs] for _ in "mck")
+    m, c, k = ([[0.0] * len(dofs) for _ in dofs] for _ in "mck")
     for matrix, entries in [(m, case["M"]), (c, case["C"]), (k, case["K"])]:
         for i, j, value in entries:
             matrix[i][j] = value
-    p = [[0.0] * (steps + 1) for _ in dofs]
-    for name, values in case["loads"].items():
-        p[case["dofs"].index(name)] = list(values)
+    p = [case["loads"].get(name, [0.0] * (steps + 1)) for name in case["dofs"]]
     for ground in case["ground"].values():
-        pull = [sum(m[i][j] * ground["influence"][j] for j in dofs) for i in dofs]
-        for i in dofs:
-            p[i] = [x - pull[i] * a for x, a in zip(p[i], ground["a"])]
+        pull = [sum(x * y for x, y in zip(row, ground["influence"])) for row in m]
+        p = [[x - y * a for x, a in zip(row, ground["a"])] for row, y in zip(p, pull)]
     u, v, s = case["start"]["u"], case["start"]["v"], [case["start"]["S"][x["name"]] for x in contacts]
     motion = [(u, v, s)]
     for step in range(1, steps + 1):
-        # (4 M/dt^2 + 2 C/dt + K) du = p(i) + p(i+1) + 4 M v/dt + 2 C v ... in terms of the change du of u
-        for closed in [[x < 0 for x in s]] + [None] * 50:
-            touching = closed if closed is not None else guess
-            a = [[4 * m[i][j] / dt**2 + 2 * c[i][j] / dt + k[i][j] for j in dofs] for i in dofs]
+        guess = [x < 0 for x in s]
+        for _ in range(50):
+            # (4 M/dt^2 + 2 C/dt + K) du = p(i) + p(i+1) + 4 M v/dt - 2 K u + .. in terms of the change du of u
+            touching, a = guess, [[4 * m[i][j] / dt**2 + 2 * c[i][j] / dt + k[i][j] for j in dofs] for i in dofs]
             b = [p[i][step] + p[i][step - 1] + sum(4 * m[i][j] * v[j] / dt - 2 * k[i][j] * u[j] for j in dofs) for i in dofs]
             for contact, force, touches in zip(contacts, s, touching):
-                stiffness, gap = contact["numbers"]["k"], contact["numbers"]["gap"]
-                r = gap + sum(x * u[j] for j, x in contact["along"])
-                for i, x in contact["along"]:
-                    b[i] -= x * (force + (stiffness * r if touches else 0.0))
-                    for j, y in contact["along"]:
-                        a[i][j] += stiffness * x * y if touches else 0.0
+                along, stiffness = contact["along"], contact["numbers"]["k"] if touches else 0.0
+                r = contact["numbers"]["gap"] + sum(x * u[j] for j, x in along)
+                for i, x in along:
+                    b[i] -= x * (force + stiffness * r)
+                    for j, y in along:
+                        a[i][j] += stiffness * x * y
             du = solve(a, b)
             new = [x + y for x, y in zip(u, du)]
             r = [x["numbers"]["gap"] + sum(y * new[j] for j, y in x["along"]) for x in contacts]
@@ -63,22 +53,18 @@ def run(case):
                 break
         else:
             raise ValueError(f"the contacts do not settle at t = {step * dt}")
-        v = [2 * x / dt - y for x, y in zip(du, v)]
-        u, s = new, [x["numbers"]["k"] * min(y, 0.0) for x, y in zip(contacts, r)]
+        u, v, s = new, [2 * x / dt - y for x, y in zip(du, v)], [x["numbers"]["k"] * min(y, 0.0) for x, y in zip(contacts, r)]
         motion.append((u, v, s))
-    names = {}
-    for i, name in enumerate(case["dofs"]):
-        names |= {name: (0, i), name + ".v": (1, i)}
+    names = {name + end: (of, i) for i, name in enumerate(case["dofs"]) for of, end in enumerate(["", ".v"])}
     names |= {x["name"] + ".S": (2, i) for i, x in enumerate(contacts)}
-    channels = {name: [state[names[name][0]][names[name][1]] for state in motion] for name in case["channels"]}
-    return {"case": case["case"], "channels": channels, "cost": steps}
+    return {name: [state[names[name][0]][names[name][1]] for state in motion] for name in case["channels"]}
 
 
 print(json.dumps({"format": 1, "program": "average_acceleration.py", "version": "1", "laws": ["impact-spring"]}), file=answers, flush=True)
 for line in sys.stdin:
     case = json.loads(line)
     try:
-        answer = run(case)
+        answer = {"channels": run(case), "cost": case["steps"]}
     except (ValueError, ZeroDivisionError) as why:
-        answer = {"case": case["case"], "error": str(why)}
-    print(json.dumps(answer), file=answers, flush=True)
+        answer = {"error": str(why)}
+    print(json.dumps({"case": case["case"]} | answer), file=answers, flush=True)

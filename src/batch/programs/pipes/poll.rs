@@ -167,8 +167,8 @@ impl Pipes {
     /// Waits until a pipe is ready or the time is over, and moves what can be moved.
     fn turn(&mut self, left: Option<Duration>) {
         let waiting = self.input.as_ref().filter(|_| !self.request.is_empty());
-        let ends = [&self.output.pipe, &self.errors.pipe].into_iter().flatten();
-        let mut ends: Vec<PollFd> = ends.map(|end| PollFd::new(end, PollFlags::IN)).collect();
+        let outputs = [&self.output.pipe, &self.errors.pipe].into_iter().flatten();
+        let mut ends: Vec<PollFd> = outputs.map(|end| PollFd::new(end, PollFlags::IN)).collect();
         ends.extend(waiting.map(|end| PollFd::new(end, PollFlags::OUT)));
         let limit = left.and_then(|left| Timespec::try_from(left).ok());
         // Nothing is ready, or a signal came: whoever waits asks again.
