@@ -15,6 +15,9 @@ const GRACE: Duration = Duration::from_secs(2);
 /// How often it is looked whether it has ended.
 const LOOK: Duration = Duration::from_millis(5);
 
+/// How often it is looked whether a silent program has ended: a process that it started may keep its output open.
+const LOOK_AT_SILENT: Duration = Duration::from_millis(500);
+
 /// A running program.
 #[derive(Debug)]
 pub(super) struct Process {
@@ -94,8 +97,19 @@ impl Process {
     fn wait(&mut self, seconds: f64, wanted: &mut dyn FnMut(&str) -> bool) -> Result<(), Silent> {
         let limit = Duration::try_from_secs_f64(seconds).ok();
         let until = limit.and_then(|limit| Instant::now().checked_add(limit));
+        let mut has_ended = false;
         loop {
-            let line = self.pipes.line(until)?;
+            let look = Instant::now() + LOOK_AT_SILENT;
+            let soon = until.map_or(look, |until| until.min(look));
+            let line = match self.pipes.line(Some(soon)) {
+                Ok(line) => line,
+                Err(Silent::Late) if has_ended => return Err(Silent::Ended),
+                Err(Silent::Late) if Some(soon) != until => {
+                    has_ended = matches!(self.child.try_wait(), Ok(Some(_)));
+                    continue;
+                }
+                Err(silent) => return Err(silent),
+            };
             if wanted(&line) {
                 return Ok(());
             }

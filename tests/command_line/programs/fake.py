@@ -1,4 +1,5 @@
 import json
+import subprocess
 import sys
 import time
 
@@ -7,6 +8,8 @@ if way == "late":
     time.sleep(60)
 if way == "dead":
     sys.exit("cannot import the engine")
+if way == "quiet":
+    time.sleep(1.2)
 if way == "banner":
     print("Engine 3.0\n{}", flush=True)
 with open("started", "a") as file:
@@ -41,6 +44,9 @@ for line in sys.stdin:
         time.sleep(60)
     if way == "ends":
         print("abort: matrix is singular", flush=True)
+        sys.exit(7)
+    if way == "orphan" and case == 1:
+        subprocess.Popen(["sleep", "20"])
         sys.exit(7)
     if way == "ends once" and case == 1:
         sys.exit(7)

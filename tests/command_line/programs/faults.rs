@@ -43,6 +43,11 @@ fn faults_are_those_of_cases() {
             "ends once",
             "case 1 could not be solved: fake: it ended without an answer (exit status: 7)",
         ),
+        // The process that it started still has its output.
+        (
+            "orphan",
+            "case 1 could not be solved: fake: it ended without an answer (exit status: 7)",
+        ),
         (
             "slow",
             "case 1 could not be solved: fake: no answer within 2 s",
@@ -52,7 +57,7 @@ fn faults_are_those_of_cases() {
         assert_eq!(code, 3, "{way}: {said}");
         assert!(said.contains(part), "{way}: {said}");
         let unsolved = said.matches("could not be solved").count();
-        let is_one = ["ends once", "slow"].contains(&way);
+        let is_one = ["ends once", "orphan", "slow"].contains(&way);
         assert_eq!(unsolved, if is_one { 1 } else { 3 }, "{way}: {said}");
     }
 }
@@ -119,6 +124,8 @@ fn nonsense_is_a_warning_and_other_lines_are_no_answers() {
     // The load pushes a body that rests, and no force is there.
     assert!(warnings("banner").contains("(warning program-unheld"));
     assert!(warnings("null").contains("program-null"));
+    // One that is silent for longer than it is looked at.
+    assert!(warnings("quiet").contains("(warning program-unheld"));
 }
 
 #[test]

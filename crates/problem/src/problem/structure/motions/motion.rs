@@ -59,8 +59,7 @@ pub fn steps_every<const L: usize>(
         watch: looks,
     } = recording;
     let count = last as usize / every + 1;
-    // All lanes of a number are next to one another: one store for each number and step.
-    let mut rows: Vec<Lane<L>> = Vec::with_capacity(count * numbers.len());
+    let mut table = Table::new(numbers.len(), count);
     let mut books: Option<Books<L>> = None;
     let mut observer = match Observer::new(structures, numbers, prepared.dt(), last as usize) {
         Ok(observer) => observer,
@@ -72,13 +71,12 @@ pub fn steps_every<const L: usize>(
         prepared,
         last as usize,
         |step, state: &State<L>| {
-            rows.extend(numbers.iter().map(|number| value(state, *number)));
+            let row = table.row(numbers.iter().map(|number| value(state, *number)));
             if let Some(observer) = &mut observer {
-                let row = rows.len() - numbers.len();
-                observer.fill(step, state, &mut rows[row..]);
+                observer.fill(step, state, row);
             }
-            if !step.is_multiple_of(every) {
-                rows.truncate(rows.len() - numbers.len());
+            if step.is_multiple_of(every) {
+                table.keep();
             }
             match &mut books {
                 Some(books) => books.add(state),
@@ -93,9 +91,7 @@ pub fn steps_every<const L: usize>(
         },
     );
     let energies = books.map(|books| [books.energy_error().0, books.relative_dissipation().0]);
-    let mut series: Vec<[Vec<f64>; L]> = (0..numbers.len())
-        .map(|number| by_lane(&rows, [number, numbers.len()], count))
-        .collect();
+    let mut series = table.series();
     let mut ends = ends.into_iter().enumerate();
     std::array::from_fn(|_| {
         let (l, end) = ends.next().unwrap_or((0, Ok(())));
@@ -112,26 +108,67 @@ pub fn steps_every<const L: usize>(
     })
 }
 
+/// Quantities in all lanes at the steps, which become a list for each lane.
+struct Table<const L: usize> {
+    /// The last rows. All lanes of a number are next to one another: one store for each number and step.
+    rows: Vec<Lane<L>>,
+    /// Rows that are kept of them.
+    kept: usize,
+    /// Of each number, a list for each lane.
+    series: Vec<[Vec<f64>; L]>,
+}
+
 /// Rows that are copied at a time: they fit in the fastest memory.
 const BLOCK: usize = 16;
 
-/// Every `stride`-th row from `first` on, `count` in all, as a list for each lane.
-fn by_lane<const L: usize>(
-    rows: &[Lane<L>],
-    [first, stride]: [usize; 2],
-    count: usize,
-) -> [Vec<f64>; L] {
-    let mut lists: [Vec<f64>; L] = std::array::from_fn(|_| vec![0.0; count]);
-    for (block, rows) in rows.chunks(BLOCK * stride).enumerate() {
-        for (l, list) in lists.iter_mut().enumerate() {
-            let values = &mut list[block * BLOCK..];
-            // Plain loops compile to much faster code than iterators with steps.
-            for (x, row) in values.iter_mut().zip(rows.chunks_exact(stride)) {
-                *x = row[first].0[l];
+impl<const L: usize> Table<L> {
+    /// For as many numbers, at as many steps.
+    fn new(numbers: usize, count: usize) -> Self {
+        let list = |_| std::array::from_fn(|_| Vec::with_capacity(count));
+        Table {
+            rows: vec![Lane::splat(0.0); numbers * BLOCK],
+            kept: 0,
+            series: (0..numbers).map(list).collect(),
+        }
+    }
+
+    /// The row of a step, in the place of one that was not kept.
+    #[inline(always)]
+    fn row(&mut self, values: impl Iterator<Item = Lane<L>>) -> &mut [Lane<L>] {
+        let (numbers, from) = (self.series.len(), self.kept * self.series.len());
+        let row = &mut self.rows[from..from + numbers];
+        for (at, value) in row.iter_mut().zip(values) {
+            *at = value;
+        }
+        row
+    }
+
+    /// Keeps the row.
+    #[inline(always)]
+    fn keep(&mut self) {
+        self.kept += 1;
+        if self.kept == BLOCK {
+            self.copy();
+        }
+    }
+
+    /// Copies the rows that are kept into the lists.
+    fn copy(&mut self) {
+        let numbers = self.series.len();
+        let kept = std::mem::take(&mut self.kept);
+        for (number, lists) in self.series.iter_mut().enumerate() {
+            for (l, list) in lists.iter_mut().enumerate() {
+                let rows = self.rows.chunks_exact(numbers).take(kept);
+                list.extend(rows.map(|row| row[number].0[l]));
             }
         }
     }
-    lists
+
+    /// Of each number, a list for each lane.
+    fn series(mut self) -> Vec<[Vec<f64>; L]> {
+        self.copy();
+        self.series
+    }
 }
 
 /// A quantity in all lanes.
