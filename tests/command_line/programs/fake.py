@@ -46,7 +46,7 @@ for line in sys.stdin:
         print("abort: matrix is singular", flush=True)
         sys.exit(7)
     if way == "orphan" and case == 1:
-        subprocess.Popen(["sleep", "20"])
+        subprocess.Popen([sys.executable, "-c", "import time; time.sleep(20)"])
         sys.exit(7)
     if way == "ends once" and case == 1:
         sys.exit(7)
