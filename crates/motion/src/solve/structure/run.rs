@@ -33,8 +33,15 @@ pub fn run<const L: usize>(
     visit(0, &state);
     for step in 1..=steps {
         match &mut state.0 {
-            Kind::Average(average) => step_by_increments(average, step),
-            Kind::General(general) => step_generally(general, step),
+            // A constant, so that no form is compiled that is not used.
+            Kind::Average(average) => match const { L == 1 } {
+                true => step_one_by_increments(average, step),
+                false => step_by_increments(average, step),
+            },
+            Kind::General(general) => match const { L == 1 } {
+                true => step_one_generally(general, step),
+                false => step_generally(general, step),
+            },
         }
         visit(step, &state);
     }
@@ -68,4 +75,15 @@ for_widest! {
     fn step_generally<const L: usize>(state: &mut General<L>, step: usize) {
         state.step(step);
     }
+}
+
+// One structure by itself gains nothing from wide instructions; its large blocks take them by themselves.
+#[inline(never)]
+fn step_one_by_increments<const L: usize>(state: &mut Average<L>, step: usize) {
+    state.step(step);
+}
+
+#[inline(never)]
+fn step_one_generally<const L: usize>(state: &mut General<L>, step: usize) {
+    state.step(step);
 }
