@@ -25,13 +25,13 @@ const SWEEPS: [(&str, &str, u64); 4] = [
         "bars",
         r#""problem": "bar-impact", "parameters": {"n": 10, "dt": 0.005, "duration": 1.5,
             "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        17840,
+        18304,
     ),
     (
         "unlike bars",
         r#""problem": "bar-impact", "parameters": {"n": 10, "dt": 0.005, "duration": 1.5, "right": {"A": 2, "n": 20},
             "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        33356,
+        34625,
     ),
 ];
 
@@ -41,43 +41,43 @@ const OTHERS: [(&str, &str, u64); 7] = [
         "hht on displacement-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "displacement-control", "method": "hht", "x0": 12,
             "dT": "pi/10", "duration": "8*pi", "alpha": {"geomspace": [0.1, 10, 1024]}}"#,
-        3370,
+        2938,
     ),
     (
         "tanh",
         r#""problem": "friction-oscillator", "parameters": {"law": "tanh", "x0": 12, "dT": "pi/10", "duration": "8*pi",
             "beta": {"geomspace": [0.01, 10, 1024]}}"#,
-        7790,
+        7785,
     ),
     (
         "lugre",
         r#""problem": "friction-oscillator", "parameters": {"law": "lugre", "x0": 12, "dT": "pi/10", "duration": "8*pi",
             "sigma0": {"geomspace": [0.1, 100, 1024]}}"#,
-        9700,
+        9980,
     ),
     (
         "hht on bars",
         r#""problem": "bar-impact", "parameters": {"method": "hht", "n": 10, "dt": 0.005, "duration": 1.5,
             "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        30696,
+        29716,
     ),
     (
         "kelvin-voigt on bars",
         r#""problem": "bar-impact", "parameters": {"law": "kelvin-voigt", "restitution": 0.65, "n": 10, "dt": 0.005,
             "duration": 1.5, "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        33610,
+        35117,
     ),
     (
         "hunt-crossley on bars",
         r#""problem": "bar-impact", "parameters": {"law": "hunt-crossley", "restitution": 0.65, "n": 10, "dt": 0.005,
             "duration": 1.5, "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        45425,
+        46704,
     ),
     (
         "jankowski on bars",
         r#""problem": "bar-impact", "parameters": {"law": "jankowski", "restitution": 0.65, "n": 10, "dt": 0.005,
             "duration": 1.5, "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        60555,
+        61858,
     ),
 ];
 

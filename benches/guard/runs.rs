@@ -30,14 +30,14 @@ const RUNS: [Run; 5] = [
         study: OSCILLATORS,
         cases: [16_384, 49_152],
         format: "parquet",
-        recorded: 1707,
+        recorded: 1677,
     },
     Run {
         name: "run of oscillators with results.csv",
         study: OSCILLATORS,
         cases: [4096, 8192],
         format: "csv",
-        recorded: 17_132,
+        recorded: 16_961,
     },
     Run {
         name: "run of bars, n = 10",
@@ -45,7 +45,7 @@ const RUNS: [Run; 5] = [
             "gap": {"linspace": [0, 0.1, 16]}, "gamma": {"geomspace": [0.1, 10, CASES]}}"#,
         cases: [1024, 3072],
         format: "parquet",
-        recorded: 28_400,
+        recorded: 29_138,
     },
     Run {
         name: "run of bars, n = 40",
@@ -53,7 +53,7 @@ const RUNS: [Run; 5] = [
             "gap": {"linspace": [0, 0.1, 16]}, "gamma": {"geomspace": [0.1, 10, CASES]}}"#,
         cases: [512, 1536],
         format: "parquet",
-        recorded: 50_024,
+        recorded: 53_548,
     },
     Run {
         name: "run of structures",
@@ -67,7 +67,7 @@ const RUNS: [Run; 5] = [
             "metrics": ["peak(a)", "peak(b)", "peak(gap.S)", "impacts(gap)"]"#,
         cases: [256, 768],
         format: "parquet",
-        recorded: 137_261,
+        recorded: 142_099,
     },
 ];
 

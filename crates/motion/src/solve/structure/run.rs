@@ -7,7 +7,6 @@ use crate::solve::structure::average::lane_state::Average;
 use crate::solve::structure::inputs::loads_at_steps::Inputs;
 use crate::solve::structure::seen::step_view::Kind;
 use crate::system::structure::Structure;
-use slipgap_contact::for_widest;
 
 /// Steps L structures to step `steps`, by the method that they are prepared for; `visit` gets the number of each step, from 0 on, and
 /// the state.
@@ -33,15 +32,8 @@ pub fn run<const L: usize>(
     visit(0, &state);
     for step in 1..=steps {
         match &mut state.0 {
-            // A constant, so that no form is compiled that is not used.
-            Kind::Average(average) => match const { L == 1 } {
-                true => step_one_by_increments(average, step),
-                false => step_by_increments(average, step),
-            },
-            Kind::General(general) => match const { L == 1 } {
-                true => step_one_generally(general, step),
-                false => step_generally(general, step),
-            },
+            Kind::Average(average) => average.step(step),
+            Kind::General(general) => general.step(step),
         }
         visit(step, &state);
     }
@@ -62,28 +54,4 @@ pub fn run<const L: usize>(
         Some((None, true)) => Ok(()),
         _ => Err(Unsolvable::OutOfRange),
     })
-}
-
-// Without the visitor: every visitor would compile the steps again.
-for_widest! {
-    fn step_by_increments<const L: usize>(state: &mut Average<L>, step: usize) {
-        state.step(step);
-    }
-}
-
-for_widest! {
-    fn step_generally<const L: usize>(state: &mut General<L>, step: usize) {
-        state.step(step);
-    }
-}
-
-// One structure by itself gains nothing from wide instructions; its large blocks take them by themselves.
-#[inline(never)]
-fn step_one_by_increments<const L: usize>(state: &mut Average<L>, step: usize) {
-    state.step(step);
-}
-
-#[inline(never)]
-fn step_one_generally<const L: usize>(state: &mut General<L>, step: usize) {
-    state.step(step);
 }

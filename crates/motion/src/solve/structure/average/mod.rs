@@ -4,5 +4,6 @@ mod curved;
 mod lane_contacts;
 pub(crate) mod lane_state;
 pub(crate) mod moves;
+mod once;
 mod repeat;
 pub(crate) mod step;

@@ -8,18 +8,9 @@ use crate::solve::structure::contacts::static_in_plane::Admissible;
 use crate::solve::structure::linear_part::links::{Elimination, Link};
 
 impl<const L: usize> Average<'_, L> {
-    /// One step; `step` is the number of its end.
+    /// The step with the limits that are known.
     #[inline(always)]
-    pub(crate) fn step(&mut self, step: usize) {
-        self.step = step;
-        match self.pressing.take() {
-            Some(pressing) => self.repeat(step, pressing),
-            None => self.once(step),
-        }
-    }
-
-    #[inline(always)]
-    pub(super) fn once(&mut self, step: usize) {
+    pub(super) fn compute(&mut self, step: usize) {
         self.prescribe(step);
         self.eliminate();
         self.meet(step);

@@ -6,10 +6,10 @@ use crate::methods::SubStep;
 use crate::solve::structure::contacts::laws::friction;
 use crate::solve::structure::linear_part::linear::Linear;
 use crate::solve::structure::linear_part::links::{Elimination, Link};
+use slipgap_contact::for_widest;
 
 impl<const L: usize> General<'_, L> {
     /// One step; `step` is the number of its end.
-    #[inline(always)]
     pub(in crate::solve::structure) fn step(&mut self, step: usize) {
         self.step = step;
         let parts = self.prepared.sub_steps.len();
@@ -23,9 +23,17 @@ impl<const L: usize> General<'_, L> {
         }
     }
 
-    /// The sub-step `part` of a step; `end` is the number of its end among all sub-steps.
-    #[inline(always)]
+    /// The sub-step `part` of a step with the limits that are known; `end` is the number of its end among all sub-steps.
     pub(super) fn sub_step(&mut self, part: usize, end: usize) {
+        // A constant, so that no form is compiled that is not used.
+        match const { L == 1 } {
+            true => sub_step_alone(self, part, end),
+            false => sub_step_widest(self, part, end),
+        }
+    }
+
+    #[inline(always)]
+    fn compute(&mut self, part: usize, end: usize) {
         self.prescribe(part, end);
         self.eliminate(part);
         self.meet(part, end);
@@ -237,4 +245,17 @@ impl<const L: usize> General<'_, L> {
             (*r, *rdot) = (*r + *gap, *rdot + *rate);
         }
     }
+}
+
+// Functions of their own: every caller would compile the sub-step again.
+for_widest! {
+    fn sub_step_widest<const L: usize>(state: &mut General<L>, part: usize, end: usize) {
+        state.compute(part, end);
+    }
+}
+
+/// One structure by itself gains nothing from wide instructions; its large blocks take them by themselves.
+#[inline(never)]
+fn sub_step_alone<const L: usize>(state: &mut General<L>, part: usize, end: usize) {
+    state.compute(part, end);
 }
