@@ -202,24 +202,11 @@ macro_rules! laws {
         }
 
         // A function of its own: it is compiled once, and not in every loop over steps.
-        #[inline(never)]
-        fn answer<const L: usize>(law: &mut AnyRunningLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
-            match const { L == 1 } {
-                true => answer_by_law(law, part, trial),
-                false => answer_widest(law, part, trial),
-            }
-        }
-
         for_widest! {
-            fn answer_widest<const L: usize>(law: &mut AnyRunningLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
-                answer_by_law(law, part, trial)
-            }
-        }
-
-        #[inline(always)]
-        fn answer_by_law<const L: usize>(law: &mut AnyRunningLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
-            match law {
-                $(AnyRunningLaw::$law(law) => law.force(part, trial)),+
+            fn answer<const L: usize>(law: &mut AnyRunningLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
+                match law {
+                    $(AnyRunningLaw::$law(law) => law.force(part, trial)),+
+                }
             }
         }
     };
