@@ -7,7 +7,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::process::Child;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel, sync_channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::thread;
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 /// Lines that wait to be read.
@@ -19,8 +19,13 @@ pub(in super::super) struct Pipes {
     /// `None` when its input has ended.
     requests: Option<Sender<Vec<u8>>>,
     lines: Receiver<String>,
+    /// Reads what it says besides.
+    errors: Option<JoinHandle<()>>,
     tail: Arc<Mutex<Tail>>,
 }
+
+/// How often it is looked whether all has been read.
+const LOOK: Duration = Duration::from_millis(1);
 
 fn locked(tail: &Mutex<Tail>) -> MutexGuard<'_, Tail> {
     tail.lock().unwrap_or_else(PoisonError::into_inner)
@@ -38,17 +43,18 @@ impl Pipes {
         if let Some(output) = child.stdout.take() {
             thread::spawn(move || read(output, LONGEST, |line| to_read.send(line).is_ok()));
         }
-        if let Some(errors) = child.stderr.take() {
+        let errors = child.stderr.take().map(|errors| {
             let tail = tail.clone();
             let keep = move |line: String| {
                 locked(&tail).push(&line);
                 true
             };
-            thread::spawn(move || read(errors, LONGEST_ERROR, keep));
-        }
+            thread::spawn(move || read(errors, LONGEST_ERROR, keep))
+        });
         Pipes {
             requests: Some(requests),
             lines,
+            errors,
             tail,
         }
     }
@@ -99,6 +105,10 @@ impl Pipes {
         let until = Instant::now() + within;
         while let Ok(line) = self.line(Some(until)).map(Cow::into_owned) {
             self.keep(&line);
+        }
+        let reads = |errors: &JoinHandle<()>| !errors.is_finished();
+        while Instant::now() < until && self.errors.as_ref().is_some_and(reads) {
+            thread::sleep(LOOK);
         }
     }
 
