@@ -101,7 +101,7 @@ impl Process {
         loop {
             let look = Instant::now() + LOOK_AT_SILENT;
             let soon = until.map_or(look, |until| until.min(look));
-            let line = match self.pipes.line(Some(soon)) {
+            let line = match self.pipes.line(soon) {
                 Ok(line) => line,
                 Err(Silent::Late) if has_ended => return Err(Silent::Ended),
                 Err(Silent::Late) if Some(soon) != until => {

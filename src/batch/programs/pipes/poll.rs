@@ -118,11 +118,8 @@ impl Pipes {
     /// The next line of the output.
     ///
     /// # Errors
-    /// There is none until this instant (`None` for any time), or no more.
-    pub(in super::super) fn line(
-        &mut self,
-        until: Option<Instant>,
-    ) -> Result<Cow<'_, str>, Silent> {
+    /// There is none until this instant, or no more.
+    pub(in super::super) fn line(&mut self, until: Instant) -> Result<Cow<'_, str>, Silent> {
         let place = loop {
             if let Some(place) = self.output.line() {
                 break place;
@@ -130,8 +127,8 @@ impl Pipes {
             if self.output.pipe.is_none() {
                 return Err(Silent::Ended);
             }
-            let left = until.map(|until| until.saturating_duration_since(Instant::now()));
-            if left == Some(Duration::ZERO) {
+            let left = until.saturating_duration_since(Instant::now());
+            if left.is_zero() {
                 return Err(Silent::Late);
             }
             self.turn(left);
@@ -155,7 +152,7 @@ impl Pipes {
             if left.is_zero() || (self.output.pipe.is_none() && self.errors.pipe.is_none()) {
                 return;
             }
-            self.turn(Some(left));
+            self.turn(left);
         }
     }
 
@@ -165,12 +162,12 @@ impl Pipes {
     }
 
     /// Waits until a pipe is ready or the time is over, and moves what can be moved.
-    fn turn(&mut self, left: Option<Duration>) {
+    fn turn(&mut self, left: Duration) {
         let waiting = self.input.as_ref().filter(|_| !self.request.is_empty());
         let outputs = [&self.output.pipe, &self.errors.pipe].into_iter().flatten();
         let mut ends: Vec<PollFd> = outputs.map(|end| PollFd::new(end, PollFlags::IN)).collect();
         ends.extend(waiting.map(|end| PollFd::new(end, PollFlags::OUT)));
-        let limit = left.and_then(|left| Timespec::try_from(left).ok());
+        let limit = Timespec::try_from(left).ok();
         // Nothing is ready, or a signal came: whoever waits asks again.
         let Ok(1..) = poll(&mut ends, limit.as_ref()) else {
             return;
@@ -180,7 +177,9 @@ impl Pipes {
         while let Some(place) = self.errors.line() {
             self.tail.push(&text(&self.errors.bytes[place]));
         }
-        self.write();
+        if !self.request.is_empty() {
+            self.write();
+        }
     }
 
     /// Writes what the input takes. Where it is closed, the program has ended, which its output tells.

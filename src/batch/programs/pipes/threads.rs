@@ -76,22 +76,13 @@ impl Pipes {
     /// The next line of the output.
     ///
     /// # Errors
-    /// There is none until this instant (`None` for any time), or no more.
-    pub(in super::super) fn line(
-        &mut self,
-        until: Option<Instant>,
-    ) -> Result<Cow<'_, str>, Silent> {
-        let line = match until {
-            None => self.lines.recv().map_err(|_| Silent::Ended)?,
-            Some(until) => {
-                let left = until.saturating_duration_since(Instant::now());
-                let received = self.lines.recv_timeout(left);
-                received.map_err(|why| match why {
-                    RecvTimeoutError::Timeout => Silent::Late,
-                    RecvTimeoutError::Disconnected => Silent::Ended,
-                })?
-            }
-        };
+    /// There is none until this instant, or no more.
+    pub(in super::super) fn line(&mut self, until: Instant) -> Result<Cow<'_, str>, Silent> {
+        let left = until.saturating_duration_since(Instant::now());
+        let line = self.lines.recv_timeout(left).map_err(|why| match why {
+            RecvTimeoutError::Timeout => Silent::Late,
+            RecvTimeoutError::Disconnected => Silent::Ended,
+        })?;
         Ok(Cow::Owned(line))
     }
 
@@ -103,7 +94,7 @@ impl Pipes {
     /// Keeps what comes for some time as lines for messages, so that a program that ends can write; not longer than until all has come.
     pub(in super::super) fn keep_rest(&mut self, within: Duration) {
         let until = Instant::now() + within;
-        while let Ok(line) = self.line(Some(until)).map(Cow::into_owned) {
+        while let Ok(line) = self.line(until).map(Cow::into_owned) {
             self.keep(&line);
         }
         let reads = |errors: &JoinHandle<()>| !errors.is_finished();
