@@ -33,14 +33,16 @@ pub use calibrate::PointCases;
 pub use calibrate::Recommend;
 pub use calibrate::decode::FIGURES as CALIBRATION_FIGURES;
 pub use calibrate::{Alternative, Candidates};
-pub use computed::{Computed, Found, Partners, Reference, Rule};
+pub use computed::{Computed, Reference, Rule};
 pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
 pub use describe::{problem_pages, problem_reference, reference, schema, start};
 pub use figure::kinds::{self, FigureKind, Marks, Ridge};
 pub use measure::{Measure, measures};
 pub use reduction::{CaseMetrics, Groups, Operator, Reduced, Reduction, reduced_cases};
-pub use slipgap_cases::{Axis, AxisGroup, Block, Design, Filter, Sampling, Values};
+pub use slipgap_cases::{
+    Axis, AxisGroup, Block, Design, Filter, Found, Partners, Sampling, Values,
+};
 pub use slipgap_problem::problem::expression::{printable, unprintable};
 pub use source::folder::ReadFile;
 pub use source::input::{Input, STDIN};

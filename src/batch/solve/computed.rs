@@ -74,10 +74,8 @@ fn set_ratio(parts: &mut [PartResult], column: usize, of: usize, reference: &Ref
             }
         }
     }
-    let mut partners = Partners::new(
-        reference,
-        references.iter().map(|case_and_value| &case_and_value.0),
-    );
+    let cases: Vec<&Case> = references.iter().map(|(case, _)| case).collect();
+    let mut partners = Partners::new(&reference.shared, &cases);
     for part in parts {
         let mut shown = part.cases.shown();
         let ratio = |row: usize| {

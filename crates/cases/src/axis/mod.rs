@@ -2,4 +2,5 @@
 
 pub mod design;
 pub mod group;
+pub mod spaced;
 pub mod values;

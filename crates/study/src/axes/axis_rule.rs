@@ -1,14 +1,12 @@
 //! Axes given by a rule instead of a list. The ends of an axis are the given numbers to the bit; values between them that are decimals of
 //! at most 15 digits are those decimals.
 
-use super::exact::{Even, Ratios};
-use super::powers::Powers;
 use crate::source::faults::{Faults, join};
 use crate::source::field::{self, Keys, field, fields};
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::value::within;
-use rayon::prelude::*;
+use slipgap_cases::axis::spaced::{self, Rule};
 use slipgap_cases::axis::values::Values;
 use slipgap_problem::metrics::SLACK;
 use slipgap_problem::problem::numbers::parameter::{Kind, Parameter, Range, Value};
@@ -27,18 +25,8 @@ pub(crate) const RULES: Keys = Keys::new(&fields![
 
 const THREE: field::Kind = field::Kind::List(&field::Kind::Number(Range::Any), [3, 3]);
 
-/// A rule, in the order of [`RULES`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Rule {
-    Linspace,
-    Geomspace,
-    Range,
-}
-
+/// In the order of [`RULES`].
 const ALL: [Rule; 3] = [Rule::Linspace, Rule::Geomspace, Rule::Range];
-
-/// Fewest values of an axis that are worth several threads.
-const FEW: f64 = 1e4;
 
 /// Most values of an axis.
 const MOST: f64 = 1e6;
@@ -95,36 +83,7 @@ pub(crate) fn values(
     if count > MOST {
         return refuse(2, &format!("gives {count} values; allowed: at most {MOST}"));
     }
-    let (steps, powers) = (count - 1.0, Powers::of(b / a));
-    let near = |i: f64| match rule {
-        Rule::Linspace if i == steps => b,
-        Rule::Linspace => a + (b - a) * (i / steps),
-        Rule::Geomspace if i == steps => b,
-        Rule::Geomspace if i == 0.0 => a,
-        Rule::Geomspace => a * powers.at(i / steps),
-        Rule::Range if (a + i * c - b).abs() <= SLACK * (b - a).abs() => b,
-        Rule::Range => a + i * c,
-    };
-    let even = match rule {
-        Rule::Linspace => Even::to(a, b, steps as u64),
-        Rule::Range => Even::by(a, c),
-        Rule::Geomspace => None,
-    };
-    let ratios = Ratios::new(a, b, steps as u64).filter(|_| rule == Rule::Geomspace);
-    let point = |i: f64| {
-        let x = near(i);
-        // The ends are given.
-        let inside = i > 0.0 && x != b && x.is_finite();
-        let even = even.and_then(|even| even.at(i as u64));
-        let exact = even.or_else(|| ratios?.at(i as u64, x));
-        exact.filter(|_| inside).unwrap_or(x)
-    };
-    let positions = 0..count as usize;
-    // Powers of a million numbers are a noticeable part of a run.
-    let points: Vec<f64> = match count {
-        FEW.. => positions.into_par_iter().map(|i| point(i as f64)).collect(),
-        _ => positions.map(|i| point(i as f64)).collect(),
-    };
+    let points = spaced::numbers(rule, [a, b, c], count as usize);
     to_values(points, &member.node, &path, parameter, faults)
 }
 

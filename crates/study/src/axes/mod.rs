@@ -4,8 +4,6 @@ pub(super) mod applicability;
 pub(super) mod axis_rule;
 pub(super) mod design;
 pub(super) mod draft;
-mod exact;
 pub(super) mod interval;
 pub(super) mod parameters;
-mod powers;
 pub(super) mod zip;

@@ -3,13 +3,11 @@
 
 pub(super) mod decode;
 mod formula;
-mod partners;
 pub mod reference_case;
 pub(super) mod sources;
 #[cfg(test)]
 mod tests;
 
-pub use partners::{Found, Partners};
 pub use reference_case::Reference;
 
 use super::{Measure, Study};

@@ -1,10 +1,10 @@
 //! The reference case of a ratio: the case that differs in some parameters only.
 
-use super::partners::{Found, Partners};
 use crate::cases::scope::Scope;
 use slipgap_cases::alike;
 use slipgap_cases::block::Block;
 use slipgap_cases::filter::Filter;
+use slipgap_cases::{Found, Partners};
 use slipgap_problem::problem::numbers::parameter::Parameter;
 use slipgap_problem::problem::{Case, Problem};
 
@@ -53,13 +53,17 @@ impl Reference {
         });
         several.or_else(|| {
             let others = self.others(scope);
-            let mut partners = Partners::new(self, others.iter());
+            let mut partners = self.partners(&others);
             let mut cases = scope.cases(&no_filter).take(MOST_TESTED);
             match cases.any(|case| matches!(partners.find(&case), Found::One(_))) {
                 true => None,
                 false => self.first(&no_filter, scope, key, |_| true),
             }
         })
+    }
+
+    fn partners(&self, others: &[Case]) -> Partners {
+        Partners::new(&self.shared, &others.iter().collect::<Vec<_>>())
     }
 
     fn others(&self, scope: &Scope) -> Vec<Case> {
@@ -75,7 +79,7 @@ impl Reference {
         is_fault: impl Fn(&Found) -> bool,
     ) -> Option<String> {
         let others = self.others(scope);
-        let mut partners = Partners::new(self, others.iter());
+        let mut partners = self.partners(&others);
         let mut cases = scope.cases(chosen).take(MOST_TESTED);
         cases.find_map(|case| match partners.find(&case) {
             found if !is_fault(&found) => None,

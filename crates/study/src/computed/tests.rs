@@ -252,7 +252,7 @@ fn partners_are_those_of_a_comparison_with_all() {
         };
         let matching = cases.iter().filter(|case| reference.filter.matches(case));
         let others: Vec<Case> = matching.cloned().collect();
-        let mut partners = Partners::new(reference, others.iter());
+        let mut partners = Partners::new(&reference.shared, &others.iter().collect::<Vec<_>>());
         for case in &cases {
             let partner = partners.find(case);
             assert_eq!(

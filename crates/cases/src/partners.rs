@@ -1,6 +1,5 @@
 //! Finds the reference case of many cases.
 
-use super::Reference;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::Value;
 use std::collections::HashMap;
@@ -48,18 +47,16 @@ struct Group {
 const NOWHERE: usize = usize::MAX;
 
 impl Partners {
-    /// The reference cases, of which the filter selects all.
-    pub fn new<'a>(reference: &Reference, cases: impl Iterator<Item = &'a Case>) -> Partners {
-        let cases: Vec<&Case> = cases.collect();
-        let shared = reference.shared.clone();
+    /// All reference cases, and the rows of the parameters that a case shares with its own.
+    pub fn new(shared: &[usize], cases: &[&Case]) -> Partners {
         let of = |row: &usize| Levels::of(cases.iter().filter_map(|case| case.values[*row]));
         let mut partners = Partners {
             levels: shared.iter().map(of).collect(),
-            shared,
+            shared: shared.to_vec(),
             groups: Vec::new(),
         };
         let mut groups: HashMap<Vec<bool>, usize> = HashMap::new();
-        for (number, case) in cases.into_iter().enumerate() {
+        for (number, case) in cases.iter().enumerate() {
             let places = partners.places(case);
             let has = places.iter().map(Option::is_some).collect();
             let next = partners.groups.len();

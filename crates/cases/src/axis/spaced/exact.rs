@@ -82,7 +82,7 @@ fn together(a: f64, b: f64) -> Option<([i128; 2], i32)> {
 
 /// Evenly spaced numbers from `a`: by steps, or `steps` up to an end.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Even {
+pub struct Even {
     start: i128,
     step: i128,
     exponent: i32,
@@ -149,7 +149,7 @@ fn twos_and_fives(n: i128) -> i128 {
 
 /// Numbers with the same ratio from one to the next.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Ratios {
+pub struct Ratios {
     ends: [Decimal; 2],
     steps: u64,
 }

@@ -5,7 +5,7 @@ use std::f64::consts::LN_2;
 
 /// A number and its logarithm.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Powers {
+pub struct Powers {
     base: f64,
     /// log2 of the base in two parts; `None` for a base that `libm::pow` treats apart.
     log: Option<[f64; 2]>,
