@@ -24,8 +24,9 @@
 //!                -> results -> figures, checks, reports
 //! ```
 //!
-//! The modules from top to bottom; each uses only those below it: [`program`] with the verbs, [`animate`], [`report`], [`claims`], [`compare`], [`calibrate`], [`run`], [`warnings`],
-//! [`checks`], [`study_figures`], [`batch`] with the store. Below them are crates, whose modules are named here, too: [`recommend`], [`figures`],
+//! The modules from top to bottom; each uses only those below it: [`program`] with the verbs, [`claims`], [`compare`], [`calibrate`], [`run`], [`warnings`].
+//! Below them are crates, whose modules are named here, too: [`animate`] and [`report`], [`batch`] with the store, [`checks`] and
+//! [`study_figures`], [`recommend`], [`figures`],
 //! [`study`] with [`error`], the solver with [`problem`], [`metrics`], [`solve`], [`textbook`], [`exact`], [`system`], [`methods`],
 //! [`contact`], [`expression`], [`lane`] and [`history`], and [`statistics`]. [`textbook`] has the papers' matrices and iteration,
 //! which the fast form is tested against. Who needs the solver alone uses `slipgap-solver`.
@@ -67,22 +68,19 @@
 //! Equations are cited where they are carried out, as in `[F (9)]`; `docs/errata.md` says where the papers' print is
 //! departed from, and why.
 
-pub mod animate;
-pub mod batch;
 pub mod calibrate;
-pub mod checks;
 pub mod claims;
 mod commands;
 pub mod compare;
 pub mod program;
-pub mod report;
 pub mod run;
-pub mod study_figures;
 pub mod warnings;
 
+pub use slipgap_batch::{self as batch, checks, study_figures};
 pub use slipgap_contact::{contact, lane};
 pub use slipgap_figures as figures;
 pub use slipgap_motion::{exact, history, solve, textbook};
+pub use slipgap_pages::{animate, report};
 pub use slipgap_problem::{
     metrics,
     problem::{self, expression},

@@ -43,6 +43,30 @@ pub fn identity(case: &Case, rows: &[usize]) -> Identity {
     values.map(|value| value.map(Value::identity)).collect()
 }
 
+/// Numbers groups of cases with the same values of some parameters, in the order of the first case of each group.
+#[derive(Debug)]
+pub struct Groups {
+    rows: Vec<usize>,
+    found: HashMap<Identity, usize>,
+}
+
+impl Groups {
+    /// No group yet; cases of a group have the same values of these parameters.
+    pub fn new(rows: &[usize]) -> Groups {
+        Groups {
+            rows: rows.to_vec(),
+            found: HashMap::new(),
+        }
+    }
+
+    /// The number of the group of a case, and whether it is the first case of the group.
+    pub fn place(&mut self, case: &Case) -> (usize, bool) {
+        let next = self.found.len();
+        let place = *self.found.entry(identity(case, &self.rows)).or_insert(next);
+        (place, place == next)
+    }
+}
+
 /// Items with equal keys together, in the order of the first one of each group.
 pub fn grouped<T, K: Eq + Hash>(
     items: impl IntoIterator<Item = T>,

@@ -2,7 +2,8 @@
 
 use crate::block::Block;
 use crate::filter::Filter;
-use slipgap_problem::problem::numbers::parameter::{ColumnRule, Parameter};
+use crate::select::{Selected, distinct};
+use slipgap_problem::problem::numbers::parameter::{ColumnRule, Parameter, Value};
 use slipgap_problem::problem::table::cases::Cases;
 use slipgap_problem::problem::{Case, Problem, Violation};
 use std::ops::Range;
@@ -100,8 +101,8 @@ impl<'a> Enumeration<'a> {
     }
 
     /// The cases among raw combinations `from..to` with their numbers.
-    pub fn range(self, from: u64, to: u64) -> impl Iterator<Item = (u64, Case)> + 'a {
-        self.parts(from, to).flat_map(move |(block, raws, number)| {
+    pub fn range(self, from: u64, to: u64) -> Selected<'a, (u64, Case)> {
+        Box::new(self.parts(from, to).flat_map(move |(block, raws, number)| {
             let start = raws.start;
             let raws = raws.filter(|raw| block.is_case(self.problem, *raw));
             (number..).zip(raws).map(move |(next, raw)| {
@@ -114,7 +115,7 @@ impl<'a> Enumeration<'a> {
                 let case = block.completed(self.problem, raw);
                 (number, Case { number, ..case })
             })
-        })
+        }))
     }
 
     /// Raw combination `raw` as a completed case; `None` if it is no case.
@@ -196,9 +197,9 @@ impl<'a> Enumeration<'a> {
     }
 
     /// The numbers of the cases that a filter selects, in rising order.
-    pub fn select(self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
+    pub fn select(self, filter: &'a Filter) -> Selected<'a, u64> {
         let mut end = 0;
-        self.blocks.iter().enumerate().flat_map(move |(i, block)| {
+        Box::new(self.blocks.iter().enumerate().flat_map(move |(i, block)| {
             let start = end;
             // The cases of the last block are not needed.
             if i + 1 < self.blocks.len() {
@@ -206,6 +207,20 @@ impl<'a> Enumeration<'a> {
             }
             let selected = block.select(self.problem, filter);
             selected.map(move |(_, number)| start + number)
-        })
+        }))
+    }
+
+    /// The cases that a filter selects.
+    pub fn selected(self, filter: &'a Filter) -> Selected<'a, Case> {
+        Box::new(
+            self.select(filter)
+                .filter_map(move |index| self.case(index)),
+        )
+    }
+
+    /// The different values of a parameter among the cases that a filter selects.
+    pub fn levels(self, filter: &Filter, parameter: usize) -> Vec<Value> {
+        let blocks = self.blocks.iter();
+        distinct(blocks.flat_map(|block| block.levels(self.problem, filter, parameter)))
     }
 }

@@ -27,4 +27,4 @@ pub use block::Block;
 pub use enumeration::Enumeration;
 pub use filter::Filter;
 pub use partners::{Found, Partners};
-pub use select::distinct;
+pub use select::Selected;

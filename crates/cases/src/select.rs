@@ -7,6 +7,9 @@ use slipgap_problem::problem::Problem;
 use slipgap_problem::problem::numbers::parameter::Value;
 use std::collections::HashSet;
 
+/// What a filter or a range selects, one after the other. Behind a pointer, so that its code is that of this crate, which is optimised.
+pub type Selected<'a, T> = Box<dyn Iterator<Item = T> + 'a>;
+
 impl Block {
     /// The cases that `filter` selects, as combination and case number of the block, in rising order. The filter is applied
     /// to the axes before cases are made.
@@ -14,7 +17,7 @@ impl Block {
         &'a self,
         problem: &'a dyn Problem,
         filter: &'a Filter,
-    ) -> impl Iterator<Item = (u64, u64)> + 'a {
+    ) -> Selected<'a, (u64, u64)> {
         self.select_among(u64::MAX, problem, filter)
     }
 
@@ -24,7 +27,7 @@ impl Block {
         most: u64,
         problem: &'a dyn Problem,
         filter: &'a Filter,
-    ) -> impl Iterator<Item = (u64, u64)> + 'a {
+    ) -> Selected<'a, (u64, u64)> {
         let positions: Vec<Vec<u64>> = self
             .groups
             .iter()
@@ -49,7 +52,7 @@ impl Block {
         });
         // Case numbers rise with combinations. Each is counted from the previous one.
         let (mut last, mut number) = (0, 0);
-        selected.map(move |raw| {
+        Box::new(selected.map(move |raw| {
             if self.when.is_none() || self.is_uncounted() {
                 return (raw, raw);
             }
@@ -60,7 +63,7 @@ impl Block {
             };
             last = raw;
             (raw, number)
-        })
+        }))
     }
 
     /// Number of combinations that `select` tests.
@@ -125,7 +128,7 @@ impl Block {
 }
 
 /// The values in their order, without repetitions.
-pub fn distinct(values: impl Iterator<Item = Value>) -> Vec<Value> {
+pub(crate) fn distinct(values: impl Iterator<Item = Value>) -> Vec<Value> {
     let mut seen = HashSet::new();
     values
         .filter(|value| seen.insert(value.identity()))

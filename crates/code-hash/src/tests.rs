@@ -172,7 +172,7 @@ fn every_part_of_the_solver_has_a_hash_of_its_code_and_no_test_counts() {
         crates.extend(below.into_iter().map(str::to_owned));
         // The keys of stores have it.
         let key = format!("slipgap_{part}::CODE_KEY");
-        let keys = text("crates/solver/src/lib.rs") + &text("src/batch/store/key.rs");
+        let keys = text("crates/solver/src/lib.rs") + &text("crates/batch/src/store/key.rs");
         assert!(keys.contains(&key), "{key}");
     }
     assert!(crates.iter().map(String::as_str).eq(CRATES));

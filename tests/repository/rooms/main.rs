@@ -55,6 +55,8 @@ const ROOMS: [(&str, &[&str], usize); 4] = [
         "product",
         &[
             "",
+            "crates/batch",
+            "crates/pages",
             "crates/recommend",
             "crates/statistics",
             "validation",

@@ -4,7 +4,7 @@ pub(crate) mod ensemble;
 pub mod scope;
 
 use super::Study;
-use slipgap_cases::{Block, Enumeration, Filter};
+use slipgap_cases::{Block, Enumeration, Filter, Selected};
 use slipgap_motion::solve::Unsolvable;
 use slipgap_problem::problem::structure::programs::Programs;
 use slipgap_problem::problem::table::cases::Cases;
@@ -125,7 +125,7 @@ impl Study {
     }
 
     /// The cases among raw combinations `from..to` with their numbers.
-    pub fn range(&self, from: u64, to: u64) -> impl Iterator<Item = (u64, Case)> + '_ {
+    pub fn range(&self, from: u64, to: u64) -> Selected<'_, (u64, Case)> {
         self.enumeration().range(from, to)
     }
 
@@ -145,7 +145,7 @@ impl Study {
     }
 
     /// The numbers of the cases that a filter selects, in rising order.
-    pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
+    pub fn select<'a>(&'a self, filter: &'a Filter) -> Selected<'a, u64> {
         self.enumeration().select(filter)
     }
 

@@ -5,7 +5,7 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node};
 use crate::value::{name, value};
-use slipgap_cases::{Block, Enumeration, Filter, distinct};
+use slipgap_cases::{Block, Enumeration, Filter, Selected};
 use slipgap_problem::problem::numbers::parameter::{Default, Value};
 use slipgap_problem::problem::structure::StructureProblem;
 use slipgap_problem::problem::{Case, Problem};
@@ -215,15 +215,13 @@ impl Scope {
     }
 
     /// The numbers of the cases of a filter.
-    pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
+    pub fn select<'a>(&'a self, filter: &'a Filter) -> Selected<'a, u64> {
         self.enumeration().select(filter)
     }
 
     /// The cases that a filter selects.
-    pub fn cases<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = Case> + 'a {
-        let enumeration = self.enumeration();
-        let case = move |index| enumeration.case(index);
-        self.select(filter).filter_map(case)
+    pub fn cases<'a>(&'a self, filter: &'a Filter) -> Selected<'a, Case> {
+        self.enumeration().selected(filter)
     }
 
     /// Whether the parameters in `from` decide a parameter, in every block with cases that a filter selects.
@@ -249,9 +247,7 @@ impl Scope {
 
     /// The different values of a parameter among the cases that a filter selects.
     pub fn levels(&self, filter: &Filter, parameter: usize) -> Vec<Value> {
-        let blocks = self.blocks.iter();
-        let levels = blocks.flat_map(|block| block.levels(&*self.problem, filter, parameter));
-        distinct(levels)
+        self.enumeration().levels(filter, parameter)
     }
 }
 

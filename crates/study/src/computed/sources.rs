@@ -171,11 +171,11 @@ pub fn shown<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
 
 /// Whether metrics stand under a key of a figure.
 fn takes_metric(figure: &Node, key: &str) -> bool {
-    let of_kind = |name: &str| {
-        let is = |member: &Member| member.key == "kind" && member.node.text() == Some(name);
-        members(figure).any(is)
-    };
-    let mut kinds = KINDS.iter().filter(|kind| of_kind(kind.name));
+    let given = members(figure).filter(|member| member.key == "kind");
+    let mut kinds = given.filter_map(|member| {
+        let name = member.node.text()?;
+        KINDS.iter().find(|kind| kind.name == name)
+    });
     kinds.any(|kind| {
         kind.keys.iter().any(|key_kind| {
             use Takes::{Column, Columns, Metric, Metrics};

@@ -2,9 +2,9 @@
 
 use crate::Reduction;
 use crate::scope::Scope;
+use slipgap_cases::alike::Groups;
 use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::Value;
-use std::collections::{HashMap, HashSet};
 
 /// The kinds of figure that show reductions.
 pub const KINDS: [&str; 5] = ["metric", "convergence", "map", "scatter", "front"];
@@ -35,11 +35,15 @@ pub fn hidden(
         return None;
     }
     // What the problem computes may be the same in the cases of each group.
-    let mut found = HashMap::new();
+    let mut groups = Groups::new(&reduction.kept);
+    let mut first = Vec::new();
     let same = |case: Case| {
         let value = case.values[row];
-        let first = *found.entry(reduction.group(&case)).or_insert(value);
-        Value::identical(first, value)
+        let (group, is_new) = groups.place(&case);
+        if is_new {
+            first.push(value);
+        }
+        Value::identical(first[group], value)
     };
     match cases.all(same) {
         true => None,
@@ -52,6 +56,6 @@ pub fn one_of_each<'a>(
     reduction: Option<&'a Reduction>,
     cases: impl Iterator<Item = Case> + 'a,
 ) -> impl Iterator<Item = Case> + 'a {
-    let mut seen = HashSet::new();
-    cases.filter(move |case| reduction.is_none_or(|reduction| seen.insert(reduction.group(case))))
+    let mut groups = reduction.map(|reduction| Groups::new(&reduction.kept));
+    cases.filter(move |case| groups.as_mut().is_none_or(|groups| groups.place(case).1))
 }

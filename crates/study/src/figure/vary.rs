@@ -1,9 +1,8 @@
 //! Parameters that vary among the cases of a figure that could not show it.
 
-use std::collections::HashSet;
-
 use super::checker::Checker;
-use slipgap_problem::problem::numbers::parameter::{Default, Value};
+use slipgap_cases::alike::Groups;
+use slipgap_problem::problem::numbers::parameter::Default;
 
 /// What a user can do besides narrowing the cases, for kinds with the key `by`.
 pub(super) const OR_WITHOUT_BY: &str = " or leave out \"by\"";
@@ -53,13 +52,8 @@ pub(super) fn check(checker: &mut Checker, distinguished: &[usize], what: &str, 
 
 /// Whether no two cases, or groups of reduced cases, have the same values of the distinguished parameters.
 fn one_case_a_place(checker: &Checker, distinguished: &[usize]) -> bool {
-    let mut places = HashSet::new();
-    checker.cases().all(|case| {
-        let its = distinguished
-            .iter()
-            .map(|row| case.values[*row].map(Value::identity));
-        places.insert(its.collect::<Vec<_>>())
-    })
+    let mut places = Groups::new(distinguished);
+    checker.cases().all(|case| places.place(&case).1)
 }
 
 #[cfg(test)]

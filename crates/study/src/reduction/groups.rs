@@ -1,15 +1,14 @@
 //! The values of reductions, collected case by case.
 
 use super::{Operator, Reduction};
-use slipgap_cases::alike::Identity;
+use slipgap_cases::alike;
 use slipgap_problem::problem::Case;
-use std::collections::HashMap;
 
 /// Groups of cases that reductions of the same parameters take together, in the order of their first cases.
 #[derive(Debug)]
 pub struct Groups<'a> {
     reductions: Vec<&'a Reduction>,
-    places: HashMap<Identity, usize>,
+    places: alike::Groups,
     groups: Vec<Group>,
 }
 
@@ -48,9 +47,10 @@ pub struct Reduced {
 impl<'a> Groups<'a> {
     /// No cases yet; the reductions group alike.
     pub fn new(reductions: Vec<&'a Reduction>) -> Groups<'a> {
+        let kept = reductions.first().map_or(&[][..], |first| &first.kept);
         Groups {
+            places: alike::Groups::new(kept),
             reductions,
-            places: HashMap::new(),
             groups: Vec::new(),
         }
     }
@@ -68,12 +68,8 @@ impl<'a> Groups<'a> {
         case: &Case,
         value: impl Fn(usize) -> Option<f64>,
     ) -> (usize, bool) {
-        let Some(first) = self.reductions.first() else {
-            return (0, false);
-        };
-        let next = self.groups.len();
-        let index = *self.places.entry(first.group(case)).or_insert(next);
-        if index == next {
+        let (index, is_new) = self.places.place(case);
+        if is_new {
             let empty = |reduction: &&Reduction| match reduction.operator.is_of_a_case() {
                 true => Values::One(None, 0),
                 false => Values::All(Vec::new()),
@@ -91,7 +87,7 @@ impl<'a> Groups<'a> {
                 values.add(reduction.operator, number, x);
             }
         }
-        (index, index == next)
+        (index, is_new)
     }
 
     /// The value of reduction `which` in every group.

@@ -13,8 +13,6 @@ pub(super) use operator::OPERATORS;
 pub use operator::Operator;
 
 use super::{Measure, Study};
-use slipgap_cases::alike::{Identity, identity};
-use slipgap_problem::problem::Case;
 use slipgap_problem::problem::numbers::parameter::Default;
 
 /// A metric reduced over parameters.
@@ -36,11 +34,6 @@ impl Reduction {
     /// Whether both reduce the same cases to one value.
     pub fn groups_like(&self, other: &Reduction) -> bool {
         self.lost == other.lost
-    }
-
-    /// The values of a case that it shares with those that are reduced with it, as a key.
-    pub(crate) fn group(&self, case: &Case) -> Identity {
-        identity(case, &self.kept)
     }
 }
 

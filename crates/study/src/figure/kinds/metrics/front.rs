@@ -7,7 +7,6 @@ use crate::figure::keys::{COLOUR, MARKERS, Takes, X_RANGE, Y_RANGE};
 use crate::figure::kinds::{Decoded, FigureKind, Kind, Needs};
 use slipgap_cases::alike;
 use slipgap_problem::problem::{Case, Problem};
-use std::collections::HashMap;
 
 /// Most lines of a panel: as many as a reader can distinguish where they are close.
 const MOST_LINES: usize = 12;
@@ -122,22 +121,20 @@ impl Front {
             }
         }
         // The first case of each mean, and how many cases have each value.
-        let mut means: HashMap<alike::Identity, (Case, Vec<usize>)> = HashMap::new();
-        let mut order = Vec::new();
+        let mut groups = alike::Groups::new(&shared);
+        let mut means: Vec<(Case, Vec<usize>)> = Vec::new();
         for case in checker.cases() {
-            let key = alike::identity(&case, &shared);
             let level = case.values[over]
                 .and_then(|value| levels.iter().position(|level| level.matches(value)));
-            let (_, counts) = means.entry(key.clone()).or_insert_with(|| {
-                order.push(key);
-                (case, vec![0; levels.len()])
-            });
+            let (group, is_new) = groups.place(&case);
+            if is_new {
+                means.push((case, vec![0; levels.len()]));
+            }
             if let Some(level) = level {
-                counts[level] += 1;
+                means[group].1[level] += 1;
             }
         }
-        let uneven = order.iter().find_map(|key| {
-            let (case, counts) = &means[key];
+        let uneven = means.iter().find_map(|(case, counts)| {
             let level = counts.iter().position(|count| *count != 1)?;
             Some((case, levels[level], counts[level]))
         });
