@@ -201,7 +201,7 @@ fn diverging(study: &Study, number: u64, seconds: Option<f64>) -> String {
 
 /// The origin of the value of a parameter.
 fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> String {
-    let Some(block) = study.block_of(number) else {
+    let Some(block) = study.enumeration().block_of(number) else {
         return String::new();
     };
     if let Some(derived) = block.derived.iter().find(|d| d.parameter == row) {

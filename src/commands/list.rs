@@ -110,7 +110,11 @@ fn shorten(rows: &mut [Vec<String>], width: usize) {
 
 /// The number of cases, or the largest number possible.
 pub fn cases(study: &Study) -> String {
-    let at_most = if study.is_counted() { "" } else { "at most " };
+    let at_most = if study.enumeration().is_counted() {
+        ""
+    } else {
+        "at most "
+    };
     format!("{at_most}{}", study.len())
 }
 
@@ -138,7 +142,7 @@ fn axes(study: &Study) -> String {
 /// Smallest and largest number of steps of a case.
 fn steps(study: &Study) -> String {
     let (mut fewest, mut most) = (u64::MAX, 0);
-    for case in study.representative_cases() {
+    for case in study.enumeration().representative_cases() {
         let steps = case.steps();
         (fewest, most) = (fewest.min(steps), most.max(steps));
     }

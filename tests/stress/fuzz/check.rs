@@ -87,7 +87,7 @@ fn refused(text: &str, faults: &[Fault]) {
 
 /// Cases by number are the same as cases in order.
 fn listed(study: &Study, random: &mut RandomChoice) {
-    assert!(study.representative_cases().next().is_some());
+    assert!(study.enumeration().representative_cases().next().is_some());
     assert!(study.case(study.len()).is_none());
     let raw = study.raw_len();
     let from = random.below(raw.min(1 << 40) as usize) as u64;

@@ -272,7 +272,7 @@ mod tests {
     #[test]
     fn a_chunk_of_a_large_study_is_made_without_the_others() {
         let study = large();
-        assert!(!study.is_counted() && is_large(&study));
+        assert!(!study.enumeration().is_counted() && is_large(&study));
         assert_eq!(count(&study), 3_814_698);
         // Combinations 382 976 to 645 119 of a row of 10^6. beta is 0.9001, so that the condition is met up to x0 = 0.4357.
         let index = 3_433_229;

@@ -50,7 +50,7 @@ pub fn total(study: &Study) -> f64 {
     let stride = raw.div_ceil(MOST_SUMMED);
     let sampled = (0..raw)
         .step_by(stride as usize)
-        .filter_map(|raw| study.combination(raw));
+        .filter_map(|raw| study.enumeration().combination(raw));
     let work = sampled.map(|case| study.work(&case) as f64);
     work.sum::<f64>() * stride as f64
 }
@@ -62,7 +62,7 @@ pub fn sampling(study: &Study) -> f64 {
     let sampled = (0..raw).step_by(stride as usize);
     let mut signals = BTreeSet::new();
     let mut cases = 0;
-    for case in sampled.filter_map(|raw| study.combination(raw)) {
+    for case in sampled.filter_map(|raw| study.enumeration().combination(raw)) {
         let samples = study.samples(&case);
         match (samples.key.is_empty(), cases) {
             (true, 0) => return 0.0,
@@ -221,7 +221,7 @@ fn with_signals_of(study: &Study, like: &Case) -> Vec<Case> {
     let stride = raw.div_ceil(MOST_SUMMED);
     let cases = (0..raw)
         .step_by(stride as usize)
-        .filter_map(|raw| study.combination(raw));
+        .filter_map(|raw| study.enumeration().combination(raw));
     let found: Vec<Case> = cases
         .filter(|case| study.samples(case) == samples)
         .collect();

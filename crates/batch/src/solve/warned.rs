@@ -133,11 +133,11 @@ impl WarningCounts {
 
 /// The parameters of a case that vary in the study: those on axes, and given ones that differ from block to block.
 fn varying(study: &Study, number: u64, case: &Case) -> Vec<(String, Value)> {
-    let Some(block) = study.block_of(number) else {
+    let Some(block) = study.enumeration().block_of(number) else {
         return Vec::new();
     };
     let firsts: Vec<Case> = (0..study.blocks.len())
-        .filter_map(|i| study.case(study.first_of(i)))
+        .filter_map(|i| study.case(study.enumeration().first_of(i)))
         .collect();
     let on_axis = |row: usize| {
         let groups = block.groups.iter().filter(|group| group.len() > 1);

@@ -210,7 +210,7 @@ impl Outline {
 /// The numbers of the cases of a chunk.
 fn numbers(study: &Study, chunk: u64) -> Range<u64> {
     let raws = chunk::combinations(study, chunk);
-    study.first_from(raws.start)..study.first_from(raws.end)
+    study.enumeration().first_from(raws.start)..study.enumeration().first_from(raws.end)
 }
 
 /// The work of so many cases of a chunk, which are spread in it.

@@ -50,7 +50,7 @@ impl DesignMetrics {
         let blocks = study.blocks.iter().enumerate();
         let design = |(block, of): (usize, &Block)| {
             let design = of.design.as_ref()?;
-            let first = study.first_of(block);
+            let first = study.enumeration().first_of(block);
             let column = |metric: &usize| MetricColumn {
                 metric: *metric,
                 values: Vec::with_capacity(of.raw_len() as usize),

@@ -4,7 +4,7 @@ pub(crate) mod ensemble;
 pub mod scope;
 
 use super::Study;
-use slipgap_cases::{Block, Enumeration, Filter, Selected};
+use slipgap_cases::{Enumeration, Filter, Selected};
 use slipgap_motion::solve::Unsolvable;
 use slipgap_problem::problem::structure::programs::Programs;
 use slipgap_problem::problem::table::cases::Cases;
@@ -12,14 +12,14 @@ use slipgap_problem::problem::{Case, MeasuredChannel, Samples, Solution, Violati
 
 impl Study {
     /// The cases with their numbers.
-    fn enumeration(&self) -> Enumeration<'_> {
+    pub fn enumeration(&self) -> Enumeration<'_> {
         Enumeration {
             problem: &*self.problem,
             blocks: &self.blocks,
         }
     }
 
-    /// Number of cases, or a larger number if they are not [counted](Study::is_counted).
+    /// Number of cases, or a larger number if they are not [counted](Enumeration::is_counted).
     pub fn len(&self) -> u64 {
         self.enumeration().len()
     }
@@ -27,11 +27,6 @@ impl Study {
     /// Whether there are no cases. No valid study is empty.
     pub fn is_empty(&self) -> bool {
         self.enumeration().is_empty()
-    }
-
-    /// Whether the cases are counted and numbered without gaps, as by [`Enumeration::is_counted`].
-    pub fn is_counted(&self) -> bool {
-        self.enumeration().is_counted()
     }
 
     /// Number of raw combinations, at most the limit of the study.
@@ -109,16 +104,6 @@ impl Study {
         self.enumeration().parameter_columns()
     }
 
-    /// Number of the first case of a block.
-    pub fn first_of(&self, block: usize) -> u64 {
-        self.enumeration().first_of(block)
-    }
-
-    /// The block that case `index` belongs to.
-    pub fn block_of(&self, index: u64) -> Option<&Block> {
-        self.enumeration().block_of(index)
-    }
-
     /// All cases in order, each made when the iterator reaches it.
     pub fn cases(&self) -> impl Iterator<Item = Case> + '_ {
         self.range(0, self.raw_len()).map(|(_, case)| case)
@@ -129,28 +114,13 @@ impl Study {
         self.enumeration().range(from, to)
     }
 
-    /// Raw combination `raw` as a completed case; `None` if it is no case.
-    pub fn combination(&self, raw: u64) -> Option<Case> {
-        self.enumeration().combination(raw)
-    }
-
     /// The cases among raw combinations `from..to` as columns, and the number of the first; without any, that of the next case.
     pub fn columns(&self, from: u64, to: u64) -> (u64, Cases) {
         self.enumeration().columns(from, to)
     }
 
-    /// Number of the first case among the raw combinations from `raw` on, as by [`Enumeration::first_from`].
-    pub fn first_from(&self, raw: u64) -> u64 {
-        self.enumeration().first_from(raw)
-    }
-
     /// The numbers of the cases that a filter selects, in rising order.
     pub fn select<'a>(&'a self, filter: &'a Filter) -> Selected<'a, u64> {
         self.enumeration().select(filter)
-    }
-
-    /// Cases that show the range of a quantity, as by [`Enumeration::representative_cases`].
-    pub fn representative_cases(&self) -> impl Iterator<Item = Case> + '_ {
-        self.enumeration().representative_cases()
     }
 }

@@ -256,11 +256,6 @@ impl Reduction {
         }
     }
 
-    /// Whether it is the size of a difference of two motions, of a contact in a plane that of a vector.
-    pub fn is_of_difference(self) -> bool {
-        matches!(self.row().function, Distance(..) | Estimated)
-    }
-
     /// Whether a contact in a plane has it as a whole.
     pub fn is_in_plane(self) -> bool {
         matches!(self.row().function, Contact(_, plane, _) if plane != Plane::No)
