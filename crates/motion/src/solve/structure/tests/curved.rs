@@ -449,7 +449,7 @@ fn a_lane_with_curved_laws_has_its_own_bits_and_leaves_others_alone() {
         assert!(done.iter().all(Result::is_ok), "{done:?}");
         bits
     }
-    let together = bits::<3>(&[&cases[0], &cases[1], &cases[2]], &prepared);
+    let together = bits::<4>(&[&cases[0], &cases[1], &cases[2], &cases[0]], &prepared);
     for (case, together) in cases.iter().zip(&together) {
         let [alone] = bits::<1>(&[case], &prepared);
         assert!(alone == *together);

@@ -1,4 +1,4 @@
-//! The bits of a case do not depend on its lane.
+//! The bits of a case do not depend on its lane. One number of lanes stands for all: each further one takes seconds to compile.
 
 use super::*;
 use crate::contact::ClippedLine;
@@ -62,12 +62,12 @@ fn bits_by<const L: usize>(
 fn a_case_has_the_same_bits_in_every_lane() {
     let (ground, other) = (ground(), ground());
     let mut cases = Vec::new();
-    for i in 0..8 {
-        let scale = 0.3 + 0.2 * f64::from(i);
-        let signal = if i % 3 == 2 { &other } else { &ground };
+    for i in 0..4 {
+        let scale = 0.3 + 0.4 * f64::from(i);
+        let signal = if i == 2 { &other } else { &ground };
         cases.push(girders(4, 0.2 * scale, scale, signal));
     }
-    for i in [2, 5] {
+    for i in [1, 2] {
         // Other laws, and limits that change, in some lanes only.
         let laws = mixed(4, 1.3, &ground).contacts;
         for (contact, other) in cases[i].contacts.iter_mut().zip(laws) {
@@ -76,17 +76,15 @@ fn a_case_has_the_same_bits_in_every_lane() {
     }
     let cases: Vec<&Structure> = cases.iter().collect();
     let alone: Vec<Vec<u64>> = cases.iter().flat_map(|case| bits::<1>(&[case])).collect();
-    let together = bits::<8>(cases[..].try_into().unwrap());
-    for l in 0..8 {
+    let together = bits::<4>(cases[..].try_into().unwrap());
+    for l in 0..4 {
         assert!(alone[l] == together[l], "lane {l}");
     }
-    let backwards: [&Structure; 8] = std::array::from_fn(|l| cases[7 - l]);
-    let swapped = bits::<8>(&backwards);
-    for l in 0..8 {
-        assert!(alone[l] == swapped[7 - l], "lane {l}");
+    // In other lanes, beside others, and twice.
+    for order in [[3, 2, 1, 0], [2, 0, 3, 2]] {
+        let together = bits::<4>(&order.map(|i| cases[i]));
+        assert!(together == order.map(|i| alone[i].clone()), "{order:?}");
     }
-    let three = bits::<3>(&[cases[2], cases[0], cases[7]]);
-    assert!(three == [alone[2].clone(), alone[0].clone(), alone[7].clone()]);
 }
 
 #[test]
@@ -113,11 +111,11 @@ fn a_case_has_the_same_bits_in_every_lane_by_every_method() {
             let [bits] = bits_by::<1>(&method, 600, &[case]);
             bits
         });
-        let together = bits_by::<3>(&method, 600, &cases.each_ref());
-        assert!(together == alone, "{method:?}");
-        let [a, b, c] = &cases;
-        let [c, b, a] = bits_by::<3>(&method, 600, &[c, b, a]);
-        assert!([a, b, c] == alone, "{method:?}");
+        for order in [[0, 1, 2, 0], [2, 2, 1, 0]] {
+            let together = bits_by::<4>(&method, 600, &order.map(|i| &cases[i]));
+            let alone = order.map(|i| alone[i].clone());
+            assert!(together == alone, "{method:?}, {order:?}");
+        }
     }
 }
 
@@ -139,7 +137,7 @@ fn a_lane_that_fails_leaves_the_others_alone() {
     }
     let prepared = Prepared::new(&good, 0.002).unwrap();
     let mut last = [0.0; 2];
-    let done = run::<2>(&[&bad, &good], &prepared, 500, |_, state| {
+    let done = run::<4>(&[&bad, &good, &bad, &good], &prepared, 500, |_, state| {
         last[0] = state.displacement(3).0[1];
     });
     let words = done[0].as_ref().unwrap_err().to_string();
@@ -147,7 +145,7 @@ fn a_lane_that_fails_leaves_the_others_alone() {
         words.starts_with("step 0: the contact forces are not unique"),
         "{words}"
     );
-    assert_eq!(done[1], Ok(()));
+    assert_eq!([&done[1], &done[3]], [&Ok(()), &Ok(())]);
     let [alone] = run::<1>(&[&good], &prepared, 500, |_, state| {
         last[1] = state.displacement(3).0[0];
     });
@@ -172,9 +170,10 @@ fn a_lane_fails_at_the_step_from_which_its_forces_are_not_unique() {
         contact.law = displacement_control(1.0, 1.0);
     }
     let prepared = Prepared::new(&stuck, 0.25).unwrap();
-    let done = run::<2>(&[&stuck, &free], &prepared, 10, |_, _| ());
+    let done = run::<4>(&[&stuck, &free, &free, &stuck], &prepared, 10, |_, _| ());
     let why = crate::contact::Unsolved::Singular;
-    assert_eq!(done, [Err(Unsolvable::NoForces { step: 2, why }), Ok(())]);
+    let no_forces = Err(Unsolvable::NoForces { step: 2, why });
+    assert_eq!(done, [no_forces.clone(), Ok(()), Ok(()), no_forces]);
 }
 
 #[test]
@@ -190,7 +189,8 @@ fn a_motion_that_grows_without_bound_is_out_of_range() {
     let rest = moving.clone();
     moving.velocity[0] = 1.0;
     let prepared = Prepared::new(&moving, 0.1).unwrap();
-    let run = |steps| run::<2>(&[&moving, &rest], &prepared, steps, |_, _| ());
-    assert_eq!(run(600), [Ok(()), Ok(())]);
-    assert_eq!(run(700), [Err(Unsolvable::OutOfRange), Ok(())]);
+    let run = |steps| run::<4>(&[&moving, &rest, &rest, &rest], &prepared, steps, |_, _| ());
+    assert_eq!(run(600), [Ok(()), Ok(()), Ok(()), Ok(())]);
+    let out_of_range = Err(Unsolvable::OutOfRange);
+    assert_eq!(run(700), [out_of_range, Ok(()), Ok(()), Ok(())]);
 }

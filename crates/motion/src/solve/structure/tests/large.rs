@@ -163,7 +163,7 @@ fn both_forms_of_one_method_agree() {
 
 #[test]
 fn lanes_have_the_bits_of_single_cases() {
-    let scales = [1.0, 0.3, 0.7];
+    let scales = [1.0, 0.3, 0.7, 0.5];
     let cases = scales.map(truss);
     for method in [
         Method::AverageAcceleration(AverageAcceleration),
@@ -171,7 +171,7 @@ fn lanes_have_the_bits_of_single_cases() {
     ] {
         let prepared = Prepared::by(&method, &cases[0], DT).unwrap();
         let mut last = vec![Lane::splat(0.0); 2 * cases[0].len()];
-        let done = run::<3>(&cases.each_ref(), &prepared, 30, |_, state| {
+        let done = run::<4>(&cases.each_ref(), &prepared, 30, |_, state| {
             let nodes = 0..state.nodes();
             let both = nodes.flat_map(|i| [state.displacement(i), state.velocity(i)]);
             last = both.collect();
