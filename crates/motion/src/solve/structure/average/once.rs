@@ -1,7 +1,7 @@
 //! The forms in which a step by the constant average acceleration method is compiled.
 
 use super::lane_state::Average;
-use slipgap_contact::for_widest;
+use slipgap_contact::for_wide;
 
 impl<const L: usize> Average<'_, L> {
     /// One step; `step` is the number of its end.
@@ -18,14 +18,14 @@ impl<const L: usize> Average<'_, L> {
         // A constant, so that no form is compiled that is not used.
         match const { L == 1 } {
             true => once_alone(self, step),
-            false => once_widest(self, step),
+            false => once_wide(self, step),
         }
     }
 }
 
 // Functions of their own: every caller would compile the step again.
-for_widest! {
-    fn once_widest<const L: usize>(state: &mut Average<L>, step: usize) {
+for_wide! {
+    fn once_wide<const L: usize>(state: &mut Average<L>, step: usize) {
         state.compute(step);
     }
 }

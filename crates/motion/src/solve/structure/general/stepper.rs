@@ -6,7 +6,7 @@ use crate::methods::SubStep;
 use crate::solve::structure::contacts::laws::friction;
 use crate::solve::structure::linear_part::linear::Linear;
 use crate::solve::structure::linear_part::links::{Elimination, Link};
-use slipgap_contact::for_widest;
+use slipgap_contact::for_wide;
 
 impl<const L: usize> General<'_, L> {
     /// One step; `step` is the number of its end.
@@ -28,7 +28,7 @@ impl<const L: usize> General<'_, L> {
         // A constant, so that no form is compiled that is not used.
         match const { L == 1 } {
             true => sub_step_alone(self, part, end),
-            false => sub_step_widest(self, part, end),
+            false => sub_step_wide(self, part, end),
         }
     }
 
@@ -248,8 +248,8 @@ impl<const L: usize> General<'_, L> {
 }
 
 // Functions of their own: every caller would compile the sub-step again.
-for_widest! {
-    fn sub_step_widest<const L: usize>(state: &mut General<L>, part: usize, end: usize) {
+for_wide! {
+    fn sub_step_wide<const L: usize>(state: &mut General<L>, part: usize, end: usize) {
         state.compute(part, end);
     }
 }

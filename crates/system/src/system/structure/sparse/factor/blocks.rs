@@ -4,7 +4,7 @@ use super::Entry;
 use super::panels::Panel;
 use super::products::products;
 use crate::lane::Lane;
-use slipgap_contact::for_widest;
+use slipgap_contact::for_wide;
 use std::ops::Range;
 
 /// Most columns of a group.
@@ -286,13 +286,13 @@ impl Blocks {
 }
 
 // Functions of their own, so that the steps of small structures keep their registers.
-for_widest! {
+for_wide! {
     fn eliminate<const L: usize>(blocks: &Blocks, x: &mut [Lane<L>]) {
         blocks.eliminate_all(x);
     }
 }
 
-for_widest! {
+for_wide! {
     fn substitute<const L: usize>(blocks: &Blocks, y: &mut [Lane<L>]) {
         blocks.substitute_all(y);
     }
