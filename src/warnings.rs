@@ -43,26 +43,18 @@ impl<'a> StudyWarnings<'a> {
                 .iter()
                 .for_each(|kind| self.counts.add(kind, number));
         }
-        if self.study.checks.is_empty() {
-            return;
-        }
-        let mut shown = part.cases.shown();
-        for row in 0..part.len() {
-            let (number, case) = (part.number(row), shown.at(row));
-            let value = |metric| part.metrics.value(row, metric);
-            let mut tested = checks::applicable(self.study, case, value);
-            let fails = |(check, value)| !checks::verdict(self.study, check, number, value).holds();
-            if tested.any(fails) {
-                self.not_met.insert(number);
+        let (study, not_met) = (self.study, &mut self.not_met);
+        self.reduced.add_part(part, &mut |number, check, value| {
+            if !checks::is_met(study, check, value) {
+                not_met.insert(number);
             }
-            self.reduced.add(number, case, value);
-        }
+        });
     }
 
     /// The warnings, after all parts.
     pub fn list(mut self) -> Vec<WarnedCases> {
         for (check, case, value) in self.reduced.values() {
-            if !checks::verdict(self.study, check, case, value).holds() {
+            if !checks::is_met(self.study, check, value) {
                 self.not_met.insert(case);
             }
         }

@@ -23,10 +23,19 @@ pub struct Verdict {
 impl Verdict {
     /// Whether the value is within the limits.
     pub fn holds(&self) -> bool {
-        self.value.is_some_and(|x| {
-            self.min.is_none_or(|min| x >= min) && self.max.is_none_or(|max| x <= max)
-        })
+        is_within(self.value, [self.min, self.max])
     }
+}
+
+/// Whether there is a value, and within these limits.
+fn is_within(value: Option<f64>, [min, max]: [Option<f64>; 2]) -> bool {
+    value.is_some_and(|x| min.is_none_or(|min| x >= min) && max.is_none_or(|max| x <= max))
+}
+
+/// Whether a value meets a check of the study, given by its index.
+pub fn is_met(study: &Study, check: usize, value: Option<f64>) -> bool {
+    let check = &study.checks[check];
+    is_within(value, [check.min, check.max])
 }
 
 impl Verdict {
@@ -42,7 +51,7 @@ impl Verdict {
 }
 
 /// The checks of single cases that apply to a case, by their index in the study, each with the value that it tests.
-pub fn applicable(
+fn applicable(
     study: &Study,
     case: &Case,
     value: impl Fn(usize) -> Option<f64>,
@@ -92,7 +101,6 @@ impl TestedValues {
 /// Collects the values that checks test, part by part.
 #[derive(Debug)]
 pub struct CheckCollector<'a> {
-    study: &'a Study,
     values: Vec<Vec<(u64, f64)>>,
     reduced: ReducedChecks<'a>,
 }
@@ -101,7 +109,6 @@ impl<'a> CheckCollector<'a> {
     /// No cases yet.
     pub fn new(study: &'a Study) -> CheckCollector<'a> {
         CheckCollector {
-            study,
             values: vec![Vec::new(); study.checks.len()],
             reduced: ReducedChecks::new(study),
         }
@@ -109,18 +116,10 @@ impl<'a> CheckCollector<'a> {
 
     /// Adds a part.
     pub fn add(&mut self, part: &PartResult) {
-        if self.study.checks.is_empty() {
-            return;
-        }
-        let mut shown = part.cases.shown();
-        for row in 0..part.len() {
-            let (number, case) = (part.number(row), shown.at(row));
-            let value = |metric| part.metrics.value(row, metric);
-            for (check, value) in applicable(self.study, case, value) {
-                self.values[check].push((number, value.unwrap_or(f64::NAN)));
-            }
-            self.reduced.add(number, case, value);
-        }
+        let values = &mut self.values;
+        self.reduced.add_part(part, &mut |number, check, value| {
+            values[check].push((number, value.unwrap_or(f64::NAN)));
+        });
     }
 
     /// The reductions of cases without a value, as [`ReducedChecks::empty`] gives them.
@@ -163,6 +162,23 @@ impl<'a> ReducedChecks<'a> {
             if self.study.checks[*check].filter.matches(case) {
                 groups.add(number, case, &value);
             }
+        }
+    }
+
+    /// Adds the cases of a part. `take` receives what the checks of single cases test: the number of the case, the index of the
+    /// check in the study, and the value.
+    pub fn add_part(&mut self, part: &PartResult, take: &mut dyn FnMut(u64, usize, Option<f64>)) {
+        if self.study.checks.is_empty() {
+            return;
+        }
+        let mut shown = part.cases.shown();
+        for row in 0..part.len() {
+            let (number, case) = (part.number(row), shown.at(row));
+            let value = |metric| part.metrics.value(row, metric);
+            for (check, value) in applicable(self.study, case, value) {
+                take(number, check, value);
+            }
+            self.add(number, case, value);
         }
     }
 

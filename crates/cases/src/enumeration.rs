@@ -211,7 +211,7 @@ impl<'a> Enumeration<'a> {
     }
 
     /// The cases that a filter selects.
-    pub fn selected(self, filter: &'a Filter) -> Selected<'a, Case> {
+    pub fn cases(self, filter: &'a Filter) -> Selected<'a, Case> {
         Box::new(
             self.select(filter)
                 .filter_map(move |index| self.case(index)),

@@ -143,7 +143,7 @@ macro_rules! for_widest {
     };
 }
 
-/// The same without AVX-512: steps of structures are up to 8 % slower by it, and it takes a third of their time to compile.
+/// The same without AVX-512, which makes steps of structures up to 8 % slower and takes a third of their time to compile.
 #[macro_export]
 macro_rules! for_wide {
     ($($function:tt)*) => {

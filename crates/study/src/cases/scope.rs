@@ -221,7 +221,7 @@ impl Scope {
 
     /// The cases that a filter selects.
     pub fn cases<'a>(&'a self, filter: &'a Filter) -> Selected<'a, Case> {
-        self.enumeration().selected(filter)
+        self.enumeration().cases(filter)
     }
 
     /// Whether the parameters in `from` decide a parameter, in every block with cases that a filter selects.
